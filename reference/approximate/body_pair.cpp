@@ -12,8 +12,7 @@ namespace fathom {
 BodyPair::BodyPair(kernels::Context& context, std::span<const Point> a, std::span<const Point> b)
     : placed_(polytope::place(a, b)), facts_(depth::facts_of(placed_)) {
   const polytope::PositionOfOrigin origin = polytope::position_of_origin(placed_.a, placed_.b);
-  if (origin.position == polytope::Position::inside)
-    solid_ = std::make_unique<const Solid>(depth::hulls_of(context, placed_, false, facts_));
+  if (origin.position == polytope::Position::inside) solid_ = std::make_unique<const Solid>(depth::hulls_of(context, placed_, facts_));
   else separation_ = Separation{*origin.normal, origin.position == polytope::Position::boundary};
 }
 

@@ -92,21 +92,21 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
   depth::require_listed(options.optima);
   kernels::Context context(options.monitor);
   const polytope::PlacedPair pair = polytope::place(a, b);
-  Depth depth{depth::facts_of(pair), {}, std::nullopt, {}};
-  if (!depth::answer_apart(context, pair, options.validate, depth)) {
-    const depth::Hulls hulls = depth::hulls_of(context, pair, options.validate, depth);
+  depth::Beginning made{.pair = &pair};
+  if (depth::begin(context, made, options.validate)) {
     context.report("hierarchies");
-    const polytope::Hierarchy hierarchy_a(hulls.a), hierarchy_b(hulls.b);
+    const polytope::Hierarchy hierarchy_a(made.hulls.a), hierarchy_b(made.hulls.b);
     const approximate::ShallowPenetration bodies(context, hierarchy_a, hierarchy_b, delta);
     const approximate::ShallowResult found = bodies.query(context);
     if (!found.inside) throw std::logic_error("O is inside P, and a ray from it found otherwise");
     if (options.validate) kernels::insist(approximate::validate(found, hierarchy_a, hierarchy_b));
     context.counters.rays = found.rays;
     context.counters.facets_visited = found.facets;
-    depth.outcome = depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()}, options.optima);
+    made.depth.outcome =
+        depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()}, options.optima);
   }
-  depth.counters = context.counters;
-  return depth;
+  made.depth.counters = context.counters;
+  return std::move(made.depth);
 }
 
 }  // namespace fathom

@@ -5,19 +5,35 @@
 #include "kernels/parallel.hpp"
 #include "kernels/point_algebra.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/polytope/distance.hpp"
-#include "reference/polytope/position.hpp"
 
 namespace fathom::depth {
 namespace {
 
+using polytope::Position;
+
 constexpr std::size_t worth_a_thread = 2048;  // points
 
+void locate_origin(kernels::Context& context, Beginning& state) {
+  state.origin = polytope::position_of_origin(state.pair->a, state.pair->b);
+  context.counters.scans += state.origin.scans;
+}
+
+void insist_on_origin(const Beginning& state) {
+  kernels::insist(polytope::validate(state.origin, state.pair->a.points(), state.pair->b.points()));
+}
+
+void find_nearest(kernels::Context& context, Beginning& state) {
+  if (state.origin.position != Position::outside) return;
+  state.nearest = polytope::nearest_points(state.pair->a, state.pair->b);
+  context.counters.scans += state.nearest->scans;
+}
+
+void insist_on_nearest(const Beginning& state) {
+  if (state.nearest) kernels::insist(polytope::validate(*state.nearest, state.pair->a.points(), state.pair->b.points()));
+}
+
 // In the direction of the nearest point of P the height is -distance: no shorter translation brings A to B.
-Distance distance(kernels::Context& context, const polytope::PlacedPair& pair, bool checked) {
-  const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
-  if (checked) kernels::insist(polytope::validate(nearest, pair.a.points(), pair.b.points()));
-  context.counters.scans += nearest.scans;
+Distance distance(const polytope::PlacedPair& pair, const polytope::NearestPoints& nearest) {
   const Vector& n = nearest.normal;
   const mpq_class factor = kernels::ratio(nearest.height, dot(n, n) * pair.denominator);
   return {factor * factor * dot(n, n),
@@ -27,25 +43,46 @@ Distance distance(kernels::Context& context, const polytope::PlacedPair& pair, b
           contact_of(facing_faces(pair, n))};
 }
 
+void answer(kernels::Context&, Beginning& state) {
+  const polytope::PlacedPair& pair = *state.pair;
+  if (state.origin.position == Position::boundary)
+    state.depth.outcome = Touch{*state.origin.normal, combination(pair, pair.a.points(), state.origin.a)};
+  if (state.nearest) state.depth.outcome = distance(pair, *state.nearest);
+}
+
+void make_hulls(kernels::Context& context, Beginning& state) {
+  if (state.origin.position == Position::inside) state.hulls = hulls_of(context, *state.pair, state.depth);
+}
+
+void insist_on_made_hulls(const Beginning& state) {
+  if (state.origin.position == Position::inside) insist_on_hulls(state.hulls, *state.pair);
+}
+
+constexpr Stage<Beginning> until_apart[] = {{locate_origin, insist_on_origin}, {find_nearest, insist_on_nearest}, {answer, nullptr}};
+constexpr Stage<Beginning> until_hulls[] = {{make_hulls, insist_on_made_hulls}};
+
 }  // namespace
+
+bool begin(kernels::Context& context, Beginning& beginning, bool validate) {
+  static_cast<BodyFacts&>(beginning.depth) = facts_of(*beginning.pair);
+  run_stages<Beginning>(context, beginning, until_apart, validate);
+  run_stages<Beginning>(context, beginning, until_hulls, validate);
+  return beginning.origin.position == Position::inside;
+}
+
+bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, Depth& depth) {
+  Beginning beginning{.pair = &pair};
+  run_stages<Beginning>(context, beginning, until_apart, false);
+  if (beginning.origin.position == Position::inside) return false;
+  depth.outcome = std::move(beginning.depth.outcome);
+  return true;
+}
 
 BodyFacts facts_of(const polytope::PlacedPair& pair) {
   return {polytope::affine_rank(pair.a.points()) < 3, polytope::affine_rank(pair.b.points()) < 3, 0, 0};
 }
 
-bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, Depth& depth) {
-  const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
-  if (checked) kernels::insist(polytope::validate(origin, pair.a.points(), pair.b.points()));
-  context.counters.scans += origin.scans;
-  switch (origin.position) {
-    case polytope::Position::inside: return false;
-    case polytope::Position::boundary: depth.outcome = Touch{*origin.normal, combination(pair, pair.a.points(), origin.a)}; break;
-    case polytope::Position::outside: depth.outcome = distance(context, pair, checked); break;
-  }
-  return true;
-}
-
-Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, BodyFacts& facts) {
+Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts) {
   context.report("hulls");
   Hulls hulls;
   const bool one_body = pair.a.points() == pair.b.points();
@@ -54,10 +91,6 @@ Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool
       [&](kernels::Context&) { hulls.a = polytope::convex_hull(pair.a.points()); },
       [&](kernels::Context&) { hulls.b = one_body ? hulls.a : polytope::convex_hull(pair.b.points()); });
   const auto& [a, b] = hulls;
-  if (checked) {
-    kernels::insist(polytope::validate(a, pair.a.points()));
-    kernels::insist(polytope::validate(b, pair.b.points()));
-  }
   facts.extreme_a = static_cast<std::uint32_t>(a.vertices.size());
   facts.extreme_b = static_cast<std::uint32_t>(b.vertices.size());
   Counters& counters = context.counters;
@@ -68,6 +101,11 @@ Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool
   counters.facets_a = a.facets.size();
   counters.facets_b = b.facets.size();
   return hulls;
+}
+
+void insist_on_hulls(const Hulls& hulls, const polytope::PlacedPair& pair) {
+  kernels::insist(polytope::validate(hulls.a, pair.a.points()));
+  kernels::insist(polytope::validate(hulls.b, pair.b.points()));
 }
 
 }  // namespace fathom::depth

@@ -1,26 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies on a lattice.
-// Output  where O lies; for bodies that do not penetrate this is the answer.                [AGHRS, section 2.2, step before the algorithm]
+// Output  where O lies, and with it the answer about bodies that do not penetrate; of others the hulls. Every method begins like this.
+//                                                                       [AGHRS, section 2.2, step before the algorithm]
 #pragma once
+
+#include <optional>
+#include <span>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
+#include "reference/polytope/distance.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "reference/polytope/position.hpp"
 
 namespace fathom::depth {
 
-/// Returns whether the bodies are flat; does not count extreme points.
-BodyFacts facts_of(const polytope::PlacedPair& pair);
+/// One stage of a method: it makes a part of the state from the parts before it. `insist` throws std::logic_error if a law of that part is
+/// broken; it is null where there are none.
+template <class State>
+struct Stage {
+  void (*make)(kernels::Context& context, State& state);
+  void (*insist)(const State& state);
+};
 
-/// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate. If `checked`, validates what it finds.
-[[nodiscard]] bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, Depth& depth);
+/// Runs stage after stage. If `validate`, no stage gets what breaks a law.
+template <class State>
+void run_stages(kernels::Context& context, State& state, std::span<const Stage<State>> stages, bool validate) {
+  for (const Stage<State>& stage : stages) {
+    stage.make(context, state);
+    if (validate && stage.insist != nullptr) stage.insist(state);
+  }
+}
 
 /// The hulls of both bodies.
 struct Hulls {
   polytope::Polytope a, b;
 };
-/// Computes the hulls; sets the counts of extreme points in `facts`, and the counters. If `checked`, validates the hulls.
-Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, bool checked, BodyFacts& facts);
+
+/// What every method begins with.
+struct Beginning {
+  const polytope::PlacedPair* pair = nullptr;  ///< the bodies, which must outlive it
+  Depth depth;                                 ///< of bodies that do not penetrate the answer, except for the counters
+  polytope::PositionOfOrigin origin;
+  std::optional<polytope::NearestPoints> nearest;  ///< of bodies that are apart
+  Hulls hulls;                                     ///< of bodies that penetrate
+};
+
+/// Fills in all but `pair` and `depth.method`. Returns whether the bodies penetrate: then `depth.outcome` is still to be found.
+[[nodiscard]] bool begin(kernels::Context& context, Beginning& beginning, bool validate);
+
+/// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate.
+[[nodiscard]] bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, Depth& depth);
+
+/// Returns whether the bodies are flat; does not count extreme points.
+BodyFacts facts_of(const polytope::PlacedPair& pair);
+
+/// Computes the hulls; sets the counts of extreme points in `facts`, and the counters.
+Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts);
+/// Throws std::logic_error if a hull breaks a law.
+void insist_on_hulls(const Hulls& hulls, const polytope::PlacedPair& pair);
 
 }  // namespace fathom::depth

@@ -28,14 +28,15 @@ std::optional<Depth> certified_depth(kernels::Context& context, const polytope::
 }
 
 Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
-  Depth depth{depth::facts_of(pair), {}, Method::naive, {}};
-  if (!depth::answer_apart(context, pair, options.validate, depth)) {
-    const depth::Hulls hulls = depth::hulls_of(context, pair, options.validate, depth);
+  depth::Beginning made{.pair = &pair};
+  made.depth.method = Method::naive;
+  if (depth::begin(context, made, options.validate)) {
     context.report("hull of all differences");
-    depth.outcome = depth::penetration_along(pair, depth::naive_depth(hulls.a.vertices, hulls.b.vertices).directions, options.optima);
+    const std::vector<Vector> nearest = depth::naive_depth(made.hulls.a.vertices, made.hulls.b.vertices).directions;
+    made.depth.outcome = depth::penetration_along(pair, nearest, options.optima);
   }
-  depth.counters = context.counters;
-  return depth;
+  made.depth.counters = context.counters;
+  return std::move(made.depth);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ class Answer {
       for (std::uint32_t j = 0; j < columns(); ++j) {
         context_.check();
         Depth depth;
-        if (!depth::answer_apart(context_, pieces_.pair(i, j), false, depth)) continue;
+        if (!depth::answer_apart(context_, pieces_.pair(i, j), depth)) continue;
         if (result_.apart && depth.distance()->squared >= result_.apart->distance.squared) continue;
         result_.apart = UnionDistance{i, j, *depth.distance()};
       }

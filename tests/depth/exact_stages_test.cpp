@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages that are kept belong to the answer, and they are there for bodies that do not penetrate too.
-#include "reference/depth/exact_stages.hpp"
-
 #include <gtest/gtest.h>
 
+#include "reference/depth/penetration_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 

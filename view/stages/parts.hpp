@@ -5,7 +5,7 @@
 #include <span>
 
 #include "kernels/context.hpp"
-#include "reference/depth/exact_stages.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "view/stages/stages.hpp"
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/depth/exact_stages.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::stages {
