@@ -2,6 +2,8 @@
 // The stages that are kept belong to the answer, and they are there for bodies that do not penetrate too.
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "reference/depth/penetration_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
@@ -40,6 +42,23 @@ TEST(ExactStages, AreThoseOfTheAnswer) {
     }
   }
   EXPECT_GT(apart, 20U);
+}
+
+TEST(Stages, GoOnOnlyWhileLawsHoldIfThatIsAskedFor) {
+  struct Count {
+    int made = 0;
+  };
+  const auto make = [](kernels::Context&, Count& count) { ++count.made; };
+  const auto insist = [](const Count& count) {
+    if (count.made == 2) throw std::logic_error("broken law");
+  };
+  const Stage<Count> stages[] = {{make, nullptr}, {make, insist}, {make, insist}};
+  kernels::Context context;
+  Count looked_at, trusted;
+  EXPECT_THROW(run_stages<Count>(context, looked_at, stages, true), std::logic_error);
+  EXPECT_EQ(looked_at.made, 2);
+  run_stages<Count>(context, trusted, stages, false);
+  EXPECT_EQ(trusted.made, 3);
 }
 
 }  // namespace
