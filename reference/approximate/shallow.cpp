@@ -102,8 +102,7 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
     if (options.validate) kernels::insist(approximate::validate(found, hierarchy_a, hierarchy_b));
     context.counters.rays = found.rays;
     context.counters.facets_visited = found.facets;
-    made.depth.outcome =
-        depth::penetration_along(pair, {found.nearest.directions().begin(), found.nearest.directions().end()}, options.optima);
+    made.depth.outcome = depth::penetration_along(pair, found.nearest.directions(), options.optima);
   }
   made.depth.counters = context.counters;
   return std::move(made.depth);

@@ -2,7 +2,6 @@
 // A face of a body is the hull of the body's extreme points in a direction: the hull of the whole body is not needed.
 #include "reference/depth/contact.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "kernels/number/ratio.hpp"
@@ -99,17 +98,6 @@ void list_first(Penetration& penetration, const std::optional<std::size_t>& list
   if (!listed || all <= *listed) return;
   penetration.optima.resize(*listed);
   penetration.unlisted += all - *listed;
-}
-
-Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest, std::optional<std::size_t> listed) {
-  Penetration result;
-  result.unlisted = nearest.size() - std::min(nearest.size(), listed.value_or(nearest.size()));
-  for (const Vector& n : std::span(nearest).first(nearest.size() - result.unlisted)) {
-    const FacingFaces faces = facing_faces(pair, n);
-    result.optima.push_back(optimum(pair, n, faces));
-    if (result.optima.size() == 1) result.meeting = meeting(pair, n, faces);
-  }
-  return result;
 }
 
 }  // namespace fathom::depth

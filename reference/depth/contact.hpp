@@ -3,6 +3,7 @@
 // Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.      [proofs/depth.md]
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -65,9 +66,38 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
 /// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order. It lists the
-/// first `listed` optima, at least one.
-Penetration penetration_along(const polytope::PlacedPair& pair, const std::vector<Vector>& nearest,
-                              std::optional<std::size_t> listed = std::nullopt);
+/// first `listed` optima, at least one. `contacts` finds them on the lattice: contacts.optimum(n), and then contacts.meeting(optimum).
+template <class Contacts, class Normals>
+Penetration penetration_by(Contacts contacts, const Normals& nearest, std::optional<std::size_t> listed) {
+  Penetration result;
+  const std::size_t all = nearest.size(), most = std::min<std::size_t>(all, listed.value_or(all));
+  result.optima.reserve(most);
+  result.unlisted = all - most;
+  for (const Vector& n : nearest) {
+    if (result.optima.size() == most) break;
+    result.optima.push_back(contacts.optimum(n));
+    if (result.optima.size() == 1) result.meeting = contacts.meeting(result.optima.front());
+  }
+  return result;
+}
+
+/// The contacts of bodies on any lattice.
+class PlacedContacts {
+ public:
+  explicit PlacedContacts(const polytope::PlacedPair& pair) : pair_(pair) {}
+  Optimum optimum(const Vector& n) { return depth::optimum(pair_, n, faces_ = facing_faces(pair_, n)); }
+  [[nodiscard]] FaceMeeting meeting(const Optimum& last) const { return depth::meeting(pair_, last.direction, faces_); }
+
+ private:
+  const polytope::PlacedPair& pair_;
+  FacingFaces faces_;
+};
+
+/// The same for bodies on any lattice.
+template <class Normals>
+Penetration penetration_along(const polytope::PlacedPair& pair, const Normals& nearest, std::optional<std::size_t> listed = std::nullopt) {
+  return penetration_by(PlacedContacts(pair), nearest, listed);
+}
 
 /// Throws std::invalid_argument unless at least one optimum is asked for.
 void require_listed(const std::optional<std::size_t>& listed);

@@ -94,46 +94,18 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
   }
 }
 
-// The answer on one lattice, in its unit: all neighbours, then what `expand` finds, given the depth and the nearest neighbour's distance.
+// The answer on one lattice of this unit: all neighbours, and then what expand(nearest, least) finds, given the depth and the nearest
+// neighbour's distance. It returns nullopt if its integers are too short, and so does this.
 template <class Differences, class Expand>
-std::optional<mpq_class> second_nearest(Differences& differences, const Penetration& penetration, const mpq_class& nearest, Expand expand) {
+std::optional<std::optional<mpq_class>> second_nearest(Differences differences, const Penetration& penetration, const mpz_class& unit,
+                                                       Expand expand) {
+  const mpq_class square(unit * unit), nearest = penetration.squared() * square;
   std::optional<mpq_class> least;
   for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
-  return least ? expand(*least) : std::nullopt;  // without one, whatever can be reached from a nearest facet is one
-}
-
-std::optional<mpq_class> in_unit(std::optional<mpq_class> squared, const mpq_class& unit) {
-  if (squared) *squared /= unit;
-  return squared;
-}
-
-// On a narrow lattice; false if the integers there are too short.
-bool second_nearest_narrow(kernels::Context& context, const Penetration& penetration, Workspace& workspace,
-                           std::optional<mpq_class>& result) {
-  const polytope::NarrowPair& pair = workspace.parts->pair;
-  const mpq_class unit(mpz_class(1) << (2 * pair.shift)), nearest = penetration.squared() * unit;
-  polytope::NarrowDifferences differences(pair, workspace.parts->scan);
-  bool held = true;
-  result = in_unit(second_nearest(differences, penetration, nearest,
-                                  [&](const mpq_class& least) {
-                                    auto next = expanding::next_nearest_by_expansion(context, pair, nearest, least, workspace);
-                                    held = next.has_value();
-                                    return next;
-                                  }),
-                   unit);
-  return held;
-}
-
-std::optional<mpq_class> second_nearest_anywhere(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
-                                                 const Penetration& penetration) {
-  const polytope::PlacedPair pair = polytope::place(a, b);
-  const mpq_class unit(pair.denominator * pair.denominator), nearest = penetration.squared() * unit;
-  polytope::Differences differences{pair.a, pair.b};
-  return in_unit(second_nearest(differences, penetration, nearest,
-                                [&](const mpq_class& least) {
-                                  return std::optional(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, least));
-                                }),
-                 unit);
+  if (!least) return std::optional<mpq_class>();  // without one, whatever can be reached from a nearest facet is one
+  const std::optional<mpq_class> next = expand(nearest, *least);
+  if (!next) return std::nullopt;
+  return std::optional<mpq_class>(*next / square);
 }
 
 std::span<const Point> exact(std::span<const Point> points) { return points; }
@@ -149,10 +121,19 @@ std::optional<mpq_class> second_nearest(std::span<const P> a, std::span<const P>
   kernels::Context context(monitor);
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
-  std::optional<mpq_class> result;
-  const bool narrow = polytope::place_narrow(a, b, workspace->parts->pair);
-  if (narrow && second_nearest_narrow(context, penetration, *workspace, result)) return result;
-  return second_nearest_anywhere(context, exact(a), exact(b), penetration);
+  Workspace::Parts& parts = *workspace->parts;
+  if (polytope::place_narrow(a, b, parts.pair)) {
+    const auto expand = [&](const mpq_class& nearest, const mpq_class& least) {
+      return expanding::next_nearest_by_expansion(context, parts.pair, nearest, least, *workspace);
+    };
+    const polytope::NarrowDifferences differences(parts.pair, parts.scan);
+    if (auto found = second_nearest(differences, penetration, mpz_class(1) << parts.pair.shift, expand)) return std::move(*found);
+  }
+  const polytope::PlacedPair pair = polytope::place(exact(a), exact(b));
+  const auto expand = [&](const mpq_class& nearest, const mpq_class& least) {
+    return std::optional(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, least));
+  };
+  return *second_nearest(polytope::Differences{pair.a, pair.b}, penetration, pair.denominator, expand);
 }
 
 }  // namespace

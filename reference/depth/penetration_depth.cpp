@@ -120,8 +120,7 @@ void offer_closest_lines(kernels::Context& context, Run& run) {
 }
 
 void find_contacts(kernels::Context&, Run& run) {
-  const auto& directions = run.nearest.directions();
-  run.made.depth.outcome = penetration_along(*run.made.pair, {directions.begin(), directions.end()}, run.options.optima);
+  run.made.depth.outcome = penetration_along(*run.made.pair, run.nearest.directions(), run.options.optima);
 }
 
 // O is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of the other, or it is spanned by an edge of

@@ -5,12 +5,12 @@
 
 #include <utility>
 
+#include "fathom/width.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/narrow_pair.hpp"
 #include "reference/solve/deciding_points.hpp"
 #include "reference/solve/methods.hpp"
-#include "reference/solve/narrow_depth.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -59,5 +59,8 @@ Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
   if (a.points.in_binary64() && b.points.in_binary64()) return penetration_depth(a.points.binary64(), b.points.binary64(), options);
   return penetration_depth(a.points.exact(), b.points.exact(), options);
 }
+
+// The width is the depth of a body against itself.
+Depth width(std::span<const Point> points, const Options& options) { return penetration_depth(points, points, options); }
 
 }  // namespace fathom

@@ -5,7 +5,6 @@
 
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/solve/methods.hpp"
-#include "reference/solve/narrow_depth.hpp"
 #include "tests/expanding/same_expansion.hpp"
 #include "tests/solve/same_depth.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The answer on a narrow lattice against its naive twin, the same method on any lattice, and against the exact method; points given as
 // doubles against the same points as rationals.
-#include "reference/solve/narrow_depth.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
