@@ -160,7 +160,7 @@ class NaiveJudge {
     };
     if (away(reply.witness_a, truth_.a) || away(reply.witness_b, truth_.b)) return true;
     if (!reply.witness_a || !reply.witness_b || (reply.direction && !u)) return false;
-    const Point way = minus(exact(*reply.witness_b), exact(*reply.witness_a));
+    const Point way = exact(*reply.witness_b) - exact(*reply.witness_a);
     if (!u) return more(real(abs(real(length(way) - (reply.overlap ? d : real(-d))))), gap_tol_);
     mpf_class squared = real(0);
     for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
