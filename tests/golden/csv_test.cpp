@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The CSV says what the records say.
-#include "verify/golden/records/csv.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "tests/golden/some_recipes.hpp"
+#include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
@@ -92,7 +91,7 @@ TEST(Csv, WritesInfinity) {
                                                                 {largest, -largest, -largest},
                                                                 {-largest, largest, -largest},
                                                                 {-largest, -largest, largest}})};
-  const Record record = record_of({Source::family, "by_hand", 0, 0}, Form::given, {"by_hand", box, box});
+  const Record record = record_of({Source::family, "by_hand", 0, 0}, {Form::given, "by_hand", HullPair{box, box}});
   EXPECT_NE(record.csv_row.find(",inf,0x1.fffffffffffffp+1023,inf,"), std::string::npos);
 }
 

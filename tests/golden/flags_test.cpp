@@ -45,7 +45,7 @@ const Body square = body("0 0 0  4 0 0  0 4 0  4 4 0");
 const Body point = body("5 1 3");
 
 Json record(const Body& a, const Body& b) {
-  return Json::parse(record_of({Source::family, "by_hand", 0, 0}, Form::given, {"by_hand", a, b}).line);
+  return Json::parse(record_of({Source::family, "by_hand", 0, 0}, {Form::given, "by_hand", HullPair{a, b}}).line);
 }
 
 Names flags(const Body& a, const Body& b) { return record(a, b)["flags"].get<Names>(); }

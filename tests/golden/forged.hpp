@@ -9,9 +9,8 @@
 #include <string>
 
 #include "fathom/numbers.hpp"
-#include "verify/check/check.hpp"
+#include "tests/golden/some_recipes.hpp"
 #include "verify/digest/sha256.hpp"
-#include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden::testing {
@@ -34,30 +33,15 @@ inline std::string replaced(std::string text, const std::string& what, const std
   return at == std::string::npos ? text : text.replace(at, what.size(), by);
 }
 
-/// The certificate of another record is refused, with its own name and with this record's.
-inline void expect_refused_of(const Record& record, const Record& other) {
-  const std::string& proof = other.certificate;
-  EXPECT_NE(faults_of(line_with(record.line, proof), proof).value_or("").find("that of another record"), std::string::npos);
-  const std::string renamed = replaced(proof, "id " + other.id, "id " + record.id);
-  ASSERT_TRUE(fathom_check::verify(renamed).accepted()) << "it is true of other bodies";
-  EXPECT_EQ(faults_of(line_with(record.line, renamed), renamed), "the certificate is about other bodies");
-}
-
-/// A form that the record's source has not is refused.
-inline void expect_form_refused(const Record& record) {
-  Json line = Json::parse(record.line);
-  line["source"]["form"] = "binary32";
-  line["id"] = record.id + ".b32";
-  const std::string proof = replaced(record.certificate, "id " + record.id, "id " + record.id + ".b32");
-  EXPECT_EQ(faults_of(line_with(line.dump(), proof), proof), "source: it has no such form");
-}
-
-/// A size of four billion is refused, of a record of the family's first seed.
-inline void expect_size_refused(const Record& record, const std::string& family) {
-  Json line = Json::parse(record.line);
-  line["source"]["size"] = 4'000'000'000;
-  line["id"] = family + "-n4000000000-s1";
-  EXPECT_EQ(faults_of(line.dump(), record.certificate), "source.size: it is larger than that of any record");
+/// A record of shapes whose signed depth is enclosed.
+inline Record enclosed_record() {
+  for (const Recipe& recipe : some_recipes(1, Level::P0)) {
+    if (recipe.name != "cylinder_capsule") continue;
+    for (Record& record : records_of(recipe))
+      if (record.line.find("\"bounds\"") != std::string::npos && record.line.find("\"penetrating\"") != std::string::npos) return record;
+  }
+  ADD_FAILURE() << "no pair that is enclosed";
+  return {};
 }
 
 }  // namespace fathom::golden::testing

@@ -193,10 +193,10 @@ TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
   EXPECT_EQ(id_of({Source::shape_catalogue, "cone_on_plane"}), "shape_catalogue-cone_on_plane");
   EXPECT_EQ(id_of({Source::union_family, "combs", 4, 12}, Form::binary64), "combs-n4-s12.b64");
   EXPECT_EQ(id_of({Source::union_catalogue, "slot_filled"}), "union_catalogue-slot_filled");
-  EXPECT_EQ(base_case({Source::real, "fcl-545"}).id, "real-fcl-545");
+  EXPECT_EQ(cases_of({Source::real, "fcl-545"}).front().id, "real-fcl-545");
   for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
                               Source::union_family, Source::union_catalogue})
-    EXPECT_THROW(base_case({source, "no_such_thing", 8, 1}), std::invalid_argument);
+    EXPECT_THROW(base_bodies({source, "no_such_thing", 8, 1}), std::invalid_argument);
 }
 
 }  // namespace

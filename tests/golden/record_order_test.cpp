@@ -17,7 +17,7 @@ TEST(Order, IdsAreThoseOfTheRecords) {
     for (std::size_t i = 0; i < recipes.size(); i += 7) {
       std::vector<std::string> ids, made;
       for (const Record& record : records_of(recipes[i])) ids.push_back(record.id);
-      for (const FormedCase& one : cases_of(recipes[i])) made.push_back(one.points.id);
+      for (const FormedCase& one : cases_of(recipes[i])) made.push_back(one.id);
       EXPECT_EQ(made, ids);
       rounded += ids.size() - 1;
     }

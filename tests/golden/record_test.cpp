@@ -132,13 +132,14 @@ TEST(Record, RoundedOnesHoldTheRoundedPoints) {
   std::set<std::size_t> counts;
   for (const char* name : {"random_ball", "boxes_posed", "boxes_aligned", "huge_coordinates", "near_ties", "crossed_fans"}) {
     const Recipe recipe{Source::family, name, 8, 3};
-    const Case base = base_case(recipe);
+    const auto base = std::get<HullPair>(base_bodies(recipe));
     const std::vector<Record> records = records_of(recipe);
     counts.insert(records.size());
-    EXPECT_EQ(records[0].id, base.id);
+    EXPECT_EQ(records[0].id, id_of(recipe));
     EXPECT_EQ(points_of(records[0]).a.points, base.a.points);
     for (const Record& record : records) {
-      const Case points = points_of(record);
+      const Case found = points_of(record);
+      const HullPair points{found.a, found.b};
       const Form form = record.id.ends_with(".b64") ? Form::binary64 : record.id.ends_with(".b32") ? Form::binary32 : Form::given;
       EXPECT_TRUE(in_format(points, form)) << record.id;
       EXPECT_EQ(record.in_binary64, in_format(points, Form::binary64)) << record.id;
@@ -157,7 +158,7 @@ TEST(Record, RoundedOnesHoldTheRoundedPoints) {
 }
 
 TEST(Record, APointIsInAFormatIfRoundingLeavesIt) {
-  const auto fits = [](const mpq_class& x, Form form) { return in_format({"", {{{x, 0, 0}}}, {{{0, 0, x}}}}, form); };
+  const auto fits = [](const mpq_class& x, Form form) { return in_format(HullPair{{{{x, 0, 0}}}, {{{0, 0, x}}}}, form); };
   std::vector<mpq_class> values{0, mpq_class(1, 3), exact_value(0x1p-1074), exact_value(0x1p-149), exact_value(0x1.fffffep127)};
   for (const double power : {0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 1.0, 0x1p53, 0x1p127, 0x1p1023}) {
     for (const long m : {1L, -3L, (1L << 24) - 1, (1L << 24) + 1, (1L << 25) - 2, (1L << 53) - 1, -(1L << 53) - 1, (1L << 54) - 2}) {
@@ -177,14 +178,14 @@ TEST(Record, APointIsInAFormatIfRoundingLeavesIt) {
 TEST(Record, NoRoundingThatOverflowsOrShrinksABodyToAPoint) {
   const mpq_class zero = 0, third(1, 3);
   const mpq_class huge = exact_value(1e300), tiny = exact_value(1e-300);
-  const auto with = [&](const mpq_class& x) { return Case{"pair", {{{x, zero, zero}, {zero, x, third}}}, {{{third, zero, zero}}}}; };
-  EXPECT_TRUE(rounded_case(with(huge), Form::binary64));
-  EXPECT_FALSE(rounded_case(with(huge), Form::binary32));
-  EXPECT_FALSE(rounded_case(with(huge * huge), Form::binary64));
-  EXPECT_TRUE(rounded_case(with(tiny), Form::binary32)) << "a third of the body is left";
-  const Case shrinking{"pair", {{{tiny, zero, zero}, {zero, tiny, zero}}}, {{{third, zero, zero}}}};
-  EXPECT_TRUE(rounded_case(shrinking, Form::binary64));
-  EXPECT_FALSE(rounded_case(shrinking, Form::binary32));
+  const auto with = [&](const mpq_class& x) { return HullPair{{{{x, zero, zero}, {zero, x, third}}}, {{{third, zero, zero}}}}; };
+  EXPECT_TRUE(rounded(with(huge), Form::binary64));
+  EXPECT_FALSE(rounded(with(huge), Form::binary32));
+  EXPECT_FALSE(rounded(with(huge * huge), Form::binary64));
+  EXPECT_TRUE(rounded(with(tiny), Form::binary32)) << "a third of the body is left";
+  const HullPair shrinking{{{{tiny, zero, zero}, {zero, tiny, zero}}}, {{{third, zero, zero}}}};
+  EXPECT_TRUE(rounded(shrinking, Form::binary64));
+  EXPECT_FALSE(rounded(shrinking, Form::binary32));
 }
 
 TEST(Record, TheRealCasesHaveTheAnswersThatTwoOtherProgramsFound) {

@@ -124,7 +124,7 @@ class OwnRecords {
       const Case& points = item->value();
       for (const Body* body : {&points.a, &points.b})
         if (body->shape || body->pieces) throw wrong("exports are of polytopes: expected vertices, found a shape or pieces");
-      const Record record = record_of({Source::real, item->id, 0, 0}, Form::given, {item->id, points.a, points.b}, monitor);
+      const Record record = record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
       std::optional<ExportCase> entry = export_case(record.line);
       if (entry) entry->group = "own";
       all_.push_back({std::move(entry), record.certificate});

@@ -6,10 +6,92 @@
 #include <limits>
 
 #include "kernels/number/ratio.hpp"
-#include "verify/golden/records/body_features.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "verify/golden/records/faces.hpp"
 
 namespace fathom::golden {
 namespace {
+
+/// A body's measures.
+struct BodyLook {
+  std::vector<Vector> distinct;  ///< its points, each once, in lexicographic order
+  polytope::Polytope hull;
+  std::vector<Vector> edges;    ///< primitive directions with a positive first component that is not 0, sorted
+  std::vector<Vector> normals;  ///< of facets, outward, sorted
+  mpq_class shortest, longest;  ///< sides of the axis-parallel bounding box
+
+  BodyLook(const std::vector<Vector>& points, const mpz_class& denominator);
+};
+
+/// A record with the hulls and measures of its bodies.
+struct Look {
+  const HullStatement& truth;
+  Integers integers;
+  BodyLook a, b;
+  mpz_class greatest, least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
+
+  Look(const HullPair& hulls, const HullStatement& found);
+
+  [[nodiscard]] const mpq_class& extent() const { return a.longest < b.longest ? b.longest : a.longest; }
+};
+
+void sort_uniquely(std::vector<Vector>& vectors) {
+  std::ranges::sort(vectors, lexicographically_less);
+  vectors.erase(std::unique(vectors.begin(), vectors.end()), vectors.end());
+}
+
+/// v or -v, whichever comes later in lexicographic order.
+Vector without_sense(Vector v) {
+  const int sign = v.x != 0 ? sgn(v.x) : v.y != 0 ? sgn(v.y) : sgn(v.z);
+  return sign < 0 ? -v : v;
+}
+
+BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominator)
+    : distinct(points), hull(polytope::convex_hull(points)) {
+  sort_uniquely(distinct);
+  for (const polytope::Edge& edge : hull.edges)
+    edges.push_back(without_sense(primitive(hull.vertices[edge.to] - hull.vertices[edge.from])));
+  for (const polytope::Facet& facet : hull.facets) normals.push_back(facet.normal);
+  sort_uniquely(edges);
+  sort_uniquely(normals);
+  const mpz_class Vector::*const axes[] = {&Vector::x, &Vector::y, &Vector::z};
+  std::vector<mpz_class> sides;
+  for (const auto axis : axes) {
+    const auto [low, high] =
+        std::ranges::minmax_element(hull.vertices, {}, [axis](const Vector& v) -> const mpz_class& { return v.*axis; });
+    sides.emplace_back((*high).*axis - (*low).*axis);
+  }
+  shortest = kernels::ratio(*std::ranges::min_element(sides), denominator);
+  longest = kernels::ratio(*std::ranges::max_element(sides), denominator);
+}
+
+Look::Look(const HullPair& hulls, const HullStatement& found)
+    : truth(found),
+      integers(integers_of(hulls.a.points, hulls.b.points)),
+      a(integers.a, integers.denominator),
+      b(integers.b, integers.denominator) {
+  for (const std::vector<Vector>* points : {&integers.a, &integers.b}) {
+    for (const Vector& p : *points) {
+      for (const mpz_class* c : {&p.x, &p.y, &p.z}) {
+        if (*c == 0) continue;
+        const mpz_class size = abs(*c);
+        if (size > greatest) greatest = size;
+        if (least == 0 || size < least) least = size;
+      }
+    }
+  }
+}
+
+/// Whether two sorted lists share a vector.
+bool meet(const std::vector<Vector>& u, const std::vector<Vector>& v) {
+  auto i = u.begin(), j = v.begin();
+  while (i != u.end() && j != v.end()) {
+    if (lexicographically_less(*i, *j)) ++i;
+    else if (lexicographically_less(*j, *i)) ++j;
+    else return true;
+  }
+  return false;
+}
 
 mpq_class power_of_two(long exponent) {
   mpq_class result = 1;
@@ -20,7 +102,7 @@ mpq_class power_of_two(long exponent) {
 
 mpq_class magnitude(const mpz_class& n, const Look& look) { return kernels::ratio(n, look.integers.denominator); }
 
-bool penetrating(const Look& look) { return look.facts.answer.status() == Status::penetrating; }
+bool penetrating(const Look& look) { return look.truth.answer.status() == Status::penetrating; }
 
 bool flat_difference(const Look& look) {
   std::vector<Vector> directions{{0, 0, 0}};
@@ -30,10 +112,10 @@ bool flat_difference(const Look& look) {
   return polytope::affine_rank(directions) < 3;
 }
 
-bool near_tie(const Look& look) { return look.facts.gap && *look.facts.gap < look.facts.answer.squared() * (1 + power_of_two(-20)); }
+bool near_tie(const Look& look) { return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + power_of_two(-20)); }
 
 bool degenerate_contact(const Look& look) {
-  return std::ranges::any_of(look.facts.answer.optima(), [](const Optimum& optimum) {
+  return std::ranges::any_of(look.truth.answer.optima(), [](const Optimum& optimum) {
     const ContactKind kind = optimum.contact.kind;
     return kind == ContactKind::facet_edge || kind == ContactKind::edge_facet || kind == ContactKind::facet_facet;
   });
@@ -72,7 +154,7 @@ bool short_length(const mpq_class& squared, const Look& look) { return squared <
 
 bool deep(const Look& look) {
   const mpq_class& side = std::min(look.a.shortest, look.b.shortest);
-  return penetrating(look) && 4 * look.facts.answer.squared() >= side * side && side > 0;
+  return penetrating(look) && 4 * look.truth.answer.squared() >= side * side && side > 0;
 }
 
 using Modes = std::array<double, 3> Rounded::*;
@@ -81,13 +163,13 @@ using Modes = std::array<double, 3> Rounded::*;
 // exact value lies.
 template <Modes Format>
 bool depth_in_format(const Look& look) {
-  return penetrating(look) && (look.facts.rounded.depth.*Format)[1] == (look.facts.rounded.depth.*Format)[2];
+  return penetrating(look) && (look.truth.depth.*Format)[1] == (look.truth.depth.*Format)[2];
 }
 
 template <Modes Format>
 bool depth_outside(const Look& look) {
   const double normal = Format == &Rounded::binary64 ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
-  return penetrating(look) && ((look.facts.rounded.depth.*Format)[1] < normal || std::isinf((look.facts.rounded.depth.*Format)[0]));
+  return penetrating(look) && ((look.truth.depth.*Format)[1] < normal || std::isinf((look.truth.depth.*Format)[0]));
 }
 
 /// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.
@@ -106,7 +188,7 @@ template <Modes Format, long Precision>
 bool hard_rounding(const Look& look) {
   constexpr long beyond = 19;
   if (!penetrating(look) || depth_in_format<Format>(look) || depth_outside<Format>(look)) return false;
-  mpz_class tail = leading_bits_of_root(look.facts.answer.squared(), Precision + 1 + beyond);
+  mpz_class tail = leading_bits_of_root(look.truth.answer.squared(), Precision + 1 + beyond);
   mpz_fdiv_r_2exp(tail.get_mpz_t(), tail.get_mpz_t(), beyond);
   return tail == 0 || tail == (1 << beyond) - 1;
 }
@@ -119,12 +201,12 @@ struct Flag {
 constexpr Modes f64 = &Rounded::binary64, f32 = &Rounded::binary32;
 
 const Flag table[] = {
-    {"flat_a", [](const Look& look) { return look.facts.answer.flat_a; }},
-    {"flat_b", [](const Look& look) { return look.facts.answer.flat_b; }},
+    {"flat_a", [](const Look& look) { return look.truth.answer.flat_a; }},
+    {"flat_b", [](const Look& look) { return look.truth.answer.flat_b; }},
     {"flat_difference", flat_difference},
-    {"ties", [](const Look& look) { return look.facts.answer.optima().size() > 1; }},
+    {"ties", [](const Look& look) { return look.truth.answer.optima().size() > 1; }},
     {"near_tie", near_tie},
-    {"all_tie", [](const Look& look) { return penetrating(look) && !look.facts.gap; }},
+    {"all_tie", [](const Look& look) { return penetrating(look) && !look.truth.gap; }},
     {"degenerate_contact", degenerate_contact},
     {"duplicate_points", duplicate_points},
     {"redundant_points", redundant_points},
@@ -138,10 +220,10 @@ const Flag table[] = {
     {"tiny_coordinates", [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
     {"uneven_coordinates", [](const Look& look) { return look.greatest > look.least * mpz_class(power_of_two(53)); }},
     {"offset_coordinates", offset},
-    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.facts.answer.squared(), look); }},
+    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.truth.answer.squared(), look); }},
     {"deep_penetration", deep},
     {"thin_clearance",
-     [](const Look& look) { return look.facts.answer.distance() && short_length(look.facts.answer.distance()->squared, look); }},
+     [](const Look& look) { return look.truth.answer.distance() && short_length(look.truth.answer.distance()->squared, look); }},
     {"depth_in_binary64", depth_in_format<f64>},
     {"depth_in_binary32", depth_in_format<f32>},
     {"depth_outside_binary64", depth_outside<f64>},
@@ -158,8 +240,8 @@ std::vector<std::string_view> flag_names() {
   return names;
 }
 
-std::vector<std::string_view> flags_of(const Facts& facts) {
-  const Look look(facts);
+std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth) {
+  const Look look(hulls, truth);
   std::vector<std::string_view> result;
   for (const Flag& flag : table) {
     if (flag.holds(look)) result.push_back(flag.name);

@@ -3,25 +3,28 @@
 #pragma once
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/records/csv.hpp"
-#include "verify/golden/records/record_facts.hpp"
+#include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record_reader.hpp"
-#include "verify/golden/shapes/shape_recipe.hpp"
-#include "verify/golden/unions/union_recipe.hpp"
 
 namespace fathom::golden {
 
-/// Proves one record after another, best those of one recipe together: its points are made once. One for each thread.
+/// Why something is not proved, as one sentence.
+struct NotProved : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Proves one record after another, best those of one recipe together: its bodies are made once. One for each thread.
 class Prover {
  public:
   /// Returns nullopt if everything in the line is proved, else one sentence on what is not. `line` has no line feed, `certificate` holds
   /// exactly one certificate. What is proved: the certificate, by the checker that shares nothing with the rest; that it is about the
-  /// points of the line, and that the source yields these points; that status, depth and directions are those of the certificate; every
+  /// bodies of the line, and that the source yields these; that status, depth and directions are those of the certificate; every
   /// rounded value, translation, contact, witness, gap, format and flag by computing it again. Fields that are missing, repeated or unknown
   /// are refused. Throws nothing on bad input.[proofs/golden.md]
   std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
@@ -34,25 +37,26 @@ class Prover {
 
  private:
   std::optional<std::string> faults(std::string_view line, std::string_view certificate);
-  void make_cases(const Claimed& claimed);
-  const Case& prove_source(const Claimed& claimed);
-  Facts facts_from(const Claimed& claimed, std::string_view certificate);
-  /// The line as it has to be.
-  std::string line_as_proved(const Claimed& claimed, std::string_view certificate);
-  std::string line_of_points(const Claimed& claimed, std::string_view certificate);
-  std::string line_of_shapes(const Claimed& claimed, std::string_view certificate);
-  std::string line_of_unions(const Claimed& claimed, std::string_view certificate);
+  const FormedCase& source_of(const Claimed& claimed);
 
   Workspace workspace_;
   std::optional<Recipe> recipe_;
-  std::vector<FormedCase> cases_;          // of the recipe, if it is of points
-  std::vector<FormedShapes> shape_cases_;  // if it is of shapes
-  std::vector<FormedUnions> union_cases_;  // if it is of unions
+  std::vector<FormedCase> cases_;  // of the recipe
   std::string id_;
   std::string row_;
 };
 
 /// The same for a single record.
 std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
+
+/// Returns the case of this form. Throws NotProved if there is none.
+const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form);
+
+/// Returns the truth that the certificate proves of these bodies: status, length, directions, cone and translations of unions are its own;
+/// contacts and other translations follow from the bodies by the definitions. Throws NotProved unless the checker accepts it, it has the id
+/// of this case and is about its bodies, and agrees with what is known of the answer by construction. `witness`: that of the record, which
+/// is proved too, and which polytopes must have.                                                                     [proofs/golden.md]
+RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness, std::string_view certificate,
+                             Workspace* workspace = nullptr);
 
 }  // namespace fathom::golden

@@ -4,52 +4,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/dyadic.hpp"
+#include "reference/polytope/joined.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/records/nearest.hpp"
+#include "verify/families/shape_catalogue.hpp"
+#include "verify/families/shape_families.hpp"
+#include "verify/families/union_catalogue.hpp"
+#include "verify/families/union_cuts.hpp"
+#include "verify/families/union_families.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
-namespace {
-
-std::string suffix(Form form) { return form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : ""; }
-
-using Triple = std::array<double, 3>;
-
-bool in_binary32(double value) { return kernels::nearest_binary32(value) == value; }
-
-double nearest(double value, Form format) { return format == Form::binary32 ? kernels::nearest_binary32(value) : value; }
-
-/// Not finite where a coordinate overflows.
-template <class P>
-std::vector<Triple> rounded(std::span<const P> points, Form form) {
-  std::vector<Triple> result;
-  result.reserve(points.size());
-  for (const auto& [x, y, z] : points) result.push_back({nearest(x, form), nearest(y, form), nearest(z, form)});
-  return result;
-}
-
-std::optional<GivenPoints> rounded_points(const GivenPoints& points, Form form) {
-  std::vector<Triple> result = points.in_binary64() ? rounded(points.binary64(), form) : rounded(std::span<const Point>(points), form);
-  const auto finite = [](double c) { return std::isfinite(c); };
-  for (const Triple& p : result)
-    if (!std::ranges::all_of(p, finite)) return std::nullopt;
-  return GivenPoints(std::move(result));
-}
-
-bool one_point(const GivenPoints& points) {
-  if (!points.in_binary64()) return std::ranges::all_of(points, [&](const Point& p) { return p == points.front(); });
-  const std::span<const Triple> all = points.binary64();
-  return std::ranges::all_of(all, [&](const Triple& p) { return p == all.front(); });
-}
-
-}  // namespace
 
 std::string_view name_of(Source source) {
   switch (source) {
@@ -65,13 +38,70 @@ std::string_view name_of(Source source) {
 }
 
 std::string id_of(const Recipe& recipe, Form form) {
-  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix(form);
-  return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix(form);
+  const std::string suffix = form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : "";
+  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix;
+  return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix;
+}
+
+// ---- base cases ----
+
+namespace {
+
+HullPair hulls_of(const Case& points) { return {{in_simplest_form(points.a.points)}, {in_simplest_form(points.b.points)}}; }
+
+Unions unions_of(const Case& unions, std::optional<KnownUnion> known = std::nullopt) {
+  return {*unions.a.pieces, *unions.b.pieces, std::move(known)};
+}
+
+/// Of convex bodies that were cut: the answer about the hulls of all pieces.
+KnownUnion known_of_hulls(const Case& unions) {
+  const auto hull_of = [](const Body& body) { return Body{polytope::joined(*body.pieces)}; };
+  const Depth depth = penetration_depth(hull_of(unions.a), hull_of(unions.b));
+  return {depth.status(), depth.distance() ? depth.distance()->squared : depth.squared(), depth.optima().size()};
+}
+
+}  // namespace
+
+RecordBodies base_bodies(const Recipe& recipe) {
+  const kernels::DefaultFloatEnvironment environment;
+  const std::string_view name = recipe.name;
+  switch (recipe.source) {
+    case Source::family:
+      if (const auto* family = families::find_family(name)) return hulls_of(family->make(recipe.seed, recipe.size));
+      break;
+    case Source::catalogue:
+      if (const auto* entry = families::find_catalogue_entry(name)) return hulls_of(entry->pair);
+      break;
+    case Source::real:
+      if (const Case* const real = find_real_case(name)) return hulls_of(*real);
+      break;
+    case Source::shape_family:
+      if (const auto* family = families::find_shape_family(name)) return family->make(recipe.seed, recipe.size).pair;
+      break;
+    case Source::shape_catalogue:
+      for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
+        if (entry.shapes.id == name) return entry.shapes.pair;
+      break;
+    case Source::union_family:
+      if (const auto* family = families::find_union_family(name)) {
+        const Case made = family->make(recipe.seed, recipe.size);
+        return name.starts_with("cut_") ? unions_of(made, known_of_hulls(made)) : unions_of(made);
+      }
+      break;
+    case Source::union_catalogue:
+      for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
+        if (entry.pair.id == name)
+          return unions_of(entry.pair, KnownUnion{entry.status, entry.squared, entry.status == Status::penetrating ? entry.optima : 0});
+      break;
+  }
+  constexpr std::array what{"a case", "shapes", "unions"};
+  const char* const made = what.at(static_cast<std::size_t>(kind_of(recipe.source)));
+  throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make " + made + " from");
 }
 
 GivenPoints in_simplest_form(const GivenPoints& points) {
   if (points.in_binary64()) return points;
-  std::vector<Triple> same;
+  std::vector<std::array<double, 3>> same;
   same.reserve(points.size());
   for (const Point& p : points) {
     const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x, z = y ? kernels::in_binary64(p.z) : y;
@@ -81,52 +111,147 @@ GivenPoints in_simplest_form(const GivenPoints& points) {
   return GivenPoints(std::move(same));
 }
 
-Case base_case(const Recipe& recipe) {
-  const kernels::DefaultFloatEnvironment environment;
-  const auto named = [&recipe](const auto* found) {
-    if (found == nullptr) throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make a case from");
-    return found;
+// ---- rounding ----
+
+namespace {
+
+using Triple = std::array<double, 3>;
+
+double nearest(double value, Form format) { return format == Form::binary32 ? kernels::nearest_binary32(value) : value; }
+
+double nearest(const mpq_class& value, Form format) {
+  return format == Form::binary32 ? double{round_binary32(value)} : round_binary64(value);
+}
+
+bool is_in(const mpq_class& value, Form format) {
+  const double closest = nearest(value, format);
+  return std::isfinite(closest) && exact_value(closest) == value;
+}
+
+/// Rounds the value. Returns false, and leaves it, if it overflows.
+bool round_to_nearest(mpq_class& value, Form format) {
+  const double closest = nearest(value, format);
+  if (std::isfinite(closest)) value = exact_value(closest);
+  return std::isfinite(closest);
+}
+
+bool round_to_nearest(Point& p, Form format) {
+  return round_to_nearest(p.x, format) && round_to_nearest(p.y, format) && round_to_nearest(p.z, format);
+}
+
+// ---- polytopes: whole bodies in doubles, as there are many of them ----
+
+/// Returns false if a coordinate overflows, or all points become equal that were not.
+bool round(GivenPoints& points, Form form) {
+  std::vector<Triple> result;
+  result.reserve(points.size());
+  const auto add = [&result, form](const auto& p) {
+    const auto& [x, y, z] = p;
+    result.push_back({nearest(x, form), nearest(y, form), nearest(z, form)});
+    return std::ranges::all_of(result.back(), [](double c) { return std::isfinite(c); });
   };
-  Case result;
-  switch (recipe.source) {
-    case Source::family: result = named(families::find_family(recipe.name))->make(recipe.seed, recipe.size); break;
-    case Source::catalogue: result = named(families::find_catalogue_entry(recipe.name))->pair; break;
-    case Source::real: result = *named(find_real_case(recipe.name)); break;
-    case Source::shape_family:
-    case Source::shape_catalogue: throw std::invalid_argument("'" + recipe.name + "' names shapes, not points");
-    case Source::union_family:
-    case Source::union_catalogue: throw std::invalid_argument("'" + recipe.name + "' names unions, not points");
+  const auto all_equal = [](const auto& all) { return std::ranges::all_of(all, [&](const auto& p) { return p == all.front(); }); };
+  const bool given = points.in_binary64();
+  if (!(given ? std::ranges::all_of(points.binary64(), add) : std::ranges::all_of(points.exact(), add))) return false;
+  const bool one_point = given ? all_equal(points.binary64()) : all_equal(points.exact());
+  if (all_equal(result) && !one_point) return false;
+  points = GivenPoints(std::move(result));
+  return true;
+}
+
+bool round(HullPair& hulls, Form form) { return round(hulls.a.points, form) && round(hulls.b.points, form); }
+
+bool fits(const HullPair& hulls, Form format) {
+  const auto in_binary32 = [](const Triple& p) {
+    return std::ranges::all_of(p, [](double value) { return kernels::nearest_binary32(value) == value; });
+  };
+  return std::ranges::all_of(std::array{&hulls.a, &hulls.b}, [&](const Body* body) {
+    const GivenPoints given = in_simplest_form(body->points);
+    return given.in_binary64() && (format != Form::binary32 || std::ranges::all_of(given.binary64(), in_binary32));
+  });
+}
+
+// ---- shapes ----
+
+/// Calls visit with each number of a body.
+template <class Named, class Visit>
+void for_each_number(Named& body, const Visit& visit) {
+  for (auto& [name, values] : body.fields.numbers)
+    for (auto& value : values) visit(value);
+  const auto of_point = [&visit](auto& p) { visit(p.x), visit(p.y), visit(p.z); };
+  for (auto& vertex : body.fields.vertices) of_point(vertex);
+  visit(body.turn.w);
+  of_point(body.turn);
+  of_point(body.place);
+  for (auto& term : body.terms) for_each_number(term, visit);
+}
+
+/// Returns false if a number overflows, or if no shape is left.
+bool round(families::NamedPair& shapes, Form form) {
+  bool finite = true;
+  for (families::NamedBody* body : {&shapes.a, &shapes.b})
+    for_each_number(*body, [&](mpq_class& value) { finite = round_to_nearest(value, form) && finite; });
+  if (!finite) return false;
+  shapes.known.reset();
+  try {
+    for (const families::NamedBody* body : {&shapes.a, &shapes.b}) static_cast<void>(families::shape_of(*body));
+  } catch (const std::invalid_argument&) {
+    return false;
   }
-  result.id = id_of(recipe);
-  for (Body* body : {&result.a, &result.b}) body->points = in_simplest_form(body->points);
+  return true;
+}
+
+bool fits(const families::NamedPair& shapes, Form format) {
+  bool fits = true;
+  for (const families::NamedBody* body : {&shapes.a, &shapes.b})
+    for_each_number(*body, [&](const mpq_class& value) { fits = fits && is_in(value, format); });
+  return fits;
+}
+
+// ---- unions ----
+
+/// Returns false if a coordinate overflows, or a piece becomes flat.
+bool round(Unions& unions, Form form) {
+  for (Pieces* pieces : {&unions.a, &unions.b}) {
+    for (std::vector<Point>& piece : *pieces) {
+      for (Point& p : piece)
+        if (!round_to_nearest(p, form)) return false;
+      if (families::is_flat(piece)) return false;
+    }
+  }
+  unions.known.reset();
+  return true;
+}
+
+bool fits(const Unions& unions, Form format) {
+  const auto point_fits = [format](const Point& p) { return is_in(p.x, format) && is_in(p.y, format) && is_in(p.z, format); };
+  for (const Pieces* pieces : {&unions.a, &unions.b})
+    for (const std::vector<Point>& piece : *pieces)
+      if (!std::ranges::all_of(piece, point_fits)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<RecordBodies> rounded(const RecordBodies& base, Form form) {
+  const kernels::DefaultFloatEnvironment environment;
+  RecordBodies result = base;
+  if (!std::visit([form](auto& bodies) { return round(bodies, form); }, result)) return std::nullopt;
   return result;
 }
 
-std::optional<Case> rounded_case(const Case& base, Form form) {
+bool in_format(const RecordBodies& bodies, Form format) {
   const kernels::DefaultFloatEnvironment environment;
-  std::optional<GivenPoints> a = rounded_points(base.a.points, form), b = rounded_points(base.b.points, form);
-  if (!a || !b) return std::nullopt;
-  if ((one_point(*a) && !one_point(base.a.points)) || (one_point(*b) && !one_point(base.b.points))) return std::nullopt;
-  return Case{base.id + suffix(form), {*std::move(a)}, {*std::move(b)}};
-}
-
-bool in_format(const Case& points, Form format) {
-  const kernels::DefaultFloatEnvironment environment;
-  const auto fits = [format](const Body& body) {
-    const GivenPoints given = in_simplest_form(body.points);
-    if (format != Form::binary32) return given.in_binary64();
-    return given.in_binary64() &&
-           std::ranges::all_of(given.binary64(), [](const Triple& p) { return std::ranges::all_of(p, in_binary32); });
-  };
-  return format == Form::given || (fits(points.a) && fits(points.b));
+  return format == Form::given || std::visit([format](const auto& pair) { return fits(pair, format); }, bodies);
 }
 
 std::vector<FormedCase> cases_of(const Recipe& recipe) {
   std::vector<FormedCase> cases;
-  cases.push_back({Form::given, base_case(recipe)});
+  cases.push_back({Form::given, id_of(recipe), base_bodies(recipe)});
   for (const Form form : {Form::binary64, Form::binary32}) {
-    if (in_format(cases.back().points, form)) continue;  // it holds the very points that rounding would give
-    if (std::optional<Case> rounded = rounded_case(cases.front().points, form)) cases.push_back({form, *std::move(rounded)});
+    if (in_format(cases.back().bodies, form)) continue;  // it holds the very numbers that rounding would give
+    if (std::optional<RecordBodies> bodies = rounded(cases.front().bodies, form))
+      cases.push_back({form, id_of(recipe, form), *std::move(bodies)});
   }
   return cases;
 }

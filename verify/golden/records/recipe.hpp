@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a base case of the golden data is made from: a name, and for families a size and a seed. The same points on every machine.
+// What a base case of the golden data is made from, a name, and for families a size and a seed; and the bodies of its records: the same on
+// every machine.
 #pragma once
+
+#include <gmpxx.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "fathom/files.hpp"
+#include "fathom/body.hpp"
+#include "fathom/depth.hpp"
+#include "verify/families/shape_case.hpp"
 
 namespace fathom::golden {
 
@@ -23,12 +29,8 @@ enum class Source {
   union_catalogue   ///< an entry of the catalogue of these
 };
 
-/// What the bodies are.
-enum class Kind {
-  polytopes,  ///< hulls of points, which the functions below make
-  shapes,     ///< shape_recipe.hpp makes these, and all functions below that tell of points throw for them
-  unions      ///< likewise union_recipe.hpp
-};
+/// What the bodies are: which alternative of RecordBodies.
+enum class Kind { polytopes, shapes, unions };
 
 constexpr Kind kind_of(Source source) {
   switch (source) {
@@ -56,43 +58,67 @@ struct Recipe {
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
-/// How the points of a record come from those of the base case.
+/// How the numbers of a record come from those of the base case.
 enum class Form {
   given,     ///< they are those
-  binary64,  ///< each coordinate rounded to the nearest binary64, ties to even
-  binary32   ///< likewise to binary32, from the exact coordinate
+  binary64,  ///< each is rounded to the nearest binary64, ties to even
+  binary32   ///< likewise to binary32, from the exact number
 };
 
 /// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family" or "union_catalogue".
 std::string_view name_of(Source source);
 
+constexpr std::string_view name_of(Form form) { return form == Form::given ? "given" : form == Form::binary64 ? "binary64" : "binary32"; }
+
 /// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share one, and no id is ever given to other
 /// bodies. With ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
-/// Returns the points, with the recipe's id; a body's are in binary64 if all of its coordinates are. Throws std::invalid_argument if
-/// nothing has that name.
-Case base_case(const Recipe& recipe);
+/// Two polytopes, the hulls of points.
+struct HullPair {
+  Body a, b;  ///< in binary64 if all of the body's coordinates are
+};
 
-/// Returns the points rounded, with the id for that form. Returns nullopt if a coordinate overflows, or if the points of a body all become
-/// equal that were not.
-std::optional<Case> rounded_case(const Case& base, Form form);
+/// What is known of an answer about unions by construction.
+struct KnownUnion {
+  Status status = Status::disjoint;
+  mpq_class squared;       ///< depth^2, or the squared distance if they are disjoint
+  std::size_t optima = 0;  ///< 0 unless they penetrate
+};
+
+/// Two unions of convex pieces.
+struct Unions {
+  Pieces a, b;
+  /// Beside given ones only. An entry of the catalogue states it; of convex bodies that were cut it is the answer about the hulls.
+  std::optional<KnownUnion> known = std::nullopt;
+};
+
+/// Two bodies, in the order of Kind. What is known of shapes stands beside the given ones only too.
+using RecordBodies = std::variant<HullPair, families::NamedPair, Unions>;
+
+/// The bodies of one record.
+struct FormedCase {
+  Form form = Form::given;
+  std::string id;  ///< the record's
+  RecordBodies bodies;
+};
+
+/// Returns the bodies of the base case. Throws std::invalid_argument if nothing has that name.
+RecordBodies base_bodies(const Recipe& recipe);
+
+/// Returns the bodies with each number rounded to the nearest: coordinates, lengths, margins, the parts of quaternions and places. Returns
+/// nullopt if a number overflows; if the points of a body all become equal that were not, or a piece becomes flat; or if what results is
+/// no shape, where a length is rounded to 0, or a quaternion. Pieces that abutted may overlap then, or leave a gap.
+std::optional<RecordBodies> rounded(const RecordBodies& base, Form form);
+
+/// Returns whether every number of the bodies is one of that format.
+bool in_format(const RecordBodies& bodies, Form format);
 
 /// The same points, of a body in binary64 if all of its coordinates are.
 GivenPoints in_simplest_form(const GivenPoints& points);
 
-/// Returns whether every coordinate is a number of that format.
-bool in_format(const Case& points, Form format);
-
-/// The points of one record.
-struct FormedCase {
-  Form form = Form::given;
-  Case points;  ///< its id is the record's
-};
-
-/// Returns the points of all records of a recipe, in their order: the exact ones, then those rounded to binary64 if that moves a point,
-/// then those rounded to binary32 if that yields yet other points. Omits rounded ones if rounded_case returns nullopt. Throws as base_case
-/// does.
+/// Returns the bodies of all records of a recipe, in their order: the exact ones, then those rounded to binary64 if that moves a number,
+/// then those rounded to binary32 if that yields yet other ones. Omits rounded ones if rounded() returns nullopt. Throws as base_bodies.
 std::vector<FormedCase> cases_of(const Recipe& recipe);
 
 }  // namespace fathom::golden

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The expanding polytope finds answer and proof in one run; if it gives up, the exact method answers and the proof is found afterwards. In
-// both cases the checker, which shares nothing with them, must accept.
 #include "verify/golden/records/record.hpp"
 
 #include <stdexcept>
@@ -11,15 +9,20 @@
 #include "kernels/context.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
+#include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/prove.hpp"
-#include "verify/golden/records/record_facts.hpp"
-#include "verify/golden/records/record_line.hpp"
-#include "verify/golden/shapes/shape_facts.hpp"
-#include "verify/golden/unions/union_facts.hpp"
 
 namespace fathom::golden {
 namespace {
 
+/// What the engines say of two bodies.
+struct Answered {
+  RecordStatement truth;
+  std::string certificate;
+};
+
+/// The checker, which shares nothing with the engines, must accept. Of polytopes, most of the records, the verdict is compared with the
+/// answer; to prove the whole record takes as long as to make it.
 void insist_on(const std::string& id, const std::string& text, const Depth& answer) {
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
@@ -31,79 +34,48 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }
 
-}  // namespace
-
-Record record_of(const Recipe& recipe, Form form, const Case& points, Monitor* monitor, Workspace* workspace) {
+/// The expanding polytope finds answer and proof in one run; if it gives up, the exact method answers and the proof is found afterwards.
+Answered answered(const HullPair& hulls, const std::string& id, Monitor* monitor, Workspace* workspace) {
   Options options;
   options.monitor = monitor;
   options.workspace = workspace;
-  Depth answer = penetration_depth(points.a, points.b, options);
-  Record record;
-  record.id = points.id;
-  record.certificate = certificate_text(points.a, points.b, answer, points.id, monitor);
-  insist_on(record.id, record.certificate, answer);
-  Facts facts = facts_of_answer(recipe, form, points, std::move(answer), monitor, workspace);
-  facts.certificate_sha256 = digest::digest_of(record.certificate).sha256;
-  record.line = line_of(facts);
-  record.csv_row = csv_row(facts);
-  record.in_binary64 = facts.in_binary64;
-  record.in_binary32 = facts.in_binary32;
-  return record;
+  Depth answer = penetration_depth(hulls.a, hulls.b, options);
+  std::string certificate = certificate_text(hulls.a, hulls.b, answer, id, monitor);
+  insist_on(id, certificate, answer);
+  return {truth_of(hulls, std::move(answer), monitor, workspace), std::move(certificate)};
 }
 
-Record record_of(const Recipe& recipe, const FormedShapes& bodies, Monitor* monitor) {
-  const auto& [id, pair] = bodies.shapes;
-  const Shape a = families::shape_of(pair.a), b = families::shape_of(pair.b);
+Answered answered(const families::NamedPair& shapes, const std::string& id, Monitor* monitor, Workspace*) {
+  const Shape a = families::shape_of(shapes.a), b = families::shape_of(shapes.b);
   Options options;
   options.monitor = monitor;
   const SignedDepth answer = answer_about(a, b, options);
-  Record record;
-  record.id = id;
-  record.certificate = certificate_text(a, b, answer, id, ShapeFormat::richest, monitor);
-  record.line = line_of(ShapeFacts{recipe, bodies, truth_of(answer), digest::digest_of(record.certificate).sha256});
-  if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
-  record.in_binary64 = in_format(pair, Form::binary64);
-  record.in_binary32 = in_format(pair, Form::binary32);
-  return record;
+  return {truth_of(answer), certificate_text(a, b, answer, id, ShapeFormat::richest, monitor)};
 }
 
-Record record_of(const Recipe& recipe, const FormedUnions& bodies, Monitor* monitor) {
-  const Pieces &a = *bodies.unions.a.pieces, &b = *bodies.unions.b.pieces;
-  const std::string& id = bodies.unions.id;
-  const UnionDepth answer = answer_about(bodies.unions, monitor);
-  Record record;
-  record.id = id;
-  record.certificate = certificate_text(a, b, answer, id, monitor);
-  record.line = line_of(UnionFacts{recipe, bodies, truth_of(answer), digest::digest_of(record.certificate).sha256});
-  if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
-  record.in_binary64 = unions_in_format(bodies.unions, Form::binary64);
-  record.in_binary32 = unions_in_format(bodies.unions, Form::binary32);
-  return record;
-}
-
-namespace {
-
-/// Of each of the cases, which are all of one recipe.
-template <class Formed>
-std::vector<Record> records_of_all(const Recipe& recipe, const std::vector<Formed>& cases, kernels::Context& context, Monitor* monitor) {
-  std::vector<Record> records;
-  for (const Formed& bodies : cases) {
-    context.check();
-    records.push_back(record_of(recipe, bodies, monitor));
-  }
-  return records;
+Answered answered(const Unions& unions, const std::string& id, Monitor* monitor, Workspace*) {
+  const UnionDepth answer = answer_about(unions.a, unions.b, monitor);
+  return {truth_of(answer), certificate_text(unions.a, unions.b, answer, id, monitor)};
 }
 
 }  // namespace
 
+Record record_of(const Recipe& recipe, FormedCase made, Monitor* monitor, Workspace* workspace) {
+  const std::string id = made.id;
+  auto [truth, certificate] = std::visit([&](const auto& bodies) { return answered(bodies, id, monitor, workspace); }, made.bodies);
+  const Facts facts = facts_of(recipe, std::move(made), std::move(truth), digest::digest_of(certificate).sha256);
+  Record record{id, line_of(facts), std::move(certificate), csv_row(facts), facts.in_binary64, facts.in_binary32};
+  if (!std::holds_alternative<HullPair>(facts.made.bodies))
+    if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
+  return record;
+}
+
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace* workspace) {
   kernels::Context context(monitor);
-  if (kind_of(recipe.source) == Kind::shapes) return records_of_all(recipe, shape_cases_of(recipe), context, monitor);
-  if (kind_of(recipe.source) == Kind::unions) return records_of_all(recipe, union_cases_of(recipe), context, monitor);
   std::vector<Record> records;
-  for (const auto& [form, points] : cases_of(recipe)) {
+  for (FormedCase& made : cases_of(recipe)) {
     context.check();
-    records.push_back(record_of(recipe, form, points, monitor, workspace));
+    records.push_back(record_of(recipe, std::move(made), monitor, workspace));
   }
   return records;
 }

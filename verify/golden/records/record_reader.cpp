@@ -5,9 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "fathom/numbers.hpp"
 #include "kernels/printable.hpp"
-#include "verify/golden/records/names.hpp"
 
 namespace fathom::golden {
 namespace {
@@ -74,6 +72,16 @@ std::optional<Witness> read_witness(const Json& expected) {
   return Witness{point(witness.at("a")), point(witness.at("b"))};
 }
 
+/// Returns what `take` finds in the line.
+template <class Take>
+auto read(std::string_view line, Take take) {
+  try {
+    return take(Json::parse(line));
+  } catch (const Json::exception& error) {
+    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
+  }
+}
+
 std::string path_in_words(const std::string& pointer) {
   std::string result;
   for (const char c : pointer) {
@@ -91,21 +99,34 @@ std::string shortened(const std::string& value) {
 }  // namespace
 
 Claimed read_record(std::string_view line) {
-  try {
-    const Json record = Json::parse(line);
+  return read(line, [](const Json& record) {
     Claimed claimed;
     read_source(record.at("source"), claimed);
-    claimed.points.id = text(record.at("id"), "an id");
+    claimed.id = text(record.at("id"), "an id");
     if (kind_of(claimed.recipe.source) == Kind::polytopes) {
-      claimed.points.a = body(record.at("a"));
-      claimed.points.b = body(record.at("b"));
+      claimed.hulls = {body(record.at("a")), body(record.at("b"))};
       claimed.witness = read_witness(record.at("expected"));
     }
     claimed.certificate_sha256 = text(record.at("certificate").at("sha256"), "a sum");
     return claimed;
-  } catch (const Json::exception& error) {
-    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
-  }
+  });
+}
+
+std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
+  return read(line, [](const Json& record) -> std::pair<Surd, Surd> {
+    const Json& value = record.at("expected").at("signed_depth");
+    if (value.contains("bounds")) return {{number(value.at("bounds").at(0)), 0}, {number(value.at("bounds").at(1)), 0}};
+    const Json& exact = value.at("exact");
+    const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact.at("sign").get<int>()};
+    return {surd, surd};
+  });
+}
+
+std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line) {
+  return read(line, [](const Json& record) -> std::pair<std::uint32_t, std::uint32_t> {
+    const Json& pieces = record.at("expected").at("distance").at("pieces");
+    return {pieces.at(0).get<std::uint32_t>(), pieces.at(1).get<std::uint32_t>()};
+  });
 }
 
 std::string first_difference(std::string_view expected, std::string_view found) {

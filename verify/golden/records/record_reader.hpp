@@ -2,12 +2,16 @@
 // Reads the parts of a record's line that cannot be computed from others. Nothing is checked yet.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "verify/golden/records/record_facts.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
+#include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
 
@@ -19,13 +23,20 @@ struct NotARecord : std::runtime_error {
 struct Claimed {
   Recipe recipe;
   Form form = Form::given;
-  Case points;                     ///< of shapes and unions the id alone: what else they are their source says
+  std::string id;
+  std::optional<HullPair> hulls;   ///< of polytopes; what other bodies are their source says
   std::optional<Witness> witness;  ///< of polytopes, or of their distance
   std::string certificate_sha256;
 };
 
 /// Throws NotARecord.
 Claimed read_record(std::string_view line);
+
+/// Returns low and high of the signed depth that a record of shapes says: they are equal if it is exact. Throws NotARecord.
+std::pair<Surd, Surd> signed_depth_in(std::string_view line);
+
+/// Returns the numbers of the pieces that a record of unions says are nearest, of A and of B. Throws NotARecord.
+std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line);
 
 /// Returns the id in a record's line where the writer puts it, or an empty text: nothing else is looked at.
 std::string_view id_in(std::string_view line);

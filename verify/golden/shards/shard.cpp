@@ -5,7 +5,7 @@
 
 #include "verify/golden/io/file_error.hpp"
 #include "verify/golden/io/new_file.hpp"
-#include "verify/golden/records/csv.hpp"
+#include "verify/golden/records/facts.hpp"
 
 namespace fathom::golden {
 

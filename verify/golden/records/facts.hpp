@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that a record says, as exact values and their roundings; and its texts. Serialization is canonical: equal facts give equal
+// bytes.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
+#include "kernels/vector.hpp"
+#include "verify/golden/records/recipe.hpp"
+
+namespace fathom::golden {
+
+// ---- numbers, correctly rounded in every mode  [proofs/number.md] ----
+
+/// A number in both formats and all modes; a binary32 value as its equal double. Modes in the order rn, rd, ru.
+struct Rounded {
+  std::array<double, 3> binary64, binary32;
+};
+
+using RoundedVector = std::array<Rounded, 3>;  ///< x, y, z
+
+Rounded rounded_value(const mpq_class& value);
+Rounded rounded_surd(const Surd& value);
+
+/// The root of `squared` >= 0.
+Rounded rounded_root(const mpq_class& squared);
+
+/// n / |n|; n is not zero. A component is the root of n_i^2 / <n,n> with the sign of n_i, so rd and ru change places for a negative one.
+RoundedVector rounded_unit(const Vector& n);
+
+RoundedVector rounded_point(const Point& p);
+
+/// alpha n + beta n/|n|, each component by itself.
+RoundedVector rounded_along(const AlongNormal& vector);
+
+// ---- what is true of two bodies, whoever says it ----
+
+struct HullStatement {
+  Depth answer;                  ///< its method and counters are not recorded
+  std::optional<mpq_class> gap;  ///< penetrating: squared distance of the second-best facet, unless all tie
+
+  // The results as records print them. All modes of a number are rounded at once, and once.
+  Rounded depth{}, distance{};  ///< the distance of disjoint bodies, else 0
+  /// Of each optimum; else of the direction, and if disjoint of the distance's translation.
+  std::vector<RoundedVector> units, translations;
+
+  std::vector<std::string_view> flags;  ///< in the order of flags.hpp
+};
+
+struct ShapeStatement {
+  std::variant<Surd, Bounds> value;  ///< the signed depth, exact or enclosed
+  Vector direction;
+  /// Exact values of cores that are polytopes, or one and a half-space: as SignedDepth::translations() says. Else empty.
+  std::vector<AlongNormal> translations;
+  std::optional<OptimalCone> cone;  ///< of such cores that touch
+};
+
+/// How far apart two unions are.
+struct UnionGap {
+  mpq_class squared;
+  std::uint32_t a = 0, b = 0;  ///< pieces that are nearest; others may be as near
+  Point translation;           ///< moving A by it, no shorter way, these touch
+};
+
+struct UnionStatement {
+  Status status = Status::disjoint;
+  mpq_class squared;            ///< depth^2, 0 unless they penetrate
+  std::vector<Point> optima;    ///< all shortest translations in lexicographic order, none unless they penetrate
+  std::optional<UnionGap> gap;  ///< if they are disjoint
+};
+
+/// In the order of RecordBodies.
+using RecordStatement = std::variant<HullStatement, ShapeStatement, UnionStatement>;
+
+/// Returns what a record says of these points; `answer` is that of penetration_depth. Throws Interrupted.
+HullStatement truth_of(const HullPair& hulls, Depth answer, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
+ShapeStatement truth_of(const SignedDepth& answer);
+UnionStatement truth_of(const UnionDepth& answer);
+
+/// The answer about shapes that records tell: with bounds as near as signed_depth makes them, and nearer where these leave the status
+/// open. Throws as that does.
+SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options);
+
+/// The answer about unions that records tell, which is complete. Throws as union_depth does, and Interrupted.
+UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor);
+
+// ---- records ----
+
+struct Facts {
+  Recipe recipe;
+  FormedCase made;
+  bool in_binary64 = false, in_binary32 = false;  ///< whether every number of the bodies is one of that format
+  RecordStatement truth;
+  std::string certificate_sha256;
+};
+
+/// `truth` is of the kind that the bodies are of.
+Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256);
+
+/// Returns the record's line, without a line feed.
+std::string line_of(const Facts& facts);
+
+/// The names of the columns of the CSV, with a line feed. NOTES.md explains them.
+std::string csv_header();
+
+/// Returns the record as CSV with hex floats, for programs that read neither JSON nor rationals, with a line feed; empty unless it is of
+/// polytopes and all of its points are binary64.
+std::string csv_row(const Facts& facts);
+
+}  // namespace fathom::golden

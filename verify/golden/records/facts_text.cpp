@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The texts of facts.hpp: a line of JSON, and a row of CSV.
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "fathom/numbers.hpp"
+#include "kernels/number/hex.hpp"
+#include "reference/files/shape_names.hpp"
+#include "verify/golden/records/facts.hpp"
+#include "verify/golden/records/json_text.hpp"
+
+namespace fathom::golden {
+namespace {
+
+// ---- numbers, lengths, vectors ----
+
+constexpr std::array<std::string_view, 3> mode_names{"rn", "rd", "ru"};
+constexpr std::size_t nearest = 0, down = 1, up = 2;
+
+/// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}. put(out, values of one format, mode) writes a value.
+template <class Put>
+void in_both_formats(JsonText& out, Put put) {
+  const auto in_every_mode = [&](std::string_view name, std::array<double, 3> Rounded::*format) {
+    out.key(name).open('{');
+    for (std::size_t mode = 0; mode < mode_names.size(); ++mode) {
+      out.key(mode_names[mode]);
+      put(format, mode);
+    }
+    out.close('}');
+  };
+  in_every_mode("f64", &Rounded::binary64);
+  in_every_mode("f32", &Rounded::binary32);
+}
+
+void write_modes(JsonText& out, const Rounded& value) {
+  in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((value.*format)[mode]); });
+}
+
+void write_rounded(JsonText& out, std::string_view key, const RoundedVector& vector) {
+  out.key(key).open('{');
+  in_both_formats(out, [&](auto format, std::size_t mode) {
+    out.open('[');
+    for (const Rounded& component : vector) out.hex((component.*format)[mode]);
+    out.close(']');
+  });
+  out.close('}');
+}
+
+/// The members of an object that tells a length.
+void write_length(JsonText& out, const mpq_class& squared, const Rounded& root) {
+  out.key("squared").exact(squared);
+  write_modes(out, root);
+}
+
+void write_direction(JsonText& out, const Vector& n, const RoundedVector& unit) {
+  out.key("direction").exact(n);
+  write_rounded(out, "unit", unit);
+}
+
+void write_translation(JsonText& out, const Point& t, const RoundedVector& rounded) {
+  out.key("translation").exact(t);
+  write_rounded(out, "rounded", rounded);
+}
+
+/// sign sqrt(root) + plus.
+void write_surd(JsonText& out, std::string_view key, const Surd& value) {
+  out.key(key).open('{').key("sign").number(sgn(value.root));
+  out.key("root").exact(mpq_class(abs(value.root))).key("plus").exact(value.rational).close('}');
+}
+
+// ---- bodies ----
+
+/// Numbers of bodies: hexadecimal floats if all of the record's are binary64, else exact.
+class BodyText {
+ public:
+  BodyText(JsonText& out, bool hexadecimal) : out_(out), hexadecimal_(hexadecimal) {}
+
+  void write(const Body& body) {
+    out_.open('{').key("vertices").open('[');
+    if (hexadecimal_) {
+      for (const std::array<double, 3>& p : body.points.binary64()) out_.hex(p);
+    } else {
+      for (const Point& p : body.points) out_.exact(p);
+    }
+    out_.close(']').close('}');
+  }
+
+  void write(const Pieces& pieces) {
+    out_.open('{').key("pieces").open('[');
+    for (const std::vector<Point>& piece : pieces) {
+      out_.open('{');
+      vertices(piece);
+      out_.close('}');
+    }
+    out_.close(']').close('}');
+  }
+
+  void write(const families::NamedBody& body) {
+    const files::ShapeName& shape = *files::named_shape(body.shape).shape;
+    out_.open('{').key("shape").text(body.shape);
+    for (const files::NumberField& field : shape.numbers) numbers(body, field.name);
+    if (shape.part == files::ShapePart::axis)
+      out_.key("axis").text(std::array{"x", "y", "z"}.at(static_cast<std::size_t>(body.fields.axis)));
+    if (shape.part == files::ShapePart::vertices) vertices(body.fields.vertices);
+    if (shape.part == files::ShapePart::terms) {
+      out_.key("terms").open('[');
+      for (const families::NamedBody& term : body.terms) write(term);
+      out_.close(']');
+    }
+    numbers(body, "margin");
+    out_.key("pose").open('{').key("quaternion").open('[');
+    for (const mpq_class* part : {&body.turn.w, &body.turn.x, &body.turn.y, &body.turn.z}) number(*part);
+    out_.close(']').key("translation");
+    point(body.place);
+    out_.close('}').close('}');
+  }
+
+ private:
+  void number(const mpq_class& value) { hexadecimal_ ? out_.hex(round_binary64(value)) : out_.exact(value); }
+  void point(const Point& p) {
+    out_.open('[');
+    for (const mpq_class* coordinate : {&p.x, &p.y, &p.z}) number(*coordinate);
+    out_.close(']');
+  }
+  void vertices(const std::vector<Point>& points) {
+    out_.key("vertices").open('[');
+    for (const Point& p : points) point(p);
+    out_.close(']');
+  }
+  /// A number or three, if the body has that field.
+  void numbers(const families::NamedBody& body, std::string_view name) {
+    const auto found = body.fields.numbers.find(name);
+    if (found == body.fields.numbers.end()) return;
+    out_.key(name);
+    if (found->second.size() == 1) return number(found->second.front());
+    out_.open('[');
+    for (const mpq_class& value : found->second) number(value);
+    out_.close(']');
+  }
+
+  JsonText& out_;
+  bool hexadecimal_;
+};
+
+void write_known(JsonText&, const HullPair&) {}
+
+void write_known(JsonText& out, const families::NamedPair& shapes) {
+  if (shapes.known) write_surd(out, "signed_depth", shapes.known->signed_depth);
+}
+
+void write_known(JsonText& out, const Unions& unions) {
+  if (!unions.known) return;
+  const auto& [status, squared, optima] = *unions.known;
+  out.key("known").open('{').key("status").text(name(status)).key("squared").exact(squared);
+  out.key("optima").number(static_cast<std::int64_t>(optima)).close('}');
+}
+
+// ---- what is expected: the members of that object ----
+
+void write_flat(JsonText& out, bool flat_a, bool flat_b) {
+  out.key("flat").open('[');
+  if (flat_a) out.text("a");
+  if (flat_b) out.text("b");
+  out.close(']');
+}
+
+void write_depth(JsonText& out, Status status, const mpq_class& squared, const Rounded& root) {
+  out.key("status").text(name(status)).key("depth").open('{');
+  write_length(out, squared, root);
+  out.close('}');
+}
+
+void write_indices(JsonText& out, std::string_view key, const std::vector<std::uint32_t>& indices) {
+  out.key(key).open('[');
+  for (const std::uint32_t i : indices) out.number(i);
+  out.close(']');
+}
+
+void write_witness(JsonText& out, const Witness& witness) {
+  out.key("witness").open('{').key("a").exact(witness.a).key("b").exact(witness.b).close('}');
+}
+
+void write_gap(JsonText& out, const HullStatement& truth) {
+  out.key("gap");
+  if (!truth.gap) {
+    out.null();
+    return;
+  }
+  const mpq_class relative = *truth.gap / truth.answer.squared() - 1;
+  out.open('{').key("squared").exact(*truth.gap).key("relative").hex(round_binary64(relative, Rounding::rn)).close('}');
+}
+
+void write_expected(JsonText& out, const HullStatement& truth, const RecordBodies&) {
+  const Depth& answer = truth.answer;
+  write_depth(out, answer.status(), answer.squared(), truth.depth);
+  write_flat(out, answer.flat_a, answer.flat_b);
+  out.key("optima").open('[');
+  const std::vector<Optimum>& optima = answer.optima();
+  for (std::size_t i = 0; i < optima.size(); ++i) {
+    const Contact& contact = optima[i].contact;
+    out.open('{');
+    write_direction(out, optima[i].direction, truth.units[i]);
+    write_translation(out, optima[i].translation(), truth.translations[i]);
+    out.key("contact").open('{').key("kind").text(name(contact.kind));
+    write_indices(out, "a", contact.a);
+    write_indices(out, "b", contact.b);
+    out.close('}').close('}');
+  }
+  out.close(']');
+  if (answer.status() == Status::penetrating) write_gap(out, truth);
+  else write_direction(out, answer.direction(), truth.units.front());
+  if (const std::optional<Witness> witness = answer.witness()) write_witness(out, *witness);
+  if (const Distance* const distance = answer.distance()) {
+    out.key("distance").open('{');
+    write_length(out, distance->squared, truth.distance);
+    write_translation(out, distance->translation, truth.translations.front());
+    write_witness(out, distance->witness);
+    out.close('}');
+  }
+}
+
+std::string_view status_of(const ShapeStatement& truth) {
+  const Surd* const exact = std::get_if<Surd>(&truth.value);
+  const Bounds* const bounds = std::get_if<Bounds>(&truth.value);
+  const int low = exact ? sign(*exact) : sgn(bounds->low), high = exact ? low : sgn(bounds->high);
+  if (low != high) return "undecided";
+  return name(low > 0 ? Status::penetrating : low < 0 ? Status::disjoint : Status::touching);
+}
+
+void write_value(JsonText& out, const ShapeStatement& truth) {
+  const auto write_ends = [&out](const Rounded& low, const Rounded& high) {
+    out.key("low").hex(low.binary64[down]).key("high").hex(high.binary64[up]);
+  };
+  out.key("signed_depth").open('{');
+  if (const Surd* const exact = std::get_if<Surd>(&truth.value)) {
+    const Rounded rounded = rounded_surd(*exact);
+    write_ends(rounded, rounded);
+    write_surd(out, "exact", *exact);
+    write_modes(out, rounded);
+  } else {
+    const auto& [low, high] = std::get<Bounds>(truth.value);
+    write_ends(rounded_value(low), rounded_value(high));
+    out.key("bounds").open('[').exact(low).exact(high).close(']');
+  }
+  out.close('}');
+}
+
+void write_cone(JsonText& out, const OptimalCone& cone) {
+  constexpr std::array<std::string_view, 4> names{"none", "line", "plane", "all"};
+  out.key("optimal_cone").open('{').key("lineality").text(names.at(static_cast<std::size_t>(cone.lineality))).key("axis");
+  if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) out.exact(cone.axis);
+  else out.null();
+  out.key("rays").open('[');
+  for (const Vector& ray : cone.rays) out.exact(ray);
+  out.close(']').close('}');
+}
+
+void write_expected(JsonText& out, const ShapeStatement& truth, const RecordBodies& bodies) {
+  const auto& shapes = std::get<families::NamedPair>(bodies);
+  out.key("status").text(status_of(truth));
+  write_value(out, truth);
+  write_flat(out, is_flat(families::shape_of(shapes.a)), is_flat(families::shape_of(shapes.b)));
+  write_direction(out, truth.direction, rounded_unit(truth.direction));
+  out.key("translations").open('[');
+  for (const AlongNormal& along : truth.translations) {
+    out.open('{').key("normal").exact(along.normal).key("alpha").exact(along.alpha).key("beta").exact(along.beta);
+    write_rounded(out, "rounded", rounded_along(along));
+    out.close('}');
+  }
+  out.close(']');
+  if (truth.cone) write_cone(out, *truth.cone);
+}
+
+void write_expected(JsonText& out, const UnionStatement& truth, const RecordBodies&) {
+  write_depth(out, truth.status, truth.squared, rounded_root(truth.squared));
+  out.key("optima").open('[');
+  for (const Point& t : truth.optima) {
+    out.open('{');
+    write_translation(out, t, rounded_point(t));
+    out.close('}');
+  }
+  out.close(']');
+  if (!truth.gap) return;
+  out.key("distance").open('{');
+  write_length(out, truth.gap->squared, rounded_root(truth.gap->squared));
+  out.key("pieces").open('[').number(truth.gap->a).number(truth.gap->b).close(']');
+  write_translation(out, truth.gap->translation, rounded_point(truth.gap->translation));
+  out.close('}');
+}
+
+}  // namespace
+
+std::string line_of(const Facts& facts) {
+  constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"};
+  const auto& [recipe, made, in_binary64, in_binary32, truth, sha256] = facts;
+  JsonText out;
+  out.open('{').key("schema").text("fathom/case/1").key("golden").text(schemas.at(truth.index())).key("id").text(made.id);
+  out.key("source").open('{').key("kind").text(name_of(recipe.source)).key("name").text(recipe.name);
+  if (from_family(recipe.source)) out.key("size").number(recipe.size).key("seed").text(std::to_string(recipe.seed));
+  out.key("form").text(name_of(made.form));
+  std::visit([&out](const auto& bodies) { write_known(out, bodies); }, made.bodies);
+  out.close('}').key("formats").open('[').text("exact");
+  if (in_binary64) out.text("binary64");
+  if (in_binary32) out.text("binary32");
+  out.close(']');
+  if (const auto* const hulls = std::get_if<HullStatement>(&truth)) {
+    out.key("flags").open('[');
+    for (const std::string_view flag : hulls->flags) out.text(flag);
+    out.close(']');
+  }
+  BodyText text(out, in_binary64);
+  const auto write_bodies = [&out, &text](const auto& bodies) {
+    out.key("a");
+    text.write(bodies.a);
+    out.key("b");
+    text.write(bodies.b);
+  };
+  std::visit(write_bodies, made.bodies);
+  out.key("expected").open('{');
+  std::visit([&out, &facts](const auto& says) { write_expected(out, says, facts.made.bodies); }, truth);
+  out.close('}').key("certificate").open('{').key("sha256").text(sha256).close('}').close('}');
+  return out.take();
+}
+
+// ---- CSV ----
+
+namespace {
+
+using Triple = std::array<double, 3>;
+
+Triple to_nearest(const RoundedVector& v) { return {v[0].binary64[nearest], v[1].binary64[nearest], v[2].binary64[nearest]}; }
+
+void append_joined(const Triple& p, char separator, std::string& text) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i > 0) text += separator;
+    kernels::append_hex(p[i], text);
+  }
+}
+
+}  // namespace
+
+std::string csv_header() {
+  return "id,status,format,flags,depth_squared,depth_f64_rn,depth_f64_rd,depth_f64_ru,depth_f32_rn,depth_f32_rd,depth_f32_ru,"
+         "direction_x,direction_y,direction_z,translation_x,translation_y,translation_z,optima,contact,distance,"
+         "a_count,a_points,b_count,b_points\n";
+}
+
+std::string csv_row(const Facts& facts) {
+  const auto* const truth = std::get_if<HullStatement>(&facts.truth);
+  if (!truth || !facts.in_binary64) return "";
+  const auto& [a, b] = std::get<HullPair>(facts.made.bodies);
+  const std::vector<Optimum>& optima = truth->answer.optima();
+  std::string row = facts.made.id + ',';
+  ((row += name(truth->answer.status())) += ',') += facts.in_binary32 ? "binary32," : "binary64,";
+  for (std::size_t i = 0; i < truth->flags.size(); ++i) (row += i == 0 ? "" : " ") += truth->flags[i];
+  row += ',' + exact_text(truth->answer.squared());
+  for (const auto& format : {truth->depth.binary64, truth->depth.binary32}) {
+    row += ',';
+    append_joined(format, ',', row);
+  }
+  row += ',';
+  append_joined(to_nearest(truth->units.front()), ',', row);
+  row += ',';  // of the first optimum; zeros for touching bodies, what brings disjoint ones together
+  append_joined(truth->translations.empty() ? Triple{} : to_nearest(truth->translations.front()), ',', row);
+  row += ',' + std::to_string(optima.size()) + ',';
+  if (!optima.empty()) row += name(optima.front().contact.kind);
+  row += ',';
+  kernels::append_hex(truth->distance.binary64[nearest], row);
+  for (const Body* body : {&a, &b}) {
+    row += ',' + std::to_string(body->points.size());
+    char before = ',';
+    for (const Triple& p : body->points.binary64()) {
+      row += std::exchange(before, ' ');
+      append_joined(p, ' ', row);
+    }
+  }
+  return row + '\n';
+}
+
+}  // namespace fathom::golden
