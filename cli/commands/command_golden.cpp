@@ -15,7 +15,7 @@
 #include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/release/generate.hpp"
 
 namespace fathom::cli {

@@ -17,7 +17,7 @@
 #include "verify/families/families.hpp"
 #include "verify/families/shape_families.hpp"
 #include "verify/families/union_families.hpp"
-#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 
 namespace fathom::python {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/files.hpp"
 
 namespace fathom::golden {
 namespace {

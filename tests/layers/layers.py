@@ -76,7 +76,7 @@ CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who
 LISTED = "cmake/cgal_files.txt"
 LINES = 600
 COLUMNS = 140
-ONE_READER = 124  # headers with a single reader; whoever takes some away lowers it
+ONE_READER = 118  # headers with a single reader; whoever takes some away lowers it
 SOURCE = (".cpp", ".hpp")
 SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 

@@ -16,14 +16,12 @@
 #include "kernels/context.hpp"
 #include "kernels/printable.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/export/spread.hpp"
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/input_file.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/flags.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/records/record_reader.hpp"
-#include "verify/golden/release/dataset.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::golden {
 namespace fs = std::filesystem;
@@ -166,6 +164,29 @@ bool fits(const std::optional<ExportCase>& entry, const ExportRequest& request, 
   if (!is_wanted(*entry, request)) return ++counts.excluded, false;
   if (std::max(entry->a.size(), entry->b.size()) > request.most_points) return ++counts.too_large, false;
   return ++counts.fitting, true;
+}
+
+/// `count` <= `size` numbers below `size`, ascending, evenly spaced.
+std::vector<std::size_t> evenly(std::size_t count, std::size_t size) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back((2 * i + 1) * size / (2 * count));  // the middle of each of `count` parts
+  return result;
+}
+
+/// How many to take of each group, of which so many are there: `count` in all, or all if that is fewer. No group gets two more than another
+/// that has some left; where the last round does not reach all of them, those that it reaches lie evenly in the order of the groups.
+std::vector<std::size_t> shares(const std::vector<std::size_t>& sizes, std::size_t count) {
+  std::vector<std::size_t> result(sizes.size(), 0);
+  while (count > 0) {
+    std::vector<std::size_t> open;
+    for (std::size_t group = 0; group < sizes.size(); ++group)
+      if (result[group] < sizes[group]) open.push_back(group);
+    if (open.empty()) break;
+    const std::size_t round = count < open.size() ? count : open.size();
+    for (const std::size_t i : evenly(round, open.size())) ++result[open[i]];
+    count -= round;
+  }
+  return result;
 }
 
 /// The numbers of the chosen ones among those that fit. `groups`: of each group, the numbers of those in it.

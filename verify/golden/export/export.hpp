@@ -3,17 +3,26 @@
 // Output  one file with these, for the tests of other projects, and their certificates. The same input and request give the same bytes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fathom/monitor.hpp"
-#include "verify/golden/export/formats.hpp"
 
 namespace fathom::golden {
+
+enum class ExportFormat { c, csv, json, rust };
+
+inline constexpr std::array export_formats = {ExportFormat::c, ExportFormat::csv, ExportFormat::json, ExportFormat::rust};
+
+/// "c", "csv", "json", "rust".
+std::string_view name_of(ExportFormat format);
+std::optional<ExportFormat> find_export_format(std::string_view name);
 
 /// Which cases, and how they are written.
 struct ExportRequest {
@@ -27,6 +36,27 @@ struct ExportRequest {
   std::size_t most_points = SIZE_MAX;  ///< of each body
   std::size_t count = SIZE_MAX;        ///< so many at most, spread evenly over the families
 };
+
+// ---- cases ----
+
+/// A record as exports tell it: everything a test of a program in doubles needs, and nothing that is not a double but the exact square.
+struct ExportCase {
+  std::string name, group;  ///< the record's id; the family, "catalogue" or "real"; of one's own cases "own"
+  std::string status;
+  double signed_depth = 0;  ///< correctly rounded to nearest: the depth, 0, or minus the distance
+  std::string squared;      ///< its square, exact
+  std::vector<std::string> flags;
+  std::vector<std::string> formats;   ///< that hold the points: binary64, or both that and binary32
+  std::vector<std::string> contacts;  ///< the kinds of all optima's contacts, each once; none unless penetrating
+  double size = 0;                    ///< the longest side of the bodies' boxes, correctly rounded
+  double largest = 0;                 ///< the largest magnitude of a coordinate
+  std::vector<std::array<double, 3>> a, b;
+  std::vector<std::array<double, 3>> directions;  ///< unit vectors, rounded: of all optima, or the one direction of the record
+};
+
+/// Returns what exports tell of a record of polytopes. Returns nullopt if a coordinate is not binary64, or a number that exports write is
+/// beyond binary64. Throws NotARecord, also if a text holds what the writer of records never writes.
+std::optional<ExportCase> export_case(std::string_view line);
 
 /// Returns the words that say which cases are wanted: the flags, their first words ("flat"), and every status.
 std::vector<std::string> words_of_cases();
@@ -54,5 +84,21 @@ Exported export_release(const std::filesystem::path& folder, const ExportRequest
 /// cannot be read, has a name that another one has or that is not of letters, digits and . _ - alone, or is not about polytopes;
 /// FolderError if none fits; Interrupted.
 Exported export_own_cases(const std::string& path, const ExportRequest& request, Monitor* monitor = nullptr);
+
+// ---- texts: one file that needs nothing beside it, with decimals that every language reads back to the same doubles ----
+
+/// Where the cases come from.
+struct ExportSource {
+  std::string level, version, seed;  ///< of the release; empty of one's own cases
+  std::string file;                  ///< of one's own cases, without its folder; else empty
+  std::string command;               ///< that made the export: "fathom golden export --format c --count 50"
+};
+
+/// Returns the file, with its last line feed, of at least one case. C: kit/fathom_golden.h, then flat arrays. Rust: kit/fathom_golden.rs,
+/// then an array. JSON: schemas/golden-export.schema.json. CSV: a line of names, then one for each case; it has no room for the source.
+std::string export_text(ExportFormat format, const ExportSource& source, const std::vector<ExportCase>& cases);
+
+/// Returns the shortest decimal that is read back as this finite double, with a point or an exponent: "0.1", "-0.0", "1e+300".
+std::string decimal_text(double value);
 
 }  // namespace fathom::golden

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/export/export_case.hpp"
-
+// The part of export.hpp about a single record.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "kernels/printable.hpp"
+#include "verify/golden/export/export.hpp"
 #include "verify/golden/records/flags.hpp"
 #include "verify/golden/records/record_reader.hpp"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/export/formats.hpp"
-
+// The part of export.hpp about texts.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 
+#include "verify/golden/export/export.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 
 namespace fathom::golden {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "reference/files/source.hpp"
-#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/files.hpp"
 
 namespace fathom::golden {
 namespace {

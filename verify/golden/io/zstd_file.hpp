@@ -10,8 +10,7 @@
 #include <string_view>
 
 #include "verify/digest/sha256.hpp"
-#include "verify/golden/io/input_file.hpp"
-#include "verify/golden/io/new_file.hpp"
+#include "verify/golden/io/files.hpp"
 
 namespace fathom::golden {
 

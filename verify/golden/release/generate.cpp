@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/io/file_error.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/release/release.hpp"
 #include "verify/golden/shards/shard.hpp"
 

@@ -1,20 +1,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/release/release.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
 #include <system_error>
 
 #include "kernels/printable.hpp"
+#include "reference/solve/disagreement.hpp"
 #include "verify/digest/sha256.hpp"
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/input_file.hpp"
-#include "verify/golden/io/new_file.hpp"
-#include "verify/golden/release/agreement.hpp"
-#include "verify/golden/release/dataset.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
-#include "verify/golden/release/sums.hpp"
 
 namespace fathom::golden {
 namespace fs = std::filesystem;
+
+// ---- sums ----
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t digits = 64;
+
+bool is_plain_name(std::string_view name) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.";
+  return !name.empty() && name.front() != '.' && name.find_first_not_of(letters) == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string sums_text(std::vector<Sum> sums) {
+  std::ranges::sort(sums, {}, &Sum::name);
+  std::string text;
+  for (const Sum& sum : sums) text += sum.sha256 + "  " + sum.name + '\n';
+  return text;
+}
+
+std::optional<std::vector<Sum>> parse_sums(std::string_view text) {
+  std::vector<Sum> sums;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    if (line.size() == rest.size() || line.size() < digits + 3) return std::nullopt;
+    rest.remove_prefix(line.size() + 1);
+    sums.push_back({std::string(line.substr(digits + 2)), std::string(line.substr(0, digits))});
+    const Sum& sum = sums.back();
+    if (!is_plain_name(sum.name) || sum.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) return std::nullopt;
+    if (sums.size() > 1 && sums[sums.size() - 2].name >= sum.name) return std::nullopt;
+  }
+  if (sums_text(sums) != text) return std::nullopt;
+  return sums;
+}
+
+// ---- dataset.json ----
+
+namespace {
+
+std::size_t total(const Dataset& dataset, std::size_t Manifest::*count) {
+  return std::accumulate(dataset.shards.begin(), dataset.shards.end(), std::size_t{0},
+                         [count](std::size_t sum, const Manifest& shard) { return sum + shard.*count; });
+}
+
+}  // namespace
+
+std::size_t records_in(const Dataset& dataset) { return total(dataset, &Manifest::records); }
+
+std::string contents_text(const Dataset& dataset) {
+  std::vector<Sum> sums;
+  for (const Manifest& shard : dataset.shards)
+    for (const ShardFile& file : shard.files) sums.push_back({file.name.substr(0, file.name.rfind('.')), file.content.sha256});
+  return sums_text(std::move(sums));
+}
+
+std::string dataset_text(const Dataset& dataset) {
+  const std::string content = digest::digest_of(contents_text(dataset)).sha256;
+  Json shards = Json::array();
+  for (const Manifest& shard : dataset.shards) shards.push_back(manifest_json(shard));
+  const Json json = {
+      {"schema", "fathom/golden-dataset/1"},
+      {"name", "fathom golden data " + std::string(name_of(dataset.level))},
+      {"version", dataset.version},
+      {"licence", "CC0-1.0"},
+      {"generator", {{"name", "fathom"}, {"data_version", dataset.version}, {"seed", std::to_string(dataset.seed)}}},
+      {"level", name_of(dataset.level)},
+      {"cite", fmt::format("The fathom developers: fathom golden data {}, version {}, seed {}. CC0-1.0. Content SHA-256: {}",
+                           name_of(dataset.level), dataset.version, dataset.seed, content)},
+      {"content_sha256", content},
+      {"recipes", total(dataset, &Manifest::recipes)},
+      {"records", records_in(dataset)},
+      {"schemas",
+       {{"dataset.json", "dataset.schema.json"}, {"golden-*.json", "shard.schema.json"}, {"golden-*.jsonl.zst", "golden.schema.json"}}},
+      {"shards", shards}};
+  return json.dump(2) + '\n';
+}
+
+std::optional<Dataset> parse_dataset(std::string_view text) {
+  try {
+    const Json json = Json::parse(text);
+    Dataset dataset;
+    dataset.level = find_level(json.at("level").get<std::string>()).value();
+    dataset.version = json.at("version").get<std::string>();
+    dataset.seed = std::stoull(json.at("generator").at("seed").get<std::string>());
+    for (const Json& shard : json.at("shards")) dataset.shards.push_back(manifest_of(shard));
+    if (dataset_text(dataset) == text) return dataset;
+  } catch (const std::exception&) {  // no JSON, or other fields than ours
+  }
+  return std::nullopt;
+}
+
+// ---- agreement.json ----
+
+std::string agreement_text(const Agreement& agreement) {
+  Json methods = Json::array();
+  for (const Method method : agreement.methods) methods.push_back(name(method));
+  const Json json = {{"schema", "fathom/golden-agreement/2"},
+                     {"content_sha256", agreement.content_sha256},
+                     {"records", agreement.records},
+                     {"methods", methods}};
+  return json.dump(2) + '\n';
+}
+
+std::optional<Agreement> parse_agreement(std::string_view text) {
+  try {
+    const Json json = Json::parse(text);
+    Agreement agreement{json.at("content_sha256").get<std::string>(), json.at("records").get<std::size_t>(), {}};
+    for (const Json& method : json.at("methods")) agreement.methods.push_back(solve::second_method(method.get<std::string>()).value());
+    if (!agreement.methods.empty() && agreement_text(agreement) == text) return agreement;
+  } catch (const std::exception&) {  // no JSON, or other fields than ours
+  }
+  return std::nullopt;
+}
+
+// ---- the folder ----
 
 std::vector<std::pair<std::string, std::string>> fixed_pages() {
   return {{"LICENSE", std::string(licence())},

@@ -13,13 +13,8 @@
 
 #include "kernels/context.hpp"
 #include "kernels/printable.hpp"
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/input_file.hpp"
-#include "verify/golden/io/new_file.hpp"
-#include "verify/golden/release/agreement.hpp"
-#include "verify/golden/release/dataset.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/release/release.hpp"
-#include "verify/golden/release/sums.hpp"
 
 namespace fathom::golden {
 namespace fs = std::filesystem;

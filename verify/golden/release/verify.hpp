@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/release/dataset.hpp"
+#include "verify/golden/release/release.hpp"
 #include "verify/golden/shards/plan.hpp"
-#include "verify/golden/shards/verify_shard.hpp"
+#include "verify/golden/shards/shard.hpp"
 
 namespace fathom::golden {
 

@@ -5,9 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/input_file.hpp"
-#include "verify/golden/shards/manifest_json.hpp"
+#include "verify/golden/io/files.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,7 +18,8 @@
 
 namespace fathom::golden {
 
-/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes CSV.
+/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes CSV, as a
+/// row has two lists of points for the bodies.
 inline constexpr std::array<std::string_view, 3> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst"};
 /// Those of a shard of this level: the first two, or all.
 std::span<const std::string_view> suffixes_of(Level level);
@@ -46,6 +48,12 @@ std::string manifest_text(const Manifest& manifest);
 
 /// Returns nullopt unless `text` is, byte for byte, what manifest_text makes of it.
 std::optional<Manifest> parse_manifest(std::string_view text);
+
+/// The same as a value, for the page that holds several.
+nlohmann::ordered_json manifest_json(const Manifest& manifest);
+
+/// Throws std::exception if a field is missing or of another kind; ignores unknown fields.
+Manifest manifest_of(const nlohmann::ordered_json& json);
 
 /// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a sentence, or nullopt.
 std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan& shard, std::uint64_t seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which cases a release holds: a function of the level and the seed alone.
+// Which cases a release holds, and in what order: a function of the level and the seed alone.
 #pragma once
 
 #include <cstddef>
@@ -50,5 +50,28 @@ inline constexpr std::string_view data_version = "1.2.0";
 
 /// All shards of a level: first those of the levels below it, unchanged. No recipe occurs twice.
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed);
+
+/// The order of a shard's records: recipe by recipe as planned, of each the exact record, then the rounded ones. So no id occurs twice and
+/// none is missing. Checked in O(1) memory.
+class RecordOrder {
+ public:
+  /// `recipes` must outlive this.
+  explicit RecordOrder(const std::vector<Recipe>& recipes) : recipes_(&recipes) {}
+
+  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe, `ids` must be those of all its
+  /// records: of cases_of(recipe).
+  std::optional<std::string> next(std::string_view id, const std::vector<std::string>& ids);
+  /// Returns what is missing at the end, or nullopt.
+  [[nodiscard]] std::optional<std::string> at_end() const;
+
+ private:
+  /// Returns the id that has to come next, or "" after the last one.
+  [[nodiscard]] std::string expected() const;
+
+  const std::vector<Recipe>* recipes_;
+  std::size_t begun_ = 0;             // recipes whose first record was seen
+  std::vector<std::string> awaited_;  // the records of the last of them
+  std::size_t seen_ = 0;              // how many of these
+};
 
 }  // namespace fathom::golden

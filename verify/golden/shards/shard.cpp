@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/shards/shard.hpp"
 
-#include <utility>
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
-#include "verify/golden/io/file_error.hpp"
-#include "verify/golden/io/new_file.hpp"
+#include <atomic>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "kernels/context.hpp"
+#include "verify/golden/io/files.hpp"
+#include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/facts.hpp"
+#include "verify/golden/records/prove.hpp"
+#include "verify/golden/records/recompute.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {
+
+// ---- writing ----
 
 ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed) : folder_(std::move(folder)) {
   manifest_.name = shard.name;
@@ -60,6 +74,207 @@ void ShardWriter::rename_all() {
     std::error_code ignored;
     for (std::size_t i = 0; i < renamed; ++i) std::filesystem::remove(folder_ / manifest_.files[i].name, ignored);
     throw;
+  }
+}
+
+// ---- verification ----
+
+namespace {
+
+constexpr std::size_t groups_in_flight = 32;  // for each thread
+constexpr std::size_t largest_group = 3;      // one record for each form
+constexpr std::size_t largest_certificate = std::size_t{512} << 20;
+
+/// A stream of the shard, with what goes wrong in it as a Refusal.
+class Stream {
+ public:
+  Stream(const std::filesystem::path& folder, const ShardFile& file) : name_(file.name), expected_(&file) {
+    guarded([&] { reader_ = std::make_unique<ZstdReader>(folder / file.name); });
+  }
+  std::optional<std::string_view> line() {
+    std::optional<std::string_view> found;
+    guarded([&] { found = reader_->line(); });
+    return found;
+  }
+  [[nodiscard]] Refusal refusal(const std::string& reason) const {
+    return {reader_ && reader_->number() > 0 ? fmt::format("{}:{}", name_, reader_->number()) : name_, reason};
+  }
+  /// The next lines have to be those of `text`.
+  void expect(std::string_view text, const char* what) {
+    while (!text.empty()) {
+      const std::size_t length = text.find('\n');
+      const std::optional<std::string_view> found = line();
+      if (!found || *found != text.substr(0, length)) throw refusal(fmt::format("{} {}", found ? "this is not" : "the file lacks", what));
+      text.remove_prefix(length + 1);
+    }
+  }
+  /// Nothing may follow, and the sum has to be that of the page.
+  void expect_end() {
+    if (line()) throw refusal("more than the records of the shard");
+    if (reader_->of_content() != expected_->content) throw Refusal{name_, "the content is not what the shard's page says"};
+  }
+
+ private:
+  template <class Action>
+  void guarded(Action action) const {
+    try {
+      action();
+    } catch (const FileError& error) {
+      throw refusal(error.what());
+    }
+  }
+  std::string name_;
+  const ShardFile* expected_;
+  std::unique_ptr<ZstdReader> reader_;
+};
+
+struct Item {
+  std::string line, certificate, record_place;  // read
+  std::string id, row;                          // made
+};
+
+/// Records of one recipe, unless the order is wrong.
+struct Group {
+  std::vector<Item> items;
+  std::optional<Refusal> refusal;  // found in reading or proving, behind the items
+  std::vector<std::string> ids;    // of all records of the recipe that the first one is of
+};
+
+/// Whether an id is that of a rounded record, whose exact one may stand before it.
+bool is_rounded(std::string_view id) { return id.ends_with(".b64") || id.ends_with(".b32"); }
+
+class Verification {
+ public:
+  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, const ShardOptions& options)
+      : manifest_(&manifest),
+        options_(&options),
+        planned_(shard.recipes()),
+        order_(planned_),
+        records_(folder, manifest.files[0]),
+        certificates_(folder, manifest.files[1]) {
+    if (manifest.files.size() > 2) csv_.emplace(folder, manifest.files[2]);
+  }
+
+  std::optional<Refusal> run() {
+    using tbb::filter_mode;
+    if (csv_) csv_->expect(csv_header(), "the header");
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * groups_in_flight,
+        tbb::make_filter<void, Shared>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
+            tbb::make_filter<Shared, Shared>(filter_mode::parallel, [this](const Shared& group) { return prove(group); }) &
+            tbb::make_filter<Shared, void>(filter_mode::serial_in_order, [this](const Shared& group) { accept(*group); }));
+    if (refusal_) return refusal_;
+    if (const auto fault = order_.at_end()) throw records_.refusal(*fault);
+    if (count_ != manifest_->records) throw records_.refusal(fmt::format("{} records, and the page says {}", count_, manifest_->records));
+    for (Stream* stream : {&records_, &certificates_}) stream->expect_end();
+    if (csv_) csv_->expect_end();
+    return std::nullopt;
+  }
+
+ private:
+  using Shared = std::shared_ptr<Group>;
+
+  Shared next(tbb::flow_control& control) {
+    if (ended_ || refused_) return control.stop(), nullptr;
+    auto group = std::make_shared<Group>();
+    try {
+      do {
+        std::optional<Item> item = std::exchange(ahead_, std::nullopt);
+        if (!item) item = read();
+        if (!item) break;
+        group->items.push_back(std::move(*item));
+      } while ((ahead_ = read()) && is_rounded(id_in(ahead_->line)) && group->items.size() < largest_group);
+    } catch (Refusal& refusal) {
+      group->refusal = std::move(refusal);
+      ended_ = true;
+    }
+    if (group->items.empty() && !group->refusal) return control.stop(), nullptr;
+    return group;
+  }
+
+  std::optional<Item> read() {
+    const std::optional<std::string_view> line = records_.line();
+    if (!line) return std::nullopt;
+    Item item;
+    item.line = *line;
+    item.record_place = records_.refusal("").place;
+    read_certificate(item);
+    return item;
+  }
+
+  void read_certificate(Item& item) {
+    do {
+      const std::optional<std::string_view> line = certificates_.line();
+      if (!line) throw certificates_.refusal("the certificate of " + item.record_place + " is missing or cut off");
+      (item.certificate += *line) += '\n';
+      if (item.certificate.size() > largest_certificate) throw certificates_.refusal("a certificate is too long");
+      if (line->starts_with("end ")) return;
+    } while (true);
+  }
+
+  Shared prove(const Shared& group) {
+    Prover& prover = provers_.local();
+    for (std::size_t i = 0; i < group->items.size(); ++i) {
+      kernels::Context(options_->monitor).check();
+      if (refused_) return group;  // one before it is
+      Item& item = group->items[i];
+      if (auto fault = fault_in(prover, item)) {
+        group->refusal = {item.record_place, std::move(*fault)};
+        group->items.resize(i);
+        break;
+      }
+      item.id = prover.id();
+      item.row = prover.row();
+      if (i == 0) group->ids = prover.ids();
+    }
+    return group;
+  }
+
+  std::optional<std::string> fault_in(Prover& prover, const Item& item) const {
+    std::optional<std::string> fault = prover.faults_of(item.line, item.certificate);
+    for (const Method method : options_->methods)
+      if (!fault) fault = disagreement_with(method, item.line, options_->monitor);
+    return fault;
+  }
+
+  void accept(Group& group) {
+    if (refusal_) return;
+    try {
+      for (const Item& item : group.items) {
+        if (const auto fault = order_.next(item.id, group.ids)) throw Refusal{item.record_place, *fault};
+        if (csv_) csv_->expect(item.row, "the row of this record");
+        ++count_;
+        if (options_->proved) options_->proved();
+      }
+      if (group.refusal) throw std::move(*group.refusal);
+    } catch (Refusal& refusal) {
+      refusal_ = std::move(refusal);
+      refused_ = true;
+    }
+  }
+
+  const Manifest* manifest_;
+  const ShardOptions* options_;
+  const std::vector<Recipe> planned_;
+  tbb::enumerable_thread_specific<Prover> provers_;
+  RecordOrder order_;
+  Stream records_, certificates_;
+  std::optional<Stream> csv_;       // of polytopes
+  std::optional<Item> ahead_;       // of the first stage: read, and not of the group before it
+  bool ended_ = false;              // likewise: nothing more can be read
+  std::optional<Refusal> refusal_;  // of the last stage
+  std::atomic<bool> refused_ = false;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
+                                        const ShardOptions& options) {
+  try {
+    return Verification(folder, shard, manifest, options).run();
+  } catch (Refusal& refusal) {
+    return std::move(refusal);
   }
 }
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of a release, as the system has them: read block by block, or written so that they appear whole or not at all; and errors.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "verify/digest/sha256.hpp"
+
+namespace fathom::golden {
+
+/// The system refused: full disk, no permission, a file that cannot be read.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+  /// "cannot `action` `path`: " and the system's words for the error `code` (an errno).
+  FileError(const std::string& action, const std::filesystem::path& path, int code);
+};
+
+/// The folder holds something else than the release: shards of another seed, or other files.
+struct FolderError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class InputFile {
+ public:
+  /// Throws FileError if there is no regular file that can be read.
+  explicit InputFile(std::filesystem::path path);
+  ~InputFile();
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  /// Returns the next bytes, valid until the next call; none at the end. Throws FileError.
+  std::string_view read();
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;
+  std::string block_;
+};
+
+/// Returns the content of a small file. Throws FileError, also if it is larger than `most` bytes.
+std::string read_small_file(const std::filesystem::path& path, std::size_t most = std::size_t{64} << 20);
+
+/// Returns the digest of a file. Throws FileError if it cannot be read.
+digest::Digest digest_of_file(const std::filesystem::path& path);
+
+/// How hidden names begin and end: ".new-" name. A killed process leaves such files behind; the next one overwrites them.
+inline constexpr std::string_view hidden_prefix = ".new-";
+
+/// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no other process can write it meanwhile.
+class NewFile {
+ public:
+  /// Throws FileError, also if another living process is writing the same file.
+  NewFile(std::filesystem::path folder, std::string name);
+  /// Removes the hidden file unless it was committed.
+  ~NewFile();
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  /// Throws FileError.
+  void write(std::string_view bytes);
+  /// Syncs all bytes to disk. Throws FileError.
+  void sync();
+  /// Gives the file its name. Call sync() first. Throws FileError.
+  void commit();
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::filesystem::path hidden_, final_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool committed_ = false;
+};
+
+/// Syncs the names in a folder to disk. Throws FileError.
+void sync_folder(const std::filesystem::path& folder);
+
+/// Writes a small file, whole or not at all. Does nothing if it has this content already.
+void put_file(const std::filesystem::path& folder, const std::string& name, std::string_view content);
+
+}  // namespace fathom::golden
