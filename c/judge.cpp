@@ -9,10 +9,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "c/boundary.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/files/shape_names.hpp"
+#include "verify/judge/any_bodies.hpp"
+#include "verify/judge/fields.hpp"
 
 namespace fathom::c {
 namespace {
@@ -110,78 +115,125 @@ Policy policy_of(const fathom_claim& claim) {
   return {kinds[claim.policy], exact_value(claim.policy_most)};
 }
 
-/// A length of polytopes by its signed square, or of shapes by its bounds.
-void set_bounds(double& low, double& high, const std::optional<mpq_class>& signed_square, const std::optional<Between>& bounds) {
-  if (bounds) {
-    low = bounds->low;
-    high = bounds->high;
-  } else if (signed_square) {
-    const Surd value{0, *signed_square};
-    low = round_binary64(value, Rounding::rd);
-    high = round_binary64(value, Rounding::ru);
-  }
+// ---- out: fields of a judgement, by the table in verify/judge/fields.hpp ----
+
+/// Where the number of a field goes: to one member, or rounded down and up to two.
+struct Place {
+  std::string_view field;
+  double fathom_judgement::*low;
+  double fathom_judgement::*high = nullptr;
+};
+using To = fathom_judgement;
+constexpr Place places[] = {{"signed_depth", &To::signed_depth_low, &To::signed_depth_high},
+                            {"error", &To::error},
+                            {"error_ulps", &To::error_ulps},
+                            {"error_relative", &To::error_relative},
+                            {"error_u_r", &To::error_u_r},
+                            {"price_squared", &To::price_low, &To::price_high},
+                            {"travel_squared", &To::travel},
+                            {"price", &To::price_low, &To::price_high},
+                            {"inconsistency", &To::inconsistency},
+                            {"overlap_left", &To::overlap_left},
+                            {"witness_a_squared", &To::witness_a_low, &To::witness_a_high},
+                            {"witness_b_squared", &To::witness_b_low, &To::witness_b_high},
+                            {"witness_a_distance", &To::witness_a_low, &To::witness_a_high},
+                            {"witness_b_distance", &To::witness_b_low, &To::witness_b_high},
+                            {"witness_gap", &To::witness_gap},
+                            {"contact_a_squared", &To::contact_a_low, &To::contact_a_high},
+                            {"contact_b_squared", &To::contact_b_low, &To::contact_b_high},
+                            {"contact_a_distance", &To::contact_a_low, &To::contact_a_high},
+                            {"contact_b_distance", &To::contact_b_low, &To::contact_b_high},
+                            {"deepest", &To::deepest},
+                            {"dearer", &To::dearer},
+                            {"deepest_pair", &To::deepest_pair},
+                            {"hulls_squared", &To::hulls},
+                            {"deeper_than_pair", &To::deeper_than_pair},
+                            {"deeper", &To::deeper},
+                            {"deeper_squared", &To::deeper}};
+
+constexpr const Place* place_of(std::string_view field) {
+  for (const Place& place : places)
+    if (place.field == field) return &place;
+  return nullptr;
 }
 
-fathom_judgement judgement_of(const Judgement& from, int status, const RoundedDepth& truth) {
-  fathom_judgement to;
+/// A length of polytopes by its signed square.
+void put(To& to, const Place& place, const mpq_class& signed_square) {
+  const Surd value{0, signed_square};
+  to.*place.low = round_binary64(value, place.high ? Rounding::rd : Rounding::rn);
+  if (place.high) to.*place.high = round_binary64(value, Rounding::ru);
+}
+void put(To& to, const Place& place, double value) { to.*place.low = value; }
+void put(To& to, const Place& place, const Between& bounds) {
+  to.*place.low = bounds.low;
+  to.*place.high = bounds.high;
+}
+void put(To& to, const Place& place, const UnionBounds& bounds) {
+  put(to, place, bounds.deepest_pair);
+  to.deepest_pieces[0] = bounds.a;
+  to.deepest_pieces[1] = bounds.b;
+}
+template <class T>
+void put(To& to, const Place& place, const std::optional<T>& value) {
+  if (value) put(to, place, *value);
+}
+
+// The fields that are no numbers, and the truth, which is handed out as that of an answer is.
+void put_word(To& to, Verdict verdict) { to.verdict = number_of(verdict); }
+void put_word(To& to, const std::vector<Verdict>& findings) {
+  for (const Verdict finding : findings) to.findings |= 1U << static_cast<unsigned>(number_of(finding));
+}
+void put_word(To& to, const std::optional<Accuracy>& accuracy) { to.accuracy = accuracy ? static_cast<int>(*accuracy) : FATHOM_NO_CLASS; }
+void put_word(To& to, const std::optional<Status>& status) { to.status = status ? static_cast<int>(*status) : FATHOM_UNDECIDED; }
+void put_word(To& to, bool longer) { to.longer = longer; }
+void put_word(To&, const std::string&) {}  // the sentence is a text of its own
+void put_word(To&, const mpq_class&) {}    // the squares of the truth, which signed_depth has
+
+To judgement_of(const Judgement& from, const RoundedDepth& truth) {
+  To to;
   fathom_judgement_init(&to);
-  to.verdict = number_of(from.verdict);
-  for (const Verdict finding : from.findings) to.findings |= 1U << static_cast<unsigned>(number_of(finding));
-  to.accuracy = from.accuracy ? static_cast<int>(*from.accuracy) : FATHOM_NO_CLASS;
-  to.status = status;
+  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    const auto& value = judging::value_of(field, from);
+    if constexpr (requires { put_word(to, value); }) put_word(to, value);
+    else put(to, *place_of(field.name), value);
+  });
   to.signed_depth = truth.nearest;
   to.signed_depth_low = truth.low;
   to.signed_depth_high = truth.high;
-  to.error = from.error.value_or(none);
-  to.error_ulps = from.error_ulps.value_or(none);
-  to.error_relative = from.error_relative.value_or(none);
-  to.error_u_r = from.error_u_r.value_or(none);
-  set_bounds(to.price_low, to.price_high, from.price_squared, from.price);
-  if (from.travel_squared) to.travel = round_binary64(Surd{0, *from.travel_squared});
-  to.inconsistency = from.inconsistency.value_or(none);
-  to.overlap_left = from.overlap_left.value_or(none);
-  set_bounds(to.witness_a_low, to.witness_a_high, from.witness_a_squared, from.witness_a_distance);
-  set_bounds(to.witness_b_low, to.witness_b_high, from.witness_b_squared, from.witness_b_distance);
-  to.witness_gap = from.witness_gap.value_or(none);
-  to.longer = from.longer;
-  to.dearer = from.dearer.value_or(none);
-  set_bounds(to.contact_a_low, to.contact_a_high, from.contact_a_squared, from.contact_a_distance);
-  set_bounds(to.contact_b_low, to.contact_b_high, from.contact_b_squared, from.contact_b_distance);
-  to.deepest = from.deepest.value_or(none);
   return to;
 }
 
-/// The points as the implementation saw them.
-GivenPoints seen_points(const Body& body, Precision precision, const char* body_name) {
-  std::optional<GivenPoints> points = seen(body.points, precision);
-  if (!points) throw std::invalid_argument(std::string(body_name) + ": a coordinate is beyond " + std::string(name(precision)));
-  return *std::move(points);
+/// Whether each field of numbers has its place, and each place a field.
+constexpr bool places_are_complete() {
+  std::size_t found = 0;
+  bool all = true;
+  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    using Value = std::decay_t<decltype(judging::value_of(field, std::declval<const Judgement&>()))>;
+    constexpr bool is_word = requires(To & to, const Value& value) { put_word(to, value); };
+    if (place_of(field.name)) ++found;
+    else if (!is_word) all = false;
+  });
+  return all && found == std::size(places);
 }
+static_assert(places_are_complete(), "each number of a judgement has its member of fathom_judgement");
 
-Shape seen_shape(const Body& body, Precision precision, const char* body_name) {
-  return body.shape ? *body.shape : hull(seen_points(body, precision, body_name).exact());
-}
+// ---- judging ----
 
-/// Judges by the truth about two polytopes, or about two shapes.
-template <class TheTruth>
-void judge_by(const TheTruth& truth, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
-  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
-                            policy_of(claim)};
-  const Judgement found = judge(truth, reply_of(claim), conventions_of(claim), format_of(claim), tolerance);
-  judgement = judgement_of(found, status_of(truth.depth), rounded(truth.depth));
-  sentence = found.sentence;
+Body seen_from(const Body& body, const NumberFormat& format, const char* body_name) {
+  std::optional<Body> seen = judging::body_seen(body, format);
+  if (!seen) throw std::invalid_argument(std::string(body_name) + ": a coordinate is beyond " + std::string(name(format.points)));
+  return *std::move(seen);
 }
 
 void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
   require_claim(claim);
-  require_convex(a, "a");
-  require_convex(b, "b");
-  const Precision precision = format_of(claim).points;
-  if (!a.shape && !b.shape) {
-    judge_by(truth_about(seen_points(a, precision, "a"), seen_points(b, precision, "b")), claim, judgement, sentence);
-  } else {
-    judge_by(truth_about(seen_shape(a, precision, "a"), seen_shape(b, precision, "b")), claim, judgement, sentence);
-  }
+  const NumberFormat format = format_of(claim);
+  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
+                            policy_of(claim)};
+  const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
+  const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance);
+  judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(known.depth); }, truth));
+  sentence = found.sentence;
 }
 
 }  // namespace
@@ -203,15 +255,10 @@ void fathom_judgement_init(fathom_judgement* judgement) {
   *judgement = {};
   judgement->size = sizeof(fathom_judgement);
   judgement->verdict = judgement->accuracy = judgement->status = -1;
-  for (double* number : {&judgement->signed_depth,   &judgement->signed_depth_low, &judgement->signed_depth_high,
-                         &judgement->error,          &judgement->error_ulps,       &judgement->error_relative,
-                         &judgement->error_u_r,      &judgement->price_low,        &judgement->price_high,
-                         &judgement->travel,         &judgement->inconsistency,    &judgement->overlap_left,
-                         &judgement->witness_a_low,  &judgement->witness_a_high,   &judgement->witness_b_low,
-                         &judgement->witness_b_high, &judgement->witness_gap,      &judgement->dearer,
-                         &judgement->contact_a_low,  &judgement->contact_a_high,   &judgement->contact_b_low,
-                         &judgement->contact_b_high, &judgement->deepest}) {
-    *number = none;
+  judgement->signed_depth = none;
+  for (const Place& place : places) {
+    judgement->*place.low = none;
+    if (place.high) judgement->*place.high = none;
   }
 }
 

@@ -59,6 +59,9 @@ struct FathomJudgement {
     numbers: [c_double; 17], // signed_depth to witness_gap
     longer: c_int,
     more: [c_double; 6], // dearer to deepest
+    deepest_pair: c_double,
+    deepest_pieces: [usize; 2],
+    of_unions: [c_double; 3], // hulls to deeper
 }
 
 #[link(name = "fathom-c")]

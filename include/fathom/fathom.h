@@ -320,12 +320,19 @@ typedef struct fathom_judgement {
   double dearer; /**< price / depth - 1 */
   double contact_a_low, contact_a_high, contact_b_low, contact_b_high; /**< distances of the farthest contacts; 0 inside */
   double deepest; /**< the largest depth of a contact less the claimed depth */
+
+  /* Of unions that overlap. They have no price and no travel: overlap_left is the depth after the claimed translation. */
+  double deepest_pair;      /**< the depth of the deepest pair of pieces */
+  size_t deepest_pieces[2]; /**< a piece of A and one of B, from 0: the first pair that has it */
+  double hulls;             /**< the depth of the unions' hulls */
+  double deeper_than_pair;  /**< their depth over that of the deepest pair, at least 1 */
+  double deeper;            /**< their depth over the claimed one, if that is above 0 */
 } fathom_judgement;
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
-/** Judges an answer about A and B, convex bodies: unions of pieces are refused. `sentence` gets what is wrong, for people: "too deep by
+/** Judges an answer about A and B, bodies of any kind that fathom_depth takes. `sentence` gets what is wrong, for people: "too deep by
  * 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
 FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
                             char** sentence);

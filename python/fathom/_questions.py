@@ -111,23 +111,40 @@ class Judgement(NamedTuple):
     """What is right and wrong about an answer (verify/judge/VERDICTS.md)."""
 
     passed: bool
-    verdict: str  #: "pass", "too-deep", "false-separation", ...
-    sentence: str  #: for people
-    findings: list[str]  #: everything that is wrong
-    accuracy: str | None
-    status: str  #: the truth
-    depth_squared: Fraction | None  #: None if a body is a shape that is no polytope, as is distance_squared
+    verdict: str  #: the first of the findings, or a pass: "pass", "too-deep", "false-separation", ...
+    status: str  #: the truth; "undecided" of shapes only
+    signed_depth: tuple[float, float] | None  #: the truth about shapes, rounded outward; None of polytopes and unions
+    depth_squared: Fraction | None  #: the truth about polytopes and unions, as is distance_squared; None of shapes
     distance_squared: Fraction | None
-    signed_depth: tuple[float, float] | None  #: the truth about shapes, rounded outward; None of polytopes
+    findings: list[str]  #: everything that is wrong, in order of rank
+    accuracy: str | None  #: the best class of a pass with a depth or a distance
     error: float | None  #: claimed depth or distance less the true one, correctly rounded
     error_ulps: float | None
     error_relative: float | None
-    price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it
-    travel_squared: Fraction | None  #: the shortest way along it
+    error_u_r: float | None  #: in units of roundoff times the largest coordinate
+    price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it; negative of bodies apart
+    travel_squared: Fraction | None  #: the shortest way along it after which the interiors are disjoint
     price: tuple[float, float] | None  #: of shapes: what leaving along the claimed direction costs, rounded outward
-    dearer: float | None  #: that price above the depth, relative to it
+    inconsistency: float | None  #: claimed depth less price; of unions minus the overlap that the translation leaves, or the gap
+    overlap_left: float | None  #: after the claimed translation
+    witness_a_squared: Fraction | None  #: squared distances of the claimed points from their bodies
+    witness_b_squared: Fraction | None
+    witness_a_distance: tuple[float, float] | None  #: of shapes, rounded outward
+    witness_b_distance: tuple[float, float] | None
+    witness_gap: float | None  #: by how much the difference of the points misses the translation
+    contact_a_squared: Fraction | None  #: of the contact that is farthest from A, and of that from B
+    contact_b_squared: Fraction | None
+    contact_a_distance: tuple[float, float] | None  #: of shapes, rounded outward
+    contact_b_distance: tuple[float, float] | None
+    deepest: float | None  #: the largest depth of a contact less the claimed depth
+    dearer: float | None  #: the price of its direction above the depth, relative to that
     longer: bool  #: whether the depth would be too deep, but for the policy
-
+    deepest_pair: dict[str, Any] | None  #: of unions that overlap: squared, and the two pieces, from 0
+    hulls_squared: Fraction | None  #: the squared depth of the hulls of these unions
+    deeper_than_pair: float | None  #: their depth over that of the deepest pair, correctly rounded
+    deeper: float | None  #: their depth over the claimed one, correctly rounded
+    deeper_squared: Fraction | None
+    sentence: str  #: for people
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
@@ -135,6 +152,8 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
           answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None,
           pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
+
+    Bodies may be unions of convex pieces (`fathom.union`): a claimed translation is judged by what it leaves.
 
     overlap, depth, direction, witness  its answer: |depth| * direction takes the bodies apart; witness is a point of A and one of B
     distance   of bodies that are said to be apart: witness then is a pair of nearest points, and along direction they go farther apart
@@ -166,4 +185,4 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
              "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
              "claims": claims, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
-    return Judgement(**{field: found[field] for field in Judgement._fields})
+    return Judgement(**found)

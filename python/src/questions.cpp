@@ -14,6 +14,8 @@
 #include "python/src/bodies.hpp"
 #include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/judge/any_bodies.hpp"
+#include "verify/judge/fields.hpp"
 #include "verify/judge/policy.hpp"
 
 namespace fathom::python {
@@ -134,9 +136,9 @@ py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, 
 // ---- the judge ----
 
 template <class Value>
-Value one_of(const std::string& what, const std::string& word, std::initializer_list<std::pair<const char*, Value>> known) {
+Value one_of(const std::string& what, const std::string& word) {
   std::string words;
-  for (const auto& [text, value] : known) {
+  for (const auto& [text, value] : judging::words_of(Value())) {
     if (word == text) return value;
     words += (words.empty() ? "'" : ", '") + std::string(text) + "'";
   }
@@ -200,21 +202,13 @@ Reply reply_from(const py::dict& claim) {
 Claimed claimed_from(const py::dict& claim) {
   Claimed result;
   result.reply = reply_from(claim);
-  using Touching = Conventions::Touching;
-  result.conventions.touching =
-      one_of<Touching>("touching", text_argument(claim, "touching"),
-                       {{"overlap", Touching::overlap}, {"separate", Touching::separate}, {"either", Touching::either}});
-  result.conventions.depth = one_of<Conventions::Sign>(
-      "sign", text_argument(claim, "sign"), {{"positive", Conventions::Sign::positive}, {"negative", Conventions::Sign::negative}});
-  result.conventions.moves =
-      one_of<Conventions::Body>("moves", text_argument(claim, "moves"), {{"a", Conventions::Body::a}, {"b", Conventions::Body::b}});
+  const auto take = [&]<class Value>(const char* name, Value& value) { value = one_of<Value>(name, text_argument(claim, name)); };
+  take("touching", result.conventions.touching);
+  take("sign", result.conventions.depth);
+  take("moves", result.conventions.moves);
   result.conventions.unit = bool_argument(claim, "unit");
-  result.conventions.claims =
-      one_of<Conventions::Claims>("claims", text_argument(claim, "claims"),
-                                  {{"minimum", Conventions::Claims::minimum}, {"separating", Conventions::Claims::separating}});
-  const auto precision = [&](const char* of) {
-    return one_of<Precision>(of, text_argument(claim, of), {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
-  };
+  take("claims", result.conventions.claims);
+  const auto precision = [&](const char* of) { return one_of<Precision>(of, text_argument(claim, of)); };
   result.format = precision("precision");
   if (!claim["answers"].is_none()) result.format.answers = precision("answers");
   result.tolerance.relative = number_from(claim["relative"]);
@@ -226,47 +220,52 @@ Claimed claimed_from(const py::dict& claim) {
   return result;
 }
 
-/// The body as an implementation of this precision sees it. The numbers of shapes are taken as they are.
-Body as_seen(Body body, Precision precision, const char* name) {
-  if (body.shape) return body;
-  std::optional<GivenPoints> points = seen(body.points, precision);
-  if (!points) throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(precision)));
-  return {*std::move(points)};
+/// A body of any kind, as an implementation of this format sees it.
+Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
+  const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
+  std::optional<Body> body = judging::body_seen(is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name), format);
+  if (!body) throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
+  return *std::move(body);
 }
 
-Judgement judgement_on(const Body& a, const Body& b, const Claimed& claimed, Monitor& monitor) {
-  Options options;
-  options.monitor = &monitor;
-  const auto judge_by = [&](const auto& truth) {
-    return judge(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance);
-  };
-  if (!a.shape && !b.shape) return judge_by(truth_about(a.points, b.points, options));
-  return judge_by(truth_about(files::shape_of(a), files::shape_of(b), {.cores = options}));
+// Values of fields in Python.
+py::object in_python(bool value) { return py::bool_(value); }
+py::object in_python(double value) { return py::float_(value); }
+py::object in_python(const std::string& value) { return py::str(value); }
+py::object in_python(const mpq_class& value) { return fraction(value); }
+py::object in_python(const Between& value) { return py::make_tuple(value.low, value.high); }
+py::object in_python(Verdict value) { return py::str(std::string(name(value))); }
+py::object in_python(Accuracy value) { return py::str(std::string(name(value))); }
+py::object in_python(const std::optional<Status>& value) { return py::str(value ? std::string(name(*value)) : "undecided"); }
+py::object in_python(const UnionBounds& value) {
+  return py::dict("squared"_a = fraction(value.deepest_pair), "pieces"_a = py::make_tuple(value.a, value.b));
+}
+py::object in_python(const std::vector<Verdict>& list) {
+  py::list result;
+  for (const Verdict verdict : list) result.append(in_python(verdict));
+  return std::move(result);
+}
+template <class T>
+py::object in_python(const std::optional<T>& value) {
+  return value ? in_python(*value) : py::object(py::none());
 }
 
 py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
   const Claimed claimed = claimed_from(claim);
-  const Body seen_a = as_seen(body_from(a, pose_a, "a"), claimed.format.points, "a"),
-             seen_b = as_seen(body_from(b, pose_b, "b"), claimed.format.points, "b");
-  const Judgement found = watched([&](Monitor& monitor) { return judgement_on(seen_a, seen_b, claimed, monitor); });
-  const bool polytopes = !seen_a.shape && !seen_b.shape;
-  py::list findings;
-  for (const Verdict finding : found.findings) findings.append(std::string(name(finding)));
-  const auto number = [](const auto& value) { return value ? py::object(py::float_(*value)) : py::object(py::none()); };
-  const auto word = [](const auto& value) { return value ? py::object(py::str(std::string(name(*value)))) : py::object(py::none()); };
-  const auto squared = [](const std::optional<mpq_class>& value) { return value ? fraction(*value) : py::object(py::none()); };
-  const auto between = [](const std::optional<Between>& value) {
-    return value ? py::object(py::make_tuple(value->low, value->high)) : py::object(py::none());
-  };
-  const auto truth = [&](const mpq_class& value) { return polytopes ? fraction(value) : py::object(py::none()); };
-  return py::dict("verdict"_a = std::string(name(found.verdict)), "passed"_a = passes(found.verdict), "findings"_a = findings,
-                  "accuracy"_a = word(found.accuracy), "status"_a = found.status ? word(found.status) : py::object(py::str("undecided")),
-                  "depth_squared"_a = truth(found.depth_squared), "distance_squared"_a = truth(found.distance_squared),
-                  "signed_depth"_a = between(found.signed_depth), "error"_a = number(found.error),
-                  "error_ulps"_a = number(found.error_ulps), "error_relative"_a = number(found.error_relative),
-                  "price_squared"_a = squared(found.price_squared), "travel_squared"_a = squared(found.travel_squared),
-                  "price"_a = between(found.price), "dearer"_a = number(found.dearer), "longer"_a = found.longer,
-                  "sentence"_a = found.sentence);
+  const Body seen_a = seen_from(a, pose_a, claimed.format, "a"), seen_b = seen_from(b, pose_b, claimed.format, "b");
+  const Judgement found = watched([&](Monitor& monitor) {
+    Options options;
+    options.monitor = &monitor;
+    const judging::AnyTruth truth = judging::truth_of(seen_a, seen_b, options);
+    return judging::judged(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance, &monitor);
+  });
+  py::dict result("passed"_a = passes(found.verdict));
+  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    const bool is_flag = std::is_same_v<std::decay_t<decltype(judging::value_of(field, found))>, bool>;
+    result[py::str(std::string(field.name))] =
+        is_flag || judging::has(field, found) ? in_python(judging::value_of(field, found)) : py::object(py::none());
+  });
+  return result;
 }
 
 }  // namespace

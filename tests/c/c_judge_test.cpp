@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge for C gives what the C++ interface gives, of points and of shapes, and refuses everything else.
+// The judge for C gives what the C++ interface gives, of points, of shapes and of unions, and refuses everything else.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "tests/c/handles.hpp"
+#include "tests/c/unions.hpp"
 
 namespace fathom {
 namespace {
@@ -25,6 +26,14 @@ std::vector<Triple> triples(const std::vector<double>& points) {
   std::vector<Triple> result;
   for (std::size_t i = 0; i < points.size(); i += 3) result.push_back({points[i], points[i + 1], points[i + 2]});
   return result;
+}
+
+std::vector<Point> box_points(const Point& low, const Point& high) {
+  std::vector<Point> corners;
+  for (const Point& x : {low, high})
+    for (const Point& y : {low, high})
+      for (const Point& z : {low, high}) corners.push_back({x.x, y.y, z.z});
+  return corners;
 }
 
 class CJudge : public ::testing::Test {
@@ -153,6 +162,44 @@ TEST_F(CJudge, Shapes) {
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
   EXPECT_NE(sentence.find("too deep"), std::string::npos) << sentence;
   EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK);
+}
+
+// The bar stands in the slot of the block, as wide as it: 1 deep in one wall, and out by a translation that fits exactly.
+TEST_F(CJudge, Unions) {
+  a = bar();
+  b = block();
+  claims(1, 1, 0, 0);
+  ASSERT_EQ(run(), FATHOM_OK) << fathom_last_error();
+  const Pieces plate{box_points({1, 1, 2}, {3, 3, 6})};
+  const Pieces walls{box_points({0, 0, 0}, {2, 4, 4}), box_points({4, 0, 0}, {6, 4, 4}), box_points({2, 0, 0}, {4, 4, 1})};
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = 1;
+  reply.direction = Triple{1, 0, 0};
+  const Judgement expected = judge(truth_about(plate, walls), reply);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(sentence, expected.sentence);
+  EXPECT_EQ(judgement.status, FATHOM_PENETRATING);
+  EXPECT_EQ(judgement.signed_depth, 1);
+  EXPECT_EQ(judgement.accuracy, FATHOM_CORRECTLY_ROUNDED);
+  EXPECT_EQ(judgement.inconsistency, expected.inconsistency);
+  EXPECT_TRUE(std::isnan(judgement.price_low) && std::isnan(judgement.travel) && std::isnan(judgement.dearer));
+  ASSERT_TRUE(expected.bounds);
+  EXPECT_EQ(judgement.deepest_pair, root_binary64(expected.bounds->deepest_pair));
+  EXPECT_EQ(judgement.deepest_pieces[0], expected.bounds->a);
+  EXPECT_EQ(judgement.deepest_pieces[1], expected.bounds->b);
+  EXPECT_EQ(judgement.hulls, root_binary64(expected.bounds->hulls));
+  EXPECT_EQ(judgement.deeper_than_pair, 1);
+  EXPECT_EQ(judgement.deeper, 1);
+  claim.depth = 0.5;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_SHALLOW);
+  EXPECT_EQ(judgement.deeper, 2);
+  EXPECT_EQ(judgement.overlap_left, 0.5);
+  b = body_of(cube_at(0.4));
+  a = body_of(cube_at(0));
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_TRUE(std::isnan(judgement.deepest_pair) && std::isnan(judgement.hulls) && std::isnan(judgement.deeper)) << "of polytopes";
 }
 
 // The cubes meet in x from 0.4 to 1, and are 1 high.

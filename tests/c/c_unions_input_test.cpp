@@ -118,8 +118,7 @@ TEST(CUnions, BadQuestions) {
   fathom_claim_init(&claim);
   fathom_judgement judgement;
   fathom_judgement_init(&judgement);
-  expect_refused([&] { return fathom_judge(cube.get(), both.get(), &claim, &judgement, nullptr); },
-                 "b: expected a convex body, found a union of pieces: fathom_depth takes those");
+  expect_refused([&] { return fathom_judge(ball.get(), both.get(), &claim, &judgement, nullptr); }, "is no union of pieces");
   const AnswerHandle convex = answer_about(cube, cube), good = answer_about(bar(), both);
   double depth = 7;
   int clearance = -1;

@@ -60,14 +60,14 @@ TEST(PiecePairs, TheDeepestReplyIsTheAnswer) {
   EXPECT_EQ(outcome.digest, digest_of(unions_case()));
   ASSERT_TRUE(outcome.pieces);
   EXPECT_EQ(outcome.pieces->pairs, 6U);
-  EXPECT_EQ(outcome.pieces->a, 0U);
-  EXPECT_EQ(outcome.pieces->b, 0U);
+  EXPECT_EQ(outcome.pieces->answer_of[0], 0U);
+  EXPECT_EQ(outcome.pieces->answer_of[1], 0U);
   EXPECT_EQ(outcome.pieces->query.verdict, Verdict::pass);
 
   script.answers["two[1,1]"] = says(0.75);
   const Outcome wrong = script.run();
   EXPECT_EQ(wrong.verdict, Verdict::too_deep);
-  EXPECT_EQ(wrong.pieces->a, 1U);
+  EXPECT_EQ(wrong.pieces->answer_of[0], 1U);
   EXPECT_EQ(wrong.pieces->query.verdict, Verdict::too_deep);
   EXPECT_EQ(wrong.pieces->query.depth_squared, mpq_class(1, 16)) << "the pair's";
   EXPECT_EQ(wrong.judgement->depth_squared, mpq_class(1, 4)) << "the unions'";
@@ -91,7 +91,7 @@ TEST(PiecePairs, OverlapsWithoutDepths) {
   script.answers["two[1,1]"] = says({});
   const Outcome outcome = script.run();
   EXPECT_EQ(outcome.verdict, Verdict::pass) << "by its classification";
-  EXPECT_EQ(outcome.pieces->b, 0U);
+  EXPECT_EQ(outcome.pieces->answer_of[1], 0U);
 }
 
 TEST(PiecePairs, ApartByTheLeastDistance) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fathom/numbers.hpp"
-#include "verify/harness/loose_json.hpp"
+#include "verify/harness/message_json.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {

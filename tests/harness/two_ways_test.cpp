@@ -9,7 +9,7 @@
 
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
-#include "verify/harness/judgement_difference.hpp"
+#include "verify/harness/journal.hpp"
 #include "verify/harness/proof.hpp"
 #include "verify/harness/protocol.hpp"
 

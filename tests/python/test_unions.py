@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Unions of convex pieces: against the program, against what is known, and what is refused."""
+import itertools
 import json
 import os
 import pickle
@@ -233,13 +234,26 @@ UNION = fathom.union(BLOCK)
     lambda: fathom.depth(UNION, CUBE), lambda: fathom.distance(CUBE, UNION), lambda: fathom.depths([(CUBE, UNION)]),
     lambda: fathom.width(UNION), lambda: fathom.ray(UNION, CUBE, (1, 0, 0)), lambda: fathom.metric(CUBE, UNION, CUBE - 0.5),
     lambda: fathom.metric(CUBE, CUBE, UNION), lambda: fathom.approx(UNION, CUBE), lambda: fathom.study(UNION, CUBE),
-    lambda: fathom.judge(UNION, CUBE, overlap=True), lambda: fathom.convexity(UNION), lambda: UNION.with_margin(1),
+    lambda: fathom.convexity(UNION), lambda: UNION.with_margin(1),
     lambda: UNION + fathom.sphere(1),
     lambda: fathom.sphere(1) + UNION, lambda: fathom.Body(UNION),
 ])
 def test_who_takes_convex_bodies_says_so(call):
     with pytest.raises(ValueError, match="expected a convex body, found a union of pieces: union_depth takes those"):
         call()
+
+
+def test_judgements_of_unions():
+    slot = [np.array(list(itertools.product(*sides)), float) for sides in (((-9, 0), (-9, 9), (-9, 9)), ((1, 9), (-9, 9), (-9, 9)))]
+    plate = fathom.box(("1/2", 1, 1))
+    found = fathom.judge(plate, fathom.union(slot), overlap=True, depth=0.5, direction=(-1, 0, 0), pose_a="xyz=1,0,0")
+    assert found.passed and found.accuracy == "correctly rounded" and found.depth_squared == Fraction(1, 4)
+    assert found.deepest_pair == {"squared": Fraction(1, 4), "pieces": (0, 1)} and found.deeper_than_pair == found.deeper == 1.0
+    assert found.hulls_squared > 1 and found.price is None and found.price_squared is None and found.inconsistency == 0.0
+    wrong = fathom.judge(plate, fathom.union(slot), overlap=True, depth=0.5, direction=(1, 0, 0), pose_a="xyz=1,0,0")
+    assert wrong.verdict == "wrong-sign" and wrong.overlap_left > 0
+    with pytest.raises(ValueError, match="a shape that is no polytope is no union of pieces"):
+        fathom.judge(fathom.union(slot), fathom.sphere(1), overlap=True)
 
 
 def test_meshes_that_are_not_convex():

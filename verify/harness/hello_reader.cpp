@@ -12,24 +12,27 @@
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/message_json.hpp"
 #include "verify/harness/protocol.hpp"
+#include "verify/judge/fields.hpp"
 
 namespace fathom::harness {
 namespace {
 
 using Json = nlohmann::json;
 
+// What is missing keeps its usual value, if the row says when it is there.
+void read(const Json& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
+template <class Value>
+void read(const Json& said, const char* name, const char* of, Value& value) {
+  value = word_in<Value>(said, name, of);
+}
+
 Conventions conventions_in(const Json& hello) {
-  using C = Conventions;
-  const char* const of = "the hello's conventions";
   const Json& said = object_in(hello, "conventions", "the hello");
-  C conventions;
-  conventions.touching = word_in<C::Touching>(
-      said, "touching", of, {{"overlap", C::Touching::overlap}, {"separate", C::Touching::separate}, {"either", C::Touching::either}});
-  conventions.depth = word_in<C::Sign>(said, "depth", of, {{"positive", C::Sign::positive}, {"negative", C::Sign::negative}});
-  conventions.moves = word_in<C::Body>(said, "moves", of, {{"a", C::Body::a}, {"b", C::Body::b}});
-  conventions.unit = flag_in(said, "unit", of);
-  if (field(said, "claims"))
-    conventions.claims = word_in<C::Claims>(said, "claims", of, {{"minimum", C::Claims::minimum}, {"separating", C::Claims::separating}});
+  Conventions conventions;
+  judging::for_each_field(judging::conventions_fields, [&](const auto& row) {
+    const std::string name(row.name);
+    if (!row.there || field(said, name.c_str())) read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
+  });
   return conventions;
 }
 
@@ -65,9 +68,7 @@ void read_capabilities(const Json& capabilities, SubjectInfo& info) {
 
 /// A type for both, or one for points and one for answers.
 NumberFormat format_in(const Json& hello) {
-  const auto type = [](const Json& object, const char* name, const char* of) {
-    return word_in<Precision>(object, name, of, {{"binary64", Precision::binary64}, {"binary32", Precision::binary32}});
-  };
+  const auto type = [](const Json& object, const char* name, const char* of) { return word_in<Precision>(object, name, of); };
   const Json* said = field(hello, "precision");
   if (!said || !said->is_object()) return type(hello, "precision", "the hello");
   return {type(*said, "points", "the hello's precision"), type(*said, "answers", "the hello's precision")};
@@ -119,33 +120,6 @@ SubjectInfo read_hello(std::string_view line) {
 bool is_hello(std::string_view line) {
   const Json object = json_on(line);
   return object.is_object() && object.value("type", Json()) == "hello";
-}
-
-std::string hello_text(const SubjectInfo& info) {
-  using C = Conventions;
-  constexpr const char* touching[] = {"overlap", "separate", "either"};
-  nlohmann::ordered_json text;
-  text["type"] = "hello";
-  text["protocol"] = protocol_name;
-  text["name"] = info.name;
-  text["version"] = info.version;
-  if (!info.library.empty()) text["library"] = info.library;
-  if (info.format.points == info.format.answers) text["precision"] = name(info.format.points);
-  else text["precision"] = {{"points", name(info.format.points)}, {"answers", name(info.format.answers)}};
-  text["conventions"] = {{"touching", touching[static_cast<std::size_t>(info.conventions.touching)]},
-                         {"depth", info.conventions.depth == C::Sign::positive ? "positive" : "negative"},
-                         {"moves", info.conventions.moves == C::Body::a ? "a" : "b"},
-                         {"unit", info.conventions.unit}};
-  if (info.conventions.claims == C::Claims::separating) text["conventions"]["claims"] = "separating";
-  text["capabilities"] = {{"faces", info.wants_faces}};
-  if (!info.shapes.empty()) text["capabilities"]["shapes"] = info.shapes;
-  if (!info.promises.empty()) text["promises"] = info.promises;
-  for (const auto& [word, radius] : info.rounding) {
-    if (word.empty()) text["rounding"] = round_binary64(radius);
-    else text["rounding"][word] = round_binary64(radius);
-  }
-  if (!info.settings.empty()) text["settings"] = info.settings;
-  return text.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 }  // namespace fathom::harness

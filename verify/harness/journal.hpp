@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/harness/coverage.hpp"
-#include "verify/harness/extras.hpp"
+#include "verify/harness/counts.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/report/tally.hpp"
 #include "verify/harness/run_info.hpp"
@@ -21,6 +20,9 @@ namespace fathom::harness {
 /// An outcome as one line of schema fathom/verdict/1, without the newline. read_outcome is its inverse, and returns nullopt for other text.
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
+/// Returns the first field that a report would show differently, with both values, as "judgement.error: 0.5 and 0.25"; nullopt if all are
+/// equal.
+std::optional<std::string> difference(const Judgement& x, const Judgement& y);
 std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
 

@@ -1,22 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages of subjects as JSON whose numbers are as they were written, and fields of a type. Not a door: that is protocol.hpp.
+// Messages of subjects as JSON whose numbers are as they were written, even by hand, as a NaN by printf("%g"); and fields of a type. Not a
+// door: that is protocol.hpp.
 #pragma once
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "fathom/judge.hpp"
 #include "kernels/printable.hpp"
+#include "verify/judge/fields.hpp"
 
 namespace fathom::harness {
+
+/// A text whose numbers have been taken out, so that no JSON reader rounds them.
+struct WithoutNumbers {
+  std::string text;                  ///< each number is replaced by its index in `numbers`
+  std::vector<std::string> numbers;  ///< as they were written
+};
+/// Takes out every bare word that starts like a number, or is a spelling of NaN or infinity.
+WithoutNumbers without_numbers(std::string_view text);
+
+/// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling of NaN or infinity with or without a
+/// sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)", "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
+std::optional<double> read_number(std::string_view text, Precision precision);
+
+/// The digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt if it is not an integer.
+std::optional<std::string> read_integer(std::string_view text);
 
 /// Throws ProtocolError: "expected ..., found ...".
 [[noreturn]] void refuse(const std::string& expected, const std::string& found);
@@ -47,14 +62,14 @@ double number_of(const nlohmann::json& value, const char* name, Precision precis
 /// Three of them; nullopt if the field is not there.
 std::optional<Triple> triple_in(const nlohmann::json& object, const char* name, const char* called, Precision precision);
 
-/// The value of one of the words.
+/// The value of one of the words of its type.
 template <class Value>
-Value word_in(const nlohmann::json& object, const char* name, const char* of, std::initializer_list<std::pair<const char*, Value>> words) {
+Value word_in(const nlohmann::json& object, const char* name, const char* of) {
   const std::string text = text_in(object, name, of);
-  std::vector<std::string> expected;
-  for (const auto& [word, value] : words) {
+  std::vector<std::string_view> expected;
+  for (const auto& [word, value] : judging::words_of(Value())) {
     if (text == word) return value;
-    expected.emplace_back(word);
+    expected.push_back(word);
   }
   refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), kernels::shown(text));
 }

@@ -2,6 +2,7 @@
 // What became of one case in the hands of one subject.                                                 [docs/certify.md]
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -46,9 +47,9 @@ struct AboutHulls {
 
 /// An answer about unions that is the deepest, or nearest, of those about their pieces.
 struct AboutPieces {
-  std::size_t pairs = 0;       ///< how many pairs of pieces the subject was asked about
-  std::uint32_t a = 0, b = 0;  ///< the pieces of the pair whose answer it is
-  Judgement query;             ///< of the answer, as one about these two
+  std::size_t pairs = 0;                     ///< how many pairs of pieces the subject was asked about
+  std::array<std::uint32_t, 2> answer_of{};  ///< a piece of A and one of B: the pair whose answer it is
+  Judgement query;                           ///< of the answer, as one about these two
 };
 
 struct Outcome {
@@ -56,8 +57,8 @@ struct Outcome {
   std::string variant;       ///< empty; or the symmetry that the case was put through: "swap", "translate", "permute", "scale", "repeat"
   std::string digest;        ///< of the points as the subject saw them: 16 hexadecimal digits
   bool solid = false;        ///< whether both bodies have a volume
-  bool metre_sized = false;  ///< whether they have a size that engines are tuned for; see size_class.hpp
-  bool dwarfed = false;      ///< whether `radii` is larger than they are; see size_class.hpp
+  bool metre_sized = false;  ///< whether the longest side of each body's box is from 1/100 to 100
+  bool dwarfed = false;      ///< whether `radii` is larger than they are
   Verdict verdict = Verdict::garbage;
   std::string detail;          ///< what the harness saw: "killed by signal 11", "no answer within 10 s", the stray line, a misspelt field
   std::optional<Reply> reply;  ///< if one was understood: in the subject's unit; see in_unit

@@ -85,7 +85,7 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
   judge_answer(outcome, seen, whole, lenient, judging);
   Outcome query = outcome_for(chosen.pair, outcome.fit);
   judge_answer(query, chosen.pair, {{}, chosen.reply()}, info, judging);
-  outcome.pieces = {all.size(), chosen.a, chosen.b, std::move(*query.judgement)};
+  outcome.pieces = {all.size(), {chosen.a, chosen.b}, std::move(*query.judgement)};
   for (const Told& told : all) {
     const bool is_held = std::ranges::find(outcome.judgement->findings, Verdict::inconsistent) != outcome.judgement->findings.end();
     if (!is_held) hold_to_promises(*outcome.judgement, told.reply(), info.promises);

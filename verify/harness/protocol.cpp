@@ -2,16 +2,25 @@
 #include "verify/harness/protocol.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "kernels/near_miss.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/polytope/placed_pair.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "verify/harness/message_json.hpp"
+#include "verify/judge/fields.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -69,5 +78,138 @@ std::string body_message(const Body& body, Precision precision, bool with_faces)
 }
 
 std::string stop_message() { return R"({"type":"stop"})"; }
+
+// ---- what subjects answer ----
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// A text, or an integer.
+std::string id_in(const Json& reply) {
+  const Json* id = field(reply, "id");
+  if (!id || !is_number(*id)) return text_in(reply, "id", "the reply");
+  const std::optional<std::string> integer = read_integer(written(*id));
+  if (!integer) refuse("a text or an integer for \"id\" in the reply", shown_json(*id));
+  return *integer;
+}
+
+/// The reason in the place of an answer.
+std::string reason_in(const Json& reply, const char* name) {
+  std::vector<std::string_view> others = judging::names_of(judging::reply_fields);
+  others.insert(others.end(), {"hull", "unsupported", "failed"});
+  for (const std::string_view other : others)
+    if (other != name && field(reply, std::string(other).c_str()))
+      refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
+  return text_in(reply, name, "the reply");
+}
+
+/// The vertices of one used hull, if there is one.
+std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name, const char* called, Precision precision) {
+  const Json* list = field(object, name);
+  if (!list) return std::nullopt;
+  if (!list->is_array() || list->empty()) refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
+  std::vector<Triple> vertices;
+  for (const Json& vertex : *list) {
+    const std::optional<Triple> point = triple_in({{"vertex", vertex}}, "vertex", called, precision);
+    if (!std::ranges::all_of(*point, [](double x) { return std::isfinite(x); }))
+      refuse(fmt::format("finite numbers for \"{}\"", called), shown_json(vertex));
+    vertices.push_back(*point);
+  }
+  return vertices;
+}
+
+/// What is beside an answer.
+void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
+  if (const Json* hull = field(object, "hull")) {
+    if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
+    answer.hull_a = hull_in(*hull, "a", "hull.a", points);
+    answer.hull_b = hull_in(*hull, "b", "hull.b", points);
+  }
+  const Json* time = field(object, "microseconds");
+  if (!time) return;
+  const std::optional<double> value = is_number(*time) ? read_number(written(*time), Precision::binary64) : std::nullopt;
+  if (value && std::isfinite(*value) && *value >= 0) answer.microseconds = value;
+  else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
+}
+
+std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
+  if (!list.is_array() || list.empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
+  std::vector<ContactPoint> contacts;
+  for (const Json& each : list) {
+    const std::optional<Triple> position = each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
+    if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
+    contacts.push_back({*position, {}});
+    if (const Json* depth = field(each, "depth")) contacts.back().depth = number_of(*depth, "depth", precision);
+  }
+  return contacts;
+}
+
+// A field of a reply, if it is there: of the object, by its name there; `called` in messages.
+void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<double>& value) {
+  if (const Json* found = field(object, name)) value = number_of(*found, called, precision);
+}
+void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<Triple>& value) {
+  value = triple_in(object, name, called, precision);
+}
+void read(const Json& object, const char* name, const char*, Precision precision, std::vector<ContactPoint>& contacts) {
+  if (const Json* found = field(object, name)) contacts = contacts_in(*found, precision);
+}
+void read(const Json& object, const char* name, const char*, Precision, bool& value) { value = flag_in(object, name, "the reply"); }
+
+Reply read_answer(const Json& object, Precision precision) {
+  Reply reply;
+  judging::for_each_field(judging::reply_fields, [&](const auto& row) {
+    const std::string path(row.name);
+    const std::size_t dot = path.find('.');
+    const Json* of = &object;
+    if (dot != path.npos) {
+      const std::string whole = path.substr(0, dot);
+      of = field(object, whole.c_str());
+      if (of && !of->is_object()) refuse(fmt::format("an object for \"{}\"", whole), shown_json(*of));
+    }
+    if (of) read(*of, path.c_str() + (dot == path.npos ? 0 : dot + 1), path.c_str(), precision, reply.*row.member);
+  });
+  return reply;
+}
+
+/// Of all objects of a reply.
+std::string misspelt(const Json& reply) {
+  constexpr std::string_view of_witness[] = {"a", "b"};
+  const std::vector<std::string_view> of_contact = judging::names_of(judging::contact_fields);
+  std::vector<std::string_view> known = judging::names_of(judging::reply_fields);
+  known.insert(known.begin(), {"type", "id"});
+  known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
+  const auto fields = [](const Json& object) {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : object.items()) names.push_back(name);
+    return names;
+  };
+  std::string remark = kernels::near_misses(fields(reply), known);
+  const auto look_inside = [&](const Json& object, std::span<const std::string_view> names) {
+    if (const std::string inside = kernels::near_misses(fields(object), names); !inside.empty())
+      remark += (remark.empty() ? "" : "; ") + inside;
+  };
+  if (const Json* witness = field(reply, "witness")) look_inside(*witness, of_witness);
+  if (const Json* contacts = field(reply, "contacts"))
+    for (const Json& contact : *contacts) look_inside(contact, of_contact);
+  return remark;
+}
+
+}  // namespace
+
+SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
+  const Json object = object_on(line);
+  if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", kernels::shown(line));
+  SubjectAnswer answer{id_in(object), Failed()};
+  if (field(object, "unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
+  else if (field(object, "failed")) answer.said = Failed{reason_in(object, "failed")};
+  else {
+    answer.said = read_answer(object, format.answers);
+    answer.remark = misspelt(object);
+    read_rest(object, format.points, answer);
+  }
+  return answer;
+}
 
 }  // namespace fathom::harness

@@ -6,14 +6,45 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <variant>
 
+#include "fathom/shape.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/harness/size_class.hpp"
 #include "verify/harness/variants.hpp"
+#include "verify/judge/measures.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::harness {
 namespace {
+
+mpq_class extent_of(const Body& body) {
+  if (body.pieces) return judging::sizes_of(*body.pieces, *body.pieces).extent;
+  if (body.shape) return judging::sizes_of(*body.shape, *body.shape, judging::usual_bits).extent;
+  return judging::sizes_of(body.points.exact(), body.points.exact()).extent;
+}
+
+bool has_usual_size(const Body& body) {
+  if (body.shape && std::holds_alternative<HalfSpace>(body.shape->core)) return true;
+  const mpq_class longest = extent_of(body);
+  return longest >= mpq_class(1, 100) && longest <= 100;
+}
+
+// Cases that every engine is made for are counted apart.                                                    [docs/certify.md]
+
+/// Whether both bodies have a volume; exact.
+bool is_solid(const Case& pair) {
+  const auto is_flat = [](const Body& body) { return !body.pieces && fathom::is_flat(files::shape_of(body)); };  // pieces have interiors
+  return !is_flat(pair.a) && !is_flat(pair.b);
+}
+
+/// Whether the length is above that of the longest side of the bodies' boxes.
+bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }
+
+/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case: exact of points, and of shapes rounded up
+/// by 2^-40 of itself at most. A half-space has any size.
+bool is_metre_sized(const Case& pair) { return has_usual_size(pair.a) && has_usual_size(pair.b); }
 
 class Run {
  public:

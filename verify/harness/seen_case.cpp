@@ -17,9 +17,10 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/journal.hpp"
 #include "verify/harness/judged_bodies.hpp"
-#include "verify/harness/judgement_difference.hpp"
 #include "verify/harness/proof.hpp"
+#include "verify/judge/any_bodies.hpp"
 #include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
@@ -193,45 +194,36 @@ Outcome declined(const Case& pair, const std::string& why) {
 
 namespace {
 
-Judgement judged_points(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
+/// `radii`: those that the subject added, which shapes in `seen` have.
+Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
+                          const NumberFormat& format, const Judging& judging) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
   options.workspace = judging.workspace;
-  const auto judged = [&](const Truth& truth) { return judge(truth, reply, info.conventions, format, judging.tolerance); };
-  const Truth truth = truth_about(seen.a.points, seen.b.points, options);
+  judging::AnyTruth truth = judging::truth_of(seen.a, seen.b, options);
+  if (auto* const shapes = std::get_if<ShapeTruth>(&truth)) std::tie(shapes->added_a, shapes->added_b) = radii;
+  const auto judged = [&](const judging::AnyTruth& by) {
+    return judging::judged(by, reply, info.conventions, format, judging.tolerance, &stopping);
+  };
+  const Truth* const points = std::get_if<Truth>(&truth);
+  if (!points) {
+    const auto* const shapes = std::get_if<ShapeTruth>(&truth);
+    if (!judging.second.empty())
+      static_cast<void>(shapes ? accepted_certificate(seen.id, *shapes, &stopping)
+                               : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
+    return judged(truth);
+  }
   Judgement judgement = judged(truth);
   for (const Solver& solver : judging.second) {
-    const Truth again{truth.a, truth.b, solver.depth(seen, &stopping)};
+    const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {
       throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
     };
-    if (const auto where = solve::disagreement(truth.depth, again.depth)) refuse(*where);
+    if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
     if (const auto where = difference(judgement, judged(again))) refuse(*where);
   }
   return judgement;
-}
-
-/// `radii`: those that the subject added, which `seen` has.
-Judgement judged_shapes(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
-                        const NumberFormat& format, const Judging& judging) {
-  StopWhen stopping(judging.stop);
-  SignedDepthOptions options;
-  options.cores.monitor = &stopping;
-  options.cores.workspace = judging.workspace;
-  ShapeTruth truth = truth_about(files::shape_of(seen.a), files::shape_of(seen.b), options);
-  std::tie(truth.added_a, truth.added_b) = radii;
-  if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
-  return judge(truth, reply, info.conventions, format, judging.tolerance);
-}
-
-Judgement judged_unions(const Case& seen, const Reply& reply, const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
-  StopWhen stopping(judging.stop);
-  UnionOptions options;
-  options.monitor = &stopping;
-  const UnionTruth truth = truth_about(pieces_of(seen.a), pieces_of(seen.b), options);
-  if (!judging.second.empty()) static_cast<void>(accepted_certificate(seen.id, truth, &stopping));
-  return judge(truth, reply, info.conventions, format, judging.tolerance, &stopping);
 }
 
 }  // namespace
@@ -265,10 +257,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   const auto radii = rounding_radii(seen, info, outcome.fit);
   if (!has_union(seen)) outcome.radii = radii.first + radii.second;
   const auto judged = [&](const Case& asked) {
-    if (has_union(asked)) return judged_unions(asked, *outcome.reply, info, format, judging);
-    const Case bodies = judged_bodies(asked, info, outcome.fit);
-    return bodies.a.shape || bodies.b.shape ? judged_shapes(bodies, radii, *outcome.reply, info, format, judging)
-                                            : judged_points(bodies, *outcome.reply, info, format, judging);
+    return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging);
   };
   outcome.judgement = judged(seen);
   if (answer.hull_a || answer.hull_b) {

@@ -13,6 +13,7 @@
 #include "verify/harness/report/picture.hpp"
 #include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/judge/fields.hpp"
 #include "view/picture/page.hpp"
 
 namespace fathom::harness {
@@ -143,33 +144,27 @@ std::string times_text(const mpq_class& squared) {
                      text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "");
 }
 
+// What fields of numbers look like; there must be one.
+std::string number_text(const std::optional<double>& value, std::string_view) { return fmt::format("{}", *value); }
+std::string number_text(const std::optional<Between>& value, std::string_view) { return between_text(*value); }
+std::string number_text(const std::optional<mpq_class>& squared, std::string_view unit) {
+  return unit == "ratio^2" ? times_text(*squared) : length_text(*squared);
+}
+
 std::string residual_list(const Judgement& judgement) {
   Facts facts;
   std::string findings;
   for (const Verdict verdict : judgement.findings) findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
-  facts.add("depth or distance is off by", judgement.error);
-  facts.add("relative", judgement.error_relative);
-  facts.add("in ulps", judgement.error_ulps);
-  facts.add("in units of uR", judgement.error_u_r);
-  facts.add("the true depth over the claimed one", judgement.deeper_squared, times_text);
-  facts.add("depth of its direction", judgement.price_squared, length_text);
-  facts.add("depth of its direction", judgement.price, between_text);
-  facts.add("which is above the true depth, relative to it, by", judgement.dearer);
-  facts.add("way until apart along it", judgement.travel_squared, length_text);
   const bool has_price = judgement.price_squared || judgement.price;  // unions have none
-  facts.add(has_price ? "claim less depth of its direction" : "gap after its translation, or minus the overlap", judgement.inconsistency);
-  facts.add("overlap left", judgement.overlap_left);
-  facts.add("point of A is off by", judgement.witness_a_squared, length_text);
-  facts.add("point of B is off by", judgement.witness_b_squared, length_text);
-  facts.add("point of A is off by", judgement.witness_a_distance, between_text);
-  facts.add("point of B is off by", judgement.witness_b_distance, between_text);
-  facts.add("points differ from translation by", judgement.witness_gap);
-  facts.add("contacts are away from A by up to", judgement.contact_a_squared, length_text);
-  facts.add("contacts are away from B by up to", judgement.contact_b_squared, length_text);
-  facts.add("contacts are away from A by up to", judgement.contact_a_distance, between_text);
-  facts.add("contacts are away from B by up to", judgement.contact_b_distance, between_text);
-  facts.add("deepest contact less claimed depth", judgement.deepest);
+  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    if constexpr (requires { field.label, number_text(judgement.*field.member, field.unit); }) {
+      if (field.label.empty()) return;
+      const bool is_of_unions = field.name == "inconsistency" && !has_price;
+      const std::string label(is_of_unions ? "gap after its translation, or minus the overlap" : field.label);
+      if (const auto& value = judgement.*field.member) facts.add(label, number_text(value, field.unit));
+    }
+  });
   return facts.list("Residuals");
 }
 
@@ -184,7 +179,7 @@ std::string hulls_list(const AboutHulls& hulls) {
 std::string pieces_list(const AboutPieces& pieces) {
   Facts facts;
   facts.add("asked", fmt::format("{} pairs", pieces.pairs));
-  facts.add("the answer is that about", fmt::format("piece {} of A, piece {} of B", pieces.a, pieces.b));
+  facts.add("the answer is that about", fmt::format("piece {} of A, piece {} of B", pieces.answer_of[0], pieces.answer_of[1]));
   facts.add("the same answer about these two", std::string(name(pieces.query.verdict)) + ": " + pieces.query.sentence);
   return facts.list("Pairs of pieces");
 }
@@ -206,31 +201,39 @@ std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, co
   }
 }
 
-/// Lines of the exact numbers that the lists round.
+/// Lines of the exact numbers that the lists round: all of the judgement by their names in the report, "depth^2" for "depth_squared".
 std::string exact_numbers(const Outcome& outcome, const Known& known) {
-  const std::optional<Truth>& truth = known.truth;
   std::string result;
-  const auto add = [&](const char* what, const mpq_class& value) { result += fmt::format("{} = {}\n", what, exact(value)); };
+  const auto add = [&](std::string_view what, const mpq_class& value) {
+    const std::string_view squared = "_squared";
+    const bool is_square = what.ends_with(squared);
+    result +=
+        fmt::format("{}{} = {}\n", what.substr(0, what.size() - (is_square ? squared.size() : 0)), is_square ? "^2" : "", exact(value));
+  };
+  const std::optional<Truth>& truth = known.truth;
   if (outcome.judgement) {
     const Judgement& judgement = *outcome.judgement;
-    if (!judgement.signed_depth) add("depth^2", judgement.depth_squared);
-    if (judgement.price_squared) add("(depth of its direction)^2, signed", *judgement.price_squared);
-    if (judgement.travel_squared) add("(way until apart along it)^2", *judgement.travel_squared);
-    if (judgement.witness_a_squared) add("(distance of the point of A)^2", *judgement.witness_a_squared);
-    if (judgement.witness_b_squared) add("(distance of the point of B)^2", *judgement.witness_b_squared);
+    judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+      if (!judging::has(field, judgement)) return;
+      const auto& value = judging::value_of(field, judgement);
+      using Value = std::decay_t<decltype(value)>;
+      if constexpr (std::is_same_v<Value, mpq_class>) add(field.name, value);
+      if constexpr (std::is_same_v<Value, std::optional<mpq_class>>) add(field.name, *value);
+      if constexpr (std::is_same_v<Value, std::optional<UnionBounds>>) add("deepest_pair_squared", value->deepest_pair);
+    });
   } else if (truth) {
-    add("depth^2", truth->depth.squared());
+    add("depth_squared", truth->depth.squared());
+    if (truth->depth.distance()) add("distance_squared", truth->depth.distance()->squared);
+  } else if (known.unions && known.unions->depth.status == Status::penetrating) {
+    add("deepest_pair_squared", known.unions->depth.bounds->deepest_pair);
   }
   const auto add_translation = [&](const Point& t) {
     result += fmt::format("translation of A = ({}, {}, {})\n", exact(t.x), exact(t.y), exact(t.z));
   };
-  if (known.unions && known.unions->depth.status == Status::penetrating) {
-    add("(depth of the deepest pair)^2", known.unions->depth.bounds->deepest_pair);
+  if (known.unions && known.unions->depth.status == Status::penetrating)
     for (const UnionOptimum& optimum : known.unions->depth.optima) add_translation(optimum.translation);
-  }
-  if (!truth) return result;
-  if (truth->depth.distance()) add("distance^2", truth->depth.distance()->squared);
-  for (const Optimum& optimum : truth->depth.optima()) add_translation(optimum.translation());
+  if (truth)
+    for (const Optimum& optimum : truth->depth.optima()) add_translation(optimum.translation());
   return result;
 }
 

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/harness/coverage.hpp"
-#include "verify/harness/extras.hpp"
+#include "verify/harness/counts.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What answers say beside their verdicts, counted: the time they took, the hulls that they are about, and how much deeper unions are than
-// they say.                                                                                                          [docs/certify.md]
+// What a run counts beside verdicts: how many answers could be judged, the time that they took, the hulls that they are about, and how much
+// deeper unions are than they say. A subject whose answers have no depth, or misspell it, passes everything: coverage shows that.
+//                                                                                                                    [docs/certify.md]
 #pragma once
 
 #include <cstddef>
@@ -10,6 +11,26 @@
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {
+
+/// How many answers held each field and were judged by it.
+struct Coverage {
+  std::size_t cases = 0;                              ///< outcomes of any kind
+  std::size_t overlap = 0;                            ///< cases with an answer, whose classification was judged
+  std::size_t overlapping = 0;                        ///< answers that say that the bodies overlap
+  std::size_t depth = 0, direction = 0, witness = 0;  ///< answers with the field; without a depth the others are not judged
+  std::size_t contacts = 0;                           ///< the same
+  std::size_t distance = 0;                           ///< answers that say that they are apart, with a distance
+  std::size_t without_depth = 0;                      ///< answers whose direction, witness points or contacts came without one
+
+  void add(const Outcome& outcome);
+  void add(const Coverage& other);
+};
+
+/// "overlap in 9 of 9 cases", "depth in 0 of the 9 said to overlap", "direction in 0", "witness in 0"; the first alone if none is.
+std::vector<std::string> coverage_entries(const Coverage& coverage);
+
+/// A sentence if answers say that bodies overlap and none has a depth; else empty.
+std::string coverage_warning(const Coverage& coverage);
 
 /// The most of something, and the case where it was: of several the one with the least name.
 struct Most {

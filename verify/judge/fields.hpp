@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fields of a judgement, once: name, meaning, unit, since. The JSON of reports, out and in, the struct of C, the dict of Python and the
+// pages of failures are made from this table. tests/harness/fields_test.cpp compares with it what cannot be: schema, header of C, class of
+// Python, pages of text.                                                              [VERDICTS.md; schemas/verdict.schema.json]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
+
+namespace fathom::judging {
+
+// ---- tables of fields ----
+
+inline constexpr std::string_view first_version = "0.1.0";
+
+/// A member of a struct, as all know it who hand it out or take it.
+template <class Struct, class Value>
+struct Field {
+  std::string_view name;         ///< in JSON and in Python
+  Value Struct::*member;         ///< where it is
+  std::string_view unit;         ///< "length", "length^2", "ratio", "ratio^2", "ulp", "uR", "us"; empty of what is no number
+  std::string_view meaning;      ///< one sentence; the schema's description
+  std::string_view since;        ///< the first version of fathom that has it
+  std::string_view label;        ///< what stands before it among the residuals of a page; empty if it is none
+  bool (*there)(const Struct&);  ///< whether a struct has it; null of optional members, and of those that are always there
+  static constexpr bool stored = true;
+};
+
+/// What is calculated from a struct, and handed out with it.
+template <class Struct, class Value>
+struct Derived {
+  std::string_view name;
+  Value (*value)(const Struct&);
+  std::string_view unit, meaning;
+  std::string_view since = first_version;
+  static constexpr bool stored = false;
+};
+
+template <class Struct, class Value>
+constexpr Field<Struct, Value> field(std::string_view name, Value Struct::*member, std::string_view unit, std::string_view meaning,
+                                     std::string_view label = "", std::type_identity_t<bool (*)(const Struct&)> there = nullptr,
+                                     std::string_view since = first_version) {
+  return {name, member, unit, meaning, since, label, there};
+}
+
+template <class Struct, class Value>
+Value value_of(const Derived<Struct, Value>& field, const Struct& of) {
+  return field.value(of);
+}
+template <class Struct, class Value>
+const Value& value_of(const Field<Struct, Value>& field, const Struct& of) {
+  return of.*field.member;
+}
+
+/// Whether the struct has the field.
+template <class Row, class Struct>
+bool has(const Row& field, const Struct& of) {
+  if constexpr (requires { field.there; }) {
+    if (field.there) return field.there(of);
+  }
+  if constexpr (requires { value_of(field, of).has_value(); }) return value_of(field, of).has_value();
+  if constexpr (std::is_pointer_v<std::decay_t<decltype(value_of(field, of))>>) return value_of(field, of) != nullptr;
+  return true;
+}
+
+template <class... Rows, class Use>
+constexpr void for_each_field(const std::tuple<Rows...>& fields, Use use) {
+  std::apply([&](const auto&... field) { (use(field), ...); }, fields);
+}
+
+/// The names in a table, each once: of "witness.a" and "witness.b" the one of their object.
+template <class... Rows>
+std::vector<std::string_view> names_of(const std::tuple<Rows...>& fields) {
+  std::vector<std::string_view> names;
+  for_each_field(fields, [&](const auto& field) {
+    const std::string_view name = field.name.substr(0, field.name.find('.'));
+    if (names.empty() || names.back() != name) names.push_back(name);
+  });
+  return names;
+}
+
+/// How many members of a table are stored, not calculated.
+template <class... Rows>
+constexpr std::size_t stored_fields(const std::tuple<Rows...>&) {
+  return (std::size_t{0} + ... + std::size_t{Rows::stored});
+}
+
+/// What stands for any member when members are counted.
+struct AnyMember {
+  template <class T>
+  operator T() const;
+};
+
+/// How many members an aggregate has: the most that it can be made from.
+template <class Struct, class... Members>
+constexpr std::size_t member_count() {
+  if constexpr (requires { Struct{std::declval<Members>()..., AnyMember()}; }) return member_count<Struct, Members..., AnyMember>();
+  else return sizeof...(Members);
+}
+
+// ---- the claim: what an implementation declares and answers ----
+
+/// A value of an enumeration, by its word.
+template <class Value>
+struct Word {
+  std::string_view word;
+  Value value;
+};
+inline constexpr std::array words_of_touching{Word{"overlap", Conventions::Touching::overlap},
+                                              Word{"separate", Conventions::Touching::separate},
+                                              Word{"either", Conventions::Touching::either}};
+inline constexpr std::array words_of_sign{Word{"positive", Conventions::Sign::positive}, Word{"negative", Conventions::Sign::negative}};
+inline constexpr std::array words_of_body{Word{"a", Conventions::Body::a}, Word{"b", Conventions::Body::b}};
+inline constexpr std::array words_of_claims{Word{"minimum", Conventions::Claims::minimum},
+                                            Word{"separating", Conventions::Claims::separating}};
+inline constexpr std::array words_of_precision{Word{"binary64", Precision::binary64}, Word{"binary32", Precision::binary32}};
+constexpr const auto& words_of(Conventions::Touching) { return words_of_touching; }
+constexpr const auto& words_of(Conventions::Sign) { return words_of_sign; }
+constexpr const auto& words_of(Conventions::Body) { return words_of_body; }
+constexpr const auto& words_of(Conventions::Claims) { return words_of_claims; }
+constexpr const auto& words_of(Precision) { return words_of_precision; }
+
+template <class Value>
+constexpr std::string_view word_of(Value value) {
+  for (const auto& [word, of] : words_of(value))
+    if (of == value) return word;
+  return "";
+}
+
+inline constexpr std::tuple conventions_fields{
+    field("touching", &Conventions::touching, "", "What bodies that touch count as."),
+    field("depth", &Conventions::depth, "", "The sign of the depth of bodies that overlap."),
+    field("moves", &Conventions::moves, "", "The body that |depth| * direction moves apart."),
+    field("unit", &Conventions::unit, "", "Whether directions are promised to have length 1."),
+    field("claims", &Conventions::claims, "", "What a depth with a direction means; minimum if it is not there.", "",
+          [](const Conventions& of) { return of.claims != Conventions::Claims::minimum; })};
+static_assert(stored_fields(conventions_fields) == member_count<Conventions>(), "each member of Conventions has its row");
+constexpr const auto& fields_of(const Conventions*) { return conventions_fields; }
+
+/// In the order of JSON; "witness.a" is a field of "witness".
+inline constexpr std::tuple reply_fields{
+    field("overlap", &Reply::overlap, "", "Whether the bodies overlap."),
+    field("depth", &Reply::depth, "length", "The depth of the overlap."),
+    field("distance", &Reply::distance, "length", "The distance of bodies that are said to be apart."),
+    field("direction", &Reply::direction, "ratio", "The direction in which a body moves apart, or farther apart."),
+    field("witness.a", &Reply::witness_a, "length", "A point of A."),
+    field("witness.b", &Reply::witness_b, "length", "A point of B."),
+    field("contacts", &Reply::contacts, "", "The points of a contact manifold; the largest of their depths is the depth.", "",
+          [](const Reply& reply) { return !reply.contacts.empty(); })};
+static_assert(stored_fields(reply_fields) == member_count<Reply>(), "each member of Reply has its row");
+
+inline constexpr std::tuple contact_fields{field("position", &ContactPoint::position, "length", "A point of both bodies."),
+                                           field("depth", &ContactPoint::depth, "length", "The depth there.")};
+static_assert(stored_fields(contact_fields) == member_count<ContactPoint>(), "each member of ContactPoint has its row");
+
+constexpr const auto& fields_of(const Reply*) { return reply_fields; }
+constexpr const auto& fields_of(const ContactPoint*) { return contact_fields; }
+
+// ---- the judgement ----
+
+inline bool always(const Judgement&) { return true; }
+inline bool has_squares(const Judgement& j) { return !j.signed_depth; }
+
+/// In the order of JSON.
+inline constexpr std::tuple judgement_fields{
+    field("verdict", &Judgement::verdict, "", "The first of the findings, or a pass: on this answer alone."),
+    field("status", &Judgement::status, "", "The truth; undecided of shapes only.", "", always),
+    field("signed_depth", &Judgement::signed_depth, "length", "The truth about shapes."),
+    field("depth_squared", &Judgement::depth_squared, "length^2", "The truth about polytopes and unions; 0 unless they penetrate.", "",
+          has_squares),
+    field("distance_squared", &Judgement::distance_squared, "length^2", "The truth about polytopes and unions; 0 unless they are disjoint.",
+          "", has_squares),
+    field("findings", &Judgement::findings, "", "Everything that is wrong, in order of rank."),
+    field("accuracy", &Judgement::accuracy, "", "The best class of a pass with a depth or a distance."),
+    field("error", &Judgement::error, "length", "The claimed depth or distance less the true one.", "depth or distance is off by"),
+    field("error_ulps", &Judgement::error_ulps, "ulp", "The error in ulps of the true length.", "in ulps"),
+    field("error_relative", &Judgement::error_relative, "ratio", "The error relative to the true length.", "relative"),
+    field("error_u_r", &Judgement::error_u_r, "uR", "The error in units of roundoff times the largest coordinate.", "in units of uR"),
+    field("price_squared", &Judgement::price_squared, "length^2",
+          "Of polytopes: the squared way along the claimed direction to a plane across it; negative if the bodies are apart.",
+          "depth of its direction"),
+    field("travel_squared", &Judgement::travel_squared, "length^2",
+          "Of polytopes: the squared shortest way along the claimed direction after which the interiors are disjoint.",
+          "way until apart along it"),
+    field("price", &Judgement::price, "length", "Of shapes: the way along the claimed direction to a plane across it.",
+          "depth of its direction"),
+    field("inconsistency", &Judgement::inconsistency, "length",
+          "The claimed depth, or minus the claimed distance, less the price; of unions, minus the overlap that is left, or the gap.",
+          "claim less depth of its direction"),
+    field("overlap_left", &Judgement::overlap_left, "length", "The overlap after the claimed translation, if there is any.",
+          "overlap left"),
+    field("witness_a_squared", &Judgement::witness_a_squared, "length^2",
+          "Of polytopes and unions: the squared distance of the point of A from A.", "point of A is off by"),
+    field("witness_b_squared", &Judgement::witness_b_squared, "length^2",
+          "Of polytopes and unions: the squared distance of the point of B from B.", "point of B is off by"),
+    field("witness_a_distance", &Judgement::witness_a_distance, "length", "Of shapes: the distance of the point of A from A.",
+          "point of A is off by"),
+    field("witness_b_distance", &Judgement::witness_b_distance, "length", "Of shapes: the distance of the point of B from B.",
+          "point of B is off by"),
+    field("witness_gap", &Judgement::witness_gap, "length",
+          "The length of the points' difference less the translation; without a direction, the difference of their lengths.",
+          "points differ from translation by"),
+    field("contact_a_squared", &Judgement::contact_a_squared, "length^2",
+          "Of polytopes and unions: the squared distance from A of the contact that is farthest from A.",
+          "contacts are away from A by up to"),
+    field("contact_b_squared", &Judgement::contact_b_squared, "length^2",
+          "Of polytopes and unions: the squared distance from B of the contact that is farthest from B.",
+          "contacts are away from B by up to"),
+    field("contact_a_distance", &Judgement::contact_a_distance, "length",
+          "Of shapes: the distance from A of the contact that is farthest from A.", "contacts are away from A by up to"),
+    field("contact_b_distance", &Judgement::contact_b_distance, "length",
+          "Of shapes: the distance from B of the contact that is farthest from B.", "contacts are away from B by up to"),
+    field("deepest", &Judgement::deepest, "length", "The largest depth of a contact less the claimed depth.",
+          "deepest contact less claimed depth"),
+    field("dearer", &Judgement::dearer, "ratio", "The price of its direction above the depth, relative to that.",
+          "depth of its direction above the true depth, relative to that"),
+    field("longer", &Judgement::longer, "", "It is too deep, and passes so far by the policy.", "",
+          [](const Judgement& j) { return j.longer; }),
+    field("deepest_pair", &Judgement::bounds, "length^2",
+          "Of unions that overlap: the largest squared depth of a piece of A and a piece of B, and the first two that have it, from 0."),
+    Derived<Judgement, std::optional<mpq_class>>{
+        "hulls_squared", [](const Judgement& j) { return j.bounds ? std::optional(j.bounds->hulls) : std::nullopt; }, "length^2",
+        "The squared depth of the hulls of these unions."},
+    Derived<Judgement, std::optional<double>>{
+        "deeper_than_pair",
+        [](const Judgement& j) {
+          return j.bounds ? std::optional(root_binary64(j.depth_squared / j.bounds->deepest_pair, Rounding::rn)) : std::nullopt;
+        },
+        "ratio", "Their depth over that of the deepest pair, correctly rounded; at least 1."},
+    Derived<Judgement, std::optional<double>>{
+        "deeper",
+        [](const Judgement& j) { return j.deeper_squared ? std::optional(root_binary64(*j.deeper_squared, Rounding::rn)) : std::nullopt; },
+        "ratio", "Their depth over the claimed one, if that is above 0, correctly rounded."},
+    field("deeper_squared", &Judgement::deeper_squared, "ratio^2", "The square of that, exact.", "the true depth over the claimed one"),
+    field("sentence", &Judgement::sentence, "", "What is wrong, for people.")};
+
+static_assert(stored_fields(judgement_fields) == member_count<Judgement>(), "each member of Judgement has its row");
+constexpr const auto& fields_of(const Judgement*) { return judgement_fields; }
+
+}  // namespace fathom::judging
