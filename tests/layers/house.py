@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How large the house is, in a few numbers: `tests/layers/house.py [ROOT]`. Nothing fails by them; laws are in layers.py.
+
+Counted are the files that git tracks, as they lie in the folder. A line is a line: blank ones and comments count too.
+The bundle of three.js is not ours. A header's reader is a file outside of tests that includes it; a source of the same
+name is none. Headers for users are not counted there: their readers are elsewhere."""
+import collections
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+
+CODE = {".cpp", ".hpp", ".ipp", ".h", ".c", ".py", ".js", ".mjs", ".rs", ".sh", ".v", ".ml", ".cmake"}
+CPP = {".cpp", ".hpp", ".ipp", ".h", ".c"}
+
+
+def main(root):
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True, text=True).stdout
+    tracked = listed.split("\0")
+    paths = [pathlib.PurePath(name) for name in tracked if name and (root / name).is_file()]
+    texts = {path: (root / path).read_text(errors="replace") for path in paths
+             if path.suffix in CODE and "three.bundle" not in path.name}
+    lines = {path: text.count("\n") for path, text in texts.items()}
+    tests = {path for path in texts if path.parts[0] == "tests"}
+    own = {path for path in texts if path.parts[0] not in ("tests", "docs")}
+    cpp = sorted((path for path in texts.keys() - tests if path.suffix in CPP), key=lambda path: (lines[path], path))
+
+    readers = collections.defaultdict(set)
+    for path in cpp:
+        for included in map(pathlib.PurePath, re.findall(r'^\s*#\s*include\s+"([^"]+)"', texts[path], re.M)):
+            if included.with_suffix("") != path.with_suffix(""):
+                readers[included].add(path)
+    single = [path for path in cpp if path.suffix == ".hpp" and path.parts[0] != "include" and len(readers[path]) == 1]
+
+    hidden = {path.parts[0] for path in paths if path.parts[0].startswith(".")}
+    for what, number in (("own lines without tests", sum(lines[path] for path in own)),
+                         ("lines of tests", sum(lines[path] for path in tests)),
+                         ("C++ files without tests", len(cpp)),
+                         ("median lines of such a file", statistics.median(lines[path] for path in cpp)),
+                         (f"the longest, {cpp[-1]}", lines[cpp[-1]]),
+                         ("headers with a single reader", len(single)),
+                         ("entries at the top", len({path.parts[0] for path in paths} - hidden))):
+        print(f"{number:>8}  {what}")
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "."))
