@@ -85,7 +85,6 @@ struct Files {
 ShapeAnswer shape_answer_to(const AskedCase& asked, const Request& request, Monitor& monitor, Workspace& workspace) {
   const Case& single = asked;
   if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
-  if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no shapes, which came with schema 2");
   const SignedDepthOptions options = shape_options_of(request, monitor, workspace);
   const Shape a = files::shape_of(single.a), b = has_one_body(request) ? a : files::shape_of(single.b);
   if (has_one_body(request) && std::holds_alternative<HalfSpace>(a.core))
@@ -104,7 +103,6 @@ UnionAnswer union_answer_to(const AskedCase& asked, const Request& request, Moni
   const Case& single = asked;
   if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)
     throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
-  if (request.schema < 2) throw InputError(single.id, 0, "--schema 1 has no unions of pieces, which have a schema of their own");
   UnionAnswer answer{single.id, union_depth_of(single, monitor), asked.bodies};
   if (!answer.depth.complete) return answer;
   if (!request.certificate.empty() || request.embed_certificate)
@@ -166,9 +164,7 @@ Replies exact_replies(const Request& request) {
                                                                         : reply_with(answer_to(asked, request, monitor, workspace));
   };
   if (request.json)
-    replies.error_line = [&request](const CaseItem& item, const std::string& fault) {
-      return json_error(request, item.id, item.line, fault);
-    };
+    replies.error_line = [&request](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
   return replies;
 }
 

@@ -68,19 +68,18 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
 
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
-  Json result = result_head(request, id, name(depth.status()));
+  Json result = result_head(id, name(depth.status()));
   const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
-  if (request.schema >= 2) result["signed_depth"] = signed_depth_object(signed_bounds(depth.status(), least, most));
+  result["signed_depth"] = signed_depth_object(signed_bounds(depth.status(), least, most));
   const Json size = length(depth.squared(), most, request.digits);
   result["depth"] = size;
   result["translation"] = exact(depth.translation());
   result["direction"] = exact(depth.direction());
   result["contact"] = found ? contact_object(found->contact) : Json();
   result["witness"] = found && found->witness ? witness_object(*found->witness) : Json();
-  if (request.schema >= 2)
-    add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(found ? found->witness : std::nullopt));
+  add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(found ? found->witness : std::nullopt));
   result["optima"] = Json::array();
-  if (request.schema >= 2) add_bodies(result, bodies);
+  add_bodies(result, bodies);
   result["flat"] = flat_array(depth);
   result["method"] = "approx";
   result["delta"] = exact_text(depth.delta);

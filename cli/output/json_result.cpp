@@ -31,7 +31,7 @@ Json distance_object(const Distance& distance, const kernels::Roundings& rounded
   result["direction"] = exact(distance.direction);
   result["translation"] = exact(distance.translation);
   result["witness"] = witness_object(distance.witness);
-  if (request.schema >= 2) add_rounded(result, distance.direction, coordinates(distance.translation), coordinates(distance.witness));
+  add_rounded(result, distance.direction, coordinates(distance.translation), coordinates(distance.witness));
   return result;
 }
 
@@ -42,17 +42,14 @@ Json exact_signed_depth(const SignedDepthBounds& bounds, int sign, const mpq_cla
   return result;
 }
 
-std::string result_schema(const Request& request) { return fmt::format("fathom/result/{}", request.schema); }
+constexpr std::string_view schema = "fathom/result/2";
 
 Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 }  // namespace
 
-Json result_head(const Request& request, const std::string& id, std::string_view status) {
-  Json result = {{"schema", result_schema(request)}};
-  if (request.schema >= 2) result["fathom"] = FATHOM_VERSION;
-  result["id"] = id;
-  result["status"] = status;
+Json result_head(const std::string& id, std::string_view status) {
+  Json result = {{"schema", schema}, {"fathom", FATHOM_VERSION}, {"id", id}, {"status", status}};
   return result;
 }
 
@@ -83,27 +80,26 @@ Json counters_object(const Counters& counters) {
 
 std::string json_result(const Answer& answer, const Request& request) {
   const Depth& depth = answer.depth;
-  Json result = result_head(request, answer.id, name(depth.status()));
+  Json result = result_head(answer.id, name(depth.status()));
   const mpq_class squared = depth.squared();
   const kernels::Roundings rounded = kernels::roundings_of_root(squared);
   const Distance* const distance = depth.distance();
   const kernels::Roundings rounded_distance = distance ? kernels::roundings_of_root(distance->squared) : kernels::Roundings{};
-  if (request.schema >= 2)
-    result["signed_depth"] = distance ? exact_signed_depth(apart_by(rounded_distance), -1, distance->squared)
-                                      : exact_signed_depth(penetrating_by(rounded), sgn(squared), squared);
+  result["signed_depth"] = distance ? exact_signed_depth(apart_by(rounded_distance), -1, distance->squared)
+                                    : exact_signed_depth(penetrating_by(rounded), sgn(squared), squared);
   const Json size = length(squared, rounded, request.digits);
   result["depth"] = size;
   const Json translation = exact(depth.translation()), direction = exact(depth.direction());
   result["translation"] = translation;
   result["direction"] = direction;
-  result["contact"] = depth.contact() && (request.schema >= 2 || !distance) ? contact_object(*depth.contact()) : Json();
+  result["contact"] = depth.contact() ? contact_object(*depth.contact()) : Json();
   const std::optional<Witness> witness = depth.witness();
   result["witness"] = witness ? witness_object(*witness) : Json();
-  if (request.schema >= 2) add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(witness));
+  add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(witness));
   result["optima"] = optima_array(depth, direction, translation);
   if (request.optima) result["optima_count"] = depth.optima_count();
   if (distance) result["distance"] = distance_object(*distance, rounded_distance, request);
-  if (request.schema >= 2) add_bodies(result, answer.bodies);
+  add_bodies(result, answer.bodies);
   result["flat"] = flat_array(depth);
   result["method"] = method_name(depth);
   if (request.counters) result["counters"] = counters_object(depth.counters);
@@ -112,8 +108,6 @@ std::string json_result(const Answer& answer, const Request& request) {
   return result.text();
 }
 
-std::string json_error(const Request& request, const std::string& id, std::size_t line, std::string_view error) {
-  return error_object(result_schema(request), id, line, error);
-}
+std::string json_error(const std::string& id, std::size_t line, std::string_view error) { return error_object(schema, id, line, error); }
 
 }  // namespace fathom::cli

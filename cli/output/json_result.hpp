@@ -13,8 +13,8 @@
 
 namespace fathom::cli {
 
-/// The first fields of every result, exact or approximate: the schema that the request wants, the version of fathom, the id, the status.
-Json result_head(const Request& request, const std::string& id, std::string_view status);
+/// The first fields of every result, exact or approximate: the schema, the version of fathom, the id, the status.
+Json result_head(const std::string& id, std::string_view status);
 
 /// Doubles on both sides of a signed depth: positive if the bodies penetrate, negative if they are apart. Equal if it is that double.
 struct SignedDepthBounds {
@@ -35,6 +35,6 @@ Json counters_object(const Counters& counters);
 std::string json_result(const Answer& answer, const Request& request);
 
 /// Returns the line for a case of a stream that has no result.
-std::string json_error(const Request& request, const std::string& id, std::size_t line, std::string_view error);
+std::string json_error(const std::string& id, std::size_t line, std::string_view error);
 
 }  // namespace fathom::cli

@@ -190,7 +190,7 @@ std::string shape_json(const ShapeAnswer& answer, const Request& request) {
   const std::vector<AlongNormal> translations = depth.translations();
   const Penetration* const cores = of_cores(depth);
   const Json size = length_of(depth, false, request.digits);
-  Json result = result_head(request, answer.id, status_name(depth));
+  Json result = result_head(answer.id, status_name(depth));
   result["signed_depth"] = signed_depth_object(depth);
   result["depth"] = size;
   const std::optional<AlongNormal> translation = translation_of(depth, translations);
