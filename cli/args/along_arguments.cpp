@@ -26,7 +26,7 @@ std::string check_steps(const std::string& text) {
 
 /// What a curve of signed depths has no place for.
 constexpr const char* of_one_answer[] = {"--optima", "--digits",   "--certificate", "--embed-certificate",
-                                         "--exact",  "--counters", "--schema",      "--threads"};
+                                         "--exact",  "--counters", "--threads"};
 
 }  // namespace
 

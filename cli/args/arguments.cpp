@@ -129,7 +129,6 @@ Arguments completed(Request request, const Texts& texts) {
     return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
   if (request.embed_certificate && !request.json)
     return refusal("--embed-certificate adds a field to JSON results, and needs --json", command);
-  if (!texts.schema.empty() && !request.json) return refusal("--schema chooses the version of JSON results, and needs --json", command);
   if (request.certificate == "-")
     return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
   if (request.html == "-") return refusal("--html writes a file; standard output has the answers", command);

@@ -142,18 +142,6 @@ void add_stages_options(CLI::App& app, Request& request, Texts& texts) {
   add_svg(app, request, "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each case");
 }
 
-void add_schema(CLI::App& app, Request& request, Texts& texts) {
-  app.add_option_function<std::string>(
-         "--schema",
-         [&](const std::string& text) {
-           texts.schema = text;
-           request.schema = text == "1" ? 1 : newest_result_schema;
-         },
-         "the version of the schema of JSON results: 2, or 1 for programs that read that one, without the fields that came later")
-      ->check(one_of({"1", "2"}))
-      ->type_name("VERSION");
-}
-
 void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
   app.add_option("--method", texts.method,
                  "how: auto, exact, certificate (an expanding polytope; exact where that takes too many points), shallow (the part of B - "
@@ -190,7 +178,6 @@ void add_options(CLI::App& app, Request& request, Texts& texts, bool of_one) {
   app.add_flag("--counters", request.counters, "add what the run did, in counts");
   add_exact(app, request);
   app.add_flag("--json", request.json, "one JSON object per line, schema fathom/result/2");
-  add_schema(app, request, texts);
 }
 
 void add_optima(CLI::App& app, Request& request) {
@@ -216,7 +203,6 @@ std::array<CLI::App*, 3> add_ray_commands(CLI::App& app, Request& request, Texts
   CLI::App& ray = add_command(app, "ray");
   CLI::App& metric = add_command(app, "metric");
   add_approx_options(approx, request);
-  add_schema(approx, request, texts);
   add_ray_options(ray, request);
   add_metric_options(metric, request);
   for (CLI::App* command : {&approx, &ray, &metric}) {

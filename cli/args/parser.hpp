@@ -14,7 +14,6 @@ namespace fathom::cli {
 struct Texts {
   std::string method = "auto", closest_lines;
   bool exact_decimals = false;
-  std::string schema;         ///< empty unless given
   std::string wrong_cases;    ///< what does not go together in `cases`
   std::string wrong_picture;  ///< what does not go together in a request for a curve or a chart
   std::string wrong_files;    ///< which output would destroy what

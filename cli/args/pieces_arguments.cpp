@@ -7,8 +7,8 @@ namespace fathom::cli {
 namespace {
 
 /// What unions have no place for.
-constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines", "--seed",   "--bits", "--optima", "--along",
-                                            "--steps",  "--times",         "--schema", "--csv",  "--case",   "--threads"};
+constexpr const char* of_convex_bodies[] = {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along",
+                                            "--steps",  "--times",         "--csv",  "--case", "--threads"};
 
 }  // namespace
 

@@ -15,9 +15,6 @@
 
 namespace fathom::cli {
 
-/// fathom/result/2. A request may ask for any older version.
-inline constexpr unsigned newest_result_schema = 2;
-
 enum class Command { depth, width, approx, ray, metric, study, stages, explain, cases, certify };
 
 struct Request {
@@ -33,12 +30,11 @@ struct Request {
   std::optional<unsigned> bits;       ///< depth, width: how near the bounds of curved bodies are to be
   bool exact = false;                 ///< text: exact numbers where else decimals stand
   bool json = false;
-  unsigned schema = newest_result_schema;  ///< depth, width, approx: the version of the schema of JSON results, 1 or 2
-  bool csv = false;                        ///< study, depth --along: rows
-  std::string html;                        ///< study: the file of the page; empty: none
-  std::string command_line;                ///< with --html: quoted for a shell
-  bool all = false;                        ///< study: list every coincidence, not the first few of each kind
-  bool times = false;                      ///< stages, explain, study --sweep: with the seconds that each took
+  bool csv = false;          ///< study, depth --along: rows
+  std::string html;          ///< study: the file of the page; empty: none
+  std::string command_line;  ///< with --html: quoted for a shell
+  bool all = false;          ///< study: list every coincidence, not the first few of each kind
+  bool times = false;        ///< stages, explain, study --sweep: with the seconds that each took
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
   std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none

@@ -51,7 +51,6 @@ depth --json --method exact --closest-lines sampled --seed 7
 depth --json --method shallow
 depth --json --method naive
 depth --json --bits 10
-depth --json --schema 1
 width
 width --exact --digits 30
 width --json --embed-certificate
@@ -60,7 +59,6 @@ width --json --delta 1/10
 approx --delta 1/10
 approx --exact --digits 20 --delta 1/3
 approx --json --delta 1/10
-approx --json --schema 1 --delta 1/3
 ray --direction=1,-2,1/3
 ray --exact --digits 20 --direction=1,-2,1/3
 ray --json --direction=1,-2,1/3

@@ -263,9 +263,6 @@ class Pieces(CliTest):
         path = self.cases({"a": {"pieces": [{"shape": "box", "half": [1, 1, 1]}]}, "b": {"shape": "box", "half": [1, 1, 1]}})
         self.assertIn("; counted ", self.answer("depth", "--counters", path))
         self.assertNotIn("counted", self.answer("depth", path))
-        code, out, err = self.run_cli("depth", "--schema", "1", "--json", path)
-        self.assertEqual(code, 2)
-        self.assertIn("--schema 1 has no unions of pieces", out + err)
 
     def test_an_interrupt_prints_the_bounds_that_are_proved(self):
         """Of a union in a stream, and of one case of it."""

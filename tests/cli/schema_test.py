@@ -5,7 +5,7 @@ import json
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, ROOT, UNIT, VERSION, CliTest, box, case
+from harness import DATA, ROOT, UNIT, CliTest, box, case
 
 SCHEMA = json.loads((ROOT / "schemas" / "result.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -68,32 +68,6 @@ class Schema(CliTest):
                 broken(good, "counters", "crossings", -1), broken(good, "status", "touching"),
                 *(broken(error, field, None) for field in error), broken(error, "line", 0), broken(error, "status", "disjoint")):
             self.assertFalse(VALIDATOR.is_valid(wrong), wrong)
-
-    def test_version_1(self):
-        """What --schema 1 prints is what version 2 prints, without the fields that came with that."""
-        validator = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result_1.schema.json").read_text()))
-        for command in (["depth"], ["width"], ["approx"], ["width", "--delta", "1/2"]):
-            new, old = (self.lines(*command, *version, "-", stdin=STREAM) for version in ([], ["--schema", "1"]))
-            self.assertEqual(self.lines(*command, "--schema", "2", "-", stdin=STREAM), new)
-            for line, as_before in zip(new, old, strict=True):
-                VALIDATOR.validate(line)
-                validator.validate(as_before)
-                self.assertFalse(VALIDATOR.is_valid(as_before) or validator.is_valid(line))
-                if "error" not in line:
-                    for later in ("unit_f64", "translation_f64", "witness_f64"):
-                        del line[later]
-                        line.get("distance", {}).pop(later, None)
-                    del line["sizes"]
-                    self.assertEqual((line.pop("fathom"), list(line.pop("signed_depth"))[:2]), (VERSION, ["low", "high"]))
-                    if line["status"] == "disjoint":
-                        self.assertEqual((line["contact"] is None, as_before["contact"]), (command != ["depth"], None))
-                        line["contact"] = None
-                self.assertEqual((line.pop("schema"), as_before.pop("schema")), ("fathom/result/2", "fathom/result/1"))
-                self.assertEqual(list(line.items()), list(as_before.items()))
-
-    def test_a_version_needs_json_and_exists(self):
-        for arguments, words in ((["--schema", "1"], "needs --json"), (["--json", "--schema", "3"], "'3' is unknown (expected 1, 2)")):
-            self.assertIn(words, self.refused("depth", *arguments, DATA / "cube.off", DATA / "cube.off"))
 
 
 if __name__ == "__main__":

@@ -85,7 +85,6 @@ class Contacts(CliTest):
             self.assertEqual((result["status"], result["contact"]["kind"]), ("disjoint", kind))
             swapped = json.loads(self.answer("depth", "--json", "-", stdin=case(b, UNIT)))["contact"]
             self.assertEqual((swapped["a"], swapped["b"]), (result["contact"]["b"], result["contact"]["a"]))
-            self.assertIsNone(json.loads(self.answer("depth", "--json", "--schema", "1", "-", stdin=case(UNIT, b)))["contact"])
             self.assertIn(kind, self.answer("depth", "-", stdin=case(UNIT, b)))
 
     def test_of_rounded_bodies(self):
