@@ -7,6 +7,7 @@
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
+#include "kernels/point_algebra.hpp"
 #include "view/picture/scene_picture.hpp"
 #include "view/picture/view.hpp"
 
@@ -15,7 +16,7 @@ namespace fathom::harness {
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions) {
   const judging::Claim claim = judging::exact_claim(reply, conventions);
   if (!claim.overlap || !claim.length || !claim.direction) return std::nullopt;
-  const Vec3<double> u = picture::unit_vector(picture::point_of(*claim.direction));
+  const Vec3<double> u = picture::unit_vector(rational(*claim.direction));
   return Point{mpq_class(exact_value(u.x) * *claim.length), mpq_class(exact_value(u.y) * *claim.length),
                mpq_class(exact_value(u.z) * *claim.length)};
 }
