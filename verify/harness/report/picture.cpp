@@ -5,9 +5,9 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
-#include "kernels/point_algebra.hpp"
 #include "view/picture/scene_picture.hpp"
 #include "view/picture/view.hpp"
 
