@@ -33,4 +33,20 @@ int main() {
   tell(R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"pieces": [{"shape": "box", "half": [1, 1, 1], "pose": "xyz=1,0,0"}]}})");
 }
 
-//> to be made
+//> penetrating, between 0.5 and 0.5, exactly 0 + root of 1/4, nearest 0.5; 1 ways out
+//>   the first moves A along x by -1/2
+//>   direction -1 0 0, translation in binary64 -0.5, facet-facet
+//>   a point of A at x = 1
+//>   1 nearest facets of the cores
+//>   fathom-certificate 1
+//> disjoint, between -1 and -1, exactly 1 + root of -4, nearest -1; 0 ways out
+//>   direction -1 0 0, translation in binary64 1, vertex-facet
+//>   a point of A at x = 1
+//>   0 nearest facets of the cores
+//>   fathom-certificate 2
+//> penetrating, between 1 and 1, exactly 0 + root of 1, nearest 1; 1 ways out
+//>   the first moves A along x by -1
+//>   direction -1 0 0, translation in binary64 -1
+//>   unions have a pair of witness points only if they are disjoint
+//>   the hulls' depth squared is 1
+//>   fathom-certificate 3

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernels/point_algebra.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"
@@ -38,7 +39,7 @@ TEST(BodyPair, EqualsTheExactPipeline) {
       const auto [contact, witness] = pair.meeting(n, optimum.translation());
       EXPECT_EQ(contact, optimum.contact) << input.id;
       ASSERT_TRUE(witness) << input.id;
-      EXPECT_EQ(testing::difference(witness->b, witness->a), optimum.translation());
+      EXPECT_EQ(witness->b - witness->a, optimum.translation());
       EXPECT_TRUE(testing::in_hull(witness->a, input.a.points, optimum.contact.a)) << input.id;
       EXPECT_TRUE(testing::in_hull(witness->b, input.b.points, optimum.contact.b)) << input.id;
       const Point& t = optimum.translation();

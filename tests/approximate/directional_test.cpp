@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"
+#include "kernels/point_algebra.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
@@ -41,7 +42,7 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
       EXPECT_EQ(exit.contact.kind, testing::kind_of(exit.contact, a, b)) << input.id;
       EXPECT_EQ(exit.contact.a, testing::face(a, -exit.normal)) << input.id;
       EXPECT_EQ(exit.contact.b, testing::face(b, exit.normal)) << input.id;
-      EXPECT_EQ(testing::difference(exit.witness.b, exit.witness.a), found.translation()) << input.id;
+      EXPECT_EQ(exit.witness.b - exit.witness.a, found.translation()) << input.id;
       EXPECT_TRUE(testing::in_hull(exit.witness.a, a, exit.contact.a)) << input.id;
       EXPECT_TRUE(testing::in_hull(exit.witness.b, b, exit.contact.b)) << input.id;
     }

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "kernels/point_algebra.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
@@ -66,7 +67,7 @@ void expect_equal(const MetricResult& result, const NaiveMetric& twin, const Cas
     const Vector& n = optimum.direction;
     EXPECT_EQ(testing::support(input.a.points, input.b.points, n), n.x * t.x + n.y * t.y + n.z * t.z) << input.id << ": separates";
     const Witness& w = optimum.witness;
-    EXPECT_EQ(testing::difference(w.b, w.a), t) << input.id;
+    EXPECT_EQ(w.b - w.a, t) << input.id;
     EXPECT_TRUE(testing::in_hull(w.a, input.a.points, optimum.contact.a)) << input.id;
     EXPECT_TRUE(testing::in_hull(w.b, input.b.points, optimum.contact.b)) << input.id;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "fathom/width.hpp"
+#include "kernels/point_algebra.hpp"
 #include "reference/approximate/grid/directions.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
@@ -46,7 +47,7 @@ void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<c
   EXPECT_EQ(found.contact.a, testing::face(a, -n)) << what;
   EXPECT_EQ(found.contact.b, testing::face(b, n)) << what;
   if (!found.witness) return;
-  EXPECT_EQ(testing::difference(found.witness->b, found.witness->a), found.translation) << what;
+  EXPECT_EQ(found.witness->b - found.witness->a, found.translation) << what;
   EXPECT_TRUE(testing::in_hull(found.witness->a, a, found.contact.a)) << what;
   EXPECT_TRUE(testing::in_hull(found.witness->b, b, found.contact.b)) << what;
 }
