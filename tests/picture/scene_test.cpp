@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/boxes.hpp"
+#include "kernels/point_algebra.hpp"
+#include "tests//support/boxes.hpp"
 #include "view/picture/paint.hpp"
 
 namespace fathom::picture {
@@ -90,7 +91,7 @@ TEST(Scene, LargeBodiesKeepWhatIsSeen) {
   EXPECT_TRUE(std::ranges::none_of(some.wires, &Wires::Wire::hidden)) << "over 200 edges";
   const std::size_t once = points.size();
   for (std::size_t i = 0; i < once; ++i)
-    points.push_back(mpq_class(101, 100) * points[i] + {0, 0, mpq_class(static_cast<long>(i % 2) * 3)});
+    points.push_back(mpq_class(101, 100) * points[i] + Point{0, 0, mpq_class(static_cast<long>(i % 2) * 3)});
   EXPECT_LT(wires_of(points, view).wires.size(), 400u);
 }
 

@@ -8,7 +8,8 @@
 #include <numeric>
 #include <random>
 
-#include "tests/support/boxes.hpp"
+#include "kernels/point_algebra.hpp"
+#include "tests//support/boxes.hpp"
 #include "tests/support/matches.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/polygon.hpp"
@@ -37,7 +38,7 @@ TEST(UnionScene, TheWayPointsRightAndPlanesAreSeenFromTheirEdges) {
   ASSERT_EQ(scene.touch_a.size(), corner.depth.optima.front().contacts.size());
   ASSERT_EQ(scene.touch_a.size(), 2u) << "else the case has to be another";
   const Window window = panels_of(scene, size).front().window;
-  const Dot from = window.dot(scene.anchor), to = window.dot(sum(scene.anchor, scene.way));
+  const Dot from = window.dot(scene.anchor), to = window.dot(scene.anchor + scene.way);
   EXPECT_GT(to.x, from.x);
   EXPECT_NEAR(to.y, from.y, 1e-9);
   for (const auto* faces : {&scene.touch_a, &scene.touch_b})
@@ -65,7 +66,7 @@ TEST(UnionScene, TheWayBeginsInAAndEndsInB) {
   const Corner corner;
   const PairScene scene = scene_of(corner.a, corner.b, corner.depth);
   EXPECT_TRUE(is_in(corner.a, scene.anchor));
-  EXPECT_TRUE(is_in(corner.b, sum(scene.anchor, scene.way))) << "law: the way ends where the bodies touch";
+  EXPECT_TRUE(is_in(corner.b, scene.anchor + scene.way)) << "law: the way ends where the bodies touch";
 }
 
 TEST(UnionScene, PiecesInContactAreMarked) {

@@ -100,7 +100,7 @@ TEST(UnionTorture, ShorterTranslationsOverlapAndOptimaSeparate) {
       if (length == 0) continue;
       const mpq_class s(std::sqrt(depth.squared().get_d()) / length *
                         (i % 3 == 0 ? 0.9999 : std::cbrt(static_cast<double>(random() % 1000) / 1000)));
-      const Point t = s * {x, y, z};
+      const Point t = s * Point{x, y, z};
       if (dot(t, t) >= depth.squared()) continue;
       EXPECT_TRUE(overlap(moved(a, t), b)) << "law: what is shorter than the depth overlaps";
       ++shorter;
