@@ -24,8 +24,8 @@ std::vector<JsonValue::Field> JsonValue::fields() const {
   if (!is_object()) return result;
   for (std::size_t i = items().size(); i-- > 0;) result.emplace_back(key(i), &items()[i]);
   std::ranges::stable_sort(result, {}, &Field::first);
-  const auto repeated = std::ranges::unique(result, {}, &Field::first);
-  result.erase(repeated.begin(), repeated.end());
+  const auto same_key = [](const Field& one, const Field& other) { return one.first == other.first; };
+  result.erase(std::unique(result.begin(), result.end(), same_key), result.end());
   return result;
 }
 
