@@ -28,6 +28,8 @@ template <class... Functions>
 struct ByKind : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+ByKind(Functions...) -> ByKind<Functions...>;  // clang 14 asks for it
 
 SurdWitness surds(const rounded::CoordinatePair& pair) { return {pair[0], pair[1]}; }
 
