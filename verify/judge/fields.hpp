@@ -117,6 +117,8 @@ struct Word {
   std::string_view word;
   Value value;
 };
+template <class Value>
+Word(const char*, Value) -> Word<Value>;  // clang 14 asks for it
 inline constexpr std::array words_of_touching{Word{"overlap", Conventions::Touching::overlap},
                                               Word{"separate", Conventions::Touching::separate},
                                               Word{"either", Conventions::Touching::either}};
