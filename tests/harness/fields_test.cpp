@@ -170,7 +170,7 @@ std::string kind(const T&) {
 }
 template <class T>
 std::string kind(const std::optional<T>& value) {
-  return kind(*value);
+  return kind(value.value_or(T()));  // the type decides alone
 }
 
 /// "rational" stands for "nonnegative" too.
