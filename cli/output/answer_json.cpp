@@ -64,7 +64,8 @@ Json length_of(const SignedDepth& depth, bool of_distance, const std::optional<u
 }
 
 Lengths lengths_of(const SignedDepth& depth, const std::optional<unsigned>& digits) {
-  return {signed_depth_object(depth), length_of(depth, false, digits), length_of(depth, true, digits)};
+  return {signed_depth_object(depth), length_of(depth, false, digits),
+          depth.status() == Status::disjoint ? length_of(depth, true, digits) : Json()};
 }
 
 // ---- places: of polytopes rational, of shapes rational but for a root ----
@@ -93,9 +94,6 @@ template <class SomeWitness>
 Json witness_json(const std::optional<SomeWitness>& witness) {
   return witness ? Json{{"a", place(witness->a)}, {"b", place(witness->b)}} : Json();
 }
-
-Counters counters_of(const Depth& depth) { return depth.counters; }
-Counters counters_of(const SignedDepth& depth) { return depth.counters(); }
 
 Json counters_object(const Counters& counters) {
   Json result;

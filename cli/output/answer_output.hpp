@@ -64,6 +64,10 @@ std::string answer_line(const AnsweredCase& answered, const Request& request);
 inline std::string_view method_name(const Depth& depth) { return depth.method ? name(*depth.method) : "shallow"; }
 std::string_view method_name(const SignedDepth& depth);
 
+/// What the run did.
+inline const Counters& counters_of(const Depth& depth) { return depth.counters; }
+inline Counters counters_of(const SignedDepth& depth) { return depth.counters(); }
+
 /// Appends what the run did, stage by stage.
 void add_counters(std::vector<Row>& rows, const Counters& counters);
 

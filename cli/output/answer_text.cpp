@@ -167,9 +167,6 @@ void add_parts(std::vector<std::string>& parts, const SignedDepth& depth, const 
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
 }
 
-Counters counters_of(const Depth& depth) { return depth.counters; }
-Counters counters_of(const SignedDepth& depth) { return depth.counters(); }
-
 // ---- polytopes and shapes ----
 
 template <class Found>

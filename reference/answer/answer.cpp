@@ -85,7 +85,7 @@ double Answer::high_binary64() const { return round_binary64(high(), Rounding::r
 
 std::optional<double> Answer::nearest_binary64() const {
   const double least = round_binary64(low());
-  return exact() || least == round_binary64(high()) ? std::optional(least) : std::nullopt;
+  return least == round_binary64(high()) ? std::optional(least) : std::nullopt;
 }
 
 Part<Vector> Answer::direction() const {

@@ -61,6 +61,8 @@ class CaseWalk {
     fault(path, "a number within the range of binary64", kernels::shown(value.text()));
   }
   CasePlace field(std::string_view key, CasePlace place, const Path& path, FieldsRead& seen);
+  /// Looks at the fields of a body, or of the case if there is none, and returns those that are ours.
+  FieldsRead all_fields(const JsonValue& object, const Path& path, BodyFields* body);
   void whole(const JsonValue& object, const Path& path);
   void body_of(const JsonValue& object, const Path& path, BodyFields& body);
   void vertices(const JsonValue& rows, const Path& path, BodyFields& body);
@@ -136,28 +138,26 @@ CasePlace CaseWalk::field(std::string_view key, CasePlace place, const Path& pat
   return place;
 }
 
-void CaseWalk::whole(const JsonValue& object, const Path& path) {
+CaseWalk::FieldsRead CaseWalk::all_fields(const JsonValue& object, const Path& path, BodyFields* body) {
   FieldsRead seen;
   for (std::size_t i = 0; i < object.items().size(); ++i) {
     const std::string_view key = object.key(i);
     const Path place{&path, key};
-    const CasePlace kind = field(key, field_of_case(key), place, seen);
-    if (kind == CasePlace::other) fields.misspelt = fields.misspelt || looks_misspelt(key, false);
-    value(object.items()[i], kind, place, key == "a" ? &fields.a : &fields.b);
+    const CasePlace kind = field(key, body ? field_of_body(key) : field_of_case(key), place, seen);
+    if (kind == CasePlace::other) fields.misspelt = fields.misspelt || looks_misspelt(key, body != nullptr);
+    value(object.items()[i], kind, place, body ? body : key == "a" ? &fields.a : &fields.b);
   }
+  return seen;
+}
+
+void CaseWalk::whole(const JsonValue& object, const Path& path) {
+  const FieldsRead seen = all_fields(object, path, nullptr);
   for (const std::string name : {"a", "b"})
     if (std::ranges::find(seen, name) == seen.end()) fault(path, "a field '" + name + "'", "none");
 }
 
 void CaseWalk::body_of(const JsonValue& object, const Path& path, BodyFields& body) {
-  FieldsRead seen;
-  for (std::size_t i = 0; i < object.items().size(); ++i) {
-    const std::string_view key = object.key(i);
-    const Path place{&path, key};
-    const CasePlace kind = field(key, field_of_body(key), place, seen);
-    if (kind == CasePlace::other) fields.misspelt = fields.misspelt || looks_misspelt(key, true);
-    value(object.items()[i], kind, place, &body);
-  }
+  const FieldsRead seen = all_fields(object, path, &body);
   if (!body.is_shape && std::ranges::find(seen, "vertices") == seen.end()) fault(path, "a field 'vertices'", "none");
 }
 
