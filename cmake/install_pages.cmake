@@ -6,7 +6,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(doc ${CMAKE_INSTALL_FULL_DOCDIR})
   set(data ${CMAKE_INSTALL_FULL_DATADIR}/fathom)
   # Where what lies in the tree is installed; the last that fits counts. Pages that are not named here lie below the first as in the tree.
-  set(places LICENSE=${doc}/LICENSE LICENSES=${doc}/LICENSES docs=${doc}/docs examples=${doc}/examples
+  set(places LICENSES=${doc}/LICENSES docs=${doc}/docs examples=${doc}/examples
     verify/examples=${doc}/examples/verify verify/check/FORMAT.md=${doc}/FORMAT.md verify/judge/VERDICTS.md=${doc}/VERDICTS.md
     verify/check/check.py=${data}/check.py verify/subjects/kit=${data}/kit verify/golden/kit=${data}/golden schemas=${data}/schemas
     include=${CMAKE_INSTALL_FULL_INCLUDEDIR})

@@ -248,7 +248,7 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   EXPECT_EQ(keys_of(schema["properties"]["conventions"]["properties"]), names_in(all.conventions));
   EXPECT_EQ(keys_of(schema["properties"]["capabilities"]["properties"]), keys_of(json["capabilities"]));
   EXPECT_EQ(hello_text(read_hello(text)), text) << "law: what was written is read as it was";
-  const std::string python = file_of("python/fathom/_questions.py");
+  const std::string python = file_of("bindings/python/fathom/_questions.py");
   for (const std::string& name : names_in(all.conventions))  // the sign of a depth, beside the depth itself
     EXPECT_NE(python.find((name == "depth" ? "sign" : name) + ": "), std::string::npos) << "law: Python's judge takes " << name;
 }
@@ -306,7 +306,7 @@ std::string annotation() {
 }
 
 TEST(Fields, OfAJudgementAreInPythonsClass) {
-  const std::string text = file_of("python/fathom/_questions.py");
+  const std::string text = file_of("bindings/python/fathom/_questions.py");
   const std::size_t begin = text.find("class Judgement(NamedTuple)");
   const std::string body = text.substr(begin, text.find("\ndef judge(", begin) - begin);
   const std::regex row("\n    ([a-z_]+): ([^#\n]*[^# \n])");
@@ -321,7 +321,7 @@ TEST(Fields, OfAJudgementAreInPythonsClass) {
 }
 
 TEST(Fields, OfAReplyAreTakenByPythonAndC) {
-  const std::string python = file_of("python/fathom/_questions.py"), c = file_of("include/fathom/fathom.h");
+  const std::string python = file_of("bindings/python/fathom/_questions.py"), c = file_of("include/fathom/fathom.h");
   const std::string judge = python.substr(python.find("\ndef judge("));
   const std::size_t begin = c.find("typedef struct fathom_claim {");
   const std::string claim = c.substr(begin, c.find("} fathom_claim;") - begin);

@@ -36,30 +36,31 @@ class Packaging(unittest.TestCase):
     def test_versions(self):
         # Debian's own package fathom is another program: by the epoch apt takes ours for the newer.
         version = re.search(r"project\(fathom VERSION (\S+)", read("CMakeLists.txt"))[1]
-        self.assertEqual(re.match(r"fathom \(1:([^)]+)\)", read("debian/changelog"))[1], version)
-        self.assertIn('re.search(r"project\\(fathom VERSION', read("setup.py"))  # Python's is taken from there
+        self.assertEqual(re.match(r"fathom \(1:([^)]+)\)", read("packaging/debian/changelog"))[1], version)
+        self.assertIn('re.search(r"project\\(fathom VERSION', read("bindings/python/setup.py"))  # Python's is taken from there
 
     def test_build_dependencies(self):
-        source = next(stanzas(read("debian/control")))
+        source = next(stanzas(read("packaging/debian/control")))
         asked = {re.match(r"[^\s(]+", word.strip())[0] for word in source["Build-Depends"].split(",") if word.strip()}
         self.assertEqual(asked - {"debhelper-compat", "dh-python"}, packages_txt("depth", "build", "subjects", "python") - NOT_FOR_PACKAGES)
 
     def test_every_package_says_what_is_in_it(self):
-        _, *binaries = stanzas(read("debian/control"))
-        self.assertEqual({binary["Package"] for binary in binaries}, {path.stem for path in (ROOT / "debian").glob("*.install")})
+        _, *binaries = stanzas(read("packaging/debian/control"))
+        self.assertEqual({binary["Package"] for binary in binaries}, {path.stem for path in (ROOT / "packaging/debian").glob("*.install")})
 
     def test_development_package_depends_on_what_pkg_config_requires(self):
         required = re.search(r"^Requires: (.*)$", read("cmake/fathom.pc.in"), re.MULTILINE)[1].replace("gmpxx", "gmp").split()
-        depends = next(binary for binary in stanzas(read("debian/control")) if binary.get("Package") == "libfathom-dev")["Depends"]
+        binaries = stanzas(read("packaging/debian/control"))
+        depends = next(binary for binary in binaries if binary.get("Package") == "libfathom-dev")["Depends"]
         self.assertEqual([name for name in required if f"lib{name}-dev" not in depends], [])
 
     def test_manual_page_of_the_checker_names_its_options(self):
-        shown = set(re.findall(r"\\-\\-(\w+)", read("debian/fathom-check.1")))
+        shown = set(re.findall(r"\\-\\-(\w+)", read("packaging/debian/fathom-check.1")))
         sources = "".join(path.read_text() for path in (ROOT / "verify/check").glob("command_line.*"))
         self.assertEqual(shown - {"help"}, set(re.findall(r'"(?:  )?--(\w+)', sources)) - {"help", "version"})
 
     def test_copyright_names_files_that_are_there(self):
-        for stanza in stanzas(read("debian/copyright")):
+        for stanza in stanzas(read("packaging/debian/copyright")):
             for pattern in stanza.get("Files", "").split():
                 self.assertTrue(list(ROOT.glob(pattern)), pattern)
 

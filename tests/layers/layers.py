@@ -52,13 +52,13 @@ ORDER = [
     ["verify/harness", "verify/golden"],
     ["view/atlas"],
     ["view/page"],
-    ["cli", "python"],
-    ["c"],
+    ["cli", "bindings/python"],
+    ["bindings/c"],
     ["tests"],
 ]
 PLACE = {room: place for place, rooms in enumerate(ORDER) for room in rooms}
 CLOSED = "verify/check"  # the judge's checker shares nothing
-CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "python", "c", "tests")
+CLOSED_TO_ALL_BUT = ("verify/harness", "verify/golden", "cli", "bindings/python", "bindings/c", "tests")
 # programs of their own: they know other libraries, and nothing of ours
 ALONE = ("verify/subjects", "verify/reports", "verify/examples", "examples")
 DOORS = ("include/fathom/", "kernels/", "reference/", "verify/judge/")

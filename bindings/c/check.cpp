@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "c/boundary.hpp"
+#include "bindings/c/boundary.hpp"
 #include "reference/files/case_json.hpp"
 #include "verify/check/cases.hpp"
 #include "verify/check/limits.hpp"

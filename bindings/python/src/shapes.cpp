@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/src/bodies.hpp"
 #include "fathom/shape.hpp"
-#include "python/src/bodies.hpp"
 #include "reference/files/named_body.hpp"
 #include "reference/files/shape_names.hpp"
 

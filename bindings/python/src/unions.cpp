@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/unions.hpp"
+#include "bindings/python/src/unions.hpp"
 
 #include <pybind11/stl.h>
 
@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/points.hpp"
+#include "bindings/python/src/watching.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/union.hpp"
-#include "python/src/answer.hpp"
-#include "python/src/bodies.hpp"
-#include "python/src/points.hpp"
-#include "python/src/watching.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/dents.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/answer.hpp"
+#include "bindings/python/src/answer.hpp"
 
 #include <pybind11/stl.h>
 
@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/src/watching.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
 #include "kernels/counts.hpp"
-#include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"

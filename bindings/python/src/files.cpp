@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "python/src/bodies.hpp"
-#include "python/src/questions.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/questions.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/shape_families.hpp"
 #include "verify/families/union_families.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bindings/python/src/numbers.hpp"
 #include "fathom/body.hpp"
-#include "python/src/numbers.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/polytope/mesh_convexity.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/numbers.hpp"
+#include "bindings/python/src/numbers.hpp"
 
 #include <cmath>
 #include <string>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "c/boundary.hpp"
+#include "bindings/c/boundary.hpp"
 #include "cli/output/answer_output.hpp"
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"

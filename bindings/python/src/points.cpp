@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/points.hpp"
+#include "bindings/python/src/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "python/src/numbers.hpp"
+#include "bindings/python/src/numbers.hpp"
 
 namespace fathom::python {
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "python/src/answer.hpp"
+#include "bindings/python/src/answer.hpp"
 
 namespace fathom::python {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/batch.hpp"
+#include "bindings/python/src/batch.hpp"
 
 #include <pybind11/stl.h>
 
@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "python/src/watching.hpp"
+#include "bindings/python/src/watching.hpp"
 
 namespace fathom::python {
 namespace {

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-#include "c/boundary.hpp"
+#include "bindings/c/boundary.hpp"
 #include "fathom/numbers.hpp"
 #include "verify/judge/any_bodies.hpp"
 #include "verify/judge/fields.hpp"

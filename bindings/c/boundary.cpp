@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "c/boundary.hpp"
+#include "bindings/c/boundary.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/questions.hpp"
+#include "bindings/python/src/questions.hpp"
 
 #include <pybind11/stl.h>
 
@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/watching.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/study.hpp"
-#include "python/src/answer.hpp"
-#include "python/src/bodies.hpp"
-#include "python/src/watching.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/any_bodies.hpp"
 #include "verify/judge/fields.hpp"

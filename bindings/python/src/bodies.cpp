@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "python/src/bodies.hpp"
+#include "bindings/python/src/bodies.hpp"
 
 #include <pybind11/stl.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/src/points.hpp"
 #include "fathom/files.hpp"
-#include "python/src/points.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"

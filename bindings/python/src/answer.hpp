@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bindings/python/src/bodies.hpp"
 #include "fathom/answer.hpp"
-#include "python/src/bodies.hpp"
 
 namespace fathom::python {
 

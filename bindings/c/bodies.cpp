@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "c/boundary.hpp"
+#include "bindings/c/boundary.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/pose_text.hpp"

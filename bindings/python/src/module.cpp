@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom._fathom: what python/fathom is made of. Users import fathom, whose docstrings say what everything means.
+// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say what everything means.
 #include <pybind11/pybind11.h>
 
+#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/batch.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/questions.hpp"
+#include "bindings/python/src/unions.hpp"
 #include "fathom/files.hpp"
-#include "python/src/answer.hpp"
-#include "python/src/batch.hpp"
-#include "python/src/bodies.hpp"
-#include "python/src/questions.hpp"
-#include "python/src/unions.hpp"
 
 PYBIND11_MODULE(_fathom, module) {
   namespace python = fathom::python;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""pip install --no-build-isolation .    builds the Python module by CMake, in build/python. It needs what fathom needs (cmake/packages.txt,
-depth and build), and Debian's pybind11-dev, python3-dev and python3-numpy.
+"""pip install --no-build-isolation ./bindings/python    builds the Python module by CMake, in build/python.
+
+It needs what fathom needs (cmake/packages.txt, depth and build), and Debian's pybind11-dev, python3-dev and python3-numpy.
 FATHOM_BUILD=FOLDER takes the module from a build folder that has been configured, as the Debian package does."""
 import os
 import pathlib
@@ -12,7 +13,7 @@ import sys
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
-ROOT = pathlib.Path(__file__).resolve().parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGURED = os.environ.get("FATHOM_BUILD")
 BUILD = pathlib.Path(CONFIGURED or ROOT / "build" / "python")
 
@@ -31,4 +32,5 @@ class CMakeBuild(build_ext):
 
 
 version = re.search(r"project\(fathom VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
-setup(version=version, ext_modules=[Extension("fathom._fathom", [])], cmdclass={"build_ext": CMakeBuild})
+setup(version=version, ext_modules=[Extension("fathom._fathom", [])], cmdclass={"build_ext": CMakeBuild},
+      options={"build": {"build_base": str(BUILD / "setuptools")}})
