@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "bindings/c/boundary.hpp"
-#include "cli/output/answer_output.hpp"
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "verify/check/unreadable.hpp"
+#include "reference/output/answer_json.hpp"
 
 namespace fathom::c {
 namespace {
@@ -71,10 +71,7 @@ std::string exact_of(const Answer& answer, int quantity) {
 }
 
 std::string json_of(const fathom_answer& asked, const std::string& id) {
-  cli::Request request;
-  request.json = true;
-  request.optima = asked.listed;
-  return cli::answer_json({id, asked.answer, cli::about_bodies(Case{id, *asked.a, *asked.b}, false)}, request);
+  return output::answer_json({id, asked.answer, output::about_bodies(Case{id, *asked.a, *asked.b}, false)}, {.optima = asked.listed});
 }
 
 std::string certificate_of(const fathom_answer& asked, const std::string& id, const fathom_options& options) {

@@ -40,7 +40,7 @@ Replies approximate_replies(const Request& request) {
     return {is_stream(request) ? approx_line(id, depth, request) : approx_block(depth, asked.bodies, request)};
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) { return output::json_error(item.id, item.line, fault); };
   return replies;
 }
 

@@ -3,9 +3,9 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/file_places.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/output/json_values.hpp"
 #include "cli/output/stages_output.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/output/json_values.hpp"
 #include "view/atlas/atlas.hpp"
 #include "view/stages/stages.hpp"
 
@@ -41,7 +41,7 @@ ExitCode run_stages(const Request& request) {
   };
   if (request.json) {
     replies.error_line = [](const CaseItem& item, const std::string& fault) {
-      return error_object("fathom/stages/1", item.id, item.line, fault);
+      return output::error_object("fathom/stages/1", item.id, item.line, fault);
     };
   }
   return reply_to_inputs(request, replies);

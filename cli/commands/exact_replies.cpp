@@ -106,7 +106,7 @@ Replies exact_replies(const Request& request) {
     return reply;
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) { return output::json_error(item.id, item.line, fault); };
   return replies;
 }
 

@@ -13,7 +13,6 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/hull_note.hpp"
-#include "cli/output/json_values.hpp"
 #include "fathom/files.hpp"
 #include "kernels/printable.hpp"
 #include "reference/files/cases.hpp"
@@ -21,6 +20,7 @@
 #include "reference/files/pose_text.hpp"
 #include "reference/files/shape_text.hpp"
 #include "reference/files/source.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {

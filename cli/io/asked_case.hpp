@@ -2,16 +2,16 @@
 // A case that is to be answered, and what is known of its bodies before.
 #pragma once
 
-#include "cli/output/about_bodies.hpp"
 #include "fathom/files.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 
 struct AskedCase {
   const Case& input;
-  AboutBodies bodies;
+  output::AboutBodies bodies;
 
-  AskedCase(const Case& asked, bool one_body) : input(asked), bodies(about_bodies(asked, one_body)) {}
+  AskedCase(const Case& asked, bool one_body) : input(asked), bodies(output::about_bodies(asked, one_body)) {}
   operator const Case&() const { return input; }  // NOLINT(google-explicit-constructor): most commands need no more
 };
 

@@ -2,6 +2,7 @@
 #include "cli/io/output.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -34,6 +35,20 @@ void print(std::string_view text) {
 std::string fault_text(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
   return std::string("internal error: ") + error.what();
+}
+
+std::string without_controls(std::string_view text) {
+  std::string result;
+  bool behind_lead = false;  // of a character of two bytes, U+0080 to U+00BF
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool second = behind_lead && byte >= 0x80 && byte < 0xa0;
+    if (second) result.replace(result.size() - 1, 1, "\\xc2");
+    if (second || byte < 0x20 || byte == 0x7f) result += fmt::format("\\x{:02x}", byte);
+    else result += c;
+    behind_lead = byte == 0xc2;
+  }
+  return result;
 }
 
 void talk(std::string_view text) {

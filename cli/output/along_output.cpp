@@ -8,8 +8,8 @@
 
 #include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
-#include "cli/output/json_values.hpp"
-#include "cli/output/surd_output.hpp"
+#include "cli/output/decimal.hpp"
+#include "reference/output/json_values.hpp"
 #include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
 
@@ -122,7 +122,7 @@ std::string along_json(const Path& path, const std::vector<AlongStep>& steps) {
     const Surd* const exact_value = std::get_if<Surd>(&step.value);
     const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
     Json depth{{"low", bound(step.low)}, {"high", bound(step.high)}};
-    if (exact_value) depth["exact"] = exact_object(*exact_value);
+    if (exact_value) depth["exact"] = output::exact_object(*exact_value);
     const double nearest = exact_value ? round_binary64(*exact_value) : 0;
     const bool told = exact_value && std::isfinite(nearest) && (nearest != 0 || sign(*exact_value) == 0);
     values.push_back({{"step", step.number},
@@ -130,11 +130,11 @@ std::string along_json(const Path& path, const std::vector<AlongStep>& steps) {
                       {"status", status_text(step)},
                       {"value", told ? Json(nearest) : Json()},
                       {"signed_depth", depth},
-                      {"direction", exact(step.direction)},
-                      {"contact", step.contact ? contact_object(*step.contact) : Json()}});
+                      {"direction", output::exact(step.direction)},
+                      {"contact", step.contact ? output::contact_object(*step.contact) : Json()}});
   }
-  return Json{{"schema", "fathom/along/1"},       {"fathom", FATHOM_VERSION}, {"id", path.id},
-              {"along", exact(path.translation)}, {"steps", path.steps},      {"values", values}}
+  return Json{{"schema", "fathom/along/1"}, {"fathom", FATHOM_VERSION}, {"id", path.id}, {"along", output::exact(path.translation)},
+              {"steps", path.steps},        {"values", values}}
       .text();
 }
 

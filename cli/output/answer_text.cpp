@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of answer_output.hpp that writes text for people. The rows of each kind of bodies stand together, in the order of the page.
+// The part of answer_output.hpp that writes text for people, and says what of an answer JSON is to show.
+// The rows of each kind of bodies stand together, in the order of the page.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +10,6 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
-#include "cli/output/surd_output.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/counts.hpp"
 #include "kernels/number/surd.hpp"
@@ -56,7 +56,7 @@ void add_answer(Rows& rows, const Depth& depth, const Request& request) {
 
 // Which method answered, and why if it is not the one that was tried first.
 std::string method_text(const Depth& depth, const Request& request) {
-  const std::string ran(method_name(depth));
+  const std::string ran(output::method_name(depth));
   if (depth.method == Method::certificate) return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
   if (request.method == Method::automatic && !request.shallow && !request.closest_lines)
     return ran + ": the inner polytope took too many points";
@@ -158,7 +158,7 @@ void add_answer(Rows& rows, const SignedDepth& depth, const Request& request) {
   add_places(rows, depth, request);
 }
 
-void add_method(Rows& rows, const SignedDepth& depth, const Request&) { rows.emplace_back("method", method_name(depth)); }
+void add_method(Rows& rows, const SignedDepth& depth, const Request&) { rows.emplace_back("method", output::method_name(depth)); }
 
 void add_parts(std::vector<std::string>& parts, const SignedDepth& depth, const Request& request) {
   Rows rows;
@@ -178,7 +178,7 @@ std::string pair_block(const AnsweredCase& answered, const Found& found, const R
   const BodyFacts& facts = answered.answer.facts;
   if (const std::string flat = flat_text(facts, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
   if (std::is_same_v<Found, Depth> && facts.flat_a && found.status() == Status::penetrating) rows.push_back(flat_note());
-  if (request.counters) add_counters(rows, counters_of(found));
+  if (request.counters) add_counters(rows, output::counters_of(found));
   return aligned(has_one_body(request) ? "" : std::string(answered.answer.status_name()), rows);
 }
 
@@ -188,7 +188,7 @@ std::string pair_line(const AnsweredCase& answered, const Found& found, const Re
   if (!has_one_body(request)) parts.emplace_back(answered.answer.status_name());
   add_parts(parts, found, request);
   Rows rows;
-  if (request.counters) add_counters(rows, counters_of(found));
+  if (request.counters) add_counters(rows, output::counters_of(found));
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
   return case_line(answered.id, parts);
 }
@@ -264,11 +264,6 @@ std::string union_line(const AnsweredCase& answered, const UnionDepth& depth, co
 
 }  // namespace
 
-std::string_view method_name(const SignedDepth& depth) {
-  if (const Depth* const cores = std::get_if<Depth>(&depth.core)) return method_name(*cores);
-  return std::holds_alternative<PlaneSupport>(depth.core) ? "support" : "enclosure";
-}
-
 // Of the stages that ran: what another method would have counted is no 0.
 void add_counters(std::vector<Row>& rows, const Counters& counters) {
   std::vector<std::string_view> stages;
@@ -296,6 +291,11 @@ std::string shape_length_text(const SignedDepth& depth) {
   if (!status) return "undecided: signed depth " + undecided_text(depth);
   if (status == Status::touching) return "touching: depth 0";
   return status == Status::disjoint ? "disjoint: distance " + value_text(depth, -1) : "penetrating: depth " + value_text(depth, 1);
+}
+
+std::string answer_json(const AnsweredCase& answered, const Request& request) {
+  return output::answer_json(answered,
+                             {request.optima, request.digits, request.counters, request.embed_certificate, has_one_body(request)});
 }
 
 std::string answer_block(const AnsweredCase& answered, const Request& request) {

@@ -9,9 +9,9 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
-#include "cli/output/json_values.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -22,14 +22,14 @@ std::string direction_label(const ApproxDepth& depth) { return depth.status() ==
 std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
 
 /// How far apart disjoint bodies are, no approximation tells.
-SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least, const kernels::Roundings& most) {
+output::SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least, const kernels::Roundings& most) {
   if (status == Status::disjoint) return {-std::numeric_limits<double>::infinity(), 0};
   return {least.binary64.rd, most.binary64.ru};
 }
 
 }  // namespace
 
-std::string approx_block(const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {
+std::string approx_block(const ApproxDepth& depth, const output::AboutBodies& bodies, const Request& request) {
   const std::string what = quantity(request);
   std::vector<Row> rows;
   rows.emplace_back(what + " at most", root_text(depth.squared()));
@@ -65,25 +65,26 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
   return case_line(id, parts);
 }
 
-std::string approx_json(const std::string& id, const ApproxDepth& depth, const AboutBodies& bodies, const Request& request) {
+std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies, const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
-  Json result = result_head(id, name(depth.status()));
+  Json result = output::result_head(id, name(depth.status()));
   const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
-  result["signed_depth"] = signed_depth_object(signed_bounds(depth.status(), least, most));
-  const Json size = length(depth.squared(), most, request.digits);
+  result["signed_depth"] = output::signed_depth_object(signed_bounds(depth.status(), least, most));
+  const Json size = output::length(depth.squared(), most, request.digits);
   result["depth"] = size;
-  result["translation"] = exact(depth.translation());
-  result["direction"] = exact(depth.direction());
-  result["contact"] = found ? contact_object(found->contact) : Json();
-  result["witness"] = found && found->witness ? witness_object(*found->witness) : Json();
-  add_rounded(result, depth.direction(), coordinates(depth.translation()), coordinates_of(found ? found->witness : std::nullopt));
+  result["translation"] = output::exact(depth.translation());
+  result["direction"] = output::exact(depth.direction());
+  result["contact"] = found ? output::contact_object(found->contact) : Json();
+  result["witness"] = found && found->witness ? output::witness_object(*found->witness) : Json();
+  output::add_rounded(result, depth.direction(), coordinates(depth.translation()),
+                      output::coordinates_of(found ? found->witness : std::nullopt));
   result["optima"] = Json::array();
   add_bodies(result, bodies);
-  result["flat"] = flat_array(depth);
+  result["flat"] = output::flat_array(depth);
   result["method"] = "approx";
   result["delta"] = exact_text(depth.delta);
   result["rays"] = rays(depth);
-  result["bound"] = length(depth.bound_squared(), least, request.digits);
+  result["bound"] = output::length(depth.bound_squared(), least, request.digits);
   if (has_one_body(request)) result["width"] = size;
   return result.text();
 }

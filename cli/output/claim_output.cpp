@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 
 #include "cli/output/answer_output.hpp"
-#include "cli/output/json_values.hpp"
-#include "cli/output/surd_output.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 
@@ -23,9 +22,9 @@ std::string claim_json(const claims::PublishedClaim& claim, const claims::Judged
   Json result = {{"schema", "fathom/claim/1"}, {"fathom", FATHOM_VERSION}, {"id", claim.bodies.id},
                  {"source", claim.source},     {"kind", claim.kind},       {"note", claim.note}};
   result["verdict"] = claims::verdict_name(judged.finding());
-  result["signed_depth"] = signed_depth_object(judged.truth);
+  result["signed_depth"] = output::signed_depth_object(judged.truth);
   if (claim.numeric) result["numeric"] = *claim.numeric;
-  result["direction"] = exact(judged.truth.direction());
+  result["direction"] = output::exact(judged.truth.direction());
   result["statements"] = statements;
   return result.text();
 }

@@ -3,17 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "cli/output/surd_output.hpp"
+#include "cli/output/decimal.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/point_algebra.hpp"
 
 namespace fathom::cli {
 namespace {
 
-std::string decimal(const Surd& value) { return sign(value) < 0 ? "-" + surd_text({-value.rational, -value.root}) : surd_text(value); }
+std::string decimal(const Surd& value) { return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value); }
 
 std::string in_full(const Point& p) { return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z)); }
 std::string in_full(const Vector& n) { return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str()); }
@@ -25,19 +22,6 @@ std::string in_full(const Point& from, const mpq_class& length, const Vector& n)
 }
 
 }  // namespace
-
-Json numbers(const Coordinates& values) {
-  const std::array<double, 3> rounded = nearest_binary64(values);
-  if (!std::ranges::all_of(rounded, [](double x) { return std::isfinite(x); })) return {};
-  return Json::array({rounded[0], rounded[1], rounded[2]});
-}
-
-void add_rounded(Json& result, const Vector& direction, const std::optional<Coordinates>& translation,
-                 const std::optional<CoordinatePair>& witness) {
-  result["unit_f64"] = numbers(unit(direction));
-  result["translation_f64"] = translation ? numbers(*translation) : Json();
-  result["witness_f64"] = witness ? Json{{"a", numbers(witness->front())}, {"b", numbers(witness->back())}} : Json();
-}
 
 std::string decimals(const Coordinates& values) {
   return fmt::format("({}, {}, {})", decimal(values[0]), decimal(values[1]), decimal(values[2]));

@@ -46,6 +46,12 @@ std::string root_text(const mpq_class& squared) {
   return enclose_root(squared, beyond_binary64_digits).low;
 }
 
+std::string surd_text(const Surd& value) {
+  if (sign(value) == 0) return "0";
+  if (const double rounded = round_binary64(value); speaks(rounded)) return fmt::format("{}", rounded);
+  return enclose(value, beyond_binary64_digits).low;
+}
+
 std::string point_text(const Point& p) {
   const std::string exact = triple("", exact_text(p.x), exact_text(p.y), exact_text(p.z));
   if (exact.size() <= longest_triple) return exact;

@@ -7,9 +7,9 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
-#include "cli/output/json_values.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -43,10 +43,10 @@ Json optima_array(const MetricResult& result) {
   Json array = Json::array();
   for (const MetricOptimum& optimum : result.optima()) {
     array.push_back({{"vertex", optimum.vertex},
-                     {"translation", exact(optimum.translation)},
-                     {"direction", exact(optimum.direction)},
-                     {"contact", contact_object(optimum.contact)},
-                     {"witness", witness_object(optimum.witness)}});
+                     {"translation", output::exact(optimum.translation)},
+                     {"direction", output::exact(optimum.direction)},
+                     {"contact", output::contact_object(optimum.contact)},
+                     {"witness", output::witness_object(optimum.witness)}});
   }
   return array;
 }
@@ -89,16 +89,16 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {
   Json object = {{"schema", schema}, {"id", id}, {"status", name(result.status())}};
   object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};
-  object["depth"] = number(result.depth());
-  object["direction"] = exact(result.direction());
+  object["depth"] = output::number(result.depth());
+  object["direction"] = output::exact(result.direction());
   object["optima"] = optima_array(result);
-  object["flat"] = flat_array(result);
+  object["flat"] = output::flat_array(result);
   object["rays"] = result.penetration() ? result.penetration()->rays : 0;
   return object.text();
 }
 
 std::string metric_json_error(const std::string& id, std::size_t line, const std::string& error) {
-  return error_object(schema, id, line, error);
+  return output::error_object(schema, id, line, error);
 }
 
 }  // namespace fathom::cli

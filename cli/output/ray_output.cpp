@@ -7,9 +7,9 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
-#include "cli/output/json_values.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -47,20 +47,20 @@ std::string ray_line(const std::string& id, const DirectionalDepth& depth, const
 
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request) {
   const RayExit* const exit = depth.penetration();
-  Json result = {{"schema", schema}, {"id", id}, {"status", name(depth.status())}, {"ray", exact(*request.direction)}};
+  Json result = {{"schema", schema}, {"id", id}, {"status", name(depth.status())}, {"ray", output::exact(*request.direction)}};
   result["factor"] = exact_text(depth.factor());
-  result["length"] = length(depth.squared(), request.digits);
-  result["translation"] = exact(depth.translation());
-  result["normal"] = exact(depth.normal());
-  result["contact"] = exit ? contact_object(exit->contact) : Json();
-  result["witness"] = exit ? witness_object(exit->witness) : Json();
-  result["flat"] = flat_array(depth);
+  result["length"] = output::length(depth.squared(), request.digits);
+  result["translation"] = output::exact(depth.translation());
+  result["normal"] = output::exact(depth.normal());
+  result["contact"] = exit ? output::contact_object(exit->contact) : Json();
+  result["witness"] = exit ? output::witness_object(exit->witness) : Json();
+  result["flat"] = output::flat_array(depth);
   result["steps"] = exit ? exit->steps : 0;
   return result.text();
 }
 
 std::string ray_json_error(const std::string& id, std::size_t line, const std::string& error) {
-  return error_object(schema, id, line, error);
+  return output::error_object(schema, id, line, error);
 }
 
 }  // namespace fathom::cli

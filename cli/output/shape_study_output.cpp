@@ -6,13 +6,12 @@
 #include "cli/io/terminal.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/decimal.hpp"
-#include "cli/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/study_words.hpp"
-#include "cli/output/surd_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/surd.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -61,9 +60,9 @@ Json size_object(const ShapeSize& size) {
 
 Json feature_object(const ShapeFeature& feature) {
   Json result = {{"feature", feature.what}};
-  if (!is_zero(feature.direction)) result["direction"] = exact(feature.direction);
-  if (feature.point) result["point"] = exact(*feature.point);
-  if (feature.length) result["length"] = exact_object(*feature.length);
+  if (!is_zero(feature.direction)) result["direction"] = output::exact(feature.direction);
+  if (feature.point) result["point"] = output::exact(*feature.point);
+  if (feature.length) result["length"] = output::exact_object(*feature.length);
   return result;
 }
 
@@ -138,7 +137,7 @@ std::string study_line(const std::string& id, const ShapeStudy& study) {
 std::string study_json(const std::string& id, const ShapeStudy& study) {
   Json result = study_head(id);
   result["status"] = status_name(study.depth);
-  result["signed_depth"] = signed_depth_object(study.depth);
+  result["signed_depth"] = output::signed_depth_object(study.depth);
   result["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
   result["contact"] = study.contact ? involved_object(*study.contact) : Json();
   result["coincidences"] = coincidences_object(study);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies as JSON, schema fathom/study/1.
-#include "cli/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/infinitesimal.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -64,7 +64,7 @@ std::string study_json(const std::string& id, const Study& study) {
 }
 
 std::string study_json_error(const std::string& id, std::size_t line, const std::string& error) {
-  return error_object(schema, id, line, error);
+  return output::error_object(schema, id, line, error);
 }
 
 }  // namespace fathom::cli

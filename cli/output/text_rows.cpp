@@ -72,6 +72,15 @@ std::string flat_text(const BodyFacts& facts, bool same_body) {
 
 Row flat_note() { return {"note", "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"}; }
 
+void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies) {
+  rows.emplace_back("sizes", shapes::sizes_text(bodies.sizes));
+  add_hull(rows, bodies.hull);
+}
+
+void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts) {
+  if (const std::string dents = shapes::dents_text(facts); !dents.empty()) rows.emplace_back("hull", dents);
+}
+
 std::string enclosure_text(const mpq_class& squared, unsigned digits) {
   const Enclosure enclosure = enclose_root(squared, digits);
   return fmt::format("[{}, {}]", enclosure.low, enclosure.high);

@@ -9,6 +9,7 @@
 
 #include "cli/args/request.hpp"
 #include "fathom/depth.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 
@@ -40,6 +41,10 @@ std::string flat_text(const BodyFacts& facts, bool same_body = false);
 
 /// Explains why a flat A may have a positive depth.
 Row flat_note();
+
+/// Adds the rows "sizes" and, if a mesh is not convex, "hull".
+void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies);
+void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts);
 
 /// "[low, high]" to that many digits.
 std::string enclosure_text(const mpq_class& squared, unsigned digits);

@@ -44,6 +44,7 @@ ORDER = [
     ["reference/rounded"],
     ["reference/certificate"],
     ["reference/answer"],
+    ["reference/output"],
     ["verify/check", "verify/claims", "verify/digest", "verify/families", "verify/study", "verify/subjects", "verify/reports",
      "verify/examples", "examples"],
     ["view/picture"],

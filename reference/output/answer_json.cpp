@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of answer_output.hpp that writes JSON: fields as in the schemas, and in their order.
+// Fields as in the schemas, and in their order.
+
+#include "reference/output/answer_json.hpp"
+
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-#include "cli/output/answer_output.hpp"
-#include "cli/output/coordinates.hpp"
-#include "cli/output/json_values.hpp"
-#include "cli/output/surd_output.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/counts.hpp"
 #include "kernels/number/infinitesimal.hpp"
 
-namespace fathom::cli {
+namespace fathom::output {
 namespace {
 
 constexpr std::string_view result_schema = "fathom/result/2";
-
-Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 // ---- lengths ----
 
@@ -59,7 +56,7 @@ Json length_of(const SignedDepth& depth, bool of_distance, const std::optional<u
   if (!depth.status()) return {{"squared", Json()}, {"value", Json()}, {"rounded", Json()}};
   if (const Bounds* const bounds = depth.bounds())
     return enclosed_length(of_distance ? Bounds{-bounds->high, -bounds->low} : *bounds, digits);
-  const Surd value = of_distance ? negated(*depth.exact()) : *depth.exact();
+  const Surd value = of_distance ? Surd{-depth.exact()->rational, -depth.exact()->root} : *depth.exact();
   return surd_length(sign(value) > 0 ? value : Surd{0, 0}, digits);
 }
 
@@ -126,11 +123,11 @@ Json cone_object(const OptimalCone& cone) {
 
 /// `found`: what `answered` holds, Depth or SignedDepth.
 template <class Found>
-std::string pair_json(const AnsweredCase& answered, const Found& found, const Request& request) {
+std::string pair_json(const AnsweredCase& answered, const Found& found, const Shown& shown) {
   const std::optional<Status> status = found.status();
   const Depth* const core = answered.answer.core();
   const Penetration* const cores = core ? core->penetration() : nullptr;
-  const Lengths lengths = lengths_of(found, request.digits);
+  const Lengths lengths = lengths_of(found, shown.digits);
   const auto ways = ways_of(found);
   const auto first = ways.empty() ? std::nullopt : std::optional(ways.front());
   const auto translation = status == Status::touching || status == Status::disjoint ? std::optional(staying(found)) : first;
@@ -154,9 +151,10 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Re
   result["direction"] = direction_json;
   result["contact"] = contact;
   result["witness"] = witness_json(shown_witness);
-  add_rounded(result, direction, translation ? std::optional(coordinates(*translation)) : std::nullopt, coordinates_of(shown_witness));
+  add_rounded(result, direction, translation ? std::optional(rounded::coordinates(*translation)) : std::nullopt,
+              coordinates_of(shown_witness));
   result["optima"] = optima;
-  if (request.optima)
+  if (shown.optima)
     result["optima_count"] = cores ? cores->optima.size() + cores->unlisted : status == Status::penetrating ? ways.size() : 0;
   if constexpr (std::is_same_v<Found, SignedDepth>)
     if (found.cone) result["optimal_cone"] = cone_object(*found.cone);
@@ -165,15 +163,15 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Re
     distance["direction"] = direction_json;
     distance["translation"] = first ? place(*first) : Json();
     distance["witness"] = witness_json(witness);
-    add_rounded(distance, direction, first ? std::optional(coordinates(*first)) : std::nullopt, coordinates_of(witness));
+    add_rounded(distance, direction, first ? std::optional(rounded::coordinates(*first)) : std::nullopt, coordinates_of(witness));
     result["distance"] = distance;
   }
   add_bodies(result, answered.bodies);
   result["flat"] = flat_array(answered.answer.facts);
   result["method"] = method_name(found);
-  if (request.counters) result["counters"] = counters_object(counters_of(found));
-  if (request.embed_certificate) result["certificate"] = answered.certificate;
-  if (has_one_body(request)) result["width"] = lengths.depth;
+  if (shown.counters) result["counters"] = counters_object(counters_of(found));
+  if (shown.certificate) result["certificate"] = answered.certificate;
+  if (shown.width) result["width"] = lengths.depth;
   return result.text();
 }
 
@@ -189,18 +187,18 @@ Json optimum_json(const UnionOptimum& optimum) {
   return {{"translation", exact(optimum.translation)}, {"clearance", Json::boolean(optimum.clearance)}, {"contacts", contacts}};
 }
 
-Json distance_json(const UnionDistance& apart, const Request& request) {
+Json distance_json(const UnionDistance& apart, const Shown& shown) {
   const Distance& d = apart.distance;
-  return {{"distance", length(d.squared, request.digits)},
+  return {{"distance", length(d.squared, shown.digits)},
           {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
           {"translation", exact(d.translation)},
           {"witness", witness_object(d.witness)},
           {"contact", contact_object(d.contact)}};
 }
 
-std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
+std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, const Shown& shown) {
   Json optima = Json::array();
-  for (std::size_t i = 0; i < depth.optima.size() && (!request.optima || i < *request.optima); ++i)
+  for (std::size_t i = 0; i < depth.optima.size() && (!shown.optima || i < *shown.optima); ++i)
     optima.push_back(optimum_json(depth.optima[i]));
   const UnionBounds& bounds = *depth.bounds;
   const UnionCounters& c = depth.counters;
@@ -210,17 +208,17 @@ std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, co
       {"id", answered.id},
       {"status", name(depth.status)},
       {"complete", Json::boolean(depth.complete)},
-      {"depth", depth.complete ? length(depth.low, request.digits) : Json()},
-      {"low", length(depth.low, request.digits)},
-      {"high", length(depth.high, request.digits)},
+      {"depth", depth.complete ? length(depth.low, shown.digits) : Json()},
+      {"low", length(depth.low, shown.digits)},
+      {"high", length(depth.high, shown.digits)},
       {"optima", optima},
-      {"apart", depth.apart ? distance_json(*depth.apart, request) : Json()},
+      {"apart", depth.apart ? distance_json(*depth.apart, shown) : Json()},
       {"deepest_pair",
        Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
       {"hulls", length(bounds.hulls, std::nullopt)},
       {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
   add_hull(result, answered.bodies.hull);
-  if (request.embed_certificate && depth.complete) result["certificate"] = answered.certificate;
+  if (shown.certificate && depth.complete) result["certificate"] = answered.certificate;
   return result.text();
 }
 
@@ -230,20 +228,21 @@ Json result_head(const std::string& id, std::string_view status) {
   return {{"schema", result_schema}, {"fathom", FATHOM_VERSION}, {"id", id}, {"status", status}};
 }
 
-SignedDepthBounds penetrating_by(const kernels::Roundings& depth) { return {depth.binary64.rd, depth.binary64.ru}; }
+std::string_view method_name(const Depth& depth) { return depth.method ? name(*depth.method) : "shallow"; }
 
-SignedDepthBounds apart_by(const kernels::Roundings& distance) { return {-distance.binary64.ru, 0 - distance.binary64.rd}; }
+std::string_view method_name(const SignedDepth& depth) {
+  if (const Depth* const cores = std::get_if<Depth>(&depth.core)) return method_name(*cores);
+  return std::holds_alternative<PlaneSupport>(depth.core) ? "support" : "enclosure";
+}
 
-Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}}; }
-
-std::string answer_json(const AnsweredCase& answered, const Request& request) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_json(answered, *unions, request);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_json(answered, *depth, request);
-  return pair_json(answered, std::get<SignedDepth>(answered.answer.found), request);
+std::string answer_json(const AnsweredCase& answered, const Shown& shown) {
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_json(answered, *unions, shown);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_json(answered, *depth, shown);
+  return pair_json(answered, std::get<SignedDepth>(answered.answer.found), shown);
 }
 
 std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
   return error_object(result_schema, id, line, error);
 }
 
-}  // namespace fathom::cli
+}  // namespace fathom::output

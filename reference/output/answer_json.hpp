@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact answer to a case, of bodies of any kinds, as JSON: schemas/result.schema.json, of unions schemas/union.schema.json.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fathom/answer.hpp"
+#include "reference/output/json_values.hpp"
+
+namespace fathom::output {
+
+/// A case and its answer; for `width` it is about the body against itself.
+struct AnsweredCase {
+  std::string id;
+  Answer answer;
+  AboutBodies bodies = {};
+  std::string certificate = {};  ///< as text, if one is requested and the answer is complete
+};
+
+/// What of an answer is written.
+struct Shown {
+  std::optional<std::size_t> optima = {};  ///< how many are listed; all if not set
+  std::optional<unsigned> digits = {};     ///< of the enclosure of the depth, if one is wanted
+  bool counters = false;                   ///< what the run did
+  bool certificate = false;                ///< as a field
+  bool width = false;                      ///< the answer is about one body, against itself
+};
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string answer_json(const AnsweredCase& answered, const Shown& shown);
+
+/// Returns the line for a case of a stream that has no result.
+std::string json_error(const std::string& id, std::size_t line, std::string_view error);
+
+/// The first fields of every result, exact or approximate: the schema, the version of fathom, the id, the status.
+Json result_head(const std::string& id, std::string_view status);
+
+/// The word for the method that answered.
+std::string_view method_name(const Depth& depth);
+std::string_view method_name(const SignedDepth& depth);
+
+/// What the run did.
+inline const Counters& counters_of(const Depth& depth) { return depth.counters; }
+inline Counters counters_of(const SignedDepth& depth) { return depth.counters(); }
+
+}  // namespace fathom::output

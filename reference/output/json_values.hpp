@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pieces of JSON results: numbers, places, contacts, and what they tell of the bodies. Exact numbers are strings.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fathom/depth.hpp"
+#include "fathom/files.hpp"
+#include "fathom/signed_depth.hpp"
+#include "kernels/number/roundings.hpp"
+#include "kernels/vector.hpp"
+#include "reference/rounded/coordinates.hpp"
+#include "reference/shapes/body_notes.hpp"
+#include "reference/text/json.hpp"
+
+namespace fathom::output {
+
+using text::Json;
+
+// ---- rational numbers ----
+
+Json exact(const Point& p);
+Json exact(const Vector& v);
+
+/// A length by its exact square, with roundings, and an enclosure if digits are given.
+Json length(const mpq_class& squared, const std::optional<unsigned>& digits);
+Json length(const mpq_class& squared, const kernels::Roundings& rounded, const std::optional<unsigned>& digits);
+/// A rational number, exact and rounded.
+Json number(const mpq_class& value);
+
+// ---- signed depths, and what goes along their directions: rational but for one root ----
+
+/// A length: value >= 0. Its exact square is null if that is irrational.
+Json surd_length(const Surd& value, const std::optional<unsigned>& digits);
+
+/// {"sign", "root", "plus"}.
+Json exact_object(const Surd& value);
+
+/// Doubles on both sides of a signed depth: positive if the bodies penetrate, negative if they are apart. Equal if it is that double.
+struct SignedDepthBounds {
+  double low, high;
+};
+
+/// Of bodies that penetrate with this depth, or are this far apart.
+SignedDepthBounds penetrating_by(const kernels::Roundings& depth);
+SignedDepthBounds apart_by(const kernels::Roundings& distance);
+
+/// The field "signed_depth": of bounds it has no exact form, and a bound that is infinite becomes null.
+Json signed_depth_object(const SignedDepthBounds& bounds);
+Json signed_depth_object(const SignedDepth& depth);
+
+/// A point as three rationals if it is rational; else {"normal", "alpha", "beta"}, and {"core", "normal", "distance"}.
+Json vector_object(const AlongNormal& vector);
+Json point_object(const RoundedPoint& point);
+
+// ---- the same in binary64 ----
+
+template <class SomeWitness>
+std::optional<rounded::CoordinatePair> coordinates_of(const std::optional<SomeWitness>& witness) {
+  return witness ? std::optional(rounded::coordinates(*witness)) : std::nullopt;
+}
+
+/// Adds the fields "unit_f64", "translation_f64" and "witness_f64", which stand beside exact ones; null of what there is not, and of what
+/// is beyond all finite numbers.
+void add_rounded(Json& result, const Vector& direction, const std::optional<rounded::Coordinates>& translation,
+                 const std::optional<rounded::CoordinatePair>& witness);
+
+// ---- contacts and bodies ----
+
+Json contact_object(const Contact& contact);
+Json witness_object(const Witness& witness);
+Json flat_array(const BodyFacts& facts);
+
+/// What results tell of the bodies, whatever was asked about them.
+struct AboutBodies {
+  shapes::BodySizes sizes;
+  shapes::HullFacts hull;
+};
+
+AboutBodies about_bodies(const Case& input, bool one_body);
+
+/// The fields "sizes" and, if a body is a mesh with faces or has such pieces, "hull".
+void add_bodies(Json& result, const AboutBodies& bodies);
+void add_hull(Json& result, const shapes::HullFacts& facts);
+
+// ---- no result ----
+
+/// Returns the line for a case of a stream that has no result.
+std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error);
+
+}  // namespace fathom::output
