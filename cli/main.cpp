@@ -10,11 +10,9 @@
 #include "cli/args/arguments.hpp"
 #include "cli/args/help.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/exec_program.hpp"
-#include "cli/io/guarded.hpp"
-#include "cli/io/interrupt.hpp"
-#include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
+#include "cli/io/progress.hpp"
 #include "kernels/float_environment.hpp"
 
 namespace {

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "fathom/monitor.hpp"
-#include "kernels/counters.hpp"
 
 namespace fathom::kernels {
 

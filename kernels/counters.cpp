@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/counters.hpp"
+#include "kernels/context.hpp"
 
 namespace fathom {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/near_miss.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::kernels {
 namespace {

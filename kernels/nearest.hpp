@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::kernels {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "kernels/filters/support.hpp"
-#include "reference/depth/naive_depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 

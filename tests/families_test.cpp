@@ -10,9 +10,8 @@
 #include <set>
 #include <string>
 
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "verify/families/circle.hpp"
 #include "verify/families/solids.hpp"
 
 namespace {

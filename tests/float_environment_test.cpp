@@ -23,11 +23,11 @@
 #include "fathom/width.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/c/handles.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 #include "verify/study/study.hpp"
 

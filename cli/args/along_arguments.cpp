@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "cli/args/approx_arguments.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "cli/args/named_files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
-#include "reference/approximate/grid/directions.hpp"
+#include "kernels/messages.hpp"
+#include "reference/approximate/directions.hpp"
 
 namespace fathom::cli {
 namespace {

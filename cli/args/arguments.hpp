@@ -8,7 +8,7 @@
 
 #include "cli/args/help_page.hpp"
 #include "cli/args/request.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 
 namespace fathom::cli {
 

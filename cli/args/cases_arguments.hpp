@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/args/cases_request.hpp"
+#include "cli/args/request.hpp"
 
 namespace fathom::cli {
 

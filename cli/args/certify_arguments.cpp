@@ -12,7 +12,7 @@
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/policy.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/args/did_you_mean.hpp"
-
 #include <algorithm>
 
-#include "kernels/near_miss.hpp"
+#include "cli/args/words.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

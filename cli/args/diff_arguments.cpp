@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "cli/args/diff_help.hpp"
+#include "cli/args/help.hpp"
 #include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
-#include "cli/args/shell_words.hpp"
+#include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 
 namespace fathom::cli {

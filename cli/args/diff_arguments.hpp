@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/args/help_page.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 
 namespace fathom::cli {
 

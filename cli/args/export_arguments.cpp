@@ -15,8 +15,7 @@
 #include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "fathom/depth.hpp"
-#include "kernels/near_miss.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -9,15 +9,15 @@
 #include <charconv>
 #include <tuple>
 
-#include "cli/args/did_you_mean.hpp"
 #include "cli/args/export_arguments.hpp"
-#include "cli/args/golden_help.hpp"
+#include "cli/args/help.hpp"
 #include "cli/args/named_files.hpp"
 #include "cli/args/parser_words.hpp"
 #include "cli/args/second_method.hpp"
 #include "cli/args/threads.hpp"
+#include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

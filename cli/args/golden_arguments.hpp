@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/args/help_page.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "fathom/depth.hpp"
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/shards/plan.hpp"

@@ -7,8 +7,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "cli/args/diff_help.hpp"
-#include "cli/args/golden_help.hpp"
 #include "cli/args/help_page.hpp"
 
 namespace fathom::cli {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/source.hpp"
 

@@ -19,7 +19,7 @@
 #include "cli/args/threads.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

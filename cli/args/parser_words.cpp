@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/args/did_you_mean.hpp"
-#include "kernels/printable.hpp"
+#include "cli/args/words.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

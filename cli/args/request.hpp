@@ -6,10 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/args/along_request.hpp"
-#include "cli/args/cases_request.hpp"
-#include "cli/args/certify_request.hpp"
-#include "cli/args/sweep_request.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 

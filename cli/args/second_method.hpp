@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/args/parser_words.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/solve/disagreement.hpp"
 
 namespace fathom::cli {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/args/shell_words.hpp"
-
 #include <algorithm>
 #include <string_view>
 #include <vector>
+
+#include "cli/args/words.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "cli/args/parser_words.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/args/shell_words.hpp"
+#include "cli/args/words.hpp"
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 

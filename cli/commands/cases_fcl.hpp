@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 
 namespace fathom::cli {
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/io/case_input.hpp"
 #include "cli/io/case_stream.hpp"
-#include "cli/io/cases_in.hpp"
 #include "fathom/union.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/harness/piece_pairs.hpp"
 
 namespace fathom::cli {

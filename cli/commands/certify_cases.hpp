@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/io/interruptible_input.hpp"
+#include "cli/io/case_input.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {

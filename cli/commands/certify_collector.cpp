@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/certify_collector.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "cli/commands/certify_results.hpp"
 #include "cli/io/output.hpp"
 
 namespace fathom::cli {

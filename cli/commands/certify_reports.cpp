@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/certify_reports.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 
+#include "cli/commands/certify_results.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/proof.hpp"
 #include "verify/harness/report/html.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/certify_collector.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/commands/certify_results.hpp"
+#include "cli/io/output.hpp"
 #include "verify/harness/report/expect_fail.hpp"
 
 namespace fathom::cli {

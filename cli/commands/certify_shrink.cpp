@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/certify_shrink.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/io/interrupt.hpp"
+#include "cli/commands/certify_results.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "cli/commands/certify_collector.hpp"
+#include "cli/commands/certify_results.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/two_ways.hpp"
 

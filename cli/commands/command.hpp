@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/args/request.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 
 namespace fathom::cli {
 

@@ -6,10 +6,9 @@
 #include <utility>
 
 #include "cli/commands/command.hpp"
-#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"

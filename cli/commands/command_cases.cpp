@@ -18,14 +18,10 @@
 #include "cli/io/terminal.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_catalogue.hpp"
-#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
-#include "cli/commands/command_certify.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,16 +13,14 @@
 #include <vector>
 
 #include "cli/commands/adapters.hpp"
+#include "cli/commands/certify.hpp"
 #include "cli/commands/certify_cases.hpp"
-#include "cli/commands/certify_collector.hpp"
-#include "cli/commands/certify_reports.hpp"
-#include "cli/commands/certify_shrink.hpp"
+#include "cli/commands/certify_results.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/command_claims.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/replay.hpp"
 #include "verify/harness/runner.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/args/request.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/outcome.hpp"
 

@@ -12,17 +12,17 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/args/did_you_mean.hpp"
 #include "cli/args/help_page.hpp"
 #include "cli/args/threads.hpp"
+#include "cli/args/words.hpp"
 #include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/exec_program.hpp"
 #include "cli/commands/proved_checker.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 #include "cli/io/terminal.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"
 

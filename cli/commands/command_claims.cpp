@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/command_claims.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
@@ -9,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "cli/commands/command.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/certificate_limits.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
 #include "cli/output/claim_output.hpp"
 #include "fathom/certificate.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cli/args/request.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 
 namespace fathom::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B | CASES.jsonl | -
 #include "cli/commands/command.hpp"
-#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/depth.hpp"
 
 namespace fathom::cli {
 

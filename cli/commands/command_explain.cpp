@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
 #include "cli/commands/command.hpp"
-#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/depth.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/answer_output.hpp"
@@ -11,9 +10,8 @@
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "view/page/page.hpp"
-#include "view/page/union_page.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/scene_picture.hpp"
+#include "view/picture/paint.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::cli {

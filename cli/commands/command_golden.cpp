@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom golden generate | verify | export
-#include "cli/commands/command_golden.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +10,7 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/io/interrupt.hpp"
+#include "cli/commands/golden.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "verify/golden/io/files.hpp"

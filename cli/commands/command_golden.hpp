@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cli/args/golden_arguments.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "verify/golden/release/verify.hpp"
 
 namespace fathom::cli {

@@ -11,20 +11,18 @@
 #include <utility>
 
 #include "cli/args/arguments.hpp"
-#include "cli/args/did_you_mean.hpp"
 #include "cli/args/diff_arguments.hpp"
 #include "cli/args/golden_arguments.hpp"
 #include "cli/args/help.hpp"
+#include "cli/args/words.hpp"
 #include "cli/commands/adapters.hpp"
 #include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/family_names.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
-#include "cli/manual/completion.hpp"
-#include "cli/manual/completion_words.hpp"
-#include "cli/manual/man_page.hpp"
-#include "kernels/printable.hpp"
+#include "cli/manual/manual.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/whole_file.hpp"
 #include "verify/families/families.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom stages A B | CASES.jsonl | -
 #include "cli/commands/command.hpp"
-#include "cli/commands/file_places.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/output/stages_output.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
-#include "view/atlas/atlas.hpp"
+#include "view/stages/charts_picture.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::cli {

@@ -7,7 +7,7 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/study_page.hpp"
 #include "fathom/signed_depth.hpp"

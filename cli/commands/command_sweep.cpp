@@ -11,16 +11,13 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/family_names.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
 #include "cli/output/sweep_output.hpp"
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -2,7 +2,7 @@
 // fathom width [--delta D] A | CASES.jsonl | -
 #include "cli/commands/approximate_replies.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/depth.hpp"
 
 namespace fathom::cli {
 

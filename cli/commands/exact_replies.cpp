@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/exact_replies.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-#include "cli/commands/file_places.hpp"
+#include "cli/commands/depth.hpp"
+#include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/certificate_limits.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/width.hpp"
 #include "reference/files/shape_names.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/exec_program.hpp"
-
 #include <unistd.h>
 
 #include <climits>
 #include <cstdlib>
+
+#include "cli/io/process.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 
-#include "kernels/near_miss.hpp"
+#include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_families.hpp"
 
 namespace fathom::cli {
 namespace {

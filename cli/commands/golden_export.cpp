@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "cli/commands/command_golden.hpp"
+#include "cli/commands/golden.hpp"
 #include "cli/io/certificate_file.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 #include "verify/golden/export/export.hpp"
 
 namespace fathom::cli {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/proved_checker.hpp"
 
-#include "cli/commands/exec_program.hpp"
+#include "cli/io/process.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -8,13 +8,12 @@
 #include <stdexcept>
 
 #include "cli/io/case_input.hpp"
+#include "cli/io/case_stream.hpp"
 #include "cli/io/in_order.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/output/hull_note.hpp"
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose_text.hpp"

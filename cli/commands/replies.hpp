@@ -7,7 +7,7 @@
 
 #include "cli/args/request.hpp"
 #include "cli/io/case_stream.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
 #include "reference/files/pose.hpp"

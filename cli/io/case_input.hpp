@@ -6,7 +6,6 @@
 #include <istream>
 #include <string>
 
-#include "cli/io/interruptible_input.hpp"
 #include "reference/files/cases.hpp"
 
 namespace fathom::cli {

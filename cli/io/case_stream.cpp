@@ -15,14 +15,11 @@
 #include <vector>
 
 #include "cli/io/case_input.hpp"
-#include "cli/io/cases_in.hpp"
 #include "cli/io/in_order.hpp"
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
 #include "cli/io/passage.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/output/hull_note.hpp"
 #include "reference/files/cases.hpp"
 
 namespace fathom::cli {

@@ -5,8 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "cli/io/asked_case.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/monitor.hpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/cases_in.hpp"
-
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+
+#include "cli/io/case_input.hpp"
 
 namespace fathom::cli {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/certificate_limits.hpp"
-
 #include <fmt/format.h>
 
+#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "verify/check/unreadable.hpp"
 

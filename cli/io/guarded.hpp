@@ -7,10 +7,9 @@
 #include <functional>
 #include <string>
 
-#include "cli/io/exit_code.hpp"
-#include "cli/io/interrupt.hpp"
-#include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
+#include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/interrupt.hpp"
-
 #include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <string_view>
 
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/interruptible_input.hpp"
-
 #include <poll.h>
 
 #include <cerrno>
 #include <cstring>
 #include <string>
 
+#include "cli/io/case_input.hpp"
 #include "fathom/files.hpp"
 
 namespace fathom::cli {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <streambuf>
 
-#include "cli/io/interrupt.hpp"
+#include "cli/io/progress.hpp"
 
 namespace fathom::cli {
 

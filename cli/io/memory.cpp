@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/memory.hpp"
-
 #include <gmp.h>
 #include <unistd.h>
 
@@ -16,7 +14,8 @@
 #include <new>
 #include <string_view>
 
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 
 namespace {
 

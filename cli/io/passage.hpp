@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/io/case_stream.hpp"
-#include "cli/io/exit_code.hpp"
+#include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 #include "reference/files/cases.hpp"

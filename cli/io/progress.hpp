@@ -13,8 +13,6 @@
 #include <thread>
 #include <vector>
 
-#include "cli/io/interrupt.hpp"
-
 namespace fathom::cli {
 
 /// How much of many things is done.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of completion.hpp for bash.
-#include "cli/manual/completion.hpp"
-#include "cli/manual/completion_words.hpp"
+#include "cli/manual/manual.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/manual/man_page.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>
 #include <vector>
+
+#include "cli/manual/manual.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of completion.hpp for zsh.
-#include "cli/args/shell_words.hpp"
-#include "cli/manual/completion.hpp"
-#include "cli/manual/completion_words.hpp"
+#include "cli/args/words.hpp"
+#include "cli/manual/manual.hpp"
 
 namespace fathom::cli {
 namespace {

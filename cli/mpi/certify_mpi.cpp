@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/command_certify.hpp"
-#include "cli/io/interrupt.hpp"
+#include "cli/commands/certify.hpp"
 #include "cli/io/packed.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/mpi/verbs.hpp"
 #include "fathom/files.hpp"
 #include "reference/files/case_json.hpp"

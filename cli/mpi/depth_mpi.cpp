@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // depth on a stream: rank 0 reads the texts of the cases and prints the replies, in order; every rank reads and answers blocks of cases.
-#include "cli/commands/exact_replies.hpp"
+#include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/io/interrupt.hpp"
+#include "cli/io/progress.hpp"
 #include "cli/mpi/verbs.hpp"
 
 namespace fathom::cli {

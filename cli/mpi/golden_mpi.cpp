@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "cli/commands/command.hpp"
-#include "cli/commands/command_golden.hpp"
+#include "cli/commands/golden.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"

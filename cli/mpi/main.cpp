@@ -9,9 +9,8 @@
 #include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
-#include "cli/io/guarded.hpp"
-#include "cli/io/memory.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 #include "cli/mpi/verbs.hpp"
 #include "kernels/float_environment.hpp"
 

@@ -9,7 +9,7 @@
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "reference/files/shape_names.hpp"
-#include "view/picture/scene_picture.hpp"
+#include "view/picture/paint.hpp"
 
 namespace fathom::cli {
 namespace {

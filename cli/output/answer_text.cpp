@@ -11,8 +11,8 @@
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/counts.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/context.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cli/output/decimal.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::cli {
 namespace {

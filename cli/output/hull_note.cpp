@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/output/hull_note.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <vector>
 
+#include "cli/io/case_stream.hpp"
 #include "cli/io/output.hpp"
 #include "kernels/filters/all_extreme.hpp"
 #include "kernels/parallel.hpp"
-#include "reference/polytope/inner_points.hpp"
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,10 +7,9 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
-#include "cli/output/study_words.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "reference/output/json_values.hpp"
 
 namespace fathom::cli {

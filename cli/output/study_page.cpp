@@ -8,9 +8,7 @@
 #include <array>
 
 #include "cli/output/study_output.hpp"
-#include "cli/output/study_words.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/page.hpp"
 
 namespace fathom::cli {
 namespace {

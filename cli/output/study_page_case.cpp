@@ -10,14 +10,12 @@
 #include "cli/output/study_output.hpp"
 #include "cli/output/study_page.hpp"
 #include "cli/output/study_page_parts.hpp"
-#include "cli/output/study_words.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/output/json_values.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/page.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/output/study_page_parts.hpp"
 #include "reference/files/shape_names.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/scene_picture.hpp"
+#include "view/picture/paint.hpp"
 
 namespace fathom::cli {
 namespace {

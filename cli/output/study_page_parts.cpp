@@ -8,7 +8,6 @@
 
 #include "cli/output/study_output.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/page.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -9,7 +9,6 @@
 #include "cli/io/terminal.hpp"
 #include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
-#include "cli/output/study_words.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 

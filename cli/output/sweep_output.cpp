@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "cli/args/sweep_request.hpp"
+#include "cli/args/request.hpp"
 #include "view/plot/plot.hpp"
 
 namespace fathom::cli {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/corner_bound.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include "kernels/filters/error_bounds.hpp"
+#include "kernels/filters/line_filter.hpp"
 
 namespace fathom::kernels {
 namespace {

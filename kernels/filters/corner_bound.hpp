@@ -4,7 +4,7 @@
 // [proofs/cutting.md]
 #pragma once
 
-#include "kernels/filters/line_scan.hpp"
+#include "kernels/filters/line_filter.hpp"
 
 namespace fathom::kernels {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/double_images.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 

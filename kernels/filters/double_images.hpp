@@ -9,7 +9,7 @@
 
 #include "kernels/filters/error_bounds.hpp"
 #include "kernels/predicates/direction.hpp"
-#include "kernels/sign.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 

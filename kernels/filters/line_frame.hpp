@@ -6,9 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "kernels/filters/line_scan.hpp"
-#include "kernels/filters/taylor_model.hpp"
-#include "kernels/filters/wide_lines.hpp"
+#include "kernels/filters/line_filter.hpp"
 
 namespace fathom::kernels {
 

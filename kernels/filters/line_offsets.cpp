@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/line_offsets.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "kernels/filters/error_bounds.hpp"
-#include "kernels/filters/taylor_model.hpp"
+#include "kernels/filters/line_frame.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/line_scan.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
+#include "kernels/filters/line_filter.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/meeting_image.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "kernels/filters/double_images.hpp"
+#include "kernels/filters/meeting_points.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

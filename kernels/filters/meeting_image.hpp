@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "kernels/filters/rational_point.hpp"
-#include "kernels/sign.hpp"
+#include "kernels/filters/meeting_points.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/planar_view.hpp"
-
-#include "kernels/filters/double_images.hpp"
 #include "kernels/filters/plane.hpp"
+#include "kernels/filters/support.hpp"
 #include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {

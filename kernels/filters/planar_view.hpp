@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "kernels/filters/support.hpp"
-#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/filtered_cgal.hpp"
+#include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/kernels_cgal.hpp"
 
 namespace fathom::kernels {
 namespace {

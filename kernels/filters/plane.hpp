@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "kernels/predicates/direction.hpp"
-#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

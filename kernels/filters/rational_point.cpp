@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/rational_point.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/fixed_images.hpp"
+#include "kernels/filters/meeting_points.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 namespace {

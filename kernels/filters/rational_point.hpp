@@ -4,7 +4,7 @@
 #pragma once
 
 #include "kernels/filters/error_bounds.hpp"
-#include "kernels/filters/meeting_numbers.hpp"
+#include "kernels/filters/meeting_points.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/filters/double_images.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 // sqrt(m / n) has few roundings, each by a factor below 1 + 2^-51.

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "kernels/filters/error_bounds.hpp"
-#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {

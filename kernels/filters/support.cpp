@@ -11,9 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/greatest.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 namespace {

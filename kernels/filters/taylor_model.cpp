@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/taylor_model.hpp"
-
 #include <algorithm>
+
+#include "kernels/filters/line_frame.hpp"
 
 namespace fathom::kernels::taylor {
 namespace {

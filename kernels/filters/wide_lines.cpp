@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/wide_lines.hpp"
-
 #include "kernels/filters/error_bounds.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "kernels/filters/support.hpp"
 
 namespace fathom::kernels {

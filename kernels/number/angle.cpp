@@ -2,12 +2,12 @@
 // By Niven's theorem the sine of a rational number of degrees is rational at odd multiples of 30 and at multiples of 90 alone, hence the
 // cosine at multiples of 60 and of 90; of a rational number of radians both are transcendental but at 0 (Lindemann). Elsewhere a value is
 // therefore no number of 53 bits, nor between two such in the middle, and enough precision tells to which it is nearest.
-#include "kernels/number/angle.hpp"
-
 #include <mpfr.h>
 
 #include <array>
 #include <optional>
+
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/number/dyadic.hpp"
-
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/number/lowest_terms.hpp"
-
 #include <stdexcept>
+
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/number/quick_number.hpp"
-
 #include <cfenv>
 #include <charconv>
 #include <cmath>
+
+#include "kernels/number/parse.hpp"
 
 namespace fathom::kernels {
 

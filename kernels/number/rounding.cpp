@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and whether anything was cut off. These
 // two decide every mode. For a root, floor(sqrt(x)) = isqrt(floor(x)) makes the same cut exact.
+#include "kernels/number/rounding.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,8 +15,6 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/hex.hpp"
-#include "kernels/number/roundings.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rounding by an enclosure that is refined until both of its ends round alike (Ziv's strategy). This ends, since an irrational number never
 // lies on the border between two roundings; a rational one is rounded directly.                              [proofs/number.md]
-#include "kernels/number/surd.hpp"
-
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/number/rational_interval.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "kernels/predicates/kernels_cgal.hpp"
 #include "kernels/predicates/predicates_cgal.hpp"
-#include "kernels/sign.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-#include "kernels/counters.hpp"
+#include "kernels/context.hpp"
 #include "kernels/predicates/direction.hpp"
-#include "kernels/sign.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 

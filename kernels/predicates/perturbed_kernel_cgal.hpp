@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/predicates/filtered_cgal.hpp"
+#include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/kernels_cgal.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 
 namespace fathom::kernels {

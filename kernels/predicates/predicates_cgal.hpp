@@ -11,7 +11,7 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
-#include "kernels/counters.hpp"
+#include "kernels/context.hpp"
 #include "kernels/filters/error_bounds.hpp"
 
 namespace fathom::kernels {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fathom/certificate.hpp"
-#include "kernels/number/surd.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/position.hpp"
 

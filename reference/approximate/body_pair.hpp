@@ -11,7 +11,7 @@
 #include "kernels/context.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/polytope/hierarchy.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom {
 

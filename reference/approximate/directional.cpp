@@ -2,9 +2,8 @@
 // The depth along a direction, by one ray.
 #include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/approximate/ray_levels.hpp"
 #include "reference/approximate/ray_portal.hpp"
 

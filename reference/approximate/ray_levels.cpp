@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "reference/polytope/hierarchy_descent.hpp"
+#include "reference/polytope/hierarchy.hpp"
 
 namespace fathom::approximate {
 namespace {

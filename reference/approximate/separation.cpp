@@ -2,10 +2,9 @@
 #include "reference/approximate/separation.hpp"
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/approximate/body_pair.hpp"
-#include "reference/approximate/grid/directions.hpp"
+#include "reference/approximate/directions.hpp"
 #include "reference/approximate/ray.hpp"
 
 namespace fathom::approximate {

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "reference/approximate/shallow_walk.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 

@@ -13,7 +13,6 @@
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"
-#include "reference/approximate/shallow_rays.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/polytope/hierarchy.hpp"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/approximate/shallow_rays.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/approximate/grid/directions.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/approximate/directions.hpp"
+#include "reference/approximate/shallow.hpp"
 
 namespace fathom::approximate {
 namespace {

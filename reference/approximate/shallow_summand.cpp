@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/approximate/shallow_summand.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+
+#include "reference/approximate/shallow_surface.hpp"
 
 namespace fathom::approximate {
 namespace {

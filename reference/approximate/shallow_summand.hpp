@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/gaussian/colour.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::approximate {

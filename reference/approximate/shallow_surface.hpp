@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/approximate/shallow_summand.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::approximate {

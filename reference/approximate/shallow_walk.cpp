@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/approximate/shallow_walk.hpp"
-
 #include <deque>
 #include <unordered_set>
 #include <utility>
+
+#include "reference/approximate/shallow.hpp"
 
 namespace fathom::approximate {
 namespace {

@@ -8,9 +8,9 @@
 #include <functional>
 #include <numeric>
 
-#include "kernels/filters/double_images.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "reference/canonical/query_filing.hpp"
-#include "reference/chart/chart_predicates.hpp"
+#include "reference/chart/chart.hpp"
 
 namespace fathom::canonical {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/canonical/query_filing.hpp"
-#include "reference/chart/chart_predicates.hpp"
+#include "reference/chart/chart.hpp"
 
 namespace fathom::canonical {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All pairs of arcs.
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/gaussian/crossing.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::canonical {
 

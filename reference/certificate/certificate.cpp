@@ -6,11 +6,9 @@
 
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/polytope/distance.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
 

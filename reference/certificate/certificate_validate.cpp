@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/solve/deciding_points.hpp"

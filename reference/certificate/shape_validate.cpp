@@ -5,7 +5,6 @@
 #include <span>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/certificate/cone_proof.hpp"

@@ -8,8 +8,7 @@
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/certificate/writer.hpp"
-#include "reference/polytope/narrow_pair.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::certificate {
 namespace {

@@ -6,10 +6,9 @@
 
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/writer.hpp"
-#include "reference/polytope/distance.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/unions/union_prover.hpp"
 

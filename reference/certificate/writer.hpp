@@ -20,7 +20,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/dyadic.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::certificate {

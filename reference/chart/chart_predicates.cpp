@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/chart/chart_predicates.hpp"
+#include "reference/chart/chart.hpp"
 
 namespace fathom::chart {
 namespace {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <span>
 
-#include "reference/chart/chart_predicates.hpp"
+#include "reference/chart/chart.hpp"
 
 namespace fathom::chart {
 namespace {

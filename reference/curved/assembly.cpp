@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/differences.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::curved {
 namespace {

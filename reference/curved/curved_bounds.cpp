@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/curved/assembly.hpp"
 #include "reference/curved/directions.hpp"
 #include "reference/curved/growth.hpp"
 #include "reference/curved/half_space.hpp"
 #include "reference/curved/nearest.hpp"
-#include "reference/expanding/start.hpp"
+#include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {

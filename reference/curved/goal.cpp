@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::curved {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::curved {
 Estimates::Estimates(const Lattice& lattice, const Goal& goal)

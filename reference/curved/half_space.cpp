@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/curved/assembly.hpp"
 
 namespace fathom::curved {

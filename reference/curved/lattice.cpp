@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::curved {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/curved/oracle.hpp"
-#include "reference/polytope/nearest_in_simplex.hpp"
+#include "reference/polytope/position.hpp"
 
 namespace fathom::curved {
 

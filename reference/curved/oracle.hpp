@@ -12,7 +12,7 @@
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
 #include "reference/curved/lattice.hpp"
-#include "reference/polytope/differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::curved {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/depth/apart.hpp"
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/parallel.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 
 namespace fathom::depth {

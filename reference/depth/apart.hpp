@@ -9,8 +9,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
-#include "reference/polytope/distance.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {

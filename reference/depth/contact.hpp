@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 
 namespace fathom::depth {

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The next nearest facet of P either shares an edge with a nearest one, or holds the foot point of O in its interior. The first kind is
 // found by turning the plane of each nearest facet about its edges, the second by an expanding polytope.       [proofs/gap.md, lemma 1]
-#include "reference/depth/gap.hpp"
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <vector>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/expanding/workspace.hpp"
-#include "reference/polytope/differences.hpp"
-#include "reference/polytope/narrow_differences.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/depth/naive_depth.hpp"
-
 #include <algorithm>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/naive.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {

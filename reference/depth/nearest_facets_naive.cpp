@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quadratic twins: all pairs, once in exact arithmetic only and once behind the double filter.
-#include "reference/depth/nearest_facets_naive.hpp"
-
 #include <cmath>
 
 #include "kernels/filters/support.hpp"
-#include "reference/gaussian/crossing.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 
 namespace fathom::depth {

@@ -16,7 +16,7 @@
 #include "reference/chart/chart.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
-#include "reference/lines/search_trace.hpp"
+#include "reference/lines/closest_lines.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
 
 namespace fathom::depth {

@@ -2,7 +2,7 @@
 // Accessors of Depth for every status, and what follows from a few of an answer's numbers.
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom {
 namespace {

@@ -12,12 +12,10 @@
 #include <vector>
 
 #include "kernels/context.hpp"
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/fixed_images.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/expanding/inner_polytope.hpp"
-#include "reference/expanding/start.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::expanding {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/expanding/workspace.hpp"
+#include "reference/expanding/expander.hpp"
 
 namespace fathom::expanding {
 namespace {

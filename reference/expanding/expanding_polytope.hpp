@@ -15,8 +15,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
-#include "reference/polytope/narrow_pair.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "kernels/vector.hpp"
-#include "reference/polytope/differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 

@@ -14,8 +14,7 @@
 #include "kernels/filters/rounded_plane.hpp"
 #include "kernels/id.hpp"
 #include "kernels/vector.hpp"
-#include "reference/expanding/pool.hpp"
-#include "reference/polytope/differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/expanding/workspace.hpp"
+#include "reference/expanding/expander.hpp"
 
 namespace fathom {
 

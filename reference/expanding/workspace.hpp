@@ -5,7 +5,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "reference/expanding/expander.hpp"
-#include "reference/polytope/narrow_differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom {
 

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_names.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/named_body.hpp"

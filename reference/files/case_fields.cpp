@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/case_names.hpp"
 

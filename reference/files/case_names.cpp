@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernels/near_miss.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 

@@ -8,9 +8,9 @@
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/dyadic.hpp"
-#include "kernels/number/quick_number.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
+#include "kernels/number/parse.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/source.hpp"
 

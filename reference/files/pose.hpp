@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fathom/body.hpp"
-#include "kernels/number/angle.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::files {
 

@@ -6,7 +6,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 #include "reference/files/text_scanner.hpp"
 

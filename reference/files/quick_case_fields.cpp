@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/dyadic.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/case_names.hpp"

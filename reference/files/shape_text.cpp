@@ -9,7 +9,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/named_body.hpp"
 
 namespace fathom::files {

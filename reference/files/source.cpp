@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::files {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::files {
 namespace {

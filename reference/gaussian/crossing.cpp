@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/gaussian/crossing.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::gaussian {
 namespace {

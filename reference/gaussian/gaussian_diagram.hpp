@@ -8,7 +8,6 @@
 #include "kernels/id.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/report.hpp"
-#include "reference/gaussian/colour.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::gaussian {

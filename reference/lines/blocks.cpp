@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/lines/blocks.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "reference/lines/cutting.hpp"
 
 namespace fathom::lines {
 namespace {

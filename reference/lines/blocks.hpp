@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "reference/lines/cell_tree.hpp"
-#include "reference/lines/clearing.hpp"
+#include "reference/lines/cutting.hpp"
+#include "reference/lines/grid.hpp"
 #include "reference/lines/line_search.hpp"
 
 namespace fathom::lines {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "kernels/filters/corner_bound.hpp"
-#include "kernels/filters/line_offsets.hpp"
+#include "kernels/filters/line_filter.hpp"
+#include "kernels/filters/line_frame.hpp"
 
 namespace fathom::lines {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/lines/clearing.hpp"
-
 #include <algorithm>
+
+#include "reference/lines/grid.hpp"
 
 namespace fathom::lines {
 namespace {

@@ -5,7 +5,7 @@
 //         (Taylor models of parabolic frames), which is in kernels/filters/line_frame.hpp.             [proofs/cutting.md]
 #pragma once
 
-#include "kernels/filters/corner_bound.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "reference/lines/grid.hpp"
 
 namespace fathom::lines {

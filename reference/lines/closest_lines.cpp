@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "reference/lines/cutting.hpp"
-#include "reference/lines/sampled.hpp"
 
 namespace fathom::lines {
 namespace {

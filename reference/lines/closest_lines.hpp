@@ -8,9 +8,7 @@
 #include "kernels/context.hpp"
 #include "kernels/nearest.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/lines/engines.hpp"
 #include "reference/lines/line_scene.hpp"
-#include "reference/lines/search_trace.hpp"
 
 namespace fathom::lines {
 

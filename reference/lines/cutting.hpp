@@ -8,8 +8,7 @@
 // Departs from the paper: no bound on the number of cells is proved. proofs/cutting.md says what is kept and what is measured.
 #pragma once
 
-#include "reference/lines/blocks.hpp"
-#include "reference/lines/engines.hpp"
+#include "reference/lines/closest_lines.hpp"
 
 namespace fathom::lines {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/lines/edge_lines.hpp"
+#include "reference/lines/line_scene.hpp"
 
 namespace fathom::lines {
 

@@ -2,7 +2,7 @@
 // The lines that carry a body's edges, and the planes that two of them span.                    [AGHRS, Lemma 2.2]
 #pragma once
 
-#include "kernels/filters/line_scan.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "kernels/nearest.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"

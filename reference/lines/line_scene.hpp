@@ -4,9 +4,8 @@
 // Size    linear.
 #pragma once
 
-#include "kernels/filters/wide_lines.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "reference/chart/chart.hpp"
-#include "reference/lines/edge_lines.hpp"
 
 namespace fathom::lines {
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "kernels/context.hpp"
-#include "reference/lines/clearing.hpp"
-#include "reference/lines/search_trace.hpp"
+#include "reference/lines/closest_lines.hpp"
+#include "reference/lines/grid.hpp"
 
 namespace fathom::lines {
 

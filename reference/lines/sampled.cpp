@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/lines/sampled.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <numeric>
 
 #include "kernels/filters/line_frame.hpp"
+#include "reference/lines/cutting.hpp"
 
 namespace fathom::lines {
 namespace {

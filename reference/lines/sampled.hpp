@@ -6,8 +6,8 @@
 // Why     for study, and as a cross-check. It is not the sample that makes it fast, but the conflict lists, which are counted anyway.
 #pragma once
 
-#include "reference/lines/clearing.hpp"
-#include "reference/lines/engines.hpp"
+#include "reference/lines/closest_lines.hpp"
+#include "reference/lines/grid.hpp"
 #include "reference/lines/line_search.hpp"
 
 namespace fathom::lines {

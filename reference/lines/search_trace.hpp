@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/filters/line_scan.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/lines/grid.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::output {
 namespace {

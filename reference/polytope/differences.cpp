@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/differences.hpp"
-
 #include <map>
+
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 

@@ -2,13 +2,11 @@
 // The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to
 // three differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does not
 // need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
-#include "reference/polytope/distance.hpp"
-
 #include <optional>
 #include <stdexcept>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/nearest_in_simplex.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/position.hpp"
 #include "reference/polytope/position_search.hpp"
 
 namespace fathom::polytope {

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "kernels/float_environment.hpp"
-#include "reference/polytope/hierarchy_descent.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -11,7 +11,6 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/hierarchy_build.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

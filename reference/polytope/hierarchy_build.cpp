@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/hierarchy_build.hpp"
-
 #include <algorithm>
 #include <array>
 
+#include "reference/polytope/hierarchy.hpp"
 #include "reference/polytope/hierarchy_surface.hpp"
 
 namespace fathom::polytope {

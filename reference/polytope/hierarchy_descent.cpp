@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In the view with u upward a level appears as a convex polygon; `left_` and `right_` are edges of the polytope that appear at either side
 // of its highest vertex. One level below only that vertex or an apex that stood over one of these two can be the highest.
-#include "reference/polytope/hierarchy_descent.hpp"
-
 #include <algorithm>
 #include <iterator>
+
+#include "reference/polytope/hierarchy.hpp"
 
 namespace fathom::polytope {
 namespace {

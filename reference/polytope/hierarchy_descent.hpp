@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/filters/planar_view.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/polytope/hierarchy.hpp"
 
 namespace fathom::polytope {

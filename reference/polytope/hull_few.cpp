@@ -2,8 +2,6 @@
 // The hull of few points: one after another joins a surface of triangles, each of which is asked whether it sees the point. A triangle does
 // if the point lies strictly above it, so the surface stays that of the hull, with coplanar triangles side by side.
 //                                                                                                        [proofs/polytope.md, lemma 1]
-#include "reference/polytope/hull_few.hpp"
-
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "kernels/filters/plane.hpp"
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 namespace {

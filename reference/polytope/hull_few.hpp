@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "reference/polytope/hull_triangles.hpp"
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 

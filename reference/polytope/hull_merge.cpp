@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coplanar neighbours are united, corners where fewer than three facets meet are dropped, the rest is numbered canonically.
-#include "reference/polytope/hull_merge.hpp"
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
+
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/polytope/hull_triangles.hpp"
+#include "reference/polytope/hull.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

@@ -10,8 +10,6 @@
 //
 // CGAL's ready-made kernel for doubles is passed by: there convex_hull_3 compares with a static error bound, derived for rounding to
 // nearest, while it rounds upward, where each operation may err by twice as much.
-#include "reference/polytope/hull_triangles.hpp"
-
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
 
@@ -22,6 +20,7 @@
 #include <utility>
 
 #include "kernels/filters/plane.hpp"
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/inner_points.hpp"
-
 #include <vector>
 
 #include "kernels/filters/all_extreme.hpp"
-#include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/convexity.hpp"
+#include "reference/polytope/hull.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

@@ -2,17 +2,16 @@
 // A closed surface of triangles, such that O lies strictly below all of them, a ray from O meets one only, and every two neighbours meet
 // convexly, is the boundary of a convex body: seen from O it covers the sphere once, so it is star-shaped, and what is convex at every edge
 // is convex (Mehlhorn et al., Checking geometric programs or verification of geometric structures, 1999).
-#include "reference/polytope/mesh_convexity.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
 #include "kernels/filters/plane.hpp"
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/convexity.hpp"
+#include "reference/polytope/hull.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/narrow_differences.hpp"
-
-#include "reference/polytope/affine_span.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
 

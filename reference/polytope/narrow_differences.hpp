@@ -4,9 +4,8 @@
 
 #include <span>
 
-#include "kernels/filters/fixed_images.hpp"
-#include "reference/polytope/differences.hpp"
-#include "reference/polytope/narrow_pair.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From dyadic numbers to a lattice by shifts: the unit is the lowest bit that any coordinate has.
-#include "reference/polytope/narrow_pair.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -9,8 +7,9 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/filters/fixed_images.hpp"
+#include "kernels/filters/rounded_plane.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 namespace {

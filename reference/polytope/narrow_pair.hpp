@@ -10,8 +10,8 @@
 
 #include "fathom/point.hpp"
 #include "kernels/filters/support.hpp"
-#include "kernels/number/dyadic.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/positions.hpp"
 
 namespace fathom::polytope {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/nearest_in_simplex.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <utility>
+
+#include "reference/polytope/position.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/polytope/differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 

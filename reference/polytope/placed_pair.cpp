@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/placed_pair.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -8,11 +8,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
-#include "reference/polytope/affine_span.hpp"
-#include "reference/polytope/hull_few.hpp"
-#include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/hull_merge.hpp"
-#include "reference/polytope/hull_triangles.hpp"
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 namespace {

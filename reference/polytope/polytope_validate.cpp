@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/polytope/hull_hash.hpp"
+#include "reference/polytope/hull.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/validate_surface.hpp"
 

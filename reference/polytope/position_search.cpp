@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/polytope/differences.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position_cone.hpp"
 
 namespace fathom::polytope {

@@ -2,8 +2,8 @@
 #include "reference/rounded/coordinates.hpp"
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::rounded {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rounded/half_space.hpp"
 
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::rounded {

@@ -10,7 +10,7 @@
 
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom::rounded {

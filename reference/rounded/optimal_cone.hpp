@@ -11,7 +11,7 @@
 #include "kernels/context.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/report.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::rounded {
 

@@ -2,7 +2,7 @@
 // Accessors of SignedDepth for every kind of cores.
 #include "fathom/signed_depth.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "reference/polytope/joined.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/shapes/dents.hpp"
 
 namespace fathom::shapes {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "reference/polytope/mesh_convexity.hpp"
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::shapes {
 

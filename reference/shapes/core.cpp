@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/surd.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::shapes {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "reference/polytope/mesh_convexity.hpp"
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::shapes {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/float_environment.hpp"
-#include "reference/polytope/affine_span.hpp"
+#include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/shapes/core.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom::shapes {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <variant>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::shapes {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fathom/shape.hpp"
-#include "kernels/number/rational_interval.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::shapes {
 

@@ -7,12 +7,12 @@
 #include <set>
 #include <tuple>
 
-#include "kernels/filters/greatest.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/filters/support.hpp"
+#include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "reference/solve/methods.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::solve {
 namespace {

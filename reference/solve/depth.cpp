@@ -8,9 +8,8 @@
 #include "fathom/width.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/polytope/narrow_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/solve/deciding_points.hpp"
-#include "reference/solve/methods.hpp"
 
 namespace fathom::solve {
 namespace {

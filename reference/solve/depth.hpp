@@ -8,7 +8,7 @@
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/positions.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::solve {
 

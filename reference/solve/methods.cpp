@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // On a narrow lattice the few points that make up the contact are the only ones that become rationals.
-#include "reference/solve/methods.hpp"
-
 #include <algorithm>
 
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/depth/naive_depth.hpp"
+#include "reference/depth/naive.hpp"
 #include "reference/depth/penetration_depth.hpp"
+#include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/expanding/workspace.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::solve {
 namespace {

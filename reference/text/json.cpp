@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/hex.hpp"
+#include "kernels/number/rounding.hpp"
 
 namespace fathom::text {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernels/filters/meeting_image.hpp"
+#include "kernels/filters/meeting_points.hpp"
 
 namespace fathom::unions {
 namespace {

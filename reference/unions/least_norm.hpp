@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernels/filters/rational_point.hpp"
+#include "kernels/filters/meeting_points.hpp"
 
 namespace fathom::unions {
 

@@ -8,11 +8,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernels/filters/rational_point.hpp"
-#include "reference/expanding/inner_polytope.hpp"
+#include "kernels/filters/meeting_points.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/differences.hpp"
-#include "reference/polytope/narrow_differences.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::unions {
 

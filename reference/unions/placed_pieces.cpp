@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/joined.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::unions {

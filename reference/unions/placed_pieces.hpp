@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fathom/union.hpp"
-#include "kernels/filters/rational_point.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/filters/meeting_points.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::unions {
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/solve/methods.hpp"
+#include "reference/solve/depth.hpp"
 #include "reference/unions/clearance.hpp"
 #include "reference/unions/union_search.hpp"
 

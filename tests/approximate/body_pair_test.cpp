@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"

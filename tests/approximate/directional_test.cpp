@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "fathom/approximate.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The covering property of the grid, decided exactly on its cells.
-#include "reference/approximate/grid/directions.hpp"
+#include "reference/approximate/directions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::testing {

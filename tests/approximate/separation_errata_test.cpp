@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "reference/approximate/grid/directions.hpp"
+#include "reference/approximate/directions.hpp"
 #include "reference/approximate/separation.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/exact_depth.hpp"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "fathom/width.hpp"
-#include "kernels/point_algebra.hpp"
-#include "reference/approximate/grid/directions.hpp"
+#include "kernels/vector.hpp"
+#include "reference/approximate/directions.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "reference/approximate/grid/directions.hpp"
+#include "reference/approximate/directions.hpp"
 #include "reference/approximate/shallow.hpp"
-#include "reference/approximate/shallow_walk.hpp"
 
 namespace fathom::approximate {
 namespace {

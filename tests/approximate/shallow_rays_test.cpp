@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rays from coarse grids to fine ones: nothing that matters is skipped. Against P itself, by exact comparison.
-#include "reference/approximate/shallow_rays.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 #include <stdexcept>
 
-#include "reference/approximate/grid/directions.hpp"
+#include "reference/approximate/directions.hpp"
+#include "reference/approximate/shallow.hpp"
 #include "tests/approximate/shallow_scene.hpp"
 #include "tests/support/vectors.hpp"
 #include "verify/families/families.hpp"

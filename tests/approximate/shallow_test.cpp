@@ -13,7 +13,7 @@
 #include "tests/support/same_answer.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::approximate {

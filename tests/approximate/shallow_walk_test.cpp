@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The implicit boundary of P and the walk over it, against P itself: the hull of all vertex differences.
-#include "reference/approximate/shallow_walk.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "reference/approximate/shallow.hpp"
 #include "tests/approximate/shallow_scene.hpp"
 #include "tests/support/vectors.hpp"
 #include "verify/families/families.hpp"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs end at their nodes, stay in their hemisphere, and are drawn as smooth lines; lines of a projection keep to the arc.
-#include "view/atlas/arcs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "verify/families/families.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is lit are the arcs of the canonical pair, which cross each other in its strip; ids differ; what is left out is said.
-#include "view/atlas/atlas.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "view/atlas/limits.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "reference/depth/nearest_facets_naive.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #ifdef FATHOM_SGM
 #include "tests/oracles/sgm/sgm_oracle.hpp"

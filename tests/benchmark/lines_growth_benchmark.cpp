@@ -19,10 +19,10 @@
 
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/vertex_facet/vertex_facet.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/hierarchy.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/exact_depth.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
-#include "kernels/number/dyadic.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/curved/curved_bounds.hpp"
 #include "reference/shapes/core.hpp"
 #include "tests/support/random_shapes.hpp"

@@ -15,8 +15,8 @@
 #include "fathom/certificate.hpp"
 #include "fathom/union.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/union_cuts.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/families.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom {
 namespace {

@@ -13,7 +13,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
 #include "tests/c/unions.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom {
 namespace {

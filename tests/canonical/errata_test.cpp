@@ -9,7 +9,7 @@
 
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/penetration_depth.hpp"
-#include "reference/gaussian/crossing.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/signs.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"

@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "reference/chart/chart_predicates.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/signs.hpp"
 #include "verify/families/random.hpp"

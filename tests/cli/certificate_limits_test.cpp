@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // That a proof which no checker would read is told of, by small limits in the place of those that checkers have.
-#include "cli/io/certificate_limits.hpp"
-
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/certificate.hpp"
 #include "verify/check/limits.hpp"

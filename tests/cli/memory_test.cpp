@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where memory ends under GMP: its number is whole, the next operator new throws, and once all is given back everything works again.
-#include "cli/io/memory.hpp"
-
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -11,6 +9,8 @@
 #include <new>
 #include <utility>
 #include <vector>
+
+#include "cli/io/process.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests/support/random_shapes.hpp"
 
 namespace fathom::curved {

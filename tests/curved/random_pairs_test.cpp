@@ -7,7 +7,7 @@
 #include "reference/curved/curved_bounds.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/random_shapes.hpp"
-#include "verify/families/circle.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::curved {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/depth/nearest_facets_naive.hpp"
+#include "reference/depth/naive.hpp"
 #include "reference/depth/penetration_depth.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The next nearest facet plane against the hull of all differences.
-#include "reference/depth/gap.hpp"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "reference/depth/naive.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/solids.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hull of all differences against brute force on small lattices, where every degeneracy is frequent, and the laws that hold for any
 // answer.
-#include "reference/depth/naive_depth.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -10,6 +8,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "reference/depth/naive.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rationals that are not as GMP wants them (2/4, 1/-2, 1/0) are refused by all that takes points: no crash, no wrong answer.
-#include "kernels/number/lowest_terms.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,8 +11,9 @@
 #include "fathom/depth.hpp"
 #include "fathom/union.hpp"
 #include "fathom/width.hpp"
-#include "reference/depth/gap.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"
 

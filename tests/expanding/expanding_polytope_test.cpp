@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/depth/naive_depth.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/naive.hpp"
 #include "tests/expanding/small_bodies.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "reference/depth/naive_depth.hpp"
+#include "reference/depth/naive.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "tests/expanding/same_expansion.hpp"
 #include "tests/support/prepared.hpp"

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "reference/expanding/workspace.hpp"
+#include "reference/expanding/expander.hpp"
 #include "verify/families/families.hpp"
 
 namespace {

@@ -4,12 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/fixed_images.hpp"
-#include "reference/expanding/inner_polytope.hpp"
-#include "reference/expanding/start.hpp"
-#include "reference/polytope/narrow_differences.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/predicates/direction.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/expanding/small_bodies.hpp"
 
 namespace fathom::expanding {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All crossed bundles, at sizes beyond those of the tests over all families: Theta(n^2) crossings, one of which decides, and the pipeline
 // against its twins.
-#include "verify/families/bundles.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "reference/depth/nearest_facets_naive.hpp"
+#include "reference/depth/naive.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace {
 

@@ -9,10 +9,6 @@
 #include "fathom/files.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_catalogue.hpp"
-#include "verify/families/union_families.hpp"
 
 namespace {
 

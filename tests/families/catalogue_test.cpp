@@ -12,7 +12,7 @@
 #include "tests/oracles/cdd_oracle.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/approach.hpp"
+#include "verify/families/degrade.hpp"
 #include "verify/families/random.hpp"
 
 namespace {

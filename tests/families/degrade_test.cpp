@@ -11,7 +11,7 @@
 #include <string>
 
 #include "fathom/depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 

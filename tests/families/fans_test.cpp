@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chains of tangents: as many edges as slopes, strictly convex, each on its tangent.
-#include "verify/families/fans.hpp"
-
 #include <gtest/gtest.h>
+
+#include "verify/families/polytope_pairs.hpp"
 
 namespace {
 

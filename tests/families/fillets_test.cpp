@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rounded bars and the twisted fans: their shape, and the two regions that compete.
-#include "verify/families/fillets.hpp"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/crossing_planes.hpp"
 #include "tests/support/exact_depth.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace {
 

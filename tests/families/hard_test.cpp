@@ -12,11 +12,11 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/filters/support.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/inverse_lenses.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // That the answers which the bodies were built for are their answers; against the hull of all differences.
-#include "verify/families/inverse.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,9 +7,9 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
-#include "reference/depth/gap.hpp"
+#include "reference/depth/naive.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/inverse_lenses.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 namespace {

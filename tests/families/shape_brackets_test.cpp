@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fathom/signed_depth.hpp"
-#include "kernels/point_algebra.hpp"
-#include "verify/families/shape_families.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::families {
 namespace {

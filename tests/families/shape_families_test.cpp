@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families of shapes: the same on every machine, in doubles where they say so, and for nobody who takes polytopes.
-#include "verify/families/shape_families.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>

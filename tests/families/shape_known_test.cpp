@@ -9,9 +9,9 @@
 #include <string>
 
 #include "fathom/signed_depth.hpp"
-#include "kernels/point_algebra.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/shape_families.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::families {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How near the n^2 near ties are, in exact arithmetic; and that nothing else of P comes near them.
-#include "verify/families/tie_patches.hpp"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/crossing_planes.hpp"
 #include "tests/support/exact_depth.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every entry of the catalogue of unions: what is written beside it is what the search finds, its proof holds, and for tiny ones the naive
 // twin agrees.
-#include "verify/families/union_catalogue.hpp"
-
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -12,6 +10,7 @@
 #include "fathom/certificate.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "verify/check/check.hpp"
+#include "verify/families/catalogue.hpp"
 
 namespace fathom::families {
 namespace {

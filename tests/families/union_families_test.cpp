@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families of unions: the same on every machine, with pieces that have interiors, and for nobody who takes polytopes; cut bodies are whole.
-#include "verify/families/union_families.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,8 +9,7 @@
 
 #include "fathom/union.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_cuts.hpp"
+#include "verify/families/union_pairs.hpp"
 #include "verify/golden/shards/plan.hpp"
 #include "verify/harness/random_cases.hpp"
 

@@ -12,7 +12,7 @@
 #include <tuple>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 
 namespace fathom::files {

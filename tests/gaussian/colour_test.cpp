@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/gaussian/colour.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::gaussian {
 namespace {

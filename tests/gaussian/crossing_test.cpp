@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Crossings against a construction that asks for no signs of arcs: arcs are cut into chords, chords meet in points with rational
 // coordinates, and a point is on a chord if its coordinates say so.
-#include "reference/gaussian/crossing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <optional>
 
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 

@@ -11,7 +11,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/depth/gap.hpp"
+#include "reference/depth/naive.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
 #include "verify/golden/release/real_cases.hpp"

@@ -9,8 +9,8 @@
 #include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/union_bodies.hpp"
-#include "verify/families/union_catalogue.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/union_pairs.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"
 

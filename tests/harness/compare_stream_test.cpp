@@ -8,7 +8,6 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/union_families.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/random_cases.hpp"
 

@@ -8,7 +8,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/files/case_json.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/shape_families.hpp"
+#include "verify/families/families.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/proof.hpp"

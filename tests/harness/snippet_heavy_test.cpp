@@ -10,7 +10,7 @@
 
 #include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
-#include "verify/families/shape_families.hpp"
+#include "verify/families/families.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
 namespace fathom::harness {

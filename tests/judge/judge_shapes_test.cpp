@@ -12,7 +12,7 @@
 #include "tests/judge/pairs.hpp"
 #include "tests/judge/shape_pairs.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/families/shape_families.hpp"
+#include "verify/families/families.hpp"
 #include "verify/judge/measures.hpp"
 
 namespace fathom::judging {

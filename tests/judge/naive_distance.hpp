@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::testing {
 

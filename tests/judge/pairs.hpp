@@ -8,8 +8,8 @@
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "tests/support/boxes.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 

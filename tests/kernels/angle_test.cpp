@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/number/angle.hpp"
-
 #include <gtest/gtest.h>
 
 #include <utility>
+
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The vertex test's filter against exact integers, on lines that are hard for it, in all rounding modes.
-#include "kernels/filters/corner_bound.hpp"
-
 #include <gtest/gtest.h>
 
+#include "kernels/filters/line_filter.hpp"
 #include "tests/support/line_scenes.hpp"
 
 namespace fathom::kernels {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A sign that is sure is right, in every rounding mode; and in general position it is sure.
-#include "kernels/filters/double_images.hpp"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "kernels/predicates/direction.hpp"
 #include "tests/support/line_scenes.hpp"
 #include "tests/support/signs.hpp"
 

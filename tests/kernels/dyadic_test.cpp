@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/number/dyadic.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,6 +9,7 @@
 #include <random>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/fixed_images.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 

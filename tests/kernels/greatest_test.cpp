@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/filters/greatest.hpp"
-
 #include <gmpxx.h>
 #include <gtest/gtest.h>
+
+#include "kernels/filters/support.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "kernels/filters/corner_bound.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "tests/support/line_scenes.hpp"
 
 namespace fathom::kernels {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The offset test against exact distances: on smooth chains with noise that no frame can hold, and with bounds at the distances of pairs.
-#include "kernels/filters/line_offsets.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "kernels/filters/line_frame.hpp"
 #include "tests/support/line_scenes.hpp"
 
 namespace fathom::kernels {

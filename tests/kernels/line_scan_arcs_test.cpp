@@ -2,8 +2,8 @@
 // The filter of the scan over pairs of arcs against exact signs: whatever it leaves out does not cross, or is strictly farther.
 #include <gtest/gtest.h>
 
-#include "kernels/filters/line_scan.hpp"
-#include "reference/gaussian/crossing.hpp"
+#include "kernels/filters/line_filter.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "tests/support/line_scenes.hpp"
 #include "tests/support/signs.hpp"
 

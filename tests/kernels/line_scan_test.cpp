@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The filter of the line scans against exact rationals: whatever it leaves out is strictly farther than the bound.
-#include "kernels/filters/line_scan.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/filters/line_filter.hpp"
 #include "tests/support/line_scenes.hpp"
 
 namespace fathom::kernels {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where planes meet, by images: against exact coordinates, in every rounding mode, for planes that are nearly parallel or nearly meet in a
 // line too; and that the images tell enough.
-#include "kernels/filters/meeting_image.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/filters/meeting_points.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernels/near_miss.hpp"
-
 #include <gtest/gtest.h>
+
+#include "kernels/messages.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/roundings.hpp"
+#include "kernels/number/rounding.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every answer against integers, above all on points that are level or parallel in the view, or nearly so.
-#include "kernels/filters/planar_view.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <vector>
 
+#include "kernels/filters/support.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quick reader against its naive twin: it leaves a token alone, or agrees exactly.
-#include "kernels/number/quick_number.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -9,6 +7,8 @@
 #include <cstdlib>
 #include <string>
 #include <vector>
+
+#include "kernels/number/parse.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "kernels/filters/double_images.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 

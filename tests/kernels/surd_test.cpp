@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signs and roundings of sums of roots, against floating-point numbers of so many bits that no case here is in doubt.
-#include "kernels/number/surd.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/irrational.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::kernels {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Taylor models against exact rationals: whatever two models hold, their product and sums hold.
-#include "kernels/filters/taylor_model.hpp"
-
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "kernels/filters/line_frame.hpp"
 #include "tests/support/exact_floats.hpp"
 #include "tests/support/line_scenes.hpp"
 

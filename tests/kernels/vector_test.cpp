@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "kernels/number/ratio.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/rational.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The filter in wide floats against exact arithmetic: what is thrown out is farther, and little that is farther stays.
-#include "kernels/filters/wide_lines.hpp"
-
 #include <gtest/gtest.h>
 
+#include "kernels/filters/line_filter.hpp"
 #include "tests/support/exact_floats.hpp"
 #include "tests/support/line_scenes.hpp"
 

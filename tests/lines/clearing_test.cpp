@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The block tests against exact distances: what is cleared holds nothing as near as the bound.
-#include "reference/lines/clearing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "kernels/filters/line_offsets.hpp"
+#include "kernels/filters/line_frame.hpp"
+#include "reference/lines/grid.hpp"
 #include "tests/support/grids.hpp"
 #include "tests/support/line_scenes.hpp"
 

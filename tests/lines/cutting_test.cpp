@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/lines/sampled.hpp"
 #include "tests/support/grids.hpp"
 #include "verify/families/catalogue.hpp"
 

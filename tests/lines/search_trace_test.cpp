@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trace says what a search did, and the search does the same without it.
-#include "reference/lines/search_trace.hpp"
-
 #include <gtest/gtest.h>
 
 #include "reference/lines/closest_lines.hpp"

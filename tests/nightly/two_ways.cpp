@@ -10,7 +10,6 @@
 #include <random>
 #include <thread>
 
-#include "cli/io/interrupt.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "verify/harness/compare_stream.hpp"

@@ -10,7 +10,7 @@
 
 #include "tests/support/stated_cases.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/union_catalogue.hpp"
+#include "verify/families/catalogue.hpp"
 #include "verify/harness/random_cases.hpp"
 
 namespace fathom::nightly {

@@ -2,8 +2,8 @@
 // The project's own naive twin in the oracles' words, so that it can be compared with them.
 #pragma once
 
-#include "reference/depth/naive_depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/oracles/oracle.hpp"
 
 namespace fathom::oracles {

@@ -7,9 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "view/page/embedded.hpp"
-#include "view/page/fill.hpp"
-#include "view/page/html.hpp"
+#include "view/page/parts.hpp"
 
 namespace {
 

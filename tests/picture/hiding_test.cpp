@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the pieces of a body hide of each other's edges: known pictures, and at random against looking from single places.
-#include "view/picture/hiding.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <random>
 
 #include "tests/support/boxes.hpp"
+#include "view/picture/drawn.hpp"
 
 namespace fathom::picture {
 namespace {

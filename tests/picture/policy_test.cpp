@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The policy of pages names the texts that it allows by their digests, and nothing else.
-#include "view/picture/policy.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "view/picture/markup.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rims: where the ends of cylinders, cones and frusta meet their sides; the half behind is hidden. A naive twin finds what is seen by rays.
-#include "view/picture/rims.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "view/picture/drawn.hpp"
 #include "view/picture/paint.hpp"
 
 namespace fathom::picture {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Round lengths: the greatest that fits, and a number that says exactly that length.
-#include "view/picture/scale_bar.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cstdlib>
 
 #include "fathom/numbers.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

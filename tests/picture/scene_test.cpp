@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests//support/boxes.hpp"
 #include "view/picture/paint.hpp"
 

@@ -8,12 +8,11 @@
 #include <numeric>
 #include <random>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests//support/boxes.hpp"
 #include "tests/support/matches.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/polygon.hpp"
-#include "view/picture/scene_picture.hpp"
 
 namespace fathom::picture {
 namespace {

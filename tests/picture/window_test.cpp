@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Windows: everything fits, true to scale, whatever the numbers are; and what lies far outside is cut exactly.
-#include "view/picture/window.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/plot/ticks.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <set>
+
+#include "view/plot/plot.hpp"
 
 namespace fathom::plot {
 namespace {

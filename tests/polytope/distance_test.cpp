@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances of disjoint bodies against brute force, and one signed function across contact.
-#include "reference/polytope/distance.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/position.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"

@@ -10,7 +10,7 @@
 #include <iostream>
 #include <random>
 
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hull of few points against its twin, quickhull, once the triangles of both are merged.
-#include "reference/polytope/hull_few.hpp"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <random>
 
-#include "reference/polytope/affine_span.hpp"
-#include "reference/polytope/hull_hash.hpp"
-#include "reference/polytope/hull_merge.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/hull.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polytope.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 

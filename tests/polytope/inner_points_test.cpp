@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points of a cube with others added whose place is known.
-#include "reference/polytope/inner_points.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::polytope {
 namespace {

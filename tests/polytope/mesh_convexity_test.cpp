@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/mesh_convexity.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,6 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "reference/polytope/convexity.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

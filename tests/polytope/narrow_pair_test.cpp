@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lattice that is found by shifts, against the one that is found with rationals.
-#include "reference/polytope/narrow_pair.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +7,7 @@
 #include <random>
 
 #include "fathom/numbers.hpp"
-#include "reference/polytope/narrow_differences.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/vectors.hpp"
 

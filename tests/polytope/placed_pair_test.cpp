@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/placed_pair.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -11,7 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::polytope {
 namespace {

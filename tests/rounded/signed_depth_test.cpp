@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 

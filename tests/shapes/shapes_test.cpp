@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fathom/shape.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/families/random.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/files.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "verify/check/check.hpp"
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The methods against each other, field by field; and how often the expansion closes, per family, with the sizes of its proofs.
-#include "reference/solve/methods.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
+#include "reference/solve/depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"
 #include "tests/support/prepared.hpp"

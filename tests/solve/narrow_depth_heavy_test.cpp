@@ -3,8 +3,8 @@
 // lattices against that on any lattice, in every field.
 #include <gtest/gtest.h>
 
-#include "reference/polytope/placed_pair.hpp"
-#include "reference/solve/methods.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/solve/depth.hpp"
 #include "tests/expanding/same_expansion.hpp"
 #include "tests/solve/same_depth.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/polytope/narrow_pair.hpp"
-#include "reference/solve/methods.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/solve/depth.hpp"
 #include "tests/solve/same_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"

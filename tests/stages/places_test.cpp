@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "tests/stages/staged_cases.hpp"
 
 namespace fathom::stages {

@@ -8,7 +8,7 @@
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "tests/stages/staged_cases.hpp"
-#include "verify/families/shape_families.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "kernels/nearest.hpp"
-#include "kernels/number/ratio.hpp"
-#include "reference/depth/naive_depth.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/naive.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
+#include "view/stages/parts.hpp"
 #include "view/stages/stages.hpp"
-#include "view/stages/sum_facets.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "reference/files/shape_names.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/random_shapes.hpp"
-#include "verify/families/shape_catalogue.hpp"
+#include "verify/families/catalogue.hpp"
 
 namespace fathom::studies {
 namespace {

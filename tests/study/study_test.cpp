@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "reference/gaussian/crossing.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"

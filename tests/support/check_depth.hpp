@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/point_algebra.hpp"
 #include "kernels/report.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 
 namespace fathom::testing {

@@ -11,8 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/filters/line_scan.hpp"
-#include "kernels/filters/wide_lines.hpp"
+#include "kernels/filters/line_filter.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"

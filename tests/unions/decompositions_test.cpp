@@ -8,7 +8,7 @@
 #include "fathom/files.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/union_cuts.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::unions {
 namespace {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::unions {
 namespace {

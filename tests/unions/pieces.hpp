@@ -10,7 +10,7 @@
 
 #include "fathom/union.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/joined.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/boxes.hpp"
 

@@ -8,7 +8,7 @@
 #include "reference/unions/placed_pieces.hpp"
 #include "reference/unions/union_depth.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::unions {
 namespace {

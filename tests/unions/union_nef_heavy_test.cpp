@@ -17,8 +17,8 @@
 
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
-#include "verify/families/union_catalogue.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::unions {
 namespace {

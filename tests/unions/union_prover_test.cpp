@@ -7,8 +7,8 @@
 #include <set>
 #include <string>
 
-#include "kernels/number/ratio.hpp"
-#include "reference/polytope/differences.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
 

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "fathom/certificate.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::unions {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/claims/claims.hpp"
 

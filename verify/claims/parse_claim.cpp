@@ -7,7 +7,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/claims/claims.hpp"
 
 namespace fathom::claims {

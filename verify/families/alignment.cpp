@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/families/alignment.hpp"
 
-#include "kernels/point_algebra.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::families {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/point_algebra.hpp"
-#include "verify/families/placement.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

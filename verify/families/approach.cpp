@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/approach.hpp"
-
 #include <string>
 
+#include "verify/families/degrade.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::families {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/broken.hpp"
-
 #include <algorithm>
 
-#include "verify/families/approach.hpp"
 #include "verify/families/catalogue.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "verify/families/degrade.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

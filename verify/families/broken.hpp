@@ -3,7 +3,7 @@
 #pragma once
 
 #include "verify/families/degrade.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

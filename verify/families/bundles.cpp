@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/bundles.hpp"
-
 #include <algorithm>
 #include <set>
 
-#include "verify/families/circle.hpp"
-#include "verify/families/fans.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {

@@ -5,7 +5,7 @@
 // crosses every arc of the other, and near its top P is the sum of the two chains. `n` is the number of points of each chain.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

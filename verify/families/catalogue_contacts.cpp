@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pairs by how they meet. A stands above the plane z = 0 and B below; a roof over a square base ends in a vertex, an edge or a face.
 #include "verify/families/catalogue_groups.hpp"
-#include "verify/families/contacts.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

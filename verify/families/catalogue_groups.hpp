@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "verify/families/catalogue.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/circle.hpp"
-
 #include <bit>
 #include <utility>
+
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -4,7 +4,7 @@
 // each body widens away from it. With overlap g, h(z) = g. The features' projections along z meet.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

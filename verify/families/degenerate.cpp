@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/degenerate.hpp"
-
 #include <algorithm>
 
-#include "kernels/point_algebra.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {

@@ -2,7 +2,7 @@
 // The degenerate catalogue: ties, shared features, lower-dimensional bodies, extreme coordinates.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -2,7 +2,7 @@
 // Ways of breaking general position that turn a feature of a body until it coincides with another one, or with the chart's frame.
 #include <algorithm>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "verify/families/alignment.hpp"
 #include "verify/families/degrade_ways.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fathom/depth.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "verify/families/alignment.hpp"
 #include "verify/families/degrade_ways.hpp"
 

@@ -2,7 +2,7 @@
 // The ways of degrade.hpp, each on a pair of bodies. Not a door: the door is degrade.hpp.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

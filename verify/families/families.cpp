@@ -4,17 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "verify/families/broken.hpp"
-#include "verify/families/bundles.hpp"
-#include "verify/families/contacts.hpp"
-#include "verify/families/degenerate.hpp"
-#include "verify/families/fillets.hpp"
-#include "verify/families/hard_bodies.hpp"
-#include "verify/families/inverse.hpp"
-#include "verify/families/inverse_ridge.hpp"
-#include "verify/families/random_bodies.hpp"
-#include "verify/families/rounding_boundary.hpp"
-#include "verify/families/tie_patches.hpp"
+#include "verify/families/degrade.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

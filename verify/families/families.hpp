@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

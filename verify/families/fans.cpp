@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/fans.hpp"
-
 #include <algorithm>
+
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

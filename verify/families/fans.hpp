@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

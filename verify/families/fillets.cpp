@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/fillets.hpp"
-
 #include <algorithm>
 #include <utility>
 
-#include "verify/families/fans.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

@@ -2,7 +2,7 @@
 // Rounded edges across each other, as meshes of machined parts have them.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

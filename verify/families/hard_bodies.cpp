@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/hard_bodies.hpp"
-
 #include <algorithm>
 
-#include "verify/families/approach.hpp"
 #include "verify/families/degrade.hpp"
-#include "verify/families/inverse_lenses.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

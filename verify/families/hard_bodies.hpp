@@ -2,7 +2,7 @@
 // Extremes of depth and of shape, and pairs that are almost degenerate.                                            [docs/golden.md]
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/inverse.hpp"
-
-#include "verify/families/inverse_lenses.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

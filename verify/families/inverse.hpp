@@ -3,8 +3,8 @@
 // are built around them. The next facet is of a random kind.                                                    [docs/golden.md]
 #pragma once
 
-#include "verify/families/contacts.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/polytope_pairs.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -3,12 +3,11 @@
 // angle t to n or -n, with d the distance there, h >= d cos t + c r sin t, with the least reach c of the features' sum; and from the rims
 // h > 6 r sin t - r cos t. Where the first is not well above r the second is, except for angles near 0, and no facet but the chosen ones
 // has such an angle.
-#include "verify/families/inverse_lenses.hpp"
-
 #include <algorithm>
 #include <array>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

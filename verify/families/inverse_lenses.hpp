@@ -3,8 +3,8 @@
 // features that meet there and the distances are chosen first.                                                           [docs/golden.md]
 #pragma once
 
-#include "verify/families/contacts.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/polytope_pairs.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // With p in the middle of the edge, O goes to p - x, where x = s n1 + t n2 has the heights that are wanted over both planes.
-#include "verify/families/inverse_ridge.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -9,9 +7,8 @@
 #include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
 #include "reference/approximate/shallow_surface.hpp"
-#include "reference/polytope/placed_pair.hpp"
-#include "verify/families/inverse_lenses.hpp"
-#include "verify/families/random_bodies.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

@@ -2,7 +2,7 @@
 // Near ties of facets that share an edge: O is placed close to an edge of P, between its two facets.             [docs/golden.md]
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/placement.hpp"
-
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::families {
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/random_bodies.hpp"
-
 #include <algorithm>
 #include <utility>
 
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {

@@ -2,7 +2,7 @@
 // Random bodies, and pairs of them in random poses. `n` is the number of points of each body.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/rounding_boundary.hpp"
-
 #include <array>
 #include <utility>
 
 #include "kernels/vector.hpp"
-#include "verify/families/inverse_lenses.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

@@ -3,7 +3,7 @@
 //                                                                                                     [docs/golden.md]
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

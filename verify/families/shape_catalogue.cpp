@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/shape_catalogue.hpp"
-
 #include <algorithm>
 #include <iterator>
 
+#include "verify/families/catalogue.hpp"
 #include "verify/families/shape_catalogue_groups.hpp"
 
 namespace fathom::families {

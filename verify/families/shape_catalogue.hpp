@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "verify/families/shape_case.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::families {
 

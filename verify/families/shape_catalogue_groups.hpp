@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "verify/families/catalogue.hpp"
 #include "verify/families/random.hpp"
-#include "verify/families/shape_catalogue.hpp"
 
 namespace fathom::families {
 

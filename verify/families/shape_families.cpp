@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/shape_families.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include "verify/families/families.hpp"
-#include "verify/families/random_shapes.hpp"
-#include "verify/families/shape_meetings.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::families {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "verify/families/random.hpp"
-#include "verify/families/shape_case.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::families {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/shape_meetings.hpp"
-
 #include <algorithm>
 #include <array>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/pose.hpp"
-#include "verify/families/placement.hpp"
+#include "verify/families/shape_pairs.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 namespace {

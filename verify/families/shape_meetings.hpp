@@ -9,7 +9,7 @@
 #pragma once
 
 #include "verify/families/random.hpp"
-#include "verify/families/shape_case.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::families {
 

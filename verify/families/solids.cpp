@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/families/solids.hpp"
 
-#include "verify/families/circle.hpp"
-
 namespace fathom::families {
 
 namespace {

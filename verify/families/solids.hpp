@@ -2,8 +2,6 @@
 // Named solids with rational vertices, centred at O, of size about 1.
 #pragma once
 
-#include "verify/families/placement.hpp"
-
 namespace fathom::families {
 
 Body box(const mpq_class& half_x, const mpq_class& half_y, const mpq_class& half_z);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/tie_patches.hpp"
-
 #include <algorithm>
 
-#include "verify/families/fans.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 

@@ -10,7 +10,7 @@
 // No arc is upright or level in the chart of (0, 0, 1), and no two ties are exact by symmetry.
 #pragma once
 
-#include "verify/families/placement.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bodies, and pairs that are not convex; convex ones that were cut are in union_bodies_cut.cpp.
-#include "verify/families/union_bodies.hpp"
-
 #include <algorithm>
 #include <array>
 
-#include "kernels/point_algebra.hpp"
-#include "verify/families/circle.hpp"
-#include "verify/families/random_bodies.hpp"
-#include "verify/families/union_cuts.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/polytope_pairs.hpp"
+#include "verify/families/solids.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
 namespace {

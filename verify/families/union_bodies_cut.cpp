@@ -2,10 +2,9 @@
 // Of union_bodies.hpp the pairs of convex bodies that were cut: their depth is that of the hulls.
 #include <algorithm>
 
-#include "kernels/point_algebra.hpp"
-#include "verify/families/random_bodies.hpp"
-#include "verify/families/union_bodies.hpp"
-#include "verify/families/union_cuts.hpp"
+#include "kernels/vector.hpp"
+#include "verify/families/polytope_pairs.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
 namespace {

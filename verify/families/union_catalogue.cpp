@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/union_catalogue.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <memory>
@@ -8,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "verify/families/union_bodies.hpp"
-#include "verify/families/union_cuts.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
 namespace {

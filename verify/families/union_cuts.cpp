@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/union_cuts.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "kernels/point_algebra.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/families/union_families.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "fathom/files.hpp"
-#include "verify/families/union_bodies.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 #include "reference/files/whole_file.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fathom/judge.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/judge/fields.hpp"
 
 namespace fathom::harness {

@@ -14,9 +14,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/near_miss.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/message_json.hpp"
 #include "verify/judge/fields.hpp"

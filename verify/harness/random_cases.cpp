@@ -6,7 +6,6 @@
 
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
-#include "verify/families/union_families.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/rational.hpp"
 #include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {

@@ -5,7 +5,7 @@
 #include <gmpxx.h>
 
 #include "fathom/judge.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom::judging {

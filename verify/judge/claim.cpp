@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fathom/judge.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
 #include "verify/judge/claim.hpp"
 

@@ -8,12 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
-#include "reference/polytope/distance.hpp"
-#include "reference/polytope/joined.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/shapes/support.hpp"
 #include "verify/judge/way_out.hpp"

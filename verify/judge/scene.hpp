@@ -9,7 +9,7 @@
 
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/dyadic.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/rational_interval.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/shapes/support.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/measures.hpp"

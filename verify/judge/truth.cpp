@@ -9,8 +9,7 @@
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/dyadic.hpp"
-#include "kernels/number/lowest_terms.hpp"
+#include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/scaled.hpp"
 

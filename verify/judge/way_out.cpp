@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::judging {
 namespace {

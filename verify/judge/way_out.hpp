@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "fathom/depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::judging {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "kernels/number/surd.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::studies {
 

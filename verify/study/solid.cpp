@@ -6,7 +6,7 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/nearest.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/study/revolution.hpp"

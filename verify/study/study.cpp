@@ -10,7 +10,7 @@
 #include "kernels/predicates/perturbation.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "verify/study/findings.hpp"
 
 namespace fathom::studies {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::studies {
 namespace {

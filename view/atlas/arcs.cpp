@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/atlas/arcs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

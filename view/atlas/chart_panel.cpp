@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/atlas/chart_panel.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +6,8 @@
 #include <numbers>
 #include <set>
 
-#include "view/atlas/arcs.hpp"
 #include "view/atlas/limits.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

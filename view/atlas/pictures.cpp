@@ -4,12 +4,10 @@
 
 #include <stdexcept>
 
-#include "view/atlas/arcs.hpp"
-#include "view/atlas/atlas.hpp"
-#include "view/atlas/chart_panel.hpp"
 #include "view/atlas/sphere_panel.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

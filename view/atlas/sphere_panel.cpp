@@ -7,9 +7,8 @@
 #include <cmath>
 #include <set>
 
-#include "view/atlas/arcs.hpp"
-#include "view/atlas/chart_panel.hpp"
 #include "view/atlas/limits.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

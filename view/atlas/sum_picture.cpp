@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
-#include "view/atlas/atlas.hpp"
+#include "kernels/vector.hpp"
 #include "view/atlas/limits.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/sum_scene.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::atlas {
 namespace {

@@ -5,12 +5,10 @@
 
 #include <array>
 
-#include "view/atlas/atlas.hpp"
-#include "view/page/embedded.hpp"
-#include "view/page/fill.hpp"
+#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/policy.hpp"
 #include "view/picture/style.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::page {
 namespace {

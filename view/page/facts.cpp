@@ -2,7 +2,7 @@
 // The parts of the page that are made of the answer: parts.hpp.
 #include <fmt/format.h>
 
-#include "view/page/html.hpp"
+#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::page {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/page/fill.hpp"
-
 #include <stdexcept>
+
+#include "view/page/parts.hpp"
 
 namespace fathom::page {
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/page/html.hpp"
-
 #include <fmt/format.h>
 
+#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::page {

@@ -5,12 +5,10 @@
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
-#include "view/atlas/atlas.hpp"
 #include "view/page/assembled.hpp"
-#include "view/page/embedded.hpp"
-#include "view/page/fill.hpp"
 #include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::page {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "fathom/numbers.hpp"
-#include "view/page/html.hpp"
+#include "view/page/parts.hpp"
 
 namespace fathom::page {
 namespace {

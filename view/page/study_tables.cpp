@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "view/page/html.hpp"
+#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::page {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "fathom/numbers.hpp"
-#include "view/page/html.hpp"
+#include "view/page/parts.hpp"
 
 namespace fathom::page {
 namespace {

@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "view/page/html.hpp"
-#include "view/page/union_parts.hpp"
+#include "view/page/parts.hpp"
 
 namespace fathom::page {
 namespace {

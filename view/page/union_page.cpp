@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/page/union_page.hpp"
-
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "view/atlas/atlas.hpp"
 #include "view/page/assembled.hpp"
-#include "view/page/embedded.hpp"
-#include "view/page/fill.hpp"
-#include "view/page/union_parts.hpp"
+#include "view/page/page.hpp"
+#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
+#include "view/stages/charts_picture.hpp"
 
 namespace fathom::page {
 

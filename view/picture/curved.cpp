@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/curved.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "fathom/numbers.hpp"
+#include "view/picture/drawn.hpp"
 #include "view/picture/polygon.hpp"
 
 namespace fathom::picture {

@@ -6,12 +6,9 @@
 
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
-#include "view/picture/curved.hpp"
-#include "view/picture/hiding.hpp"
-#include "view/picture/rims.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "fathom/point.hpp"
 #include "fathom/shape.hpp"
-#include "view/picture/window.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/hiding.hpp"
-
 #include <algorithm>
 #include <utility>
+
+#include "view/picture/drawn.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/page.hpp"
-
 #include <fmt/format.h>
 
 #include <map>

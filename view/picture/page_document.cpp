@@ -4,8 +4,7 @@
 
 #include <array>
 
-#include "view/picture/page.hpp"
-#include "view/picture/policy.hpp"
+#include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
 
 namespace fathom::picture {

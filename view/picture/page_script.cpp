@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The script of pages.
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::picture {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "view/picture/scene.hpp"
-#include "view/picture/window.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/policy.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "verify/digest/sha256.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/scale_bar.hpp"
-
 #include <fmt/format.h>
+
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

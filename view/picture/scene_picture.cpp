@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/scene_picture.hpp"
-
 #include <fmt/format.h>
 
 #include "view/picture/markup.hpp"
+#include "view/picture/paint.hpp"
 #include "view/picture/strokes.hpp"
 #include "view/picture/style.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/picture/scale_bar.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

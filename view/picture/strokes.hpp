@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "view/picture/window.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 

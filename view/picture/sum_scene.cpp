@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "view/picture/scene_picture.hpp"
+#include "view/picture/paint.hpp"
 #include "view/picture/strokes.hpp"
 
 namespace fathom::picture {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::picture {
 

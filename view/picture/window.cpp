@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/picture/window.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "view/picture/polygon.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

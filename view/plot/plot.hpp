@@ -9,8 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "view/plot/ticks.hpp"
-
 namespace fathom::plot {
 
 struct Datum {

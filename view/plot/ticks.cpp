@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/plot/ticks.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+
+#include "view/plot/plot.hpp"
 
 namespace fathom::plot {
 namespace {

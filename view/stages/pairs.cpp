@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The canonical pairs, each with its closest lines: a search of its own for each, since that of the run drops what cannot be the nearest.
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/lines/cutting.hpp"
 #include "view/stages/parts.hpp"

@@ -6,7 +6,7 @@
 
 #include "kernels/context.hpp"
 #include "reference/depth/penetration_depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::stages {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {

@@ -6,8 +6,8 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/number/surd.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "view/stages/parts.hpp"

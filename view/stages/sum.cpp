@@ -6,9 +6,8 @@
 #include <map>
 #include <set>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "view/stages/parts.hpp"
-#include "view/stages/sum_facets.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -2,7 +2,7 @@
 // A facet of P as the sum of two convex polygons in parallel planes: their edges, merged by angle. Part of sum_facets.hpp.
 #include <algorithm>
 
-#include "view/stages/sum_facets.hpp"
+#include "view/stages/parts.hpp"
 
 namespace fathom::stages {
 namespace {

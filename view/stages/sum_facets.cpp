@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/stages/sum_facets.hpp"
-
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
+#include "view/stages/parts.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/counts.hpp"
+#include "kernels/context.hpp"
 #include "view/stages/to_json_parts.hpp"
 
 namespace fathom::stages {

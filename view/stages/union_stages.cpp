@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/unions/placed_pieces.hpp"
 #include "view/stages/parts.hpp"

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bindings/python/src/answer.hpp"
-
 #include <pybind11/stl.h>
 
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bindings/python/src/watching.hpp"
+#include "bindings/python/src/answers.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
-#include "kernels/counts.hpp"
+#include "kernels/context.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"

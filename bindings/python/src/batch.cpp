@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bindings/python/src/batch.hpp"
-
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "bindings/python/src/watching.hpp"
+#include "bindings/python/src/answers.hpp"
 
 namespace fathom::python {
 namespace {

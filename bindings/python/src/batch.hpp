@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/answers.hpp"
 
 namespace fathom::python {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/python/src/points.hpp"
+#include "bindings/python/src/numbers.hpp"
 #include "fathom/files.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/pose.hpp"

@@ -10,7 +10,7 @@
 #include "bindings/python/src/numbers.hpp"
 #include "fathom/body.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/polytope/mesh_convexity.hpp"
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::python {
 

@@ -12,11 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
-#include "bindings/python/src/questions.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_families.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/io/zstd_file.hpp"
 

@@ -2,11 +2,8 @@
 // fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say what everything means.
 #include <pybind11/pybind11.h>
 
-#include "bindings/python/src/answer.hpp"
-#include "bindings/python/src/batch.hpp"
+#include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
-#include "bindings/python/src/questions.hpp"
-#include "bindings/python/src/unions.hpp"
 #include "fathom/files.hpp"
 
 PYBIND11_MODULE(_fathom, module) {

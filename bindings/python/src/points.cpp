@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bindings/python/src/points.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

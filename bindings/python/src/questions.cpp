@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bindings/python/src/questions.hpp"
-
 #include <pybind11/stl.h>
 
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
-#include "bindings/python/src/watching.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/study.hpp"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bindings/python/src/unions.hpp"
-
 #include <pybind11/stl.h>
 
 #include <memory>
@@ -9,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "bindings/python/src/answer.hpp"
+#include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
-#include "bindings/python/src/points.hpp"
-#include "bindings/python/src/watching.hpp"
+#include "bindings/python/src/numbers.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/union.hpp"
 #include "reference/files/piece_files.hpp"

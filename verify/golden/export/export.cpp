@@ -14,7 +14,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/context.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/io/zstd_file.hpp"

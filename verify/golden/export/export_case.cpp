@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/records/flags.hpp"
 #include "verify/golden/records/record_reader.hpp"

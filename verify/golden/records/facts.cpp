@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/number/roundings.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/number/rounding.hpp"
 #include "verify/golden/records/flags.hpp"
 
 namespace fathom::golden {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/hex.hpp"
+#include "kernels/number/rounding.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/json_text.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/golden/records/faces.hpp"
 

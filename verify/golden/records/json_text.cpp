@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/records/json_text.hpp"
 
-#include "kernels/number/hex.hpp"
+#include "kernels/number/rounding.hpp"
 
 namespace fathom::golden {
 

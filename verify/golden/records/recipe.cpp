@@ -11,15 +11,11 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/dyadic.hpp"
-#include "reference/polytope/joined.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_catalogue.hpp"
-#include "verify/families/union_cuts.hpp"
-#include "verify/families/union_families.hpp"
+#include "verify/families/union_pairs.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {

@@ -14,7 +14,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
-#include "verify/families/shape_case.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::golden {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <system_error>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"

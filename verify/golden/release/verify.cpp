@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "kernels/context.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/release/release.hpp"
 

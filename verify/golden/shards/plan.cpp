@@ -10,10 +10,6 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/shape_families.hpp"
-#include "verify/families/union_catalogue.hpp"
-#include "verify/families/union_families.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {

@@ -8,7 +8,7 @@
 #include "verify/harness/report/html_parts.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"

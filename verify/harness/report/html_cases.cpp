@@ -10,7 +10,7 @@
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/report/worst.hpp"
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -14,7 +14,7 @@
 #include "verify/harness/report/subject_text.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/judge/fields.hpp"
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/tally.hpp"
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 

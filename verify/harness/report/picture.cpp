@@ -5,10 +5,10 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/claim.hpp"
-#include "view/picture/scene_picture.hpp"
+#include "view/picture/paint.hpp"
 #include "view/picture/view.hpp"
 
 namespace fathom::harness {

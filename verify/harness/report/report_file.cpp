@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/source.hpp"
 #include "verify/harness/journal.hpp"
 

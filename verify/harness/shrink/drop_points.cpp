@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/shrink/passes.hpp"
 

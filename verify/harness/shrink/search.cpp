@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/proof.hpp"

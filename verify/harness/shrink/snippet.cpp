@@ -11,7 +11,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
