@@ -11,8 +11,7 @@
 #include "bindings/c/boundary.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/files/pose_text.hpp"
-#include "reference/files/shape_text.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::c {
 namespace {

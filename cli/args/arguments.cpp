@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/args/arguments.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <system_error>
+#include <unistd.h>
 
 #include "cli/args/along_arguments.hpp"
 #include "cli/args/approx_arguments.hpp"
@@ -22,8 +21,8 @@
 #include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/shape_text.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {

@@ -9,7 +9,7 @@
 #include "cli/io/output.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/fcl_text.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::cli {
 

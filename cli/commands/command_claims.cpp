@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
-
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -15,7 +14,7 @@
 #include "cli/output/claim_output.hpp"
 #include "fathom/certificate.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/claims/claims.hpp"
 
 namespace fathom::cli {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom help [COMMAND] | man [COMMAND] | man --all DIR | completion SHELL
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <iterator>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "cli/args/arguments.hpp"
@@ -23,7 +22,7 @@
 #include "cli/io/terminal.hpp"
 #include "cli/manual/manual.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/whole_file.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom::cli {

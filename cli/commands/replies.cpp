@@ -2,7 +2,6 @@
 #include "cli/commands/replies.hpp"
 
 #include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -16,9 +15,9 @@
 #include "kernels/messages.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/piece_files.hpp"
-#include "reference/files/pose_text.hpp"
-#include "reference/files/shape_text.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/files/file_io.hpp"
 #include "reference/output/json_values.hpp"
 
 namespace fathom::cli {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "reference/files/whole_file.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::cli {
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <span>
 #include <stdexcept>
 
 #include "fathom/certificate.hpp"
@@ -11,6 +17,8 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
+#include "kernels/vector.hpp"
+#include "reference/certificate/writer.hpp"
 
 namespace fathom::certificate {
 namespace {
@@ -113,6 +121,271 @@ Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Po
   certificate.directions = {std::move(expansion.direction)};
   certificate.inner = std::move(expansion.inner);
   return certificate;
+}
+
+}  // namespace fathom
+
+// The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
+// facet), where the checkers' is local (each edge).
+
+namespace fathom::certificate {
+namespace {
+
+class Check {
+ public:
+  explicit Check(const Certificate& certificate) : c_(certificate) {}
+
+  kernels::Report run() {
+    if (!report_.expect(!c_.a.empty() && !c_.b.empty(), "an empty body")) return report_;
+    if (!report_.expect(!c_.directions.empty(), "no direction")) return report_;
+    for (const Vector& n : c_.directions)
+      if (report_.expect(!is_zero(n), "the zero direction")) direction(n);
+    if (c_.claim == ClaimKind::depth) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive depth");
+    if (c_.claim == ClaimKind::bounds) report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
+    if (c_.claim == ClaimKind::apart) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive distance");
+    if (c_.claim == ClaimKind::depth || c_.claim == ClaimKind::bounds) inner_polytope();
+    if (c_.claim == ClaimKind::depth) all_optima();
+    else report_.expect(c_.directions.size() == 1, "more than one direction");
+    if (c_.claim == ClaimKind::touching || c_.claim == ClaimKind::apart) nearest_points();
+    return report_;
+  }
+
+ private:
+  [[nodiscard]] mpq_class support(const Vector& n) const {
+    mpq_class low = dot(n, c_.a.front()), high = dot(n, c_.b.front());
+    for (const Point& p : c_.a) low = std::min(low, dot(n, p));
+    for (const Point& p : c_.b) high = std::max(high, dot(n, p));
+    return high - low;
+  }
+
+  void direction(const Vector& n) {
+    const mpq_class h = support(n), square = dot(n, n);
+    switch (c_.claim) {
+      case ClaimKind::depth: report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth"); break;
+      case ClaimKind::bounds: report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound"); break;
+      case ClaimKind::touching: report_.expect(h == 0, "the plane through O does not support P"); break;
+      case ClaimKind::apart: report_.expect(h < 0 && h * h == c_.low * square, "the direction does not show the distance"); break;
+    }
+  }
+
+  bool resolve() {
+    for (const auto& [i, j] : c_.inner.vertices) {
+      if (!report_.expect(i < c_.a.size() && j < c_.b.size(), "a vertex of Q has an index out of range")) return false;
+      vertices_.push_back(c_.b[j] - c_.a[i]);
+    }
+    for (const std::vector<std::uint32_t>& facet : c_.inner.facets) {
+      const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
+      if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return false;
+    }
+    return report_.expect(c_.inner.facets.size() >= 4, "Q has fewer than four facets");
+  }
+
+  void inner_polytope() {
+    if (!resolve()) return;
+    for (const std::vector<std::uint32_t>& facet : c_.inner.facets) facet_of_q(facet);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const std::vector<std::uint32_t>& facet : c_.inner.facets)
+      for (std::size_t k = 0; k < facet.size(); ++k)
+        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second, "two facets of Q run along an edge in one sense");
+    for (const auto& [u, v] : edges) report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+  }
+
+  void facet_of_q(const std::vector<std::uint32_t>& facet) {
+    Point normal;
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      normal = normal + cross(vertices_[facet[k]], vertices_[facet[(k + 1) % facet.size()]]);
+    }
+    const mpq_class height = dot(normal, vertices_[facet.front()]), square = dot(normal, normal);
+    report_.expect(height > 0 && height * height >= c_.low * square, "a facet of Q is too near");
+    std::size_t on_plane = 0;
+    for (const Point& v : vertices_) {
+      const int order = cmp(dot(normal, v), height);
+      report_.expect(order <= 0, "a vertex of Q lies above a facet");
+      on_plane += order == 0 ? 1U : 0U;
+    }
+    report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
+    for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
+      const Point side = cross(vertices_[facet[k]], vertices_[facet[k + 1]]);
+      report_.expect(dot(side, vertices_[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
+    }
+    if (height * height == c_.low * square) tight_.push_back(normal);
+  }
+
+  [[nodiscard]] static bool parallel(const Vector& n, const Point& m) {
+    const Point p{n.x, n.y, n.z};
+    return cross(p, m) == Point{} && dot(p, m) > 0;
+  }
+
+  void all_optima() {
+    for (std::size_t i = 0; i < c_.directions.size(); ++i) {
+      const Vector& n = c_.directions[i];
+      report_.expect(primitive(n) == n, "a direction is not primitive");
+      report_.expect(i == 0 || lexicographically_less(c_.directions[i - 1], n), "the directions are not in order");
+      report_.expect(std::any_of(tight_.begin(), tight_.end(), [&](const Point& m) { return parallel(n, m); }),
+                     "a direction without a facet");
+    }
+    if (!c_.complete) return;
+    for (const Point& m : tight_)
+      report_.expect(std::any_of(c_.directions.begin(), c_.directions.end(), [&](const Vector& n) { return parallel(n, m); }),
+                     "an optimum is missing");
+  }
+
+  Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
+    Point sum;
+    mpq_class total;
+    for (const Weight& w : weights) {
+      if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
+      total += w.weight;
+      sum = sum + w.weight * points[w.index];
+    }
+    report_.expect(total == 1, "weights do not sum to 1");
+    return sum;
+  }
+
+  // Touching: one common point.
+  void nearest_points() {
+    const Point z = combined(c_.b, c_.weights_b) - combined(c_.a, c_.weights_a);
+    report_.expect(dot(z, z) == c_.low, "the weighted points are not as near as is said");
+  }
+
+  const Certificate& c_;
+  kernels::Report report_;
+  std::vector<Point> vertices_, tight_;
+};
+
+}  // namespace
+
+kernels::Report validate(const Certificate& certificate) { return Check(certificate).run(); }
+
+// The certificate as text. Every number is exact and in lowest terms.
+
+namespace {
+
+template <class P>
+void write_head(Writer& out, std::size_t format, std::string_view id, std::span<const P> a, std::span<const P> b) {
+  out.word("fathom-certificate").word(format).end();
+  if (!id.empty()) out.word("id").word(escaped(id)).end();
+  write_points(out, "a", a);
+  write_points(out, "b", b);
+}
+
+void write_claim(Writer& out, const Certificate& certificate) {
+  out.word("claim");
+  switch (certificate.claim) {
+    case ClaimKind::depth: out.word("depth").word(certificate.low).end(); break;
+    case ClaimKind::bounds: out.word("bounds").word(certificate.low).word(certificate.high).end(); break;
+    case ClaimKind::touching: out.word("touching").end(); break;
+    case ClaimKind::apart: out.word("apart").word(certificate.low).end(); break;
+  }
+  const bool complete = certificate.claim == ClaimKind::depth && certificate.complete;
+  out.word("directions").word(certificate.directions.size()).word(complete ? "all" : "some").end();
+  for (const Vector& n : certificate.directions) out.words(n).end();
+}
+
+// Generous for coordinates in binary64: a text that is longer costs a copy.
+std::size_t likely_size(std::size_t points, const InnerPolytope* inner) {
+  return 500 + 120 * points + (inner != nullptr ? 8 * inner->vertices.size() + 24 * inner->facets.size() : 0);
+}
+
+// The last line counts what came before.
+void write_end(Writer& out, const std::array<std::size_t, 5>& counts) {
+  out.word("end");
+  for (const std::size_t n : counts) out.word(n);
+  out.end();
+}
+
+// The text of an answer that brings its proof along.
+template <class P>
+std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<const P> b, const Penetration& answer) {
+  const InnerPolytope& inner = *answer.inner;
+  Writer out(likely_size(a.size() + b.size(), &inner));
+  write_head(out, 1, id, a, b);
+  out.word("claim").word("depth").word(answer.squared()).end();
+  out.word("directions").word(answer.optima.size()).word(answer.unlisted == 0 ? "all" : "some").end();
+  for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
+  write_inner(out, inner);
+  write_end(out, {a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});
+  return out.take();
+}
+
+std::string text_of(Certificate certificate, std::string_view id) {
+  certificate.id = id;
+  return certificate_text(certificate);
+}
+
+}  // namespace
+
+void write_inner(Writer& out, const InnerPolytope& inner) {
+  out.word("vertices").word(inner.vertices.size()).end();
+  for (const auto& [i, j] : inner.vertices) out.word(std::size_t{j}).word(std::size_t{i}).end();
+  out.word("facets").word(inner.facets.size()).end();
+  for (const std::vector<std::uint32_t>& facet : inner.facets) {
+    out.word(facet.size());
+    for (const std::uint32_t corner : facet) out.word(std::size_t{corner});
+    out.end();
+  }
+}
+
+void write_weights(Writer& out, std::string_view name, const std::vector<Weight>& weights) {
+  out.word(name).word(weights.size()).end();
+  for (const Weight& w : weights) out.word(std::size_t{w.index}).word(w.weight).end();
+}
+
+std::string escaped(std::string_view id) {
+  constexpr char digits[] = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : id) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > 0x20 && byte < 0x7f && c != '%') result += c;
+    else (result += '%', result += digits[byte >> 4], result += digits[byte & 15]);
+  }
+  return result;
+}
+
+}  // namespace fathom::certificate
+
+namespace fathom {
+
+std::string certificate_text(const Certificate& certificate) {
+  const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
+  certificate::Writer out(certificate::likely_size(certificate.a.size() + certificate.b.size(), inner ? &certificate.inner : nullptr));
+  // Format 1 cannot say how far bodies are apart; in all that is written here format 2 differs from it by its number alone.
+  const std::size_t format = certificate.claim == ClaimKind::apart ? 2 : 1;
+  certificate::write_head(out, format, certificate.id, std::span<const Point>(certificate.a), std::span<const Point>(certificate.b));
+  certificate::write_claim(out, certificate);
+  if (inner) {
+    certificate::write_inner(out, certificate.inner);
+  } else {
+    certificate::write_weights(out, "weights_a", certificate.weights_a);
+    certificate::write_weights(out, "weights_b", certificate.weights_b);
+  }
+  certificate::write_end(out, {certificate.a.size(), certificate.b.size(), certificate.directions.size(),
+                               inner ? certificate.inner.vertices.size() : certificate.weights_a.size(),
+                               inner ? certificate.inner.facets.size() : certificate.weights_b.size()});
+  return out.take();
+}
+
+std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer, std::string_view id,
+                             Monitor* monitor) {
+  const Penetration* penetration = answer.penetration();
+  if (penetration == nullptr || !penetration->inner) return certificate::text_of(make_certificate(a, b, answer, monitor), id);
+  polytope::require_bodies(a, b);
+  return certificate::text_of_depth(id, a, b, *penetration);
+}
+
+std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
+                             std::string_view id, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  const Penetration* penetration = answer.penetration();
+  if (penetration == nullptr || !penetration->inner)
+    return certificate_text(polytope::exact_points(a), polytope::exact_points(b), answer, id, monitor);
+  return certificate::text_of_depth(id, a, b, *penetration);
+}
+
+std::string certificate_text(const Body& a, const Body& b, const Depth& answer, std::string_view id, Monitor* monitor) {
+  if (a.points.in_binary64() && b.points.in_binary64())
+    return certificate_text(a.points.binary64(), b.points.binary64(), answer, id, monitor);
+  return certificate_text(a.points.exact(), b.points.exact(), answer, id, monitor);
 }
 
 }  // namespace fathom

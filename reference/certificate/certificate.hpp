@@ -3,6 +3,8 @@
 // Output  its proof as exact text: an inner polytope and a supporting direction.                                [proofs/certificate.md]
 #pragma once
 
+#include <span>
+
 #include "fathom/certificate.hpp"
 #include "kernels/report.hpp"
 
@@ -14,5 +16,14 @@ namespace fathom::certificate {
 /// The same for shapes, and all optimal directions of cores that touch by the rules of the format. Throws std::invalid_argument if a shape
 /// is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
+
+// Input   bodies that touch, and the cone of their optimal directions.
+// Output  differences b - a that leave no room for other directions.                                   [verify/check/FORMAT.md, section 4]
+
+/// Each difference is taken from faces of the bodies: O((m + n) r) for r rays.
+ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone);
+
+/// Checks the cone by the rules of the format, in rationals.
+[[nodiscard]] kernels::Report validate(const ConeProof& proof, std::span<const Point> a, std::span<const Point> b);
 
 }  // namespace fathom::certificate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/certificate/cone_proof.hpp"
+#include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -3,14 +3,13 @@
 // Output  the text that they make, with one blank between two words of a line.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <gmpxx.h>
 #include <iterator>
 #include <span>
 #include <string>

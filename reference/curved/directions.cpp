@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/curved/directions.hpp"
+#include "reference/curved/lattice.hpp"
 
 #include <algorithm>
 #include <array>

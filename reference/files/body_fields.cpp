@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unlike vertices, which come by millions, these are read from a document: their objects are small, and some hold others.
-#include "reference/files/body_fields.hpp"
+#include "reference/files/case_fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,13 +14,10 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/case_names.hpp"
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/named_body.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/files/pose_text.hpp"
-#include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "reference/files/named_body.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/text/json.hpp"
 
 namespace fathom::files {

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "kernels/float_environment.hpp"
-#include "reference/files/body_fields.hpp"
-#include "reference/files/case_names.hpp"
-#include "reference/files/named_body.hpp"
+#include "reference/files/case_fields.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/files/text_scanner.hpp"
 #include "reference/text/json_value.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "fathom/files.hpp"
 #include "reference/files/case_fields.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 

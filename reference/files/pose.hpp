@@ -11,6 +11,7 @@
 
 #include "fathom/body.hpp"
 #include "kernels/number/irrational.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::files {
 
@@ -66,5 +67,16 @@ GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
 /// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0 1; or the last column, and then it was
 /// written column by column. Returns a sentence in `fault` if neither is so.
 GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault);
+
+// A pose as people write it, in one argument or in one string.                                        [docs/command_line.md]
+
+/// Reads one of
+///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes around one make it exact, as in JSON
+///   xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W rpy=ROLL,PITCH,YAWdeg (or rad), in any order, one of both may be missing
+/// Decimals mean what `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault` if it is neither.
+GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& fault);
+
+/// The same of an argument; "@FILE" stands for what is in that file. Throws InputError that names `option`, or the file.
+GivenPose read_pose(const std::string& argument, const std::string& option, Decimals decimals);
 
 }  // namespace fathom::files

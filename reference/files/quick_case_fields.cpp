@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // simdjson finds where values begin, and checks UTF-8, quotes and brackets. What a value is, is decided here from its text, which is why
 // fields that are not ours are looked at too. Each function returns false if the twin has to read the case.
-#include <simdjson.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
+#include <simdjson.h>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,8 +14,7 @@
 #include "kernels/number/rational.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/case_json.hpp"
-#include "reference/files/case_names.hpp"
-#include "reference/files/collected_points.hpp"
+#include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
 namespace {

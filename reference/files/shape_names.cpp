@@ -1,8 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "reference/files/shape_names.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "fathom/files.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/printable.hpp"
+#include "kernels/near_miss.hpp"
 
 namespace fathom::files {
 namespace {
@@ -118,6 +129,193 @@ std::optional<std::vector<Point>> points_of(const Shape& shape) {
 Shape made_shape(const ShapeName& shape, const ShapeFields& fields) {
   Shape result = shape.made(fields);
   return fields.numbers.contains(margin.name) ? with_margin(std::move(result), number(fields, margin.name)) : result;
+}
+
+namespace {
+
+/// `first`, and then `second`.
+Pose product(const Pose& second, const Pose& first) {
+  Pose result;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) {
+      result[row][column] = column == 3 ? second[row][3] : mpq_class(0);
+      for (std::size_t k = 0; k < 3; ++k) result[row][column] += second[row][k] * first[k][column];
+    }
+  return result;
+}
+
+}  // namespace
+
+NamedBody named(std::string shape, NumbersByName numbers, Axis axis) {
+  NamedBody body{std::move(shape)};
+  for (const auto& [name, values] : numbers) body.fields.numbers[name] = values;
+  body.fields.axis = axis;
+  return body;
+}
+
+NamedBody named_hull(std::vector<Point> vertices) {
+  NamedBody body{"hull"};
+  body.fields.vertices = std::move(vertices);
+  return body;
+}
+
+NamedBody named_sum(std::vector<NamedBody> terms) {
+  NamedBody body{"sum"};
+  body.terms = std::move(terms);
+  return body;
+}
+
+NamedBody rounded(NamedBody body, const mpq_class& margin) {
+  body.shape.insert(0, "rounded_");
+  body.fields.numbers["margin"] = {margin};
+  return body;
+}
+
+NamedBody posed(NamedBody body, const Quaternion& turn, const Point& place) {
+  const Pose motion = rigid_pose(turn, place);
+  if (body.matrix) {
+    body.matrix = product(motion, *body.matrix);
+  } else {
+    body.turn = product(turn, body.turn);
+    body.place = placed(body.place, motion);
+  }
+  return body;
+}
+
+NamedBody posed(NamedBody body, const GivenPose& pose) {
+  if (!pose.matrix) return posed(std::move(body), pose.turn, pose.place);
+  body.matrix = product(*pose.matrix, pose_of(body));
+  return body;
+}
+
+Pose pose_of(const NamedBody& body) { return body.matrix ? *body.matrix : rigid_pose(body.turn, body.place); }
+
+Shape shape_of(const NamedBody& body) {
+  ShapeFields fields = body.fields;
+  for (const NamedBody& term : body.terms) fields.terms.push_back(shape_of(term));
+  return moved(made_shape(*named_shape(body.shape).shape, fields), pose_of(body));
+}
+
+Body body_of(NamedBody body) {
+  Body result = body_of(shape_of(body));
+  result.words = std::make_shared<const NamedBody>(std::move(body));
+  return result;
+}
+
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string_view whole_name(std::string_view field) { return field == "r" ? "radius" : field == "h" ? "half_length" : field; }
+
+class ShapeText {
+ public:
+  ShapeText(const std::string& word, Decimals decimals) : word_(word), decimals_(decimals) {}
+
+  Body read() {
+    const std::size_t colon = word_.find(':');
+    const std::string name = word_.substr(0, colon);
+    const NamedShape named = named_shape(name);
+    if (named.shape == nullptr) fail("expected one of the shapes " + list_of_shapes() + "; found " + kernels::shown(name));
+    if (named.shape->part == ShapePart::terms || named.shape->part == ShapePart::vertices)
+      fail("a " + std::string(named.shape->name) + " has no short form: give it in a case, or a mesh");
+    for (const std::string_view part : split(std::string_view(word_).substr(colon + 1), ',')) field(*named.shape, part);
+    const auto& read = words_.fields.numbers;
+    for (const NumberField& field : named.shape->numbers) require(field.name, read.contains(field.name));
+    if (named.rounded) require("margin", read.contains("margin"));
+    words_.shape = name;
+    try {
+      return body_of(std::move(words_));
+    } catch (const std::invalid_argument& error) {
+      fail(error.what());
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& sentence) const { throw InputError(kernels::printable(word_, readable), 0, sentence); }
+  void require(std::string_view name, bool there) const {
+    if (!there) fail("expected a field '" + std::string(name) + "', found none");
+  }
+
+  [[nodiscard]] std::vector<mpq_class> numbers(std::string_view text, std::size_t count) const {
+    const std::vector<std::string_view> parts = split(text, ':');
+    if (parts.size() != count)
+      fail("expected " + std::to_string(count) + (count == 1 ? " number" : " numbers joined by colons") + ", found " +
+           kernels::shown(text));
+    std::vector<mpq_class> result;
+    for (const std::string_view part : parts) {
+      ParsedNumber number = parse_number(part, decimals_);
+      if (!number.value) fail(number.error);
+      result.push_back(*std::move(number.value));
+    }
+    return result;
+  }
+  [[nodiscard]] Point point(std::string_view text) const {
+    const std::vector<mpq_class> p = numbers(text, 3);
+    return {p[0], p[1], p[2]};
+  }
+  [[nodiscard]] Axis axis(std::string_view text) const {
+    if (text == "x") return Axis::x;
+    if (text == "y") return Axis::y;
+    if (text == "z") return Axis::z;
+    fail("expected the axis x, y or z, found " + kernels::shown(text));
+  }
+
+  static std::string fields(const ShapeName& shape) {
+    std::string all;
+    for (const NumberField& number : shape.numbers) all += std::string(number.name) + ", ";
+    return all + (shape.part == ShapePart::axis ? "axis, margin, at or quaternion" : "margin, at or quaternion");
+  }
+
+  void field(const ShapeName& shape, std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) fail("expected FIELD=VALUE, found " + kernels::shown(text));
+    const std::string name(whole_name(text.substr(0, equals)));
+    const std::string_view value = text.substr(equals + 1);
+    if (!seen_.insert(name).second) fail("expected one field '" + name + "', found a second one");
+    if (has_number(shape, name)) {
+      words_.fields.numbers[name] = numbers(value, number_field(name)->count);
+    } else if (name == "axis" && shape.part == ShapePart::axis) {
+      words_.fields.axis = axis(value);
+    } else if (name == "at") {
+      words_.place = point(value);
+    } else if (name == "quaternion") {
+      const std::vector<mpq_class> q = numbers(value, 4);
+      words_.turn = {q[0], q[1], q[2], q[3]};
+    } else {
+      fail("expected a field of a " + std::string(shape.name) + ": " + fields(shape) + "; found " + kernels::shown(name));
+    }
+  }
+
+  static constexpr std::size_t readable = 60;
+
+  const std::string& word_;
+  Decimals decimals_;
+  NamedBody words_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+bool is_shape_text(const std::string& word) {
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos) return false;
+  const std::string_view name = std::string_view(word).substr(0, colon);
+  const bool is_word = !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string_view::npos;
+  return named_shape(name).shape != nullptr || (is_word && word.find('=', colon) != std::string::npos);
+}
+
+Body parse_shape(const std::string& word, Decimals decimals) {
+  const kernels::DefaultFloatEnvironment environment;
+  return ShapeText(word, decimals).read();
 }
 
 }  // namespace fathom::files

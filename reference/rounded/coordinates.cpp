@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rounded/coordinates.hpp"
 
+
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "reference/shapes/core.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
+#include "kernels/float_environment.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::shapes {
 namespace {
@@ -113,6 +118,63 @@ std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_
     points = std::move(sums);
   }
   return points;
+}
+
+}  // namespace fathom::shapes
+
+namespace fathom {
+namespace {
+
+Vec3<mpq_class> vector(const Point& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+bool is_flat(const Shape& shape) {
+  const kernels::DefaultFloatEnvironment environment;
+  shapes::require_shape(shape);
+  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
+  if (!terms || shape.radius > 0) return false;
+  std::vector<Vec3<mpq_class>> spanning(1);  // O, and vectors that span the space of all differences of points
+  for (const Term& term : *terms) {
+    for (const Atom& atom : term.atoms) {
+      spanning.push_back(vector(atom.center) - vector(term.atoms.front().center));
+      for (const Point& axis : atom.axes) spanning.push_back(vector(axis));
+    }
+  }
+  return polytope::affine_span<mpq_class>(spanning, spanning.size()).rank < 3;
+}
+
+}  // namespace fathom
+
+namespace fathom::shapes {
+namespace {
+
+using kernels::RationalInterval;
+
+/// <u,center>, and the length of the slopes of u along the axes.
+RationalInterval support(const Atom& atom, const Point& u, unsigned bits) {
+  mpq_class square = 0;
+  for (const Point& axis : atom.axes) {
+    const mpq_class slope = dot(u, axis);
+    square += slope * slope;
+  }
+  return kernels::enclosed({dot(u, atom.center), square}, bits);
+}
+
+}  // namespace
+
+RationalInterval support(const Shape& shape, const Point& u, unsigned bits) {
+  RationalInterval height{0, 0};
+  for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
+    std::optional<RationalInterval> highest;
+    for (const Atom& atom : term.atoms) {
+      const RationalInterval other = support(atom, u, bits);
+      highest = highest ? greater(*highest, other) : other;
+    }
+    height = height + *highest;
+  }
+  const RationalInterval radius{shape.radius, shape.radius};
+  return quotient(height, kernels::enclosed({0, dot(u, u)}, bits)) + radius;
 }
 
 }  // namespace fathom::shapes

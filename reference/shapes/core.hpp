@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "fathom/shape.hpp"
+#include "kernels/number/rational_interval.hpp"
+#include "kernels/number/surd.hpp"
+#include "kernels/number/angle.hpp"
 
 namespace fathom::shapes {
 
@@ -23,5 +26,12 @@ Shape simplified(Shape shape);
 /// The points whose hull is the core: of one term its points, of several all sums of a point of each, unless these are more than `most`.
 /// Returns nullopt then, and if an atom is not a point or the core is a half-space. For a valid shape.
 std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_t most);
+
+// Input   a shape with a bounded core, and a direction.
+// Output  how far it reaches there, enclosed: a sum of square roots.                                      [proofs/judge.md]
+
+/// Encloses the greatest <u,x>/|u| over the points x of the body, its radius included; every root is taken to `bits` bits. A value without
+/// irrational roots is known. The shape is valid, its core is no half-space, and u is not zero.
+kernels::RationalInterval support(const Shape& shape, const Point& u, unsigned bits);
 
 }  // namespace fathom::shapes

@@ -1,20 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer about two unions: where O lies, the search, and what touches at each optimum.
-#include "reference/unions/union_depth.hpp"
+// Input   closed convex cones { x : <n, x> <= 0 for all n of a list }.
+// Output  whether they cover space. The tangent cones of the P_ij that touch a point cover it if and only if the point lies in the interior
+//         of the union of these P_ij: then no translation near it leaves a gap.                                   [proofs/unions.md]
+
+#include "reference/unions/union_search.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/solve/depth.hpp"
-#include "reference/unions/clearance.hpp"
-#include "reference/unions/union_search.hpp"
+#include "kernels/vector.hpp"
+#include "reference/unions/least_norm.hpp"
 
 namespace fathom::unions {
+
+/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
+using TangentCone = std::vector<Vector>;
+
+/// Whether every point lies in one of the cones. Exact.
+bool cover_space(const std::vector<TangentCone>& cones);
+
+// A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist if and only if some
+// are beyond these planes moved out by 1: the nearest of these stands for all.
+
+namespace {
+
+class Covering {
+ public:
+  explicit Covering(const std::vector<TangentCone>& cones) {
+    for (const TangentCone& cone : cones) {
+      std::vector<Facet>& facets = cones_.emplace_back();
+      for (const Vector& normal : cone) {
+        kernels::OrientedPlane through = kernels::oriented_plane(normal, 0, 0);
+        facets.push_back({through, kernels::oriented_plane(normal, 1, 0), through.reversed()});
+      }
+    }
+  }
+
+  bool run() { return covered(); }
+
+ private:
+  struct Facet {
+    kernels::OrientedPlane through, moved, reversed;
+  };
+
+  static bool holds(const std::vector<Facet>& cone, const kernels::RationalPoint& p) {
+    return std::all_of(cone.begin(), cone.end(), [&](const Facet& f) { return kernels::side(f.through, p) <= 0; });
+  }
+
+  // Whether the cones cover the cell of all `beyond_`.
+  bool covered() {
+    kernels::RationalPoint p;
+    if (nearest_in_cell(beyond_, 0, p) != CellEnd::found) return true;
+    const auto cone = std::find_if(cones_.begin(), cones_.end(), [&](const std::vector<Facet>& c) { return holds(c, p); });
+    if (cone == cones_.end()) return false;
+    const std::size_t before = beyond_.size();
+    bool all = true;
+    for (const Facet& f : *cone) {
+      beyond_.push_back(&f.moved);
+      all = covered();
+      beyond_.pop_back();
+      if (!all) break;
+      beyond_.push_back(&f.reversed);  // the rest is not beyond it
+    }
+    beyond_.resize(before);
+    return all;
+  }
+
+  std::deque<std::vector<Facet>> cones_;
+  std::vector<Barrier> beyond_;
+};
+
+}  // namespace
+
+bool cover_space(const std::vector<TangentCone>& cones) { return Covering(cones).run(); }
+
+// The answer about two unions: where O lies, the search, and what touches at each optimum.
+
 namespace {
 
 using kernels::AnyNumbers;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
-// every facet that is not far away costs a leaf.
+// Input   half-spaces <n,x> >= h whose planes all go through the point of their intersection that is nearest to O.
+// Output  at most three of them that have the same nearest point.                   [Karush, Kuhn and Tucker; Caratheodory]
+
 #include "reference/unions/union_prover.hpp"
 
 #include <algorithm>
@@ -9,12 +10,57 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/unions/multipliers.hpp"
+#include "reference/unions/least_norm.hpp"
 #include "reference/unions/union_search.hpp"
 
 namespace fathom::unions {
+
+/// The first one, two or three barriers such that `direction` is a combination of their normals with weights >= 0. Throws std::logic_error
+/// if there are none.
+std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction);
+
+// Weights by Cramer's rule, of which only signs are needed.
+
+namespace {
+
+bool in_cone(const Vector& u, const Vector& direction) { return is_zero(cross(u, direction)) && dot(u, direction) > 0; }
+
+// For u and v that are not parallel.
+bool in_cone(const Vector& u, const Vector& v, const Vector& direction) {
+  const Vector n = cross(u, v);
+  return dot(n, direction) == 0 && det(direction, v, n) >= 0 && det(u, direction, n) >= 0;
+}
+
+bool in_cone(const Vector& u, const Vector& v, const Vector& w, const Vector& direction) {
+  const int turn = sgn(det(u, v, w));
+  const auto weighs = [&](const mpz_class& minor) { return sgn(minor) * turn >= 0; };
+  return turn != 0 && weighs(det(direction, v, w)) && weighs(det(u, direction, w)) && weighs(det(u, v, direction));
+}
+
+}  // namespace
+
+std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction) {
+  for (const Barrier f : tight)
+    if (in_cone(f->normal, direction)) return {f};
+  for (std::size_t i = 0; i < tight.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector &u = tight[i]->normal, &v = tight[j]->normal;
+      if (!is_zero(cross(u, v)) && in_cone(u, v, direction)) return {tight[i], tight[j]};
+    }
+  }
+  for (std::size_t i = 0; i < tight.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        if (in_cone(tight[i]->normal, tight[j]->normal, tight[k]->normal, direction)) return {tight[i], tight[j], tight[k]};
+  throw std::logic_error("no three barriers hold the nearest point of a cell");
+}
+
+// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
+// every facet that is not far away costs a leaf.
+
 namespace {
 
 using kernels::RationalPoint;

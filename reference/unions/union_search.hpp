@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "fathom/union.hpp"
 #include "kernels/context.hpp"
 #include "reference/unions/least_norm.hpp"
 #include "reference/unions/piece_pair.hpp"
@@ -103,5 +104,10 @@ bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::Ratio
 
 /// Whether p comes before q in lexicographic order.
 bool is_before(const Point& p, const Point& q);
+
+// The twin of union_depth: one template over the integers, those of fixed size where the lattice is narrow, and mpz_class anywhere.
+
+/// union_depth in integers of any size.
+UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 }  // namespace fathom::unions

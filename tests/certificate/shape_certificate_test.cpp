@@ -8,7 +8,6 @@
 
 #include "fathom/certificate.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/certificate/cone_proof.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/random.hpp"

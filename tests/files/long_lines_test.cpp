@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 namespace {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kind of bad mesh gets its sentence: file, line, what was expected, what was found.
-#include <gtest/gtest.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <thread>
 #include <tuple>
+#include <unistd.h>
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "fathom/files.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 namespace {

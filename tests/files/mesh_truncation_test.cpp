@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "fathom/files.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 namespace {

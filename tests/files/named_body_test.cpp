@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of a shape survive reading: they build the very body that was read, and print as a case that reads as the same again.
-#include "reference/files/named_body.hpp"
-
 #include <gtest/gtest.h>
 
 #include "fathom/files.hpp"
 #include "reference/files/case_json.hpp"
-#include "reference/files/shape_text.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
 namespace {

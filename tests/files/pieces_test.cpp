@@ -13,7 +13,6 @@
 
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
-#include "reference/files/natural_order.hpp"
 #include "reference/files/piece_files.hpp"
 
 namespace fathom {

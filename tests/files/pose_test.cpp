@@ -15,8 +15,6 @@
 #include <string>
 #include <utility>
 
-#include "reference/files/pose_text.hpp"
-
 namespace fathom::files {
 namespace {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files are read whole; what may have no end, a pipe or a device, up to a limit.
-#include "reference/files/source.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -11,6 +9,7 @@
 #include <stdexcept>
 
 #include "fathom/files.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::files {
 namespace {

@@ -2,11 +2,10 @@
 // The search of unions with integers of fixed size against its twin in mpz_class: the same steps, hence the same in every field. On every
 // family, and at the limit of the width: coordinates as long as they may be, nearly degenerate, so that images decide little.
 #include <gtest/gtest.h>
-
 #include <string>
 
 #include "reference/unions/placed_pieces.hpp"
-#include "reference/unions/union_depth.hpp"
+#include "reference/unions/union_search.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/families/families.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/files/named_body.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::families {
 

@@ -13,7 +13,7 @@
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
-#include "reference/files/named_body.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/judge/scaled.hpp"
 
 namespace fathom::harness {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/examiner.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "kernels/messages.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/piece_pairs.hpp"

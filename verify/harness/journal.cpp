@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/journal.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <utility>
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/source.hpp"
-#include "reference/files/whole_file.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -13,7 +13,7 @@
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
-#include "reference/shapes/support.hpp"
+#include "reference/shapes/core.hpp"
 #include "verify/judge/way_out.hpp"
 
 namespace fathom::judging {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings/python/src/bodies.hpp"
 
-#include <pybind11/stl.h>
-
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <pybind11/stl.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@
 #include "fathom/files.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/files/pose_text.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "bindings/python/src/bodies.hpp"
 #include "fathom/shape.hpp"
-#include "reference/files/named_body.hpp"
 #include "reference/files/shape_names.hpp"
 
 namespace fathom::python {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/stl.h>
-
 #include <memory>
 #include <optional>
+#include <pybind11/stl.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@
 #include "fathom/union.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/shapes/body_notes.hpp"
-#include "reference/shapes/dents.hpp"
 #include "verify/check/unreadable.hpp"
 
 namespace fathom::python {

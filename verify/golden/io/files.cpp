@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "reference/files/whole_file.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::golden {
 

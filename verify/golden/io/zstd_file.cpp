@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/golden/io/files.hpp"
 
 namespace fathom::golden {

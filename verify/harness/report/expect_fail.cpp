@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/report/expect_fail.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <optional>
 #include <string_view>
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/harness/report/markup.hpp"
 #include "verify/harness/report/subject_text.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/report/report_file.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -11,7 +10,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/source.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/harness/journal.hpp"
 
 namespace fathom::harness {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "reference/files/named_body.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/outcome.hpp"
 
 namespace fathom::harness {

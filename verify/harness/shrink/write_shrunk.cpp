@@ -7,8 +7,7 @@
 #include <system_error>
 
 #include "reference/files/case_json.hpp"
-#include "reference/files/source.hpp"
-#include "reference/files/whole_file.hpp"
+#include "reference/files/file_io.hpp"
 #include "verify/harness/shrink/snippet.hpp"
 
 namespace fathom::harness {
