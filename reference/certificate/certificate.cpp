@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
@@ -84,52 +83,8 @@ Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b
   return certificate;
 }
 
-}  // namespace
-
-}  // namespace fathom::certificate
-
-namespace fathom {
-
-Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor) {
-  const kernels::DefaultFloatEnvironment environment;
-  polytope::require_bodies(a, b);
-  if (answer.touch()) return certificate::proof_of_touch(a, b, *answer.touch());
-  if (answer.distance()) return certificate::proof_of_distance(a, b, *answer.distance());
-  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::depth);
-  certificate.low = certificate.high = answer.squared();
-  for (const Optimum& optimum : answer.optima()) certificate.directions.push_back(optimum.direction);
-  certificate.complete = answer.penetration()->unlisted == 0;
-  certificate.inner = certificate::proof_of_depth(a, b, *answer.penetration(), monitor);
-  return certificate;
-}
-
-Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
-                                    const std::optional<Vector>& hint, Monitor* monitor) {
-  const kernels::DefaultFloatEnvironment environment;
-  for (const mpq_class* bound : {&low, &high}) kernels::require_lowest_terms(*bound);
-  if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
-  kernels::Context context(monitor);
-  const polytope::PlacedPair pair = polytope::place(a, b);
-  const mpz_class unit = pair.denominator * pair.denominator;
-  expanding::BallExpansion expansion = expanding::expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
-  if (expansion.end != expanding::ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
-  if (!expansion.low_holds) throw std::invalid_argument("the lower bound exceeds the squared depth");
-  if (!expansion.high_holds) throw std::invalid_argument("the upper bound is below the squared depth");
-  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::bounds);
-  certificate.low = low;
-  certificate.high = high;
-  certificate.directions = {std::move(expansion.direction)};
-  certificate.inner = std::move(expansion.inner);
-  return certificate;
-}
-
-}  // namespace fathom
-
 // The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
 // facet), where the checkers' is local (each edge).
-
-namespace fathom::certificate {
-namespace {
 
 class Check {
  public:
@@ -253,13 +208,7 @@ class Check {
   std::vector<Point> vertices_, tight_;
 };
 
-}  // namespace
-
-kernels::Report validate(const Certificate& certificate) { return Check(certificate).run(); }
-
 // The certificate as text. Every number is exact and in lowest terms.
-
-namespace {
 
 template <class P>
 void write_head(Writer& out, std::size_t format, std::string_view id, std::span<const P> a, std::span<const P> b) {
@@ -315,6 +264,8 @@ std::string text_of(Certificate certificate, std::string_view id) {
 
 }  // namespace
 
+kernels::Report validate(const Certificate& certificate) { return Check(certificate).run(); }
+
 void write_inner(Writer& out, const InnerPolytope& inner) {
   out.word("vertices").word(inner.vertices.size()).end();
   for (const auto& [i, j] : inner.vertices) out.word(std::size_t{j}).word(std::size_t{i}).end();
@@ -345,6 +296,39 @@ std::string escaped(std::string_view id) {
 }  // namespace fathom::certificate
 
 namespace fathom {
+
+Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  polytope::require_bodies(a, b);
+  if (answer.touch()) return certificate::proof_of_touch(a, b, *answer.touch());
+  if (answer.distance()) return certificate::proof_of_distance(a, b, *answer.distance());
+  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::depth);
+  certificate.low = certificate.high = answer.squared();
+  for (const Optimum& optimum : answer.optima()) certificate.directions.push_back(optimum.direction);
+  certificate.complete = answer.penetration()->unlisted == 0;
+  certificate.inner = certificate::proof_of_depth(a, b, *answer.penetration(), monitor);
+  return certificate;
+}
+
+Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
+                                    const std::optional<Vector>& hint, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  for (const mpq_class* bound : {&low, &high}) kernels::require_lowest_terms(*bound);
+  if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
+  kernels::Context context(monitor);
+  const polytope::PlacedPair pair = polytope::place(a, b);
+  const mpz_class unit = pair.denominator * pair.denominator;
+  expanding::BallExpansion expansion = expanding::expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
+  if (expansion.end != expanding::ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
+  if (!expansion.low_holds) throw std::invalid_argument("the lower bound exceeds the squared depth");
+  if (!expansion.high_holds) throw std::invalid_argument("the upper bound is below the squared depth");
+  Certificate certificate = certificate::of_bodies(a, b, ClaimKind::bounds);
+  certificate.low = low;
+  certificate.high = high;
+  certificate.directions = {std::move(expansion.direction)};
+  certificate.inner = std::move(expansion.inner);
+  return certificate;
+}
 
 std::string certificate_text(const Certificate& certificate) {
   const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates of signed depths: proofs about the cores, found as for point sets, and the radii beside them.
-
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/certificate/writer.hpp"
@@ -86,30 +86,7 @@ void prove(const Bracket& bracket, const SignedDepth& answer, ShapeCertificate& 
   certificate.weights_b = bracket.weights_b;
 }
 
-}  // namespace
-
-}  // namespace fathom::certificate
-
-namespace fathom {
-
-ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDepth& answer, Monitor* monitor) {
-  const kernels::DefaultFloatEnvironment environment;
-  shapes::require_shape(a);
-  shapes::require_shape(b);
-  ShapeCertificate certificate;
-  certificate.a = shapes::simplified(a);
-  certificate.b = shapes::simplified(b);
-  if (certificate.a.radius != answer.radius_a || certificate.b.radius != answer.radius_b) certificate::contradiction("other radii");
-  std::visit([&](const auto& core) { certificate::prove(core, answer, certificate, monitor); }, answer.core);
-  return certificate;
-}
-
-}  // namespace fathom
-
 // The naive check of a certificate of shapes: in rationals, by the definitions. What is about points alone is left to that of format 1.
-
-namespace fathom::certificate {
-namespace {
 
 // The square with the sign of x.
 mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
@@ -264,13 +241,7 @@ class ShapeCheck {
   kernels::Report report_;
 };
 
-}  // namespace
-
-kernels::Report validate(const ShapeCertificate& certificate) { return ShapeCheck(certificate).run(); }
-
 // The certificate of shapes as text: format 2.                                                                    [verify/check/FORMAT.md]
-
-namespace {
 
 class ShapeWriter {
  public:
@@ -400,9 +371,23 @@ std::vector<Point> points_of(const Shape& shape) { return *shapes::polytope_poin
 
 }  // namespace
 
+kernels::Report validate(const ShapeCertificate& certificate) { return ShapeCheck(certificate).run(); }
+
 }  // namespace fathom::certificate
 
 namespace fathom {
+
+ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDepth& answer, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  shapes::require_shape(a);
+  shapes::require_shape(b);
+  ShapeCertificate certificate;
+  certificate.a = shapes::simplified(a);
+  certificate.b = shapes::simplified(b);
+  if (certificate.a.radius != answer.radius_a || certificate.b.radius != answer.radius_b) certificate::contradiction("other radii");
+  std::visit([&](const auto& core) { certificate::prove(core, answer, certificate, monitor); }, answer.core);
+  return certificate;
+}
 
 std::string certificate_text(const ShapeCertificate& certificate) { return certificate::ShapeWriter(certificate).text(); }
 

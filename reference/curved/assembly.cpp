@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/curved/assembly.hpp"
 
 #include <algorithm>
@@ -44,6 +43,43 @@ struct FaceTerms {
     return point;
   }
 };
+
+constexpr unsigned weight_bits = 12;  // more than the goal's
+
+// Numbers a list of points, each once.
+class Names {
+ public:
+  explicit Names(std::vector<InnerPoint>& points) : points_(points) {}
+
+  std::uint32_t operator()(InnerPoint point) {
+    const auto [place, fresh] = names_.try_emplace(std::move(point), static_cast<std::uint32_t>(points_.size()));
+    if (fresh) points_.push_back(place->first);
+    return place->second;
+  }
+
+ private:
+  struct Before {
+    bool operator()(const AtomPoint& p, const AtomPoint& q) const { return p.atom != q.atom ? p.atom < q.atom : p.local < q.local; }
+    bool operator()(const InnerPoint& p, const InnerPoint& q) const {
+      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), *this);
+    }
+  };
+
+  std::vector<InnerPoint>& points_;
+  std::map<InnerPoint, std::uint32_t, Before> names_;
+};
+
+// Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is larger than the weight.
+std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned bits) {
+  std::vector<mpz_class> result;
+  mpz_class rest = mpz_class(1) << bits;
+  for (const mpz_class& weight : z.weights) {
+    result.emplace_back((weight << bits) / z.denominator);
+    rest -= result.back();
+  }
+  *std::max_element(result.begin(), result.end()) += rest;
+  return result;
+}
 
 }  // namespace
 
@@ -100,47 +136,6 @@ std::optional<Combination> foot_in_face(kernels::Context& context, const std::ve
   }
   return result;
 }
-
-namespace {
-
-constexpr unsigned weight_bits = 12;  // more than the goal's
-
-// Numbers a list of points, each once.
-class Names {
- public:
-  explicit Names(std::vector<InnerPoint>& points) : points_(points) {}
-
-  std::uint32_t operator()(InnerPoint point) {
-    const auto [place, fresh] = names_.try_emplace(std::move(point), static_cast<std::uint32_t>(points_.size()));
-    if (fresh) points_.push_back(place->first);
-    return place->second;
-  }
-
- private:
-  struct Before {
-    bool operator()(const AtomPoint& p, const AtomPoint& q) const { return p.atom != q.atom ? p.atom < q.atom : p.local < q.local; }
-    bool operator()(const InnerPoint& p, const InnerPoint& q) const {
-      return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), *this);
-    }
-  };
-
-  std::vector<InnerPoint>& points_;
-  std::map<InnerPoint, std::uint32_t, Before> names_;
-};
-
-// Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is larger than the weight.
-std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned bits) {
-  std::vector<mpz_class> result;
-  mpz_class rest = mpz_class(1) << bits;
-  for (const mpz_class& weight : z.weights) {
-    result.emplace_back((weight << bits) / z.denominator);
-    rest -= result.back();
-  }
-  *std::max_element(result.begin(), result.end()) += rest;
-  return result;
-}
-
-}  // namespace
 
 mpq_class signed_square(const mpq_class& height, const Vector& n) { return height * abs(height) / mpq_class(dot(n, n)); }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 
+#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 

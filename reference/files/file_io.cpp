@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sentence of an InputError.
-
 #include "reference/files/file_io.hpp"
 
 #include <cerrno>
@@ -17,20 +16,6 @@
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
-
-namespace fathom {
-namespace {
-
-std::string sentence(const std::string& file, std::size_t line, const std::string& message) {
-  return file + ":" + (line ? std::to_string(line) + ":" : "") + " " + message;
-}
-
-}  // namespace
-
-InputError::InputError(std::string file, std::size_t line, const std::string& message)
-    : std::runtime_error(sentence(file, line, message)), file_(std::move(file)), line_(line) {}
-
-}  // namespace fathom
 
 namespace fathom::files {
 namespace {
@@ -89,6 +74,30 @@ class GrowingLine {
   std::size_t size_ = 0;
   LineRead read_ = LineRead::whole;
 };
+
+[[noreturn]] void fail(int code) { throw std::system_error(code, std::generic_category()); }
+
+// The file behind symbolic links, which need not exist yet, so that a link stays one.
+std::string resolved(const std::string& path) {
+  constexpr int most_links = 40;  // as Linux follows
+  std::error_code none;
+  std::filesystem::path target = path;
+  for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
+    if (links == most_links) fail(ELOOP);
+    target = target.parent_path() / std::filesystem::read_symlink(target, none);
+  }
+  return target.string();
+}
+
+// A hidden file in the folder, of a name that none has: one may be left from a process that was killed.
+int open_hidden(const std::filesystem::path& folder, std::string& name) {
+  for (unsigned number = 0;; ++number) {
+    const std::string id = std::to_string(::getpid()) + "-" + std::to_string(number);
+    name = (folder / (".fathom-" + id + ".tmp")).string();  // short, whatever the name to come
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+}
 
 }  // namespace
 
@@ -152,34 +161,6 @@ std::string extension(std::string_view path) {
   return result;
 }
 
-namespace {
-
-[[noreturn]] void fail(int code) { throw std::system_error(code, std::generic_category()); }
-
-// The file behind symbolic links, which need not exist yet, so that a link stays one.
-std::string resolved(const std::string& path) {
-  constexpr int most_links = 40;  // as Linux follows
-  std::error_code none;
-  std::filesystem::path target = path;
-  for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
-    if (links == most_links) fail(ELOOP);
-    target = target.parent_path() / std::filesystem::read_symlink(target, none);
-  }
-  return target.string();
-}
-
-// A hidden file in the folder, of a name that none has: one may be left from a process that was killed.
-int open_hidden(const std::filesystem::path& folder, std::string& name) {
-  for (unsigned number = 0;; ++number) {
-    const std::string id = std::to_string(::getpid()) + "-" + std::to_string(number);
-    name = (folder / (".fathom-" + id + ".tmp")).string();  // short, whatever the name to come
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor >= 0 || errno != EEXIST) return descriptor;
-  }
-}
-
-}  // namespace
-
 WholeFile::WholeFile(const std::string& path) : path_(resolved(path)) {
   struct stat found {};
   const bool exists = ::stat(path_.c_str(), &found) == 0;
@@ -216,3 +197,17 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 }  // namespace fathom::files
+
+namespace fathom {
+namespace {
+
+std::string sentence(const std::string& file, std::size_t line, const std::string& message) {
+  return file + ":" + (line ? std::to_string(line) + ":" : "") + " " + message;
+}
+
+}  // namespace
+
+InputError::InputError(std::string file, std::size_t line, const std::string& message)
+    : std::runtime_error(sentence(file, line, message)), file_(std::move(file)), line_(line) {}
+
+}  // namespace fathom

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/files/piece_files.hpp"
 
 #include <algorithm>
@@ -30,27 +29,7 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-}  // namespace
-
-bool natural_less(std::string_view a, std::string_view b) {
-  std::string_view p = a, q = b;
-  while (!p.empty() && !q.empty()) {
-    if (is_digit(p.front()) && is_digit(q.front())) {
-      const std::string_view m = take_number(p), n = take_number(q);
-      if (m.size() != n.size()) return m.size() < n.size();
-      if (m != n) return m < n;
-      continue;
-    }
-    if (p.front() != q.front()) return p.substr(0, 1) < q.substr(0, 1);  // as unsigned bytes
-    p.remove_prefix(1);
-    q.remove_prefix(1);
-  }
-  return p.empty() != q.empty() ? p.empty() : a < b;
-}
-
 // The reader of groups is in obj.cpp.
-
-namespace {
 
 bool is_mesh_name(const std::string& name) {
   const std::string kind = extension(name);
@@ -88,6 +67,22 @@ void add_faces(const MeshFaces& of_piece, std::size_t points, std::uint32_t befo
 }
 
 }  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+  std::string_view p = a, q = b;
+  while (!p.empty() && !q.empty()) {
+    if (is_digit(p.front()) && is_digit(q.front())) {
+      const std::string_view m = take_number(p), n = take_number(q);
+      if (m.size() != n.size()) return m.size() < n.size();
+      if (m != n) return m < n;
+      continue;
+    }
+    if (p.front() != q.front()) return p.substr(0, 1) < q.substr(0, 1);  // as unsigned bytes
+    p.remove_prefix(1);
+    q.remove_prefix(1);
+  }
+  return p.empty() != q.empty() ? p.empty() : a < b;
+}
 
 std::vector<std::string> piece_files(const std::string& folder) {
   std::vector<std::string> names;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/files/pose.hpp"
 
 #include <algorithm>
@@ -12,7 +11,6 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/printable.hpp"
-#include "kernels/near_miss.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/files/text_scanner.hpp"
@@ -89,100 +87,6 @@ Rows by_columns(const Pose& pose) {
 }
 
 bool is_last(const std::array<mpq_class, 4>& row) { return row[0] == 0 && row[1] == 0 && row[2] == 0 && row[3] == 1; }
-
-}  // namespace
-
-Quaternion product(const Quaternion& p, const Quaternion& q) {
-  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
-          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
-}
-
-Point placed(const Point& p, const Pose& pose) { return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)}; }
-
-bool round_to_binary64(Point& point) { return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z); }
-
-Pose exact_pose(const GivenPose& given) { return given.matrix ? *given.matrix : rigid_pose(given.turn, given.place); }
-
-std::string pose_note(const GivenPose& given, bool has_radius) {
-  if (!given.matrix) return "";
-  std::string note = note_on(linear_part(*given.matrix));
-  if (!note.empty() && has_radius)
-    note += "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
-  if (given.transposed) {
-    note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
-  } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {
-    note += "; four columns of three, read column by column, would be a rotation";
-  }
-  return note;
-}
-
-void place(Body& body, const GivenPose& given) {
-  const Pose pose = exact_pose(given);
-  const bool flattened = given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
-  if (body.words) body.words = flattened ? nullptr : std::make_shared<const NamedBody>(posed(*body.words, given));
-  if (body.shape) {
-    body.shape = moved(*body.shape, pose);
-    return;
-  }
-  if (body.pieces) {
-    Pieces pieces = *body.pieces;
-    for (std::vector<Point>& piece : pieces)
-      for (Point& point : piece) point = placed(point, pose);
-    body.pieces = std::make_shared<const Pieces>(std::move(pieces));
-    return;
-  }
-  for (Point& point : body.points.edit()) point = placed(point, pose);
-}
-
-std::optional<PoseWord> pose_word(std::string_view name) {
-  if (name == "translation" || name == "xyz") return PoseWord::translation;
-  if (name == "quaternion" || name == "quat") return PoseWord::quaternion;
-  if (name == "xyzw") return PoseWord::xyzw;
-  return name == "rpy" ? std::optional(PoseWord::rpy) : std::nullopt;
-}
-
-std::string_view name(PoseWord word) {
-  constexpr std::array<std::string_view, 4> names = {"translation", "quaternion", "xyzw", "rpy"};
-  return names[static_cast<std::size_t>(word)];
-}
-
-std::size_t numbers_of(PoseWord word) { return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3; }
-
-GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
-  GivenPose result;
-  bool turned = false;
-  for (const auto& [word, numbers] : words) {
-    if (word == PoseWord::translation) {
-      result.place = {numbers[0], numbers[1], numbers[2]};
-      continue;
-    }
-    if (std::exchange(turned, true)) fault = "expected one rotation, found two";
-    if (word == PoseWord::quaternion) result.turn = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    if (word == PoseWord::xyzw) result.turn = {numbers[3], numbers[0], numbers[1], numbers[2]};
-    if (word != PoseWord::rpy) continue;
-    std::array<kernels::CosineAndSine, 3> half;
-    for (std::size_t i = 0; i < 3; ++i) half[i] = kernels::cosine_and_sine(numbers[i] / 2, unit);
-    const Quaternion roll = {half[0].cosine, half[0].sine, 0, 0}, pitch = {half[1].cosine, 0, half[1].sine, 0},
-                     yaw = {half[2].cosine, 0, 0, half[2].sine};
-    result.turn = product(yaw, product(pitch, roll));
-  }
-  if (result.turn == Quaternion{0, 0, 0, 0}) fault = "expected a quaternion that is not 0, found 0";
-  return result;
-}
-
-GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault) {
-  GivenPose result;
-  Pose& pose = result.matrix.emplace();
-  for (std::size_t i = 0; i < 3; ++i) pose[i] = rows.at(i);
-  if (rows.size() < 4 || is_last(rows[3])) return result;
-  result.transposed = is_last({rows[0][3], rows[1][3], rows[2][3], rows[3][3]});
-  if (!result.transposed) fault = "expected the last row 0 0 0 1 of a 4 x 4 matrix, found another";
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 4; ++j) pose[i][j] = rows[j][i];
-  return result;
-}
-
-namespace {
 
 constexpr std::string_view spaces = " \t\r\n", between = " \t\r\n,;()[]{}";
 constexpr std::size_t longest = std::size_t{1} << 20;  // of the text of a pose: numbers may have many digits
@@ -334,6 +238,96 @@ class Words {
 };
 
 }  // namespace
+
+Quaternion product(const Quaternion& p, const Quaternion& q) {
+  return {p.w * q.w - p.x * q.x - p.y * q.y - p.z * q.z, p.w * q.x + p.x * q.w + p.y * q.z - p.z * q.y,
+          p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
+}
+
+Point placed(const Point& p, const Pose& pose) { return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)}; }
+
+bool round_to_binary64(Point& point) { return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z); }
+
+Pose exact_pose(const GivenPose& given) { return given.matrix ? *given.matrix : rigid_pose(given.turn, given.place); }
+
+std::string pose_note(const GivenPose& given, bool has_radius) {
+  if (!given.matrix) return "";
+  std::string note = note_on(linear_part(*given.matrix));
+  if (!note.empty() && has_radius)
+    note += "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
+  if (given.transposed) {
+    note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
+  } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {
+    note += "; four columns of three, read column by column, would be a rotation";
+  }
+  return note;
+}
+
+void place(Body& body, const GivenPose& given) {
+  const Pose pose = exact_pose(given);
+  const bool flattened = given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
+  if (body.words) body.words = flattened ? nullptr : std::make_shared<const NamedBody>(posed(*body.words, given));
+  if (body.shape) {
+    body.shape = moved(*body.shape, pose);
+    return;
+  }
+  if (body.pieces) {
+    Pieces pieces = *body.pieces;
+    for (std::vector<Point>& piece : pieces)
+      for (Point& point : piece) point = placed(point, pose);
+    body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+    return;
+  }
+  for (Point& point : body.points.edit()) point = placed(point, pose);
+}
+
+std::optional<PoseWord> pose_word(std::string_view name) {
+  if (name == "translation" || name == "xyz") return PoseWord::translation;
+  if (name == "quaternion" || name == "quat") return PoseWord::quaternion;
+  if (name == "xyzw") return PoseWord::xyzw;
+  return name == "rpy" ? std::optional(PoseWord::rpy) : std::nullopt;
+}
+
+std::string_view name(PoseWord word) {
+  constexpr std::array<std::string_view, 4> names = {"translation", "quaternion", "xyzw", "rpy"};
+  return names[static_cast<std::size_t>(word)];
+}
+
+std::size_t numbers_of(PoseWord word) { return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3; }
+
+GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
+  GivenPose result;
+  bool turned = false;
+  for (const auto& [word, numbers] : words) {
+    if (word == PoseWord::translation) {
+      result.place = {numbers[0], numbers[1], numbers[2]};
+      continue;
+    }
+    if (std::exchange(turned, true)) fault = "expected one rotation, found two";
+    if (word == PoseWord::quaternion) result.turn = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    if (word == PoseWord::xyzw) result.turn = {numbers[3], numbers[0], numbers[1], numbers[2]};
+    if (word != PoseWord::rpy) continue;
+    std::array<kernels::CosineAndSine, 3> half;
+    for (std::size_t i = 0; i < 3; ++i) half[i] = kernels::cosine_and_sine(numbers[i] / 2, unit);
+    const Quaternion roll = {half[0].cosine, half[0].sine, 0, 0}, pitch = {half[1].cosine, 0, half[1].sine, 0},
+                     yaw = {half[2].cosine, 0, 0, half[2].sine};
+    result.turn = product(yaw, product(pitch, roll));
+  }
+  if (result.turn == Quaternion{0, 0, 0, 0}) fault = "expected a quaternion that is not 0, found 0";
+  return result;
+}
+
+GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault) {
+  GivenPose result;
+  Pose& pose = result.matrix.emplace();
+  for (std::size_t i = 0; i < 3; ++i) pose[i] = rows.at(i);
+  if (rows.size() < 4 || is_last(rows[3])) return result;
+  result.transposed = is_last({rows[0][3], rows[1][3], rows[2][3], rows[3][3]});
+  if (!result.transposed) fault = "expected the last row 0 0 0 1 of a 4 x 4 matrix, found another";
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j) pose[i][j] = rows[j][i];
+  return result;
+}
 
 GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& fault) {
   if (text.find('=') != std::string_view::npos) return Words(decimals, fault).read(text);

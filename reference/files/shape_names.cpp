@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/files/shape_names.hpp"
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/printable.hpp"
-#include "kernels/near_miss.hpp"
 
 namespace fathom::files {
 namespace {
@@ -74,65 +72,6 @@ const std::vector<ShapeName>& names() {
   return all;
 }
 
-}  // namespace
-
-std::span<const ShapeName> shape_names() { return names(); }
-
-NamedShape named_shape(std::string_view name) {
-  const bool rounded = name.starts_with(rounded_prefix);
-  if (rounded) name.remove_prefix(rounded_prefix.size());
-  for (const ShapeName& shape : names())
-    if (shape.name == name) return {&shape, rounded};
-  return {};
-}
-
-const NumberField* number_field(std::string_view name) {
-  if (name == margin.name) return &margin;
-  for (const ShapeName& shape : names())
-    for (const NumberField& field : shape.numbers)
-      if (field.name == name) return &field;
-  return nullptr;
-}
-
-bool has_number(const ShapeName& shape, std::string_view name) {
-  return name == margin.name ||
-         std::any_of(shape.numbers.begin(), shape.numbers.end(), [&](const NumberField& field) { return field.name == name; });
-}
-
-std::string list_of_shapes() {
-  std::string list;
-  for (const ShapeName& shape : names()) list += (list.empty() ? "" : ", ") + std::string(shape.name);
-  return list;
-}
-
-Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
-
-Body body_of(Shape shape) {
-  const std::optional<std::vector<Point>> points = shape.radius == 0 ? points_of(shape) : std::nullopt;
-  Body body;
-  if (points) body.points = *points;
-  else body.shape = std::move(shape);
-  return body;
-}
-
-std::optional<std::vector<Point>> points_of(const Shape& shape) {
-  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
-  if (!terms || terms->size() != 1) return std::nullopt;
-  std::vector<Point> points;
-  for (const Atom& atom : terms->front().atoms) {
-    if (!atom.axes.empty()) return std::nullopt;
-    points.push_back(atom.center);
-  }
-  return points;
-}
-
-Shape made_shape(const ShapeName& shape, const ShapeFields& fields) {
-  Shape result = shape.made(fields);
-  return fields.numbers.contains(margin.name) ? with_margin(std::move(result), number(fields, margin.name)) : result;
-}
-
-namespace {
-
 /// `first`, and then `second`.
 Pose product(const Pose& second, const Pose& first) {
   Pose result;
@@ -143,66 +82,6 @@ Pose product(const Pose& second, const Pose& first) {
     }
   return result;
 }
-
-}  // namespace
-
-NamedBody named(std::string shape, NumbersByName numbers, Axis axis) {
-  NamedBody body{std::move(shape)};
-  for (const auto& [name, values] : numbers) body.fields.numbers[name] = values;
-  body.fields.axis = axis;
-  return body;
-}
-
-NamedBody named_hull(std::vector<Point> vertices) {
-  NamedBody body{"hull"};
-  body.fields.vertices = std::move(vertices);
-  return body;
-}
-
-NamedBody named_sum(std::vector<NamedBody> terms) {
-  NamedBody body{"sum"};
-  body.terms = std::move(terms);
-  return body;
-}
-
-NamedBody rounded(NamedBody body, const mpq_class& margin) {
-  body.shape.insert(0, "rounded_");
-  body.fields.numbers["margin"] = {margin};
-  return body;
-}
-
-NamedBody posed(NamedBody body, const Quaternion& turn, const Point& place) {
-  const Pose motion = rigid_pose(turn, place);
-  if (body.matrix) {
-    body.matrix = product(motion, *body.matrix);
-  } else {
-    body.turn = product(turn, body.turn);
-    body.place = placed(body.place, motion);
-  }
-  return body;
-}
-
-NamedBody posed(NamedBody body, const GivenPose& pose) {
-  if (!pose.matrix) return posed(std::move(body), pose.turn, pose.place);
-  body.matrix = product(*pose.matrix, pose_of(body));
-  return body;
-}
-
-Pose pose_of(const NamedBody& body) { return body.matrix ? *body.matrix : rigid_pose(body.turn, body.place); }
-
-Shape shape_of(const NamedBody& body) {
-  ShapeFields fields = body.fields;
-  for (const NamedBody& term : body.terms) fields.terms.push_back(shape_of(term));
-  return moved(made_shape(*named_shape(body.shape).shape, fields), pose_of(body));
-}
-
-Body body_of(NamedBody body) {
-  Body result = body_of(shape_of(body));
-  result.words = std::make_shared<const NamedBody>(std::move(body));
-  return result;
-}
-
-namespace {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -304,6 +183,117 @@ class ShapeText {
 };
 
 }  // namespace
+
+std::span<const ShapeName> shape_names() { return names(); }
+
+NamedShape named_shape(std::string_view name) {
+  const bool rounded = name.starts_with(rounded_prefix);
+  if (rounded) name.remove_prefix(rounded_prefix.size());
+  for (const ShapeName& shape : names())
+    if (shape.name == name) return {&shape, rounded};
+  return {};
+}
+
+const NumberField* number_field(std::string_view name) {
+  if (name == margin.name) return &margin;
+  for (const ShapeName& shape : names())
+    for (const NumberField& field : shape.numbers)
+      if (field.name == name) return &field;
+  return nullptr;
+}
+
+bool has_number(const ShapeName& shape, std::string_view name) {
+  return name == margin.name ||
+         std::any_of(shape.numbers.begin(), shape.numbers.end(), [&](const NumberField& field) { return field.name == name; });
+}
+
+std::string list_of_shapes() {
+  std::string list;
+  for (const ShapeName& shape : names()) list += (list.empty() ? "" : ", ") + std::string(shape.name);
+  return list;
+}
+
+Shape shape_of(const Body& body) { return body.shape ? *body.shape : hull(body.points); }
+
+Body body_of(Shape shape) {
+  const std::optional<std::vector<Point>> points = shape.radius == 0 ? points_of(shape) : std::nullopt;
+  Body body;
+  if (points) body.points = *points;
+  else body.shape = std::move(shape);
+  return body;
+}
+
+std::optional<std::vector<Point>> points_of(const Shape& shape) {
+  const auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
+  if (!terms || terms->size() != 1) return std::nullopt;
+  std::vector<Point> points;
+  for (const Atom& atom : terms->front().atoms) {
+    if (!atom.axes.empty()) return std::nullopt;
+    points.push_back(atom.center);
+  }
+  return points;
+}
+
+Shape made_shape(const ShapeName& shape, const ShapeFields& fields) {
+  Shape result = shape.made(fields);
+  return fields.numbers.contains(margin.name) ? with_margin(std::move(result), number(fields, margin.name)) : result;
+}
+
+NamedBody named(std::string shape, NumbersByName numbers, Axis axis) {
+  NamedBody body{std::move(shape)};
+  for (const auto& [name, values] : numbers) body.fields.numbers[name] = values;
+  body.fields.axis = axis;
+  return body;
+}
+
+NamedBody named_hull(std::vector<Point> vertices) {
+  NamedBody body{"hull"};
+  body.fields.vertices = std::move(vertices);
+  return body;
+}
+
+NamedBody named_sum(std::vector<NamedBody> terms) {
+  NamedBody body{"sum"};
+  body.terms = std::move(terms);
+  return body;
+}
+
+NamedBody rounded(NamedBody body, const mpq_class& margin) {
+  body.shape.insert(0, "rounded_");
+  body.fields.numbers["margin"] = {margin};
+  return body;
+}
+
+NamedBody posed(NamedBody body, const Quaternion& turn, const Point& place) {
+  const Pose motion = rigid_pose(turn, place);
+  if (body.matrix) {
+    body.matrix = product(motion, *body.matrix);
+  } else {
+    body.turn = product(turn, body.turn);
+    body.place = placed(body.place, motion);
+  }
+  return body;
+}
+
+NamedBody posed(NamedBody body, const GivenPose& pose) {
+  if (!pose.matrix) return posed(std::move(body), pose.turn, pose.place);
+  body.matrix = product(*pose.matrix, pose_of(body));
+  return body;
+}
+
+Pose pose_of(const NamedBody& body) { return body.matrix ? *body.matrix : rigid_pose(body.turn, body.place); }
+
+Shape shape_of(const NamedBody& body) {
+  ShapeFields fields = body.fields;
+  for (const NamedBody& term : body.terms) fields.terms.push_back(shape_of(term));
+  return moved(made_shape(*named_shape(body.shape).shape, fields), pose_of(body));
+}
+
+Body body_of(NamedBody body) {
+  Body result = body_of(shape_of(body));
+  result.words = std::make_shared<const NamedBody>(std::move(body));
+  return result;
+}
 
 bool is_shape_text(const std::string& word) {
   const std::size_t colon = word.find(':');

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex, one per face.
 // Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -38,40 +37,8 @@ std::string ordinal(const char* what, std::uint64_t i, std::uint64_t count) {
   return std::string(what) + " " + std::to_string(i + 1) + " of " + std::to_string(count);
 }
 
-}  // namespace
-
-Body parse_off(std::string_view text, const std::string& name, Decimals decimals) {
-  TextScanner scanner(text, name, {.comment = '#'});
-  if (!scanner.next_line()) scanner.fail_at_end("the header 'OFF'");
-  const std::string_view header = scanner.next_token();
-  if (!is_off_header(header)) scanner.fail("the header 'OFF' (or COFF, NOFF, STOFF)", header);
-  if (scanner.rest_of_line() == "BINARY") scanner.fail("text", "BINARY");
-  if (scanner.rest_of_line().empty() && !scanner.next_line()) scanner.fail_at_end("the numbers of vertices and faces");
-  const std::uint64_t vertices = scanner.count("the number of vertices");
-  const std::uint64_t faces = scanner.count("the number of faces");
-  if (vertices == 0) scanner.fail("at least one vertex", "0");
-
-  CollectedPoints points;
-  reserve_within(points, vertices, scanner.bytes_left(), 6);  // "0 0 0\n"
-  for (std::uint64_t i = 0; i < vertices; ++i) {
-    if (!scanner.next_line()) scanner.fail_at_end(ordinal("vertex", i, vertices));
-    read_point(scanner, decimals, points);
-  }
-  MeshFaces read;
-  reserve_within(read.ends, faces, scanner.bytes_left(), 2);  // "0\n"
-  reserve_within(read.corners, 3 * faces, scanner.bytes_left(), 2);
-  for (std::uint64_t i = 0; i < faces; ++i) {
-    if (!scanner.next_line()) scanner.fail_at_end(ordinal("face", i, faces));
-    read_face(scanner, vertices, read);
-  }
-  if (scanner.next_line()) scanner.fail("the end of the file after " + std::to_string(faces) + " faces", scanner.rest_of_line());
-  return mesh_body(std::move(points), std::move(read));
-}
-
 // Wavefront OBJ: lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A '#' starts a comment, but
 // in the names of objects and groups, which run to the end of their line.
-
-namespace {
 
 // The vertex number that opens a corner "i", "i/j", "i//k" or "i/j/k". False: no such corner.
 bool parse_corner(std::string_view token, std::int64_t& index) {
@@ -142,7 +109,61 @@ Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
   return piece;
 }
 
+// Plain points, one a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
+// A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\v\f\r";
+  const std::size_t start = text.find_first_not_of(blanks);
+  return start == std::string_view::npos ? std::string_view{} : text.substr(start, text.find_last_not_of(blanks) - start + 1);
+}
+
+// A line with a comma is separated by commas alone: "1,5 2,5 3,5" (commas as decimal points) must not pass for numbers.
+void split(TextScanner& scanner, std::vector<std::string_view>& columns) {
+  columns.clear();
+  std::string_view line = scanner.rest_of_line();
+  if (line.find(',') == std::string_view::npos) {
+    for (std::string_view token = scanner.next_token(); !token.empty(); token = scanner.next_token()) columns.push_back(token);
+    return;
+  }
+  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
+    columns.push_back(trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma + 1);
+  }
+  columns.push_back(trimmed(line));
+}
+
+std::string number_of(std::size_t columns) { return std::to_string(columns) + (columns == 1 ? " column" : " columns"); }
+
 }  // namespace
+
+Body parse_off(std::string_view text, const std::string& name, Decimals decimals) {
+  TextScanner scanner(text, name, {.comment = '#'});
+  if (!scanner.next_line()) scanner.fail_at_end("the header 'OFF'");
+  const std::string_view header = scanner.next_token();
+  if (!is_off_header(header)) scanner.fail("the header 'OFF' (or COFF, NOFF, STOFF)", header);
+  if (scanner.rest_of_line() == "BINARY") scanner.fail("text", "BINARY");
+  if (scanner.rest_of_line().empty() && !scanner.next_line()) scanner.fail_at_end("the numbers of vertices and faces");
+  const std::uint64_t vertices = scanner.count("the number of vertices");
+  const std::uint64_t faces = scanner.count("the number of faces");
+  if (vertices == 0) scanner.fail("at least one vertex", "0");
+
+  CollectedPoints points;
+  reserve_within(points, vertices, scanner.bytes_left(), 6);  // "0 0 0\n"
+  for (std::uint64_t i = 0; i < vertices; ++i) {
+    if (!scanner.next_line()) scanner.fail_at_end(ordinal("vertex", i, vertices));
+    read_point(scanner, decimals, points);
+  }
+  MeshFaces read;
+  reserve_within(read.ends, faces, scanner.bytes_left(), 2);  // "0\n"
+  reserve_within(read.corners, 3 * faces, scanner.bytes_left(), 2);
+  for (std::uint64_t i = 0; i < faces; ++i) {
+    if (!scanner.next_line()) scanner.fail_at_end(ordinal("face", i, faces));
+    read_face(scanner, vertices, read);
+  }
+  if (scanner.next_line()) scanner.fail("the end of the file after " + std::to_string(faces) + " faces", scanner.rest_of_line());
+  return mesh_body(std::move(points), std::move(read));
+}
 
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#', .continuation = true});
@@ -183,36 +204,6 @@ std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& nam
   for (MeshFaces& of_piece : faces) pieces.push_back(piece_of(points, std::move(of_piece)));
   return pieces;
 }
-
-// Plain points, one a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
-// A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\v\f\r";
-  const std::size_t start = text.find_first_not_of(blanks);
-  return start == std::string_view::npos ? std::string_view{} : text.substr(start, text.find_last_not_of(blanks) - start + 1);
-}
-
-// A line with a comma is separated by commas alone: "1,5 2,5 3,5" (commas as decimal points) must not pass for numbers.
-void split(TextScanner& scanner, std::vector<std::string_view>& columns) {
-  columns.clear();
-  std::string_view line = scanner.rest_of_line();
-  if (line.find(',') == std::string_view::npos) {
-    for (std::string_view token = scanner.next_token(); !token.empty(); token = scanner.next_token()) columns.push_back(token);
-    return;
-  }
-  for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
-    columns.push_back(trimmed(line.substr(0, comma)));
-    line.remove_prefix(comma + 1);
-  }
-  columns.push_back(trimmed(line));
-}
-
-std::string number_of(std::size_t columns) { return std::to_string(columns) + (columns == 1 ? " column" : " columns"); }
-
-}  // namespace
 
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#'});

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "fathom/signed_depth.hpp"
 
 #include <stdexcept>
@@ -8,6 +7,7 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/point_algebra.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
@@ -51,10 +51,10 @@ PlaneSupport plane_support(const HalfSpace& half, Side side, std::span<const Ter
 
 }  // namespace fathom::rounded
 
-// The public function: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the radii are added.
-
 namespace fathom {
 namespace {
+
+// The public function: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the radii are added.
 
 // The square of h(n)/|n| with the sign of h(n).
 mpq_class signed_square(const PlaneSupport& plane) { return plane.support * abs(plane.support) / dot(plane.direction, plane.direction); }
@@ -113,6 +113,19 @@ SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOpti
   return result;
 }
 
+// Accessors of SignedDepth for every kind of cores.
+
+std::optional<Status> status_of(int low_sign, int high_sign) {
+  if (low_sign != high_sign) return std::nullopt;
+  return low_sign > 0 ? Status::penetrating : low_sign < 0 ? Status::disjoint : Status::touching;
+}
+
+// h(n) / <n,n>, where (h(n) / <n,n>) n is known.
+mpq_class factor(const Point& translation, const Vector& n) { return dot(n, translation) / dot(n, n); }
+
+// Points a and b of cores with b - a = (h(n) / <n,n>) n, n the direction.
+Witness witness_of(const Depth& cores) { return cores.distance() ? cores.distance()->witness : *cores.witness(); }
+
 }  // namespace
 
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
@@ -129,23 +142,6 @@ SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOption
   if (std::optional<SignedDepth> depth = exact_depth(simple_a, simple_b, options)) return std::move(*depth);
   return enclosed_depth(simple_a, simple_b, options);
 }
-
-// Accessors of SignedDepth for every kind of cores.
-
-namespace {
-
-std::optional<Status> status_of(int low_sign, int high_sign) {
-  if (low_sign != high_sign) return std::nullopt;
-  return low_sign > 0 ? Status::penetrating : low_sign < 0 ? Status::disjoint : Status::touching;
-}
-
-// h(n) / <n,n>, where (h(n) / <n,n>) n is known.
-mpq_class factor(const Point& translation, const Vector& n) { return dot(n, translation) / dot(n, n); }
-
-// Points a and b of cores with b - a = (h(n) / <n,n>) n, n the direction.
-Witness witness_of(const Depth& cores) { return cores.distance() ? cores.distance()->witness : *cores.witness(); }
-
-}  // namespace
 
 std::optional<Status> SignedDepth::status() const {
   if (const Surd* known = exact()) return status_of(sign(*known), sign(*known));

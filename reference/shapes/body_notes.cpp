@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "reference/shapes/body_notes.hpp"
 
 #include <algorithm>
@@ -24,18 +23,6 @@ std::string volume_text(const mpq_class& ratio) {
   if (excess < shown_as_excess) return fmt::format("the hull holds 1 + {:.2g} times its volume", excess);
   return fmt::format("the hull holds {:.3g} times its volume", round_binary64(ratio));
 }
-
-}  // namespace
-
-std::string dents_of(std::string_view body, const polytope::Dents& dents) {
-  std::string text = fmt::format("{} is not convex: {}", body,
-                                 dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
-  if (!dents.deepest) return text;
-  if (dents.deepest->squared_depth == 0) return text + ", all its points are on the hull";
-  return text + fmt::format(", its deepest point is {:.3g} inside", root_binary64(dents.deepest->squared_depth));
-}
-
-namespace {
 
 using Lengths = std::array<double, 3>;
 
@@ -103,6 +90,14 @@ std::string text_of(const std::optional<Lengths>& lengths) {
 }
 
 }  // namespace
+
+std::string dents_of(std::string_view body, const polytope::Dents& dents) {
+  std::string text = fmt::format("{} is not convex: {}", body,
+                                 dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
+  if (!dents.deepest) return text;
+  if (dents.deepest->squared_depth == 0) return text + ", all its points are on the hull";
+  return text + fmt::format(", its deepest point is {:.3g} inside", root_binary64(dents.deepest->squared_depth));
+}
 
 std::optional<Lengths> extent(const Body& body) {
   if (body.pieces) return extent_of(polytope::joined(*body.pieces));

@@ -8,8 +8,6 @@
 
 #include "fathom/shape.hpp"
 #include "kernels/number/rational_interval.hpp"
-#include "kernels/number/surd.hpp"
-#include "kernels/number/angle.hpp"
 
 namespace fathom::shapes {
 

@@ -2,35 +2,25 @@
 // Input   closed convex cones { x : <n, x> <= 0 for all n of a list }.
 // Output  whether they cover space. The tangent cones of the P_ij that touch a point cover it if and only if the point lies in the interior
 //         of the union of these P_ij: then no translation near it leaves a gap.                                   [proofs/unions.md]
-
 #include "reference/unions/union_search.hpp"
 
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/solve/depth.hpp"
-#include "kernels/vector.hpp"
 #include "reference/unions/least_norm.hpp"
 
 namespace fathom::unions {
-
-/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
-using TangentCone = std::vector<Vector>;
-
-/// Whether every point lies in one of the cones. Exact.
-bool cover_space(const std::vector<TangentCone>& cones);
+namespace {
 
 // A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist if and only if some
 // are beyond these planes moved out by 1: the nearest of these stands for all.
-
-namespace {
 
 class Covering {
  public:
@@ -78,13 +68,7 @@ class Covering {
   std::vector<Barrier> beyond_;
 };
 
-}  // namespace
-
-bool cover_space(const std::vector<TangentCone>& cones) { return Covering(cones).run(); }
-
 // The answer about two unions: where O lies, the search, and what touches at each optimum.
-
-namespace {
 
 using kernels::AnyNumbers;
 using kernels::FixedNumbers;
@@ -223,6 +207,14 @@ UnionDepth answer(const Pieces& a, const Pieces& b, const UnionOptions& options,
 }
 
 }  // namespace
+
+/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
+using TangentCone = std::vector<Vector>;
+
+/// Whether every point lies in one of the cones. Exact.
+bool cover_space(const std::vector<TangentCone>& cones);
+
+bool cover_space(const std::vector<TangentCone>& cones) { return Covering(cones).run(); }
 
 UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options) {
   const kernels::DefaultFloatEnvironment environment;
