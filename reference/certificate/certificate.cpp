@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates of polytopes: how they are made, the naive check of them, and their text, format 1.                [verify/check/FORMAT.md]
 #include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
@@ -83,7 +84,9 @@ Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b
   return certificate;
 }
 
-// The naive check of a certificate: in rationals, by the definitions, slow. Convexity is global here (every vertex against every
+// ---- the naive check ----
+
+// In rationals, by the definitions, slow. Convexity is global here (every vertex against every
 // facet), where the checkers' is local (each edge).
 
 class Check {
@@ -208,7 +211,7 @@ class Check {
   std::vector<Point> vertices_, tight_;
 };
 
-// The certificate as text. Every number is exact and in lowest terms.
+// ---- the text: every number is exact and in lowest terms ----
 
 template <class P>
 void write_head(Writer& out, std::size_t format, std::string_view id, std::span<const P> a, std::span<const P> b) {

@@ -17,10 +17,8 @@ namespace fathom::certificate {
 /// is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
 
-// Input   bodies that touch, and the cone of their optimal directions.
-// Output  differences b - a that leave no room for other directions.                                   [verify/check/FORMAT.md, section 4]
-
-/// Each difference is taken from faces of the bodies: O((m + n) r) for r rays.
+/// Of bodies that touch: differences b - a that leave no room for optimal directions other than those of the cone. Each difference is taken
+/// from faces of the bodies: O((m + n) r) for r rays.
 ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone);
 
 /// Checks the cone by the rules of the format, in rationals.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of signed depths: proofs about the cores, found as for point sets, and the radii beside them.
+// Certificates of signed depths, format 2: proofs about the cores, found as for point sets, and the radii beside them; the naive check of
+// them; and their text.                                                                                       [verify/check/FORMAT.md]
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -86,7 +87,7 @@ void prove(const Bracket& bracket, const SignedDepth& answer, ShapeCertificate& 
   certificate.weights_b = bracket.weights_b;
 }
 
-// The naive check of a certificate of shapes: in rationals, by the definitions. What is about points alone is left to that of format 1.
+// ---- the naive check: in rationals, by the definitions; what is about points alone is left to that of format 1 ----
 
 // The square with the sign of x.
 mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
@@ -241,7 +242,7 @@ class ShapeCheck {
   kernels::Report report_;
 };
 
-// The certificate of shapes as text: format 2.                                                                    [verify/check/FORMAT.md]
+// ---- the text ----
 
 class ShapeWriter {
  public:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The face of P in one direction, and the two sides of the bounds.
 #include "reference/curved/assembly.hpp"
 
 #include <algorithm>

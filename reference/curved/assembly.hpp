@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where bounds meet: if h(n) <= 0 is rational and the foot of O on the plane <n,x> = h(n) lies in P, it is the point of P nearest to O. It
-// is sought in the face of P in direction n, exactly.                                                  [proofs/shapes_curved.md, lemma 4]
+// Bounds with their proof: what the searches found, in short numbers, and where both bounds meet.       [proofs/shapes_curved.md, lemma 4]
 #pragma once
 
 #include <optional>
@@ -36,8 +35,6 @@ Point place(const Atom& atom, std::span<const mpq_class> local);
 /// of O on the plane <n,x> = sum of the heights, or nullopt if none was found.
 std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, const Vector& n,
                                         std::span<const TermHeight> heights);
-
-// What the searches found, as bounds with their proof, in short numbers.
 
 /// The square of height/|n| with the sign of the height.
 mpq_class signed_square(const mpq_class& height, const Vector& n);

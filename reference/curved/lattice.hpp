@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two cores on one lattice: the atoms of B and of -A as integers. P = B (+) (-A) is the sum of all their terms, those of A first.
+// And the directions of it that are worth a try.
 #pragma once
 
 #include <cstddef>

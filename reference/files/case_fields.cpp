@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The fields that a case may have, and the walk over all that was read of one, in its order, which says where the first fault is.
 #include "reference/files/case_fields.hpp"
 
 #include <algorithm>
@@ -47,8 +48,7 @@ void note(const text::JsonValue& object, const std::string& path, std::span<cons
   if (!sentence.empty()) notes.push_back({CaseNote::field, (path.empty() ? "" : path + ": ") + sentence});
 }
 
-// Looks at all that was read of a case, in its order, and says where the first fault is. It goes on after a fault: an id that comes later
-// still names the case.
+// ---- the walk: it goes on after a fault, as an id that comes later still names the case ----
 
 using text::JsonValue;
 

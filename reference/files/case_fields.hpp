@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of cases: where a value may stand, what belongs there, and names that look like one of them ("poze").
+// The fields of one case, read from JSON: where a value may stand, what belongs there, and what was read. Poses are not applied yet.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ enum class CasePlace {
   pose,
   pose_row,
   pose_entry,
-  faces,  ///< body_fields.cpp reads them
-  shape,  ///< a shape's name, or what only some shapes have: of a body that body_fields.cpp reads, or refuses
+  faces,  ///< read_faces reads them
+  shape,  ///< a shape's name, or what only some shapes have: of a body that read_shapes reads, or refuses
   other   ///< no field of ours: skipped
 };
 
@@ -63,15 +63,13 @@ std::string misspelt_in_pose(std::span<const std::string> keys);
 /// Returns a note on the case, and on each body, with such fields, if the field that may be meant is missing.
 std::vector<CaseNote> misspelt_fields(const text::JsonValue& document);
 
-// The fields of one case, read from JSON; poses are not applied yet.
-
 /// One of the two bodies as it is written.
 struct BodyFields {
   GivenPoints vertices;
   std::optional<Pose> pose;
   bool rounded = false;    ///< "pose_rounding": "binary64"
-  bool has_faces = false;  ///< body_fields.hpp reads them
-  bool is_shape = false;   ///< it has a shape's name, a margin, or a pose that is no 3 x 4 matrix: body_fields.hpp reads it
+  bool has_faces = false;  ///< read_faces reads them
+  bool is_shape = false;   ///< it has a shape's name, a margin, or a pose that is no 3 x 4 matrix: read_shapes reads it
 };
 
 /// The fields of a case, or the first error in it.
@@ -106,7 +104,7 @@ class QuickCaseReader {
   std::unique_ptr<Scratch> scratch_;
 };
 
-// Bodies of a case that are more than vertices and a matrix: shapes, margins, quaternions, pieces; and the faces of meshes.
+// ---- body_fields.cpp: bodies that are more than vertices and a matrix (shapes, margins, quaternions, pieces), and faces ----
 
 /// Those bodies of a case that were asked for, or the first fault.
 struct ShapesOfCase {

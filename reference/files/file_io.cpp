@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sentence of an InputError.
+// Files by the calls of POSIX, and the sentence of an InputError.
 #include "reference/files/file_io.hpp"
 
 #include <cerrno>

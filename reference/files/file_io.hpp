@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads files and lines.
+// Reads files and lines; writes files that appear with all of their content or not at all.
 #pragma once
 
 #include <cstddef>
@@ -32,10 +32,8 @@ bool is_folder(const std::string& path);
 /// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
 std::string extension(std::string_view path);
 
-// Writes files that appear with all of their content or not at all: under a hidden name in the same folder, and then renamed, so that a
-// file of the name that was there is replaced at once.
-
-/// A file that is being written. A device or a pipe is written to as it is; a symbolic link stays one.
+/// A file that is being written: under a hidden name in the same folder, and then renamed, so that a file of the name that was there is
+/// replaced at once. A device or a pipe is written to as it is; a symbolic link stays one.
 class WholeFile {
  public:
   /// Throws std::system_error if nothing can be written there.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What the readers of meshes share, and the door to them: a format is told by extension or first bytes.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -34,8 +35,6 @@ void CollectedPoints::add(std::array<Coordinate, 3> point) {
   }
   exact_.push_back({exact(std::move(x)), exact(std::move(y)), exact(std::move(z))});
 }
-
-// Tells the format of a mesh by extension or first bytes; what the formats share.
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points as a file is read: in binary64 for as long as every coordinate is.
+// The readers of the mesh formats, and what they share: points that stay in binary64 for as long as every coordinate is.
 #pragma once
 
 #include <gmpxx.h>
@@ -41,8 +41,6 @@ class CollectedPoints {
   std::vector<std::array<double, 3>> binary64_;
   std::vector<Point> exact_;
 };
-
-// One reader per mesh format, and what they share. For mesh.cpp and the readers.
 
 Body parse_off(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Folders of pieces in their natural order, and their union. The reader of groups is in text_formats.cpp.
 #include "reference/files/piece_files.hpp"
 
 #include <algorithm>
@@ -28,8 +29,6 @@ std::string_view take_number(std::string_view& text) {
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
   return number;
 }
-
-// The reader of groups is in obj.cpp.
 
 bool is_mesh_name(const std::string& name) {
   const std::string kind = extension(name);

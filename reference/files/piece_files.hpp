@@ -21,10 +21,8 @@ Body union_of(const std::vector<Body>& pieces);
 /// The union that read_pieces reads, with its faces. Throws as that does.
 Body read_union(const std::string& path, Decimals decimals);
 
-// The order in which people count files: piece_2 before piece_10.
-
-/// Whether `a` comes before `b`: runs of digits are compared as numbers of any length, all else byte by byte. What differs only in
-/// leading zeros is in the order of bytes, so no two texts are equal.
+/// Whether `a` comes before `b` as people count files, piece_2 before piece_10: runs of digits are compared as numbers of any length, all
+/// else byte by byte. What differs only in leading zeros is in the order of bytes, so no two texts are equal.
 bool natural_less(std::string_view a, std::string_view b);
 
 }  // namespace fathom::files

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Poses: what they do to a body, what they are made of, and their text.
 #include "reference/files/pose.hpp"
 
 #include <algorithm>

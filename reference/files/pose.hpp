@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placing a body: an exact affine map, and the one rounding that a program in doubles would add.      [docs/command_line.md]
+// Placing a body: an exact affine map, and the one rounding that a program in doubles would add; and poses as people write them.
+//                                                                                                            [docs/command_line.md]
 #pragma once
 
 #include <array>
@@ -68,9 +69,9 @@ GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
 /// written column by column. Returns a sentence in `fault` if neither is so.
 GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault);
 
-// A pose as people write it, in one argument or in one string.                                        [docs/command_line.md]
+// ---- as text ----
 
-/// Reads one of
+/// Reads a pose as people write it: one of
 ///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes around one make it exact, as in JSON
 ///   xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W rpy=ROLL,PITCH,YAWdeg (or rad), in any order, one of both may be missing
 /// Decimals mean what `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault` if it is neither.

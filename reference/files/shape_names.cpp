@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of shapes, bodies that keep the words they were given in, and shapes as one word of the command line.
 #include "reference/files/shape_names.hpp"
 
 #include <algorithm>

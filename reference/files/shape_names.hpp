@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shapes that input may name, and the fields of each: one vocabulary for JSON and for the command line.  [docs/command_line.md]
+// The shapes that input may name, the fields of each, and bodies in such words: one vocabulary for JSON and for the command line.
+//                                                                                                            [docs/command_line.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -78,7 +79,7 @@ Shape shape_of(const Body& body);
 /// The body that this shape is: its points, if it is the hull of points and has no radius.
 Body body_of(Shape shape);
 
-// Shapes as cases name them: what was read, and what can be printed again.                                          [docs/shapes.md]
+// ---- as cases name them: what was read, and what can be printed again ----                                        [docs/shapes.md]
 
 /// A shape by its name and its fields, turned and then moved; or placed by a matrix.
 struct NamedBody {
@@ -112,7 +113,7 @@ Shape shape_of(const NamedBody& body);
 /// The body that this is, with these words.
 Body body_of(NamedBody body);
 
-// A shape in one word of the command line.                                                          [docs/command_line.md]
+// ---- in one word of the command line ----
 
 /// Returns whether the word stands for a shape and not for a file: it begins with the name of a shape and a colon, "capsule:r=0.1,h=0.5",
 /// or with another word of small letters and a colon, and there are fields behind: `parse_shape` then says which shapes there are.

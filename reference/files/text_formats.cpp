@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex, one per face.
-// Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
+// Mesh formats that are lines of numbers: OFF, OBJ, and plain points.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,6 +11,11 @@
 
 namespace fathom::files {
 namespace {
+
+// ---- OFF ----
+
+// OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex, one per face.
+// Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
 
 // "ST", "C" and "N" in front say which columns follow x y z. "4" and "n" change the meaning of the coordinates themselves.
 bool is_off_header(std::string_view token) {
@@ -37,7 +41,9 @@ std::string ordinal(const char* what, std::uint64_t i, std::uint64_t count) {
   return std::string(what) + " " + std::to_string(i + 1) + " of " + std::to_string(count);
 }
 
-// Wavefront OBJ: lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A '#' starts a comment, but
+// ---- Wavefront OBJ ----
+
+// Lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A '#' starts a comment, but
 // in the names of objects and groups, which run to the end of their line.
 
 // The vertex number that opens a corner "i", "i/j", "i//k" or "i/j/k". False: no such corner.
@@ -109,7 +115,9 @@ Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
   return piece;
 }
 
-// Plain points, one a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
+// ---- plain points ----
+
+// One a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
 // A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
 
 std::string_view trimmed(std::string_view text) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The signed depth of two shapes: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the
+// radii are added. And the accessors of SignedDepth for every kind of cores.
 #include "fathom/signed_depth.hpp"
 
 #include <stdexcept>
@@ -53,8 +55,6 @@ PlaneSupport plane_support(const HalfSpace& half, Side side, std::span<const Ter
 
 namespace fathom {
 namespace {
-
-// The public function: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the radii are added.
 
 // The square of h(n)/|n| with the sign of h(n).
 mpq_class signed_square(const PlaneSupport& plane) { return plane.support * abs(plane.support) / dot(plane.direction, plane.direction); }
@@ -113,7 +113,7 @@ SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOpti
   return result;
 }
 
-// Accessors of SignedDepth for every kind of cores.
+// ---- for the accessors ----
 
 std::optional<Status> status_of(int low_sign, int high_sign) {
   if (low_sign != high_sign) return std::nullopt;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to say of a mesh that is not convex.
+// What people are to hear of the bodies before they read an answer: how large they are, and whether the meshes are the hulls that stand for
+// them. A millimetre that was taken for a metre shows there, and so does the hole of a torus.
 #pragma once
 
 #include <array>
@@ -16,9 +17,6 @@ namespace fathom::shapes {
 
 /// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", of the body so called.
 std::string dents_of(std::string_view body, const polytope::Dents& dents);
-
-// What people are to hear of the bodies before they read an answer: how large they are, and whether the meshes are the hulls that stand for
-// them. A millimetre that was taken for a metre shows there, and so does the hole of a torus.
 
 /// The lengths of a body's box along x, y and z, rounded to the nearest binary64, infinity included; of bodies with discs or balls, upper
 /// bounds that are off by a few units in the last place at most. nullopt of a half-space.

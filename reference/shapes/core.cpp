@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What holds of a valid shape, whether it is flat, and its support.
 #include "reference/shapes/core.hpp"
 
 #include <algorithm>

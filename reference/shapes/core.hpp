@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a shape.
-// Output  the same body with as simple a core as its numbers allow; and the points of a core that is a polytope.    [proofs/shapes.md]
+// Output  the same body with as simple a core as its numbers allow; the points of a core that is a polytope; how far the body reaches in a
+//         direction.                                                                               [proofs/shapes.md, proofs/judge.md]
 #pragma once
 
 #include <optional>
@@ -24,9 +25,6 @@ Shape simplified(Shape shape);
 /// The points whose hull is the core: of one term its points, of several all sums of a point of each, unless these are more than `most`.
 /// Returns nullopt then, and if an atom is not a point or the core is a half-space. For a valid shape.
 std::optional<std::vector<Point>> polytope_points(const Shape& shape, std::size_t most);
-
-// Input   a shape with a bounded core, and a direction.
-// Output  how far it reaches there, enclosed: a sum of square roots.                                      [proofs/judge.md]
 
 /// Encloses the greatest <u,x>/|u| over the points x of the body, its radius included; every root is taken to `bits` bits. A value without
 /// irrational roots is known. The shape is valid, its core is no half-space, and u is not zero.

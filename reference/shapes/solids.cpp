@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies by name, as sums of terms and a radius; of fathom/shape.hpp.
+// Shapes by name, as sums of terms and a radius, and their poses; of fathom/shape.hpp.
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -38,7 +38,7 @@ Atom disc(Axis axis, const mpq_class& place, const mpq_class& radius) {
 
 Shape of_atoms(std::vector<Atom> atoms, const mpq_class& radius = 0) { return {std::vector<Term>{{std::move(atoms)}}, radius}; }
 
-// Poses of shapes; of fathom/shape.hpp.
+// ---- poses ----
 
 using Row = std::array<mpq_class, 4>;
 

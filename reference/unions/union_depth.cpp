@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   closed convex cones { x : <n, x> <= 0 for all n of a list }.
-// Output  whether they cover space. The tangent cones of the P_ij that touch a point cover it if and only if the point lies in the interior
-//         of the union of these P_ij: then no translation near it leaves a gap.                                   [proofs/unions.md]
+// The answer about two unions: where O lies, the search, and what touches at each optimum.                        [proofs/unions.md]
 #include "reference/unions/union_search.hpp"
 
 #include <algorithm>
@@ -19,9 +17,14 @@
 namespace fathom::unions {
 namespace {
 
-// A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist if and only if some
-// are beyond these planes moved out by 1: the nearest of these stands for all.
+// ---- whether translations near an optimum leave a gap ----
 
+/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
+using TangentCone = std::vector<Vector>;
+
+// The tangent cones of the P_ij that touch a point cover space if and only if the point lies in the interior of the union of these P_ij:
+// then no translation near it leaves a gap. A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given
+// planes through O exist if and only if some are beyond these planes moved out by 1: the nearest of these stands for all.
 class Covering {
  public:
   explicit Covering(const std::vector<TangentCone>& cones) {
@@ -68,7 +71,10 @@ class Covering {
   std::vector<Barrier> beyond_;
 };
 
-// The answer about two unions: where O lies, the search, and what touches at each optimum.
+/// Whether every point lies in one of the cones. Exact.
+bool cover_space(const std::vector<TangentCone>& cones) { return Covering(cones).run(); }
+
+// ---- the answer ----
 
 using kernels::AnyNumbers;
 using kernels::FixedNumbers;
@@ -207,14 +213,6 @@ UnionDepth answer(const Pieces& a, const Pieces& b, const UnionOptions& options,
 }
 
 }  // namespace
-
-/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
-using TangentCone = std::vector<Vector>;
-
-/// Whether every point lies in one of the cones. Exact.
-bool cover_space(const std::vector<TangentCone>& cones);
-
-bool cover_space(const std::vector<TangentCone>& cones) { return Covering(cones).run(); }
 
 UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options) {
   const kernels::DefaultFloatEnvironment environment;

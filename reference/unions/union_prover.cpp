@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   half-spaces <n,x> >= h whose planes all go through the point of their intersection that is nearest to O.
-// Output  at most three of them that have the same nearest point.                   [Karush, Kuhn and Tucker; Caratheodory]
+// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
+// every facet that is not far away costs a leaf.
 #include "reference/unions/union_prover.hpp"
 
 #include <algorithm>
@@ -16,7 +16,9 @@
 namespace fathom::unions {
 namespace {
 
-// Weights by Cramer's rule, of which only signs are needed.
+// ---- of the half-spaces whose planes go through the nearest point, three that decide it: Karush, Kuhn and Tucker; Caratheodory ----
+
+// Weights are found by Cramer's rule; only their signs are needed.
 
 bool in_cone(const Vector& u, const Vector& direction) { return is_zero(cross(u, direction)) && dot(u, direction) > 0; }
 
@@ -32,8 +34,25 @@ bool in_cone(const Vector& u, const Vector& v, const Vector& w, const Vector& di
   return turn != 0 && weighs(det(direction, v, w)) && weighs(det(u, direction, w)) && weighs(det(u, v, direction));
 }
 
-// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
-// every facet that is not far away costs a leaf.
+/// The first one, two or three barriers such that `direction` is a combination of their normals with weights >= 0. Throws std::logic_error
+/// if there are none.
+std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction) {
+  for (const Barrier f : tight)
+    if (in_cone(f->normal, direction)) return {f};
+  for (std::size_t i = 0; i < tight.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector &u = tight[i]->normal, &v = tight[j]->normal;
+      if (!is_zero(cross(u, v)) && in_cone(u, v, direction)) return {tight[i], tight[j]};
+    }
+  }
+  for (std::size_t i = 0; i < tight.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        if (in_cone(tight[i]->normal, tight[j]->normal, tight[k]->normal, direction)) return {tight[i], tight[j], tight[k]};
+  throw std::logic_error("no three barriers hold the nearest point of a cell");
+}
+
+// ---- the proof ----
 
 using kernels::RationalPoint;
 
@@ -197,26 +216,6 @@ class Prover {
 };
 
 }  // namespace
-
-/// The first one, two or three barriers such that `direction` is a combination of their normals with weights >= 0. Throws std::logic_error
-/// if there are none.
-std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction);
-
-std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction) {
-  for (const Barrier f : tight)
-    if (in_cone(f->normal, direction)) return {f};
-  for (std::size_t i = 0; i < tight.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Vector &u = tight[i]->normal, &v = tight[j]->normal;
-      if (!is_zero(cross(u, v)) && in_cone(u, v, direction)) return {tight[i], tight[j]};
-    }
-  }
-  for (std::size_t i = 0; i < tight.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      for (std::size_t k = 0; k < j; ++k)
-        if (in_cone(tight[i]->normal, tight[j]->normal, tight[k]->normal, direction)) return {tight[i], tight[j], tight[k]};
-  throw std::logic_error("no three barriers hold the nearest point of a cell");
-}
 
 std::vector<Vector> separations(const UnionSearch& search, const RationalPoint& p) {
   std::vector<Vector> directions;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What proves the depth of two unions of convex pieces, as plain data: polytopes inside differences of pieces, a tree that splits space at
-// their facets, and the optima. All numbers are in the unit of the input.                                      [proofs/unions.md]
+// Input   two unions that penetrate, and the optima.
+// Output  what proves their depth, as plain data: polytopes inside differences of pieces, a tree that splits space at their facets, and the
+//         optima. All numbers are in the unit of the input.                                                      [proofs/unions.md]
 #pragma once
 
 #include <cstdint>
@@ -45,9 +46,6 @@ struct UnionProof {
   std::vector<ProofNode> nodes;      ///< the first is the root
   std::vector<ProofOptimum> optima;  ///< all, in lexicographic order of their translations
 };
-
-// Input   two unions that penetrate, and the optima.
-// Output  the proof of their depth, as plain data.                                                               [proofs/unions.md]
 
 /// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum. Throws std::logic_error if p is not free.
 std::vector<Vector> separations(const UnionSearch& search, const kernels::RationalPoint& p);

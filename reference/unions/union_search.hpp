@@ -105,9 +105,7 @@ bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::Ratio
 /// Whether p comes before q in lexicographic order.
 bool is_before(const Point& p, const Point& q);
 
-// The twin of union_depth: one template over the integers, those of fixed size where the lattice is narrow, and mpz_class anywhere.
-
-/// union_depth in integers of any size.
+/// union_depth in integers of any size, also where the lattice is so narrow that those of a fixed size would do: its twin.
 UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 }  // namespace fathom::unions
