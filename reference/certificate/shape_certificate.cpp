@@ -368,8 +368,6 @@ class ShapeWriter {
 // One hull of points without a radius.
 bool bare(const Shape& shape) { return shape.radius == 0 && shapes::require_all_but_points(shape); }
 
-std::vector<Point> points_of(const Shape& shape) { return *shapes::polytope_points(shape, most_expanded_points); }
-
 }  // namespace
 
 kernels::Report validate(const ShapeCertificate& certificate) { return ShapeCheck(certificate).run(); }
