@@ -107,9 +107,14 @@ Body union_of(const std::vector<Body>& pieces) {
     if (piece.faces) add_faces(*piece.faces, piece.points.size(), before, faces);
     before += static_cast<std::uint32_t>(piece.points.size());
   }
-  Body body;
-  body.pieces = std::make_shared<const Pieces>(points_of(pieces));
+  Body body = union_of(points_of(pieces));
   body.faces = faces_of(std::move(faces));
+  return body;
+}
+
+Body union_of(Pieces pieces) {
+  Body body;
+  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
   return body;
 }
 

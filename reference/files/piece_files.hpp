@@ -18,6 +18,9 @@ std::vector<std::string> piece_files(const std::string& folder);
 /// The union of meshes, or of point sets, each a piece. Its `faces` are those of all pieces: corners count the points of one after another.
 Body union_of(const std::vector<Body>& pieces);
 
+/// The same of pieces of which no mesh is known.
+Body union_of(Pieces pieces);
+
 /// The union that read_pieces reads, with its faces. Throws as that does.
 Body read_union(const std::string& path, Decimals decimals);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "verify/families/families.hpp"
+#include "reference/files/piece_files.hpp"
 
 namespace fathom::families {
 namespace {
@@ -32,14 +32,12 @@ constexpr UnionFamily table[] = {
     {"ring_and_rod", "a square rod through a ring: at times with room", 12, ring_and_rod},
 };
 
-Body union_of(Pieces pieces) { return {.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))}; }
-
 }  // namespace
 
 Case UnionFamily::make(std::uint64_t seed, unsigned size) const {
   Random random = stream_of(name, seed);
   UnionPair pair = build(random, size);
-  return {case_id(name, size, seed), union_of(std::move(pair.a)), union_of(std::move(pair.b))};
+  return {case_id(name, size, seed), files::union_of(std::move(pair.a)), files::union_of(std::move(pair.b))};
 }
 
 std::span<const UnionFamily> union_families() { return table; }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <memory>
 #include <optional>
 #include <pybind11/stl.h>
 #include <string>
@@ -70,16 +69,10 @@ Pieces pieces_from(py::handle from, const std::string& called, const std::string
   return pieces;
 }
 
-Body union_of(Pieces pieces) {
-  Body body;
-  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
-  return body;
-}
-
 /// Takes a union that is there, or what pieces_from takes.
 Body union_from(py::handle from, const std::string& called, const std::string& name) {
   if (py::isinstance<Body>(from) && from.cast<const Body&>().pieces) return from.cast<Body>();
-  return union_of(pieces_from(from, called, name));
+  return files::union_of(pieces_from(from, called, name));
 }
 
 /// Warns of the pieces of a union that are not convex, where faces tell it.
