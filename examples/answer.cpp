@@ -13,7 +13,8 @@ void tell(const std::string& bodies) {
   if (bool(answer.exact()) && compare(answer.low(), answer.high()) == 0)
     std::cout << ", exactly " << answer.exact()->rational << " + root of " << answer.exact()->root;
   if (answer.nearest_binary64()) std::cout << ", nearest " << *answer.nearest_binary64();
-  std::cout << "; " << answer.ways_out() << " ways out\n";
+  const fathom::BodyFacts facts = facts_of(asked.a, asked.b, answer);
+  std::cout << "; " << answer.ways_out() << " ways out" << (facts.flat_a || facts.flat_b ? ", one is flat" : "") << '\n';
 
   if (answer.ways_out() > 0) std::cout << "  the first moves A along x by " << answer.way_out(0).translation[0].rational << '\n';
   if (const auto direction = answer.direction()) std::cout << "  direction " << direction->x << ' ' << direction->y << ' ' << direction->z;

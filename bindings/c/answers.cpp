@@ -71,7 +71,9 @@ std::string exact_of(const Answer& answer, int quantity) {
 }
 
 std::string json_of(const fathom_answer& asked, const std::string& id) {
-  return output::answer_json({id, asked.answer, output::about_bodies(Case{id, *asked.a, *asked.b}, false)}, {.optima = asked.listed});
+  const output::AnsweredCase answered{id, asked.answer, output::about_bodies(Case{id, *asked.a, *asked.b}, false),
+                                      facts_of(*asked.a, *asked.b, asked.answer)};
+  return output::answer_json(answered, {.optima = asked.listed});
 }
 
 std::string certificate_of(const fathom_answer& asked, const std::string& id, const fathom_options& options) {

@@ -50,10 +50,12 @@ AnsweredCase answered_by(const AskedCase& asked, const Request& request, const Q
   } else if (request.shallow || one) {
     Depth depth = request.shallow ? shallow_depth(single.a.points, b.points, question.options) : width(single.a.points, question.options);
     const BodyFacts facts = depth;
-    return {single.id, {std::move(depth), facts}, asked.bodies};
+    return {single.id, {std::move(depth)}, asked.bodies, facts};
   }
   try {
-    return {single.id, exact_answer(single.a, b, question), asked.bodies};
+    Answer answer = exact_answer(single.a, b, question);
+    const BodyFacts facts = facts_of(single.a, b, answer);
+    return {single.id, std::move(answer), asked.bodies, facts};
   } catch (const std::invalid_argument& error) {
     if (!has_union(single)) throw;
     throw InputError(single.id, 0, error.what());

@@ -3,7 +3,6 @@
 // The rows of each kind of bodies stand together, in the order of the page.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <string_view>
 #include <vector>
 
@@ -175,7 +174,7 @@ std::string pair_block(const AnsweredCase& answered, const Found& found, const R
   add_answer(rows, found, request);
   add_bodies(rows, answered.bodies);
   add_method(rows, found, request);
-  const BodyFacts& facts = answered.answer.facts;
+  const BodyFacts& facts = answered.facts;
   if (const std::string flat = flat_text(facts, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
   if (std::is_same_v<Found, Depth> && facts.flat_a && found.status() == Status::penetrating) rows.push_back(flat_note());
   if (request.counters) add_counters(rows, output::counters_of(found));

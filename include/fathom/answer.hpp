@@ -56,7 +56,6 @@ struct SurdWitness {
 /// The answer about two bodies, by what was found.
 struct Answer {
   std::variant<Depth, SignedDepth, UnionDepth> found;  ///< of two polytopes; if one is another shape; if one is a union
-  BodyFacts facts = {};                                ///< which of the bodies are flat
 
   /// nullopt if bounds leave it open.
   [[nodiscard]] std::optional<Status> status() const;
@@ -97,6 +96,10 @@ struct Answer {
 
 /// Returns the answer about two bodies, as penetration_depth, signed_depth and union_depth do. Throws what they throw.
 Answer exact_answer(const Body& a, const Body& b, const Question& question = {});
+
+/// Returns which of these two bodies are flat; of polytopes also how many extreme points the answer counted. Unions are not flat, as their
+/// pieces have interiors. Exact. Of shapes it is found anew with each call, by elimination in rationals.
+BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer);
 
 /// Returns the certificate of an answer about these two bodies, in the shortest format that holds it. Throws as the functions of
 /// fathom/certificate.hpp do.

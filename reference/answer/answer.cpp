@@ -167,14 +167,17 @@ Part<UnionBounds> Answer::union_bounds() const {
 
 Answer exact_answer(const Body& a, const Body& b, const Question& question) {
   if (a.pieces || b.pieces) return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
-  if (!a.shape && !b.shape) {
-    Depth depth = penetration_depth(a, b, question.options);
-    const BodyFacts facts = depth;
-    return {std::move(depth), facts};
-  }
-  const Shape shape_a = files::shape_of(a), shape_b = files::shape_of(b);
-  SignedDepth depth = signed_depth(shape_a, shape_b, {.cores = question.options, .bits = question.bits});
-  return {std::move(depth), {is_flat(shape_a), is_flat(shape_b)}};
+  if (!a.shape && !b.shape) return {penetration_depth(a, b, question.options)};
+  return {signed_depth(files::shape_of(a), files::shape_of(b), {.cores = question.options, .bits = question.bits})};
+}
+
+BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
+  return std::visit(ByKind{[](const Depth& depth) { return BodyFacts(depth); },
+                           [&](const SignedDepth&) {
+                             return BodyFacts{is_flat(files::shape_of(a)), is_flat(files::shape_of(b))};
+                           },
+                           [](const UnionDepth&) { return BodyFacts(); }},
+                    answer.found);
 }
 
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id, Monitor* monitor) {

@@ -167,7 +167,7 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
     result["distance"] = distance;
   }
   add_bodies(result, answered.bodies);
-  result["flat"] = flat_array(answered.answer.facts);
+  result["flat"] = flat_array(answered.facts);
   result["method"] = method_name(found);
   if (shown.counters) result["counters"] = counters_object(counters_of(found));
   if (shown.certificate) result["certificate"] = answered.certificate;

@@ -17,6 +17,7 @@ struct AnsweredCase {
   std::string id;
   Answer answer;
   AboutBodies bodies = {};
+  BodyFacts facts = {};          ///< which of the bodies are flat
   std::string certificate = {};  ///< as text, if one is requested and the answer is complete
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,7 +102,10 @@ py::object method(const PairAnswer& answer) {
   return depth && depth->method ? py::object(py::str(std::string(name(*depth->method)))) : py::object(py::none());
 }
 
-py::tuple flatness(const PairAnswer& asked) { return py::make_tuple(asked.answer.facts.flat_a, asked.answer.facts.flat_b); }
+py::tuple flatness(const PairAnswer& asked) {
+  const BodyFacts facts = facts_of(asked.a, asked.b, asked.answer);
+  return py::make_tuple(facts.flat_a, facts.flat_b);
+}
 
 py::object contact_in_python(const PairAnswer& answer) { return contact(answer.answer.contact()); }
 
