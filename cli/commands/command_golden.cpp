@@ -14,7 +14,7 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "verify/golden/io/files.hpp"
-#include "verify/golden/release/generate.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::cli {
 namespace {

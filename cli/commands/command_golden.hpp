@@ -9,7 +9,7 @@
 
 #include "cli/args/golden_arguments.hpp"
 #include "cli/io/output.hpp"
-#include "verify/golden/release/verify.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::cli {
 

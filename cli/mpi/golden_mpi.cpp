@@ -13,7 +13,7 @@
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
 #include "cli/mpi/verbs.hpp"
-#include "verify/golden/release/generate.hpp"
+#include "verify/golden/release/release.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -10,7 +10,6 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/certificate/writer.hpp"

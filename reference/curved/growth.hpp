@@ -11,7 +11,6 @@
 #include "fathom/depth.hpp"
 #include "reference/curved/goal.hpp"
 #include "reference/curved/oracle.hpp"
-#include "reference/expanding/inner_polytope.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {

@@ -5,7 +5,6 @@
 #include <set>
 #include <span>
 
-#include "kernels/point_algebra.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 

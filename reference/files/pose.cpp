@@ -11,7 +11,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/files/text_scanner.hpp"

@@ -12,7 +12,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::files {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "kernels/counts.hpp"
+#include "kernels/context.hpp"
 #include "kernels/number/infinitesimal.hpp"
 
 namespace fathom::output {

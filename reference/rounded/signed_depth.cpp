@@ -9,7 +9,6 @@
 
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fathom/shape.hpp"
-#include "kernels/number/rational_interval.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::shapes {
 

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/filters/double_images.hpp"
-#include "kernels/filters/fixed_images.hpp"
-#include "reference/expanding/start.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/predicates/direction.hpp"
+#include "reference/expanding/surface.hpp"
 
 namespace fathom::unions {
 namespace {

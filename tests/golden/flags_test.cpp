@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each flag on a pair that has it, and none on a pair that has none; all of them are explained in the notes and known to the schema.
-#include "verify/golden/records/flags.hpp"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include <sstream>
 
 #include "fathom/numbers.hpp"
+#include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 

@@ -13,7 +13,6 @@
 #include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
-#include "verify/golden/records/recompute.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {

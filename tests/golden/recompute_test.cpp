@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever is changed in a record, the other methods notice. That they give what is right: prove_test.cpp.
-#include "verify/golden/records/recompute.hpp"
-
 #include <gtest/gtest.h>
 
 #include "fathom/numbers.hpp"
 #include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "tests/support/monitors.hpp"
+#include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Law: what was written comes back line by line, whatever the sizes; and a file that is anything else than one whole frame is refused.
-#include "verify/golden/io/zstd_file.hpp"
-
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/study/findings.hpp"
-
 #include <algorithm>
+
+#include "verify/study/study.hpp"
 
 namespace fathom::studies {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parallel edges and common normals: equal primitive vectors, found by sorting.
-#include "verify/study/findings.hpp"
+#include "verify/study/study.hpp"
 
 namespace fathom::studies {
 namespace {

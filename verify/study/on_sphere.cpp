@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z = (0, 0, 1).
 #include "kernels/predicates/perturbed_kernel.hpp"
-#include "verify/study/findings.hpp"
+#include "verify/study/study.hpp"
 
 namespace fathom::studies {
 namespace {

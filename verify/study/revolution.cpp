@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An atom is one of revolution about a line in direction d if its centre is on the line, and M M^T = x I + y d d^T.
-#include "verify/study/revolution.hpp"
-
 #include <algorithm>
+
+#include "verify/study/solid.hpp"
 
 namespace fathom::studies {
 namespace {

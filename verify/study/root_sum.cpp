@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/study/root_sum.hpp"
-
 #include <algorithm>
 
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "verify/study/solid.hpp"
 
 namespace fathom::studies {
 

@@ -9,7 +9,6 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
-#include "verify/study/revolution.hpp"
 
 namespace fathom::studies {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
-#include "verify/study/support_face.hpp"
 
 namespace fathom::studies {
 

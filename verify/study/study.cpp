@@ -11,7 +11,6 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "verify/study/findings.hpp"
 
 namespace fathom::studies {
 namespace {

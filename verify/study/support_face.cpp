@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An atom c + M y reaches <n,c> + |M^T n|: as a whole if M^T n = 0, else in the one point c + M s/|s|, s = M^T n.
-#include "verify/study/support_face.hpp"
-
 #include <algorithm>
 #include <optional>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
+#include "verify/study/solid.hpp"
 
 namespace fathom::studies {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fathom/shape.hpp"
-#include "verify/study/root_sum.hpp"
+#include "verify/study/solid.hpp"
 
 namespace fathom::studies {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "reference/depth/contact.hpp"
-#include "verify/study/findings.hpp"
+#include "verify/study/study.hpp"
 #include "view/stages/decisions.hpp"
 #include "view/stages/parts.hpp"
 

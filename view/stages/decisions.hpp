@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernels/predicates/perturbed_kernel.hpp"
-#include "verify/study/findings.hpp"
+#include "verify/study/study.hpp"
 
 namespace fathom::stages {
 

@@ -16,7 +16,6 @@
 #include "bindings/python/src/bodies.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/io/files.hpp"
-#include "verify/golden/io/zstd_file.hpp"
 
 namespace fathom::python {
 namespace {

@@ -17,10 +17,8 @@
 #include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
 #include "verify/golden/io/files.hpp"
-#include "verify/golden/io/zstd_file.hpp"
-#include "verify/golden/records/flags.hpp"
+#include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/golden/records/record_reader.hpp"
 #include "verify/golden/release/release.hpp"
 
 namespace fathom::golden {

@@ -7,8 +7,8 @@
 
 #include "kernels/messages.hpp"
 #include "verify/golden/export/export.hpp"
-#include "verify/golden/records/flags.hpp"
-#include "verify/golden/records/record_reader.hpp"
+#include "verify/golden/records/facts.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

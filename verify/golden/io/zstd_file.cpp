@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/io/zstd_file.hpp"
-
 #include <zstd.h>
 
 #include <new>

@@ -6,7 +6,6 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/number/rounding.hpp"
-#include "verify/golden/records/flags.hpp"
 
 namespace fathom::golden {
 

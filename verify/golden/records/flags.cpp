@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/records/flags.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/golden/records/faces.hpp"
+#include "verify/golden/records/facts.hpp"
 
 namespace fathom::golden {
 namespace {

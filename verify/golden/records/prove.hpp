@@ -10,7 +10,7 @@
 
 #include "fathom/depth.hpp"
 #include "verify/golden/records/facts.hpp"
-#include "verify/golden/records/record_reader.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 

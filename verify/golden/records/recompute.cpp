@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/records/recompute.hpp"
-
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -10,7 +8,7 @@
 #include "fathom/shape.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/prove.hpp"
-#include "verify/golden/records/record_reader.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/records/record_reader.hpp"
-
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "kernels/messages.hpp"
+#include "verify/golden/records/record.hpp"
 
 namespace fathom::golden {
 namespace {

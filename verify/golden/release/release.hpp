@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/shards/manifest.hpp"
 #include "verify/golden/shards/plan.hpp"
+#include "verify/golden/shards/shard.hpp"
 
 namespace fathom::golden {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/golden/shards/manifest.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "verify/golden/io/files.hpp"
+#include "verify/golden/shards/shard.hpp"
 
 namespace fathom::golden {
 namespace {

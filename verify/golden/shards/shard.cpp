@@ -13,10 +13,8 @@
 
 #include "kernels/context.hpp"
 #include "verify/golden/io/files.hpp"
-#include "verify/golden/io/zstd_file.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/prove.hpp"
-#include "verify/golden/records/recompute.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {

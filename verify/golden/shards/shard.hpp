@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "verify/golden/io/zstd_file.hpp"
+#include "verify/golden/io/files.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/golden/shards/manifest.hpp"
 
 namespace fathom::golden {
 
