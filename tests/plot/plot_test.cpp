@@ -22,7 +22,7 @@ std::string line_of(const std::string& svg) { return all(svg, "<path class=\"loo
 TEST(Plot, SeriesDifferByMoreThanColour) {
   std::vector<Series> series;
   for (unsigned i = 0; i < distinct_looks; ++i) series.push_back({"s", {{0, double(i)}, {1, double(i)}}});
-  const std::string svg = figure_element(figure_of(series));
+  const std::string svg = figure_file(figure_of(series));
   std::set<std::string> dashes, marks;
   for (const std::string& style : all(svg, "<path class=\"(look-[^\"]*)\"")) dashes.insert(style);
   for (const std::string& style : all(svg, "<path class=\"mark (\\w+)[^\"]*\" d=\"M[0-9. -]*[^\"]*")) marks.insert(style);
@@ -32,22 +32,22 @@ TEST(Plot, SeriesDifferByMoreThanColour) {
   EXPECT_EQ(shapes.size(), distinct_looks);
   for (unsigned i = 1; i < distinct_looks; ++i) {
     const std::string rule = ".dash-" + std::to_string(i) + "{stroke-dasharray";
-    EXPECT_NE(plot_style().find(rule), std::string::npos) << "law: a dash for each: " << rule;
+    EXPECT_NE(svg.find(rule), std::string::npos) << "law: a dash for each: " << rule;
   }
 }
 
 TEST(Plot, LinesBreakWhereAValueHasNoPlace) {
   const double nan = std::nan("");
-  std::string svg = figure_element(figure_of({{"s", {{0, 1}, {1, 2}, {2, nan}, {3, 3}, {4, 4}}, true, false}}));
+  std::string svg = figure_file(figure_of({{"s", {{0, 1}, {1, 2}, {2, nan}, {3, 3}, {4, 4}}, true, false}}));
   EXPECT_EQ(all(line_of(svg), "(M)").size(), 2u);
   EXPECT_NE(svg.find("Not drawn: 1 value, "), std::string::npos);
-  svg = figure_element(figure_of({{"s", {{1, 1}, {2, 0}, {3, 3}, {4, 0}, {5, 5}}, true, false}}, Scale::logarithmic));
+  svg = figure_file(figure_of({{"s", {{1, 1}, {2, 0}, {3, 3}, {4, 0}, {5, 5}}, true, false}}, Scale::logarithmic));
   EXPECT_EQ(all(line_of(svg), "(M)").size(), 3u);
   EXPECT_NE(svg.find("Not drawn: 2 values, 0 or below"), std::string::npos);
 }
 
 TEST(Plot, HigherIsUp) {
-  const std::string d = line_of(figure_element(figure_of({{"s", {{0, 0}, {1, 10}}, true, false}})));
+  const std::string d = line_of(figure_file(figure_of({{"s", {{0, 0}, {1, 10}}, true, false}})));
   const std::vector<std::string> numbers = all(d, "(-?[0-9.]+)");
   ASSERT_EQ(numbers.size(), 4u);
   EXPECT_LT(std::stod(numbers[0]), std::stod(numbers[2])) << "law: greater x is to the right";
@@ -68,7 +68,7 @@ TEST(Plot, TextsOfOthersAreEscaped) {
 TEST(Plot, LongTextsAreCutAndEmptySeriesPassedOver) {
   Figure figure = figure_of({{"empty", {}}, {"s", {{0, 0}, {1, 1}}}});
   figure.title = std::string(80, 'x') + "⁵⁵⁵⁵⁵⁵⁵";
-  const std::string svg = figure_element(figure);
+  const std::string svg = figure_file(figure);
   EXPECT_EQ(svg.find("empty"), std::string::npos);
   EXPECT_NE(svg.find("class=\"look-1 dash-1\""), std::string::npos) << "law: the look is that of the place in the list";
   EXPECT_NE(svg.find(std::string(80, 'x') + "⁵⁵⁵⁵...</text>"), std::string::npos);
@@ -79,7 +79,7 @@ TEST(Plot, IdsHaveThePrefixAndDiffer) {
   Figure figure = figure_of({{"s", {{0, 0}, {1, 1}}}});
   figure.panels.push_back(figure.panels[0]);
   std::set<std::string> seen;
-  for (const std::string& id : all(figure_element(figure), " id=\"([^\"]*)\"")) {
+  for (const std::string& id : all(figure_file(figure), " id=\"([^\"]*)\"")) {
     EXPECT_TRUE(id.starts_with("p-")) << id;
     EXPECT_TRUE(seen.insert(id).second) << id;
   }
@@ -89,7 +89,7 @@ TEST(Plot, IdsHaveThePrefixAndDiffer) {
 TEST(Plot, ManyPlacesHaveFewMarks) {
   Series series{"s", {}};
   for (int i = 0; i < 1000; ++i) series.places.push_back({double(i), double(i)});
-  const std::string svg = figure_element(figure_of({series}));
+  const std::string svg = figure_file(figure_of({series}));
   EXPECT_LE(all(svg, "(class=\"mark)").size(), 70u);
   EXPECT_EQ(all(line_of(svg), "(L)").size(), 999u);
 }

@@ -3,14 +3,231 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
-#include "view/plot/panel.hpp"
 
 namespace fathom::plot {
 namespace {
+
+/// A marker around the origin.
+struct Shape {
+  std::string_view path, fill;
+};
+
+constexpr std::array<Shape, distinct_looks> shapes{
+    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "full"},    // a disc
+    Shape{"m-3.6 -3.6h7.2v7.2h-7.2z", "full"},               // a square
+    Shape{"m0 -4.8l4.6 8h-9.2z", "hollow"},                  // a triangle
+    Shape{"m0 -5l5 5l-5 5l-5 -5z", "hollow"},                // a diamond
+    Shape{"m-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0z", "hollow"},  // a ring
+    Shape{"m-4 -4l8 8m0 -8l-8 8", "cross"},
+};
+
+constexpr double panel_width = 760, panel_margin = 12;                               // pixels
+constexpr double plot_height = 300, right_room = 24, label_room = 12, letter = 7.2;  // pixels; of a letter its width
+constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20,
+                 least_left = 90;
+constexpr unsigned most_x_labels = 8, most_y_labels = 8;
+constexpr std::size_t most_characters = 84;  // of a line of text
+constexpr std::size_t most_marks = 64, marks_of_many = 32;
+
+/// The marker of the series with this number; with a title if there is one.
+std::string mark_element(std::size_t series, double x, double y, const std::string& what) {
+  const std::size_t look = series % distinct_looks;
+  const std::string start =
+      fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill, look, x, y, shapes[look].path);
+  return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, picture::markup(what));
+}
+
+/// The classes of the line of the series with this number: colour and dash.
+std::string line_classes(std::size_t series) {
+  const std::size_t look = series % distinct_looks;
+  return look == 0 ? "look-0" : fmt::format("look-{0} dash-{0}", look);
+}
+
+std::size_t characters(const std::string& text) {  // of UTF-8
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }));
+}
+
+/// The text as markup, cut where it would not fit into the figure.
+std::string fitting(const std::string& text) {
+  if (characters(text) <= most_characters) return picture::markup(text);
+  std::size_t end = 0;
+  for (std::size_t count = 0; count < most_characters || (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80; ++end)
+    count += (static_cast<unsigned char>(text[end]) & 0xc0U) != 0x80 ? 1 : 0;
+  return picture::markup(text.substr(0, end)) + "...";
+}
+
+/// Where values lie in the panel.
+struct Field {
+  Ticks x, y;
+  double left = 0, top = 0, right = panel_width - right_room, bottom = 0;
+
+  [[nodiscard]] bool holds(double u, double v) const { return x.holds(u) && y.holds(v); }
+  [[nodiscard]] double across(double u) const { return left + x.share(u) * (right - left); }
+  [[nodiscard]] double down(double v) const { return bottom - y.share(v) * (bottom - top); }
+};
+
+Field field_of(const CurvePanel& panel) {
+  std::vector<double> across, up;
+  const auto add = [&](double x, double y) {
+    across.push_back(x);
+    up.push_back(y);
+  };
+  for (const Series& series : panel.series)
+    for (const Datum& place : series.places) add(place.x, place.y);
+  if (panel.band)
+    for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
+  if (panel.y.scale == Scale::linear) up.push_back(0);  // what lies above 0 and what below is seen in any case
+  Field field{ticks_for(panel.x.scale, across, most_x_labels, panel.x.tight), ticks_for(panel.y.scale, up, most_y_labels, panel.y.tight)};
+  std::size_t longest = 0;
+  for (const Tick& tick : field.y.ticks) longest = std::max(longest, characters(tick.label));
+  field.left = std::max(least_left, panel_margin + y_name_room + letter * static_cast<double>(longest) + label_room);
+  field.top = panel.title.empty() ? 8 : title_room + 8;
+  field.bottom = field.top + plot_height;
+  return field;
+}
+
+std::string grid_elements(const CurvePanel& panel, const Field& field) {
+  std::string lines, texts;
+  const auto style = [](const Tick& tick) { return tick.label.empty() ? "grid small" : "grid"; };
+  for (const Tick& tick : field.x.ticks) {
+    const double x = field.across(tick.value);
+    lines += fmt::format("<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n", style(tick), x, field.top,
+                         field.bottom);
+    if (!tick.label.empty())
+      texts += fmt::format("<text class=\"soft\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, field.bottom + 16,
+                           tick.label);
+  }
+  for (const Tick& tick : field.y.ticks) {
+    const double y = field.down(tick.value);
+    lines += fmt::format("<line class=\"{0}\" x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"{1:.1f}\" y2=\"{1:.1f}\"/>\n", style(tick), y, field.left,
+                         field.right);
+    if (!tick.label.empty())
+      texts +=
+          fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.left - 6, y + 4, tick.label);
+  }
+  lines += fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", field.left, field.top,
+                       field.right - field.left, field.bottom - field.top);
+  const double middle = (field.top + field.bottom) / 2, turn = panel_margin + 8;
+  texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (field.left + field.right) / 2,
+                       field.bottom + x_label_room + 15, fitting(panel.x.name));
+  texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n", turn, middle,
+                       picture::markup(panel.y.name));
+  return lines + texts;
+}
+
+/// The line at 0 and what lies on its two sides.
+std::string zero_elements(const CurvePanel& panel, const Field& field) {
+  if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
+  const double y = field.down(0);
+  std::string result =
+      fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", field.left, field.right, y);
+  const auto side = [&](const std::string& text, double at) {
+    if (!text.empty())
+      result += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.right - 6, at,
+                            picture::markup(text));
+  };
+  if (y - field.top > legend_row) side(panel.above, y - 6);
+  if (field.bottom - y > legend_row) side(panel.below, y + 15);
+  return result;
+}
+
+std::string band_element(const Band& band, const Field& field) {
+  std::string there, back;
+  for (const Band::Slice& slice : band.slices) {
+    if (!field.holds(slice.x, slice.low) || !field.holds(slice.x, slice.high)) continue;
+    there += fmt::format("{}{:.1f} {:.1f}", there.empty() ? "M" : "L", field.across(slice.x), field.down(slice.high));
+    back.insert(0, fmt::format("L{:.1f} {:.1f}", field.across(slice.x), field.down(slice.low)));
+  }
+  return there.empty() ? "" : fmt::format("<path class=\"band\" d=\"{}{}Z\"/>\n", there, back);
+}
+
+std::string series_elements(const Series& series, std::size_t number, const Field& field) {
+  std::string path, marks;
+  bool open = false;
+  const std::size_t every = series.places.size() <= most_marks ? 1 : (series.places.size() + marks_of_many - 1) / marks_of_many;
+  for (std::size_t i = 0; i < series.places.size(); ++i) {
+    const Datum& place = series.places[i];
+    const bool drawn = field.holds(place.x, place.y);
+    if (drawn) {
+      const double x = field.across(place.x), y = field.down(place.y);
+      path += fmt::format("{}{:.1f} {:.1f}", open ? "L" : "M", x, y);
+      if (series.marks && (i % every == 0 || !series.line)) marks += mark_element(number, x, y, place.what) + "\n";
+    }
+    open = drawn;
+  }
+  if (!series.line || path.empty()) return marks;
+  return fmt::format("<path class=\"{}\" d=\"{}\"/>\n{}", line_classes(number), path, marks);
+}
+
+/// Rows of two entries each.
+std::string legend_elements(const CurvePanel& panel, double top, double left, double& height) {
+  std::string result;
+  std::size_t entry = 0;
+  const auto add = [&](const std::string& sample, const std::string& name) {
+    const double x = left + legend_column * static_cast<double>(entry % 2), y = top + legend_row * static_cast<double>(entry / 2);
+    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample,
+                          picture::markup(name));
+    ++entry;
+  };
+  for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    if (panel.series[i].places.empty()) continue;
+    std::string sample = panel.series[i].line ? fmt::format("<path class=\"{}\" d=\"M0 0H38\"/>", line_classes(i)) : "";
+    if (panel.series[i].marks) sample += mark_element(i, 19, 0, "");
+    add(sample, panel.series[i].name);
+  }
+  if (panel.band) add("<path class=\"band\" d=\"M0 -6H38V6H0Z\"/>", panel.band->name);
+  height = legend_row * static_cast<double>((entry + 1) / 2);
+  return result;
+}
+
+/// What has no place on the axes.
+std::string left_out(const CurvePanel& panel, const Field& field) {
+  std::size_t count = 0;
+  for (const Series& series : panel.series)
+    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Datum& p) { return !field.holds(p.x, p.y); }));
+  if (count == 0) return "";
+  const bool logarithmic = panel.x.scale == Scale::logarithmic || panel.y.scale == Scale::logarithmic;
+  return fmt::format("Not drawn: {} value{}, {}.", count, count == 1 ? "" : "s",
+                     logarithmic ? "0 or below, or too large for the axis" : "unknown, or beyond binary64");
+}
+
+/// Elements, with the left upper corner of the panel at the origin.
+struct PanelPicture {
+  std::string content;
+  double height;
+};
+
+/// One panel of a figure. `clip` is the id of its clipping path.
+PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip) {
+  const Field field = field_of(panel);
+  std::string content;
+  if (!panel.title.empty())
+    content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, fitting(panel.title));
+  content += grid_elements(panel, field) + zero_elements(panel, field);
+  content +=
+      fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
+                  picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
+  content += fmt::format("<g clip-path=\"url(#{})\">\n", picture::markup(clip));
+  if (panel.band) content += band_element(*panel.band, field);
+  for (std::size_t i = 0; i < panel.series.size(); ++i) content += series_elements(panel.series[i], i, field);
+  content += "</g>\n";
+  double height = 0, y = field.bottom + x_label_room + x_name_room + legend_row;
+  content += legend_elements(panel, y, field.left, height);
+  y += height;
+  if (const std::string note = left_out(panel, field); !note.empty()) {
+    content += fmt::format("<text class=\"soft\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.left, y + 4, note);
+    y += legend_row;
+  }
+  return {content, y};
+}
 
 /// "@name" stands for a colour of that name.
 constexpr std::string_view rules = R"(
@@ -47,7 +264,7 @@ svg.plot .dash-4{stroke-dasharray:14 5}
 svg.plot .dash-5{stroke-dasharray:5 2}
 )";
 
-constexpr double title_room = 34, panel_gap = 22;
+constexpr double heading_room = 34, panel_gap = 22;
 
 struct Drawn {
   std::string content;
@@ -56,7 +273,7 @@ struct Drawn {
 
 Drawn drawn(const Figure& figure) {
   std::string content;
-  double y = title_room;
+  double y = heading_room;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const PanelPicture picture = panel_picture(figure.panels[i], fmt::format("{}-clip{}", figure.prefix, i));
     content += fmt::format("<g transform=\"translate(0 {:.1f})\">\n{}</g>\n", y, picture.content);
@@ -65,27 +282,19 @@ Drawn drawn(const Figure& figure) {
   return {content, y - panel_gap};
 }
 
-std::string svg(const Figure& figure, std::string_view attributes, std::string_view style) {
-  const Drawn picture = drawn(figure);
-  const std::string id = picture::markup(figure.prefix), title = picture::markup(figure.title);
-  return fmt::format(
-      "<svg {7}class=\"plot\" viewBox=\"0 0 {0} {1:.0f}\" width=\"{0}\" height=\"{1:.0f}\" role=\"img\" aria-labelledby=\"{2}-t {2}-d\">"
-      "<title id=\"{2}-t\">{3}</title><desc id=\"{2}-d\">{4}</desc>\n{5}<rect class=\"ground\" width=\"{0}\" height=\"{1:.0f}\"/>\n"
-      "<text class=\"title\" x=\"{8}\" y=\"22\">{9}</text>\n{6}</svg>\n",
-      panel_width, std::ceil(picture.height), id, title, picture::markup(figure.description), style, picture.content, attributes,
-      panel_margin, fitting(figure.title));
-}
-
 }  // namespace
 
-std::string figure_element(const Figure& figure) { return svg(figure, "", ""); }
-
 std::string figure_file(const Figure& figure) {
-  return svg(figure, "xmlns=\"http://www.w3.org/2000/svg\" ",
-             fmt::format("<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true)));
+  const Drawn picture = drawn(figure);
+  const double height = std::ceil(picture.height);
+  const std::string style = fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
+  const std::string ground =
+      fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>\n<text class=\"title\" x=\"{}\" y=\"22\">{}</text>\n", panel_width,
+                  height, panel_margin, fitting(figure.title));
+  return picture::svg_element({"plot", panel_width, height, picture::markup(figure.prefix), picture::markup(figure.title),
+                               picture::markup(figure.description), true},
+                              style + ground + picture.content);
 }
-
-std::string plot_style() { return picture::coloured(rules, false); }
 
 std::optional<double> growth_exponent(std::span<const Datum> places) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;

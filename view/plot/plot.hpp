@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Line charts as SVG, for looking at: numbers are placed to a tenth of a pixel, and the exact ones stand elsewhere.
-//
-// Series differ by dash and by marker as well as by colour. Colours are those of all pictures: light, dark, on paper as light ones.
+// Series differ by dash and by marker as well as by colour. Colours are those of all pictures: light, dark, on paper
+// as light ones. Round numbers along an axis come first, then what a figure is made of, then the door.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,36 @@
 #include <string>
 #include <vector>
 
+
 namespace fathom::plot {
+
+/// How values are spread over an axis.
+enum class Scale { linear, logarithmic };
+
+/// A place on the axis; small ones have a line and no label.
+struct Tick {
+  double value;
+  std::string label;  ///< empty: a small tick
+};
+
+/// The ends of an axis, which are round numbers, and the ticks between them, ascending.
+struct Ticks {
+  Scale scale;
+  double low, high;  ///< low < high; both > 0 if the scale is logarithmic
+  std::vector<Tick> ticks;
+
+  /// Whether a value has a place: finite, and > 0 on a logarithmic axis.
+  [[nodiscard]] bool holds(double value) const;
+  /// 0 at the low end, 1 at the high end; of a value that has a place.
+  [[nodiscard]] double share(double value) const;
+};
+
+/// The ticks of an axis that shows all of the values that have a place on it. About `most` of them have a label. The ends of a tight axis
+/// are the extreme values themselves.
+Ticks ticks_for(Scale scale, std::span<const double> values, unsigned most, bool tight = false);
+
+/// A decimal of at most six significant digits: "0.25", "20,000"; powers of ten where that is long: "2.5·10⁷".
+std::string number_text(double value);
 
 struct Datum {
   double x, y;
@@ -57,15 +86,9 @@ struct Figure {
 /// How many series have a look of their own; those after them begin again.
 inline constexpr unsigned distinct_looks = 6;
 
-/// One element <svg>, for an HTML page that has plot_style() and picture::colour_style(). Texts of others are escaped. Values without a
-/// place on an axis are left out, lines are broken there, and a sentence below the panel counts them.
-std::string figure_element(const Figure& figure);
-
-/// The same as a file of its own, with its style.
+/// An SVG file with its style. Texts of others are escaped. Values without a place on an axis are left out,
+/// lines are broken there, and a sentence below the panel counts them.
 std::string figure_file(const Figure& figure);
-
-/// The rules for the classes of a figure, by the colours of picture::colour_style.
-std::string plot_style();
 
 /// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms. Returns nullopt unless there are two different
 /// x with positive values.
