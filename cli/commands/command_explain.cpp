@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
 #include "cli/commands/command.hpp"
+
+
 #include "cli/commands/depth.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom stages A B | CASES.jsonl | -
 #include "cli/commands/command.hpp"
+
+
 #include "cli/commands/replies.hpp"
 #include "cli/output/stages_output.hpp"
 #include "reference/files/shape_names.hpp"
@@ -19,7 +21,7 @@ std::string text_of(const stages::Stages& stages, const Request& request) {
 /// Throws InputError if there is nothing to be drawn.
 std::string picture_of(const Case& pair, const stages::Stages& stages) {
   if (stages.charts.empty()) throw InputError(pair.id, 0, "--svg draws the charts of polytopes, found a shape that is none");
-  return atlas::charts_file(stages);
+  return stages::charts_file(stages);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One case of the page of studies.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <stdexcept>
 
 #include "cli/output/coordinates.hpp"
@@ -20,6 +19,7 @@
 namespace fathom::cli {
 namespace {
 
+using picture::FactList;
 using Rows = std::vector<CoincidenceRow>;
 using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 
@@ -80,25 +80,25 @@ Counts counts_of(const AnyStudy& study, const Names& names) {
 }
 
 void add_depth(FactList& facts, const Depth& depth) {
-  facts.add("status", name(depth.status()));
+  facts.add_text("status", name(depth.status()));
   if (const Penetration* found = depth.penetration()) {
-    facts.add("depth", root_text(found->squared()));
-    facts.add("depth^2", exact_text(found->squared()));
-    facts.add("optima", fmt::format("{}", depth.optima_count()));
-    facts.add("translation of A", place_text(depth.translation(), false));
+    facts.add_text("depth", root_text(found->squared()));
+    facts.add_text("depth^2", exact_text(found->squared()));
+    facts.add_text("optima", fmt::format("{}", depth.optima_count()));
+    facts.add_text("translation of A", place_text(depth.translation(), false));
   }
   if (const Distance* apart = depth.distance()) {
-    facts.add("distance", root_text(apart->squared));
-    facts.add("distance^2", exact_text(apart->squared));
+    facts.add_text("distance", root_text(apart->squared));
+    facts.add_text("distance^2", exact_text(apart->squared));
   }
-  if (const Contact* contact = depth.contact()) facts.add("contact", contact_text(*contact));
+  if (const Contact* contact = depth.contact()) facts.add_text("contact", contact_text(*contact));
 }
 
 FactList facts_of(const Study& study) {
   FactList facts;
   add_depth(facts, study.depth);
-  facts.add("A", size_text(study.a));
-  facts.add("B", size_text(study.b));
+  facts.add_text("A", size_text(study.a));
+  facts.add_text("B", size_text(study.b));
   return facts;
 }
 
@@ -130,16 +130,16 @@ std::string study_section(const Case& pair, const Study& study, const std::strin
 
 std::string study_section(const Case& pair, const ShapeStudy& study, const std::string& anchor) {
   FactList facts;
-  facts.add("status", status_name(study.depth));
+  facts.add_text("status", status_name(study.depth));
   if (study.depth.exact()) {
-    facts.add("signed depth", surd_text(*study.depth.exact()));
-    facts.add("exactly", kernels::exact_surd_text(*study.depth.exact()));
+    facts.add_text("signed depth", surd_text(*study.depth.exact()));
+    facts.add_text("exactly", kernels::exact_surd_text(*study.depth.exact()));
   } else {
-    facts.add("signed depth", fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
+    facts.add_text("signed depth", fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
   }
-  facts.add("A", size_text(study.a));
-  facts.add("B", size_text(study.b));
-  if (study.contact) facts.add("contact", involved_text(*study.contact));
+  facts.add_text("A", size_text(study.a));
+  facts.add_text("B", size_text(study.b));
+  if (study.contact) facts.add_text("contact", involved_text(*study.contact));
   std::string said =
       facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study), counts_of(study, shape_coincidence_names)));
   if (study.cores) {

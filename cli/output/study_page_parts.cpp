@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output/study_page_parts.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
 
 #include "cli/output/study_output.hpp"
 #include "view/picture/markup.hpp"
@@ -86,10 +85,6 @@ std::string predicates_part(const PredicateCounts& counts) {
          "<p class=\"soft\">exact: calls that floating point could not decide; zero: those that are 0, which the perturbation then "
          "decided. Eij "
          "are the infinitesimals that move -A; a, b, c tilt the chart's frame.</p>\n";
-}
-
-void FactList::add(std::string_view what, std::string_view text) {
-  rows_ += fmt::format("<dt>{}</dt><dd class=\"number\">{}</dd>", what, picture::markup(text));
 }
 
 }  // namespace fathom::cli

@@ -47,16 +47,6 @@ std::string coincidences_part(const std::string& anchor, const std::vector<Coinc
 /// The zeros of the predicates, and which monomials decided.
 std::string predicates_part(const PredicateCounts& counts);
 
-/// Rows of a list of facts; `text` is escaped here.
-class FactList {
- public:
-  void add(std::string_view what, std::string_view text);
-  [[nodiscard]] std::string list() const { return "<dl>" + rows_ + "</dl>\n"; }
-
- private:
-  std::string rows_;
-};
-
 /// The picture of the bodies, with its legend; empty if there is none. The features of `marks` are in it.
 std::string study_figure(const Case& pair, const Depth& depth, const Marks& marks, const std::string& anchor);
 std::string study_figure(const Case& pair, const SignedDepth& depth, const std::string& anchor);

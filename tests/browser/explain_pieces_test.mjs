@@ -138,12 +138,24 @@ for (const [name, make] of Object.entries(all))
 for (const [what, options] of Object.entries({ WebGL: { flags: withoutWebGl }, scripts: { javaScriptEnabled: false } }))
   for (const width of [390, 1280])
     onPage(`pieces without ${what} at ${width} pixels`, () => all.key().page, { width, ...options }, async (page) => {
-      for (const place of ['#what .scene', '#why .scene'])
-        assert.ok(await page.locator(`${place} svg`).first().isVisible(), `law: without ${what} a picture remains in ${place}`);
+      assert.ok(await page.locator('#what .scene svg').first().isVisible(), `law: without ${what} a picture of the bodies remains`);
       assert.ok((await page.locator('#facts').innerText()).length > 60, `law: without ${what} the facts remain`);
+      assert.equal(await page.locator('#sums table').count(), what === 'WebGL' ? 1 : 0, 'law: tables are painted by the script');
+      assert.equal(await page.locator('#why').isVisible(), what === 'WebGL', 'law: without scripts a section that they fill is not seen');
       assert.equal(await page.locator('.scene canvas').count(), 0, 'law: no empty canvas is left');
       await fits(page);
     });
+
+for (const [name, make] of Object.entries(all))
+  onPage(`pieces ${name}: what touches, and the differences of pieces, are listed`, () => make().page, {}, async (page) => {
+    const { depth } = make(), { sums } = await page.evaluate(() => globalThis.fathom.data.stages);
+    assert.equal(await page.locator('#contacts tr[data-contact]').count(), depth.apart ? 1 : depth.optima[0].contacts.length,
+      'law: a row for each pair of pieces that touches');
+    const rows = await page.locator('#sums tr[data-pair]').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
+    assert.deepEqual(rows.map(([a, b, where]) => [Number(a), Number(b), where]),
+      sums.slice(0, 200).map(({ pieces, inside, distance_squared: d }) => [...pieces, inside ? 'inside' : d === '0' ? 'on it' : 'outside']),
+      'law: a row for each difference, deepest first');
+  });
 
 onPage('pieces: many pieces take a bounded number of draw calls', () => all.many().page, {}, async (page) => {
   await started(page);

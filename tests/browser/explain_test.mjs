@@ -56,10 +56,15 @@ onPage('explain: where A has moved out, contact features coincide', plain, {}, a
   assert.ok(Math.abs(after) < 1e-4 * value, `law: at 1 those of A lie on those of B (${after})`);
 });
 
-for (const [name, page] of Object.entries(looks).filter(([each]) => each !== 'touching bodies'))
-  onPage(`explain ${name} without scripts has P`, page, { javaScriptEnabled: false }, async (open) => {
-    const about = await open.locator('#why .scene figcaption').innerText();
-    assert.ok(await open.locator('#why .scene svg .ball').first().isVisible() || /too small to be seen/.test(about), `law: a picture of P with its ball (${about})`);
+for (const [name, page] of Object.entries(looks))
+  onPage(`explain ${name} without scripts: the answer, the facts and the bodies`, page, { javaScriptEnabled: false }, async (open) => {
+    assert.match(await open.locator('#answer').innerText(), /^A overlaps B|^A and B|^The bounds/, 'law: the answer is there');
+    assert.ok((await open.locator('#facts').innerText()).length > 60, 'law: the facts are there');
+    assert.ok(await open.locator('#what .scene svg').first().isVisible(), 'law: a picture of the bodies is there');
+    for (const each of await open.locator('main > section:not(#what):not(#left-out), nav').all())
+      assert.equal(await each.isVisible(), false, 'law: what only scripts fill is not seen, and not referred to');
+    await fits(open);
+    await accessible(open);
   });
 
 onPage('explain: all facets of P can be listed', plain, {}, async (page) => {
@@ -115,15 +120,11 @@ onPage('explain: dark, and print in light', plain, { colorScheme: 'dark' }, asyn
   assert.ok(printed[3] === 0 || Math.min(...printed.slice(0, 3)) > 200, `law: print is light (${printed})`);
 });
 
-for (const [what, options] of Object.entries({ WebGL: { flags: withoutWebGl }, scripts: { javaScriptEnabled: false } }))
-  for (const width of [390, 1280])
-    onPage(`explain without ${what} at ${width} pixels`, fans, { width, ...options }, async (page) => {
-      for (const place of ['#what .scene', '#why .scene', '#where .sphere', '#where .chart'])
-        assert.ok(await page.locator(`${place} svg`).first().isVisible(), `law: without ${what} a picture remains in ${place}`);
-      assert.ok(await page.locator('#facts').innerText().then((text) => text.length > 100), `law: without ${what} the facts remain`);
-      const ball = await page.locator('#why .scene svg .ball').first().boundingBox();
-      const near = await page.locator('#why .scene svg .near').first().boundingBox();
-      assert.ok(Math.abs(near.x - ball.x - ball.width) < 4, `law: without ${what} the ball round O touches the nearest facet (${ball.x + ball.width}, ${near.x})`);
-      assert.equal(await page.locator('.scene canvas, .sphere canvas').count(), 0, 'law: no empty canvas is left');
-      await fits(page);
-    });
+for (const width of [390, 1280])
+  onPage(`explain without WebGL at ${width} pixels`, fans, { width, flags: withoutWebGl }, async (page) => {
+    for (const place of ['#what .scene svg', '#where .chart svg', '#ranked table', '#pairs table', '#why .no-webgl', '#where .sphere .no-webgl'])
+      assert.ok(await page.locator(place).first().isVisible(), `law: without WebGL ${place} remains`);
+    assert.ok(await page.locator('#facts').innerText().then((text) => text.length > 100), 'law: without WebGL the facts remain');
+    assert.equal(await page.locator('.scene canvas, .sphere canvas').count(), 0, 'law: no empty canvas is left');
+    await fits(page);
+  });

@@ -153,10 +153,8 @@ class Content(ExplainTest):
                 depth = json.loads(page.block("depth"))
                 inside = depth["status"] == "penetrating"
                 self.assertEqual(stages["sum"]["kind"], "P" if inside else "none")
-                self.assertEqual(len(page.rows("data-facet")), min(20, len(stages["sum"]["facets"])))
                 self.assertEqual(bool(stages["left_out"]), "left-out" in page.texts)
-                optimal = sum(row.get("class") == "optimal" for row in page.rows("data-facet"))
-                self.assertEqual(optimal, min(20, len(depth["optima"])))
+                self.assertEqual(sum(facet["optimal"] for facet in stages["sum"]["facets"]), len(depth["optima"]))
 
     def test_shapes(self):
         for words in (["sphere:r=1", "box:half=1:1:1"], ["sphere:r=1", "halfspace:normal=0:0:1,offset=0"], ["capsule:r=1/4,h=2", CUBE],
@@ -215,7 +213,6 @@ class Content(ExplainTest):
             study = self.result("study", "-", stdin=line)
             found = {kind: all_of["count"] for kind, all_of in study["coincidences"].items() if all_of["count"]}
             self.assertEqual({kind["kind"]: kind["count"] for kind in json.loads(page.block("stages"))["coincidences"]}, found)
-            self.assertEqual({row["data-kind"] for row in page.rows("data-kind")}, set(found))
 
     def test_a_mesh_that_is_not_convex_is_said_to_be(self):
         dented = "OFF\n5 6 0\n0 0 0\n2 0 0\n0 2 0\n0 0 2\n0.25 0.25 0.25\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 4\n3 2 3 4\n3 3 1 4\n"
@@ -269,7 +266,6 @@ class Safety(ExplainTest):
         self.assertNotIn("seconds", json.loads(self.page(CUBE, ICOSAHEDRON).block("stages")))
         timed = self.page(CUBE, ICOSAHEDRON, "--times")
         self.assertTrue(json.loads(timed.block("stages"))["seconds"])
-        self.assertIn("seconds", timed.texts["cost"])
 
 
 class Input(ExplainTest):

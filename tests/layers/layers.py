@@ -51,7 +51,6 @@ ORDER = [
     ["view/plot", "view/stages"],
     ["verify/judge"],
     ["verify/harness", "verify/golden"],
-    ["view/atlas"],
     ["view/page"],
     ["cli", "bindings/python"],
     ["bindings/c"],

@@ -1,30 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the page that are made of the answer: parts.hpp.
+// What a page says of an answer, from its JSON: values as text, then facts of convex bodies, then those of unions. Numbers
+// are copied as they stand there.
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
+#include "fathom/numbers.hpp"
 
 namespace fathom::page {
 namespace {
 
-constexpr std::size_t most_optima = 20;
+using picture::FactList, picture::folded, picture::Table;
+
+constexpr std::size_t longest = 4000;  // characters of one number; the page's data hold the whole
+constexpr std::size_t most_optima = 20, most_union_optima = 50;
+
+/// The value of a field; null if the object has none, or is none.
+const Data& at(const Data& object, std::string_view key) {
+  static const Data none;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found == object.end() ? none : *found;
+}
+
+std::string plain(const Data& value) {
+  if (value.is_null()) return "-";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // 1, not 1.0, as in the text of answers
+  if (!value.is_array()) return value.dump();
+  std::string result;
+  for (const Data& item : value) result += (result.empty() ? "" : ", ") + plain(item);
+  return "(" + result + ")";
+}
+
+/// Points of a body, as "1, 5, 7".
+std::string point_list(const Data& ids) {
+  if (!ids.is_array() || ids.empty()) return "-";
+  std::string result;
+  for (const Data& id : ids) {
+    if (result.size() > 200) return result + ", ...";
+    result += (result.empty() ? "" : ", ") + shown(id);
+  }
+  return result;
+}
 
 bool is(const Data& depth, std::string_view status) { return at(depth, "status") == status; }
+
+// ---- of convex bodies ----
 
 /// The object with the length that the answer is about.
 const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint") ? "distance" : "depth"); }
 
-}  // namespace
-
+/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds only.
 std::string decimal_length(const Data& length) {
   if (at(length, "value").is_number()) return shown(at(length, "value"));
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     return at(rounded, "rn") == "inf" ? "more than the largest binary64" : "less than the least positive binary64";
   return "";
 }
-
-namespace {
 
 /// The length as a decimal, or what is known of it in its place.
 std::string length_text(const Data& depth) {
@@ -39,8 +73,7 @@ std::string length_text(const Data& depth) {
   return apart ? fmt::format("{} to {}", bound("high"), bound("low")) : fmt::format("{} to {}", bound("low"), bound("high"));
 }
 
-}  // namespace
-
+/// Its exact number and roundings, on demand.
 std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
@@ -48,21 +81,19 @@ std::string exact_length(const Data& length) {
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")), shown(at(rounded, "rd")),
                         shown(at(rounded, "ru")));
-  return text.empty() ? "" : on_demand("exact", text);
+  return text.empty() ? "" : folded("exact", text);
 }
-
-namespace {
 
 /// Exact numbers of shapes are objects.
 std::string exact_place(const Data& value) {
   if (value.is_null()) return "";
-  return on_demand("exact", value.is_array() ? shown(value) : picture::markup(value.dump()));
+  return folded("exact", value.is_array() ? shown(value) : picture::markup(value.dump()));
 }
 
 std::string contact_text(const Data& contact) {
   if (contact.is_null()) return "";
   return fmt::format("{}: <span class=\"key-a\">A</span> at {}, <span class=\"key-b\">B</span> at {}", shown(at(contact, "kind")),
-                     points(at(contact, "a")), points(at(contact, "b")));
+                     point_list(at(contact, "a")), point_list(at(contact, "b")));
 }
 
 std::string size_text(const Data& lengths) {
@@ -70,7 +101,7 @@ std::string size_text(const Data& lengths) {
   return fmt::format("{} x {} x {}", shown(lengths[0]), shown(lengths[1]), shown(lengths[2]));
 }
 
-void add_about(Rows& rows, const Data& depth) {
+void add_about(FactList& rows, const Data& depth) {
   const Data& sizes = at(depth, "sizes");
   if (sizes.is_object()) {
     rows.add("size_a", "size of A", size_text(at(sizes, "a")));
@@ -115,7 +146,7 @@ std::string optima_table(const Data& depth) {
   Table table("Shortest ways out", {"#", "'contact", "'A's points", "'B's points", "'direction"});
   for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_optima); ++i) {
     const Data& contact = at(optima[i], "contact");
-    table.add({std::to_string(i + 1), shown(at(contact, "kind")), points(at(contact, "a")), points(at(contact, "b")),
+    table.add({std::to_string(i + 1), shown(at(contact, "kind")), point_list(at(contact, "a")), point_list(at(contact, "b")),
                shown(at(optima[i], "direction"))},
               fmt::format("data-optimum=\"{}\"", i));
   }
@@ -125,7 +156,63 @@ std::string optima_table(const Data& depth) {
   return table.text() + more;
 }
 
+// ---- of unions ----
+
+const Data& distance_of(const Data& depth) { return at(at(depth, "apart"), "distance"); }
+const Data& optima_of(const Data& depth) { return at(depth, "optima"); }
+
+/// An exact place, each coordinate rounded once; a number that binary64 does not hold as it is.
+std::string decimals(const Data& place) {
+  Data rounded = Data::array();
+  for (const Data& coordinate : place) {
+    const double value = round_binary64(mpq_class(coordinate.get<std::string>())) + 0.0;
+    rounded.push_back(std::isfinite(value) ? Data(value) : coordinate);
+  }
+  return shown(rounded);
+}
+
+/// "piece 1 of A, piece 2 of B".
+std::string pieces_text(const Data& pieces) {
+  return fmt::format("piece {} of <span class=\"key-a\">A</span>, piece {} of <span class=\"key-b\">B</span>", pieces.at(0).dump(),
+                     pieces.at(1).dump());
+}
+
+std::string clearance_text(const Data& optimum) { return at(optimum, "clearance") == true ? "yes" : "none: an exact fit"; }
+
+void add_overlap(FactList& rows, const Data& depth) {
+  const Data& first = optima_of(depth).at(0);
+  rows.add("depth", "depth", decimal_length(at(depth, "depth")), exact_length(at(depth, "depth")));
+  rows.add("translation", "A moves out by", decimals(at(first, "translation")), exact_place(at(first, "translation")));
+  rows.add("clearance", "clearance", clearance_text(first));
+  rows.add("optima", "optima", std::to_string(optima_of(depth).size()));
+  const Data& deepest = at(depth, "deepest_pair");
+  rows.add("deepest_pair", "deepest pair", decimal_length(at(deepest, "depth")), exact_length(at(deepest, "depth")));
+  rows.add("deepest_pieces", "which is", pieces_text(at(deepest, "pieces")));
+  rows.add("hulls", "hulls", decimal_length(at(depth, "hulls")), exact_length(at(depth, "hulls")));
+}
+
+void add_distance(FactList& rows, const Data& depth) {
+  const Data& apart = at(depth, "apart");
+  rows.add("distance", "distance", decimal_length(distance_of(depth)), exact_length(distance_of(depth)));
+  rows.add("between", "between", pieces_text(at(apart, "pieces")));
+  rows.add("translation", "A touches if moved by", decimals(at(apart, "translation")), exact_place(at(apart, "translation")));
+  for (const char* body : {"a", "b"}) {
+    const Data& place = at(at(apart, "witness"), body);
+    rows.add(fmt::format("witness_{}", body), *body == 'a' ? "point of A" : "point of B", decimals(place), exact_place(place));
+  }
+}
+
 }  // namespace
+
+std::string shown(const Data& value) {
+  const std::string text = plain(value);
+  if (text.size() <= longest) return picture::markup(text);
+  return picture::markup(fmt::format("{}... ({} characters)", text.substr(0, longest), text.size()));
+}
+
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 
 std::string answer_sentence(const Data& depth) {
   if (is(depth, "penetrating")) return "A overlaps B by " + length_text(depth);
@@ -146,7 +233,7 @@ std::string subtitle(const Data& depth) {
 std::string facts(const Data& depth) {
   const bool apart = is(depth, "disjoint"), overlap = is(depth, "penetrating");
   const Data& told = apart ? at(depth, "distance") : depth;
-  Rows rows;
+  FactList rows;
   rows.add("status", "status", shown(at(depth, "status")));
   if (is(depth, "touching")) rows.add("depth", "depth", length_text(depth));
   else if (overlap || apart)
@@ -165,6 +252,44 @@ std::string facts(const Data& depth) {
   if (const std::string count = count_of_ways(depth); overlap && !count.empty()) rows.add("optima", "optima", count);
   add_about(rows, depth);
   return rows.list() + optima_table(depth);
+}
+
+// The parts of the page about unions that are made of the answer: union_parts.hpp.
+
+std::string union_sentence(const Data& depth) {
+  if (is(depth, "penetrating")) return "A overlaps B by " + decimal_length(at(depth, "depth"));
+  if (is(depth, "touching")) return "A and B touch";
+  return "A and B are apart by " + decimal_length(distance_of(depth));
+}
+
+std::string union_subtitle(const Data& depth) {
+  std::string result = shown(at(depth, "id")) + " &middot; unions of convex pieces";
+  if (is(depth, "penetrating")) result += " &middot; " + counted(optima_of(depth).size(), "shortest way out", "shortest ways out");
+  return result;
+}
+
+std::string union_facts(const Data& depth, const stages::UnionStages& stages) {
+  FactList rows;
+  rows.add("status", "status", shown(at(depth, "status")));
+  if (is(depth, "penetrating")) add_overlap(rows, depth);
+  else if (is(depth, "disjoint")) add_distance(rows, depth);
+  else rows.add("depth", "depth", decimal_length(at(depth, "depth")));
+  rows.add("pieces", "pieces", fmt::format("{} of A, {} of B", stages.a.size(), stages.b.size()));
+  return rows.list();
+}
+
+std::string union_optima(const Data& depth) {
+  const Data& optima = optima_of(depth);
+  if (!is(depth, "penetrating") || optima.size() < 2) return "";
+  Table table("Shortest ways out", {"#", "'A moves by", "'clearance", "pairs that touch"});
+  for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_union_optima); ++i)
+    table.add({std::to_string(i + 1), decimals(at(optima[i], "translation")), clearance_text(optima[i]),
+               std::to_string(at(optima[i], "contacts").size())},
+              fmt::format("data-optimum=\"{}\"", i));
+  const std::string more = optima.size() > most_union_optima
+                               ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", optima.size() - most_union_optima)
+                               : "";
+  return table.text() + more;
 }
 
 }  // namespace fathom::page

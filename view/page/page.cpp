@@ -1,17 +1,157 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The shell, filled: the sentence of the answer, its facts and a still picture of the bodies, which need no script; the
+// sections that the script paints, with the sentence that leads into each; and the data that it paints them from.
 #include "view/page/page.hpp"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
-#include "view/page/assembled.hpp"
 #include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
-#include "view/stages/charts_picture.hpp"
+#include "view/picture/style.hpp"
 
 namespace fathom::page {
 namespace {
+
+using Sections = std::vector<std::pair<std::string_view, std::string_view>>;  // ids and names
+using Blocks = std::vector<std::pair<std::string_view, std::string>>;         // JSON by ids
+
+// ---- the sentences that lead into the sections ----
+
+std::string lead_why(const stages::Stages& stages) {
+  using stages::SumKind;
+  const std::size_t facets = stages.sum.facets.size();
+  switch (stages.sum.kind) {
+    case SumKind::p:
+      return fmt::format(
+          "P, the set of all differences b - a, has {}. A moved by t is clear of B exactly if t is not inside P: so the way out is as long "
+          "as the nearest facet is far from O, and the ball around O that touches it has nothing of the boundary inside.",
+          counted(facets, "facet", "facets"));
+    case SumKind::q:
+      return fmt::format(
+          "P, the set of all differences b - a, has too many facets to draw. Shown is Q, the polytope inside P that proves the depth: its "
+          "nearest facet lies on the boundary of P, and no one of its {} is nearer to O.",
+          counted(facets, "facet", "facets"));
+    case SumKind::sampled: return "P, the set of all differences b - a, as a mesh near it: the answer comes from the exact body.";
+    case SumKind::none: break;
+  }
+  if (stages.status == Status::disjoint || stages.status == Status::touching)
+    return "O is not inside P, the set of all differences b - a: the bodies do not overlap, and the plane across n is between them.";
+  return "P, the set of all differences b - a, is not drawn.";
+}
+
+std::string lead_where(const stages::Stages& stages) {
+  if (stages.charts.empty()) return "The exact method of AGHRS is about polytopes: there are no diagrams here.";
+  std::string winner;
+  if (stages.winner) {
+    using stages::WinnerKind;
+    const WinnerKind kind = stages.winner->kind;
+    winner = kind == WinnerKind::edges
+                 ? (stages.winner->pair ? fmt::format(" The answer is a crossing of arcs, of canonical pair {}.", *stages.winner->pair)
+                                        : std::string(" The answer is where two arcs meet."))
+             : kind == WinnerKind::facet_of_a ? " The answer is a node of A: a facet of A against a vertex of B."
+                                              : " The answer is a node of B: a facet of B against a vertex of A.";
+  }
+  return fmt::format(
+      "The Gaussian diagrams of -A and of B: a node is a facet's normal, an arc is an edge. A facet of P is a node of one in a face of the "
+      "other, or a crossing of two arcs. All {} are in {}, in which every arc of A_i crosses every arc of B_i.{}",
+      counted(stages.counters.crossings, "crossing", "crossings"), counted(stages.pairs.size(), "canonical pair", "canonical pairs"),
+      winner);
+}
+
+std::string lead_coincided(const stages::Stages& stages) {
+  const auto counts = [](const auto& found) { return found.count > 0; };
+  if (stages.charts.empty()) return "What is in special position about these bodies, by name.";
+  if (std::ranges::any_of(stages.coincidences, counts))
+    return "What is in special position about these bodies, by name. Topology is decided as if -A were moved and the frame tilted by "
+           "infinitely little, E11 to E33 and a, b, c; values never are.";
+  return "Nothing: the bodies are in general position.";
+}
+
+std::string lead_cost(const stages::Stages& stages) {
+  if (stages.bounds.empty()) return "The exact method of AGHRS did not run: there is nothing to count.";
+  return stages.status == Status::penetrating
+             ? "What the exact method did, in counts."
+             : "What the exact method makes of these bodies, in counts; the search for closest lines is for bodies that overlap.";
+}
+
+std::string lead_of_sums(const stages::UnionStages& stages) {
+  if (stages.status != Status::penetrating)
+    return "No two pieces have interiors in common: O is in the interior of no set of differences b - a of pieces.";
+  return fmt::format(
+      "A moved by t overlaps B exactly if t is in the interior of the differences b - a of a piece of A and one of B. So the depth is the "
+      "distance from O to the nearest point that none of the {} x {} sets of differences holds inside: together they cover the ball around "
+      "O, and "
+      "at the end of the way out the boundaries meet of those that touch there. {} into the ball.",
+      stages.a.size(), stages.b.size(), counted(stages.sums.size(), "of them reaches", "of them reach"));
+}
+
+// ---- what stands around the sections ----
+
+/// JSON that can stand in a script element: "<" occurs in its strings alone, where it has another form.
+std::string block(std::string_view id, const std::string& json) {
+  std::string result = fmt::format("<script type=\"application/json\" id=\"{}\">", id);
+  result.reserve(result.size() + json.size() + 16);
+  for (const char c : json) {
+    if (c == '<') result += "\\u003c";
+    else result += c;
+  }
+  return result + "</script>\n";
+}
+
+/// The colours and pictures of all pages, and the layout of this one.
+const std::string& whole_style() {
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + std::string(style());
+  return text;
+}
+
+/// A still picture with a caption, which is markup; empty if there is no picture.
+std::string figure(const std::string& svg, std::string_view caption) {
+  return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
+}
+
+/// Sentences as a section of its own; empty if there are none.
+std::string left_out_section(const std::vector<std::string>& sentences) {
+  if (sentences.empty()) return "";
+  std::string items;
+  for (const std::string& sentence : sentences) items += fmt::format("<li>{}</li>\n", picture::markup(sentence));
+  return "<section id=\"left-out\" aria-labelledby=\"left-out-h\">\n<h2 id=\"left-out-h\">What is left out</h2>\n<ul>\n" + items +
+         "</ul>\n</section>\n";
+}
+
+Data parsed(const std::string& depth) {
+  Data result = Data::parse(depth, nullptr, false);
+  if (!result.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
+  return result;
+}
+
+/// The page with its style, its script and its policy. `main` is markup, and so are the heading and what is below it.
+template <class AnySheet>
+std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading, const std::string& subtitle,
+                      const Sections& sections, const std::string& main, const Blocks& blocks) {
+  std::string notes, nav, data;
+  for (const std::string& note : sheet.notes) notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
+  for (const auto& [id, name] : sections) nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
+  for (const auto& [id, json] : blocks) data += block(id, json);
+  const std::array scripts{script()};
+  const std::array<std::string_view, 1> styles{whole_style()};
+  return filled(shell(), {{"version", picture::markup(sheet.version)},
+                          {"command", picture::markup(command)},
+                          {"policy", picture::security_policy(scripts, styles)},
+                          {"title", heading},
+                          {"style", whole_style()},
+                          {"answer", heading},
+                          {"subtitle", subtitle},
+                          {"notes", notes},
+                          {"nav", nav},
+                          {"main", main},
+                          {"left_out", left_out_section(sheet.stages.left_out)},
+                          {"data", data},
+                          {"script", std::string(script())}});
+}
 
 /// The exact squares that the stages leave out, of canonical pairs with one crossing: an array beside `pairs`.
 std::string squares(const stages::Stages& stages) {
@@ -21,52 +161,53 @@ std::string squares(const stages::Stages& stages) {
   return result.dump();
 }
 
-Data parsed(const std::string& depth) {
-  Data result = Data::parse(depth, nullptr, false);
-  if (!result.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
-  return result;
-}
-
-std::string sections(const Data& depth, const Sheet& sheet) {
-  const stages::Stages& stages = sheet.stages;
-  const atlas::SumPicture sum = atlas::sum_picture(stages, "still-sum");
-  return filled(
-      pair_sections(),
-      {{"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
-       {"facts", facts(depth)},
-       {"lead_why", lead_why(stages)},
-       {"picture_sum", figure(sum.svg, picture::markup(sum.note))},
-       {"ranked", ranked(stages)},
-       {"lead_where", lead_where(stages)},
-       {"picture_sphere", figure(atlas::sphere_picture(stages, "still-sphere"), "The diagrams of -A and of B on the sphere.")},
-       {"picture_chart",
-        figure(atlas::chart_picture(stages, "still-chart"), "A hemisphere as a chart: longitude to the right, latitude up.")},
-       {"pairs", pairs(stages)},
-       {"cutting", cutting(stages)},
-       {"lead_coincided", lead_coincided(stages)},
-       {"coincided", coincided(stages)},
-       {"lead_cost", lead_cost(stages)},
-       {"cost", costs(stages)}});
-}
-
 }  // namespace
+
+std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values) {
+  std::string result;
+  for (std::size_t begin = 0;;) {
+    const std::size_t open = text.find("{{", begin);
+    result += text.substr(begin, open - begin);
+    if (open == std::string_view::npos) return result;
+    const std::size_t close = text.find("}}", open);
+    const auto value = close == std::string_view::npos ? values.end() : values.find(text.substr(open + 2, close - open - 2));
+    if (value == values.end()) throw std::logic_error("a gap of the page without a value");
+    result += value->second;
+    begin = close + 2;
+  }
+}
 
 std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
-  return assembled(
-      {sheet.version,
-       "fathom depth --json",
-       picture::markup(answer_sentence(depth)),
-       subtitle(depth),
-       sheet.notes,
-       {{"what", "What happens"},
-        {"why", "Why no shorter way"},
-        {"where", "Where it comes from"},
-        {"coincided", "What coincided"},
-        {"cost", "Cost"}},
-       sections(depth, sheet),
-       left_out_section(sheet.stages.left_out),
-       {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"squares", squares(sheet.stages)}, {"case", sheet.pair}}});
+  const stages::Stages& stages = sheet.stages;
+  const std::string main =
+      filled(pair_sections(),
+             {{"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+              {"facts", facts(depth)},
+              {"lead_why", lead_why(stages)},
+              {"lead_where", lead_where(stages)},
+              {"lead_coincided", lead_coincided(stages)},
+              {"lead_cost", lead_cost(stages)}});
+  return assembled(sheet, "fathom depth --json", picture::markup(answer_sentence(depth)), subtitle(depth),
+                   {{"what", "What happens"},
+                    {"why", "Why no shorter way"},
+                    {"where", "Where it comes from"},
+                    {"coincided", "What coincided"},
+                    {"cost", "Cost"}},
+                   main, {{"depth", sheet.depth}, {"stages", stages::to_json(stages)}, {"squares", squares(stages)}, {"case", sheet.pair}});
+}
+
+std::string html_page(const UnionSheet& sheet) {
+  const Data depth = parsed(sheet.depth);
+  const std::string_view caption =
+      "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across the translation; deeper: the pieces in contact.";
+  const std::string main = filled(union_sections(), {{"picture_what", figure(sheet.picture, caption)},
+                                                     {"facts", union_facts(depth, sheet.stages)},
+                                                     {"optima", union_optima(depth)},
+                                                     {"lead_why", lead_of_sums(sheet.stages)}});
+  return assembled(sheet, "fathom depth --pieces --json", picture::markup(union_sentence(depth)), union_subtitle(depth),
+                   {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
+                   {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"case", sheet.pair}});
 }
 
 }  // namespace fathom::page

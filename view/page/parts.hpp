@@ -1,21 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in it. Numbers of the
-// answer are copied as they stand in its JSON.
+// What pages are put together from, for page.cpp and its tests: the embedded files, small pieces over JSON values, and
+// the facts of answers.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "view/stages/stages.hpp"
+#include "view/stages/union_stages.hpp"
 
 namespace fathom::page {
 
 using Data = nlohmann::ordered_json;
 
-/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds only.
-std::string decimal_length(const Data& length);
-/// Its exact number and roundings, on demand.
-std::string exact_length(const Data& length);
+/// Returns the text with each {{name}} replaced by the value of that name, which is put in as it is: a gap in a value is none. Throws
+/// std::logic_error if a name has no value.
+std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
+
+// The files that are part of every page, as the build put them together: see view/page/assemble.cmake.
+
+/// The HTML, with {{names}} where a page puts its own.
+std::string_view shell();
+/// What <main> holds: of two convex bodies, and of two unions.
+std::string_view pair_sections();
+std::string_view union_sections();
+/// The style sheet.
+std::string_view style();
+/// three.js and the page's own modules, as one script.
+std::string_view script();
+
+// Small pieces of HTML over JSON values.
+
+/// A number, a word, or (1, 2, 3) of an array, as text that is escaped; "-" for null. Very long texts are cut, and say so.
+std::string shown(const Data& value);
+
+/// "1 way", "2 ways".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
+
+// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in it. Numbers of the
+// answer are copied as they stand in its JSON.
 
 /// "A overlaps B by 0.25", without markup.
 std::string answer_sentence(const Data& depth);
@@ -24,21 +49,14 @@ std::string subtitle(const Data& depth);
 /// Decimals first, exact numbers on demand.
 std::string facts(const Data& depth);
 
-/// The first facets of P by distance, with how much longer each way out is than the shortest.
-std::string ranked(const stages::Stages& stages);
-/// The canonical pairs with the most crossings; those of one crossing are counted.
-std::string pairs(const stages::Stages& stages);
-/// How the cutting of one canonical pair went.
-std::string cutting(const stages::Stages& stages);
-/// Coincidences by name, and what decided the zeros.
-std::string coincided(const stages::Stages& stages);
-/// Each stage's count beside the bound of the paper.
-std::string costs(const stages::Stages& stages);
+// The same about unions.
 
-/// What a section shows, in a sentence or two.
-std::string lead_why(const stages::Stages& stages);
-std::string lead_where(const stages::Stages& stages);
-std::string lead_coincided(const stages::Stages& stages);
-std::string lead_cost(const stages::Stages& stages);
+/// "A overlaps B by 0.25", without markup.
+std::string union_sentence(const Data& depth);
+std::string union_subtitle(const Data& depth);
+/// Decimals first, exact numbers on demand; bounds beside the depth.
+std::string union_facts(const Data& depth, const stages::UnionStages& stages);
+/// All shortest ways out, if there are several.
+std::string union_optima(const Data& depth);
 
 }  // namespace fathom::page

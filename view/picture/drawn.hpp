@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <gmpxx.h>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "fathom/point.hpp"
 #include "fathom/shape.hpp"
 #include "view/picture/view.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::picture {
 
@@ -66,5 +68,52 @@ std::vector<std::vector<Dot>> silhouettes(const Drawn& body, const Window& windo
 
 /// A point of the shape, which is no half-space, that is farthest in the direction u, to within a few roundings.
 Point farthest(const Shape& shape, const Point& u);
+
+// What a convex body hides of an edge behind it, or inside it. The edge and the looks from it to us span a strip of a plane, which a body
+// meets in a convex polygon: so a body hides one part of an edge, and its ends are where two of the body's facets are equally far.
+
+/// Of the segment p + t (q - p) what is between these t: 0 <= from < to <= 1.
+struct HiddenPart {
+  mpq_class from, to;
+};
+
+/// A convex body that may stand before edges. Exact, but for a facet that is seen from its edge: that is taken to lie along the look.
+class Cover {
+ public:
+  /// `hull` is that of the points, or of their multiples. One without interior hides nothing.
+  Cover(const std::vector<Point>& points, const polytope::Polytope& hull, const View& view);
+
+  /// The part of the segment whose looks to us enter the interior. What lies on a facet that is seen is not hidden by it.
+  [[nodiscard]] std::optional<HiddenPart> hides(const Point& p, const Point& q) const;
+
+ private:
+  /// <normal, x> <= offset inside.
+  struct Side {
+    Point normal;
+    mpq_class offset, towards;  ///< towards: of its normal along the look; 0 if it is seen from its edge
+  };
+
+  [[nodiscard]] bool may_hide(const Point& p, const Point& q) const;
+
+  const View* view_;
+  std::vector<Side> sides_;
+  Bounds2 box_;        // in the picture's plane
+  mpq_class nearest_;  // along the look
+};
+
+/// The wires in their order, each cut where its being hidden by the covers begins or ends. Those that are hidden stay as they are.
+std::vector<Wires::Wire> behind(const std::vector<Wires::Wire>& wires, const std::vector<const Cover*>& covers);
+
+// The outline of a curved body: the hull of its farthest points in many directions of the picture's plane. It lies inside the true one, by
+// a fraction of a pixel where the body is no larger than the picture.
+
+Bounds2 curved_box(const Curved& body, const View& view);
+std::vector<Dot> curved_outline(const Curved& body, const Window& window, const Point& by);
+
+// The rims of cylinders, cones, frusta and their like: where a flat end meets the side. Without them a cylinder looks like any blob.
+
+/// The circles, or ellipses, that are edges of the sum of the terms, in parts that are seen and parts that are hidden. Sampled, in
+/// binary64.
+std::vector<Rim> rims_of(const std::vector<Term>& terms, const View& view);
 
 }  // namespace fathom::picture

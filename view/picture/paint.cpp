@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From the strokes to the whole: elements, bodies and ways, panels, then pictures for pages and as files.
 #include "view/picture/paint.hpp"
 
 #include <fmt/format.h>
@@ -7,11 +8,118 @@
 #include <cmath>
 #include <utility>
 
+#include "view/picture/markup.hpp"
 #include "view/picture/polygon.hpp"
-#include "view/picture/strokes.hpp"
+#include "view/picture/style.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {
+
+// The elements that every picture is painted with. Styles are classes of style.hpp; places are pixels.
+
+/// A path; empty if there is nothing to draw.
+std::string path_element(const std::string& style, const std::string& d) {
+  return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", style, d);
+}
+
+/// A circle; empty if its place is not finite. `more`: further attributes, with a space before them.
+std::string circle_element(const std::string& style, const Dot& at, double radius, const std::string& more = "") {
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "";
+  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", style, at.x, at.y, radius, more);
+}
+
+/// The corners of a box around dots, of which there is at least one.
+std::pair<Dot, Dot> box_around(const std::vector<Dot>& dots) {
+  Dot low = dots.front(), high = dots.front();
+  for (const Dot& d : dots) {
+    low = {std::min(low.x, d.x), std::min(low.y, d.y)};
+    high = {std::max(high.x, d.x), std::max(high.y, d.y)};
+  }
+  return {low, high};
+}
+
+/// The union of convex areas: toned, or filled with the pattern `hatch`; a dot for what would be too small to be seen.
+std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::string& style, const std::string& hatch) {
+  constexpr double too_small = 3;
+  std::vector<Dot> all;
+  std::string d;
+  for (const std::vector<Dot>& area : areas) {
+    all.insert(all.end(), area.begin(), area.end());
+    d += path_data(area, true);  // all turn the same way: the fill rule nonzero makes their union
+  }
+  if (all.empty()) return "";
+  const auto [low, high] = box_around(all);
+  if (high.x - low.x < too_small && high.y - low.y < too_small)
+    return circle_element(style + " dot", {(low.x + high.x) / 2, (low.y + high.y) / 2}, 4);
+  return hatch.empty() ? path_element(style + " toned", d)
+                       : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
+}
+
+/// A face, given by the points that span it: a dot, a line, or the outline of a facet. `more` as for circles.
+std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style, double radius,
+                            const std::string& more = "") {
+  if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius, more);
+  const std::vector<Dot> dots = points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
+  const std::string d = path_data(dots, dots.size() > 2);
+  return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"{}/>", style, d, more);
+}
+
+/// An arrow; a dot if it is too short to see.
+std::string arrow_elements(const Dot& from, const Dot& to, const std::string& style) {
+  const double right = to.x - from.x, down = to.y - from.y, length = std::sqrt(right * right + down * down);
+  if (!(length >= 2)) return circle_element(style + " dot", from, 3);
+  const double head = std::min(11.0, length / 2), x = right / length * head, y = down / length * head;
+  return fmt::format("<path class=\"{0} shaft\" d=\"{1}\"/><path class=\"{0} head\" d=\"{2}\"/>", style,
+                     path_data({from, {to.x - x * 0.7, to.y - y * 0.7}}, false),
+                     path_data({to, {to.x - x - y * 0.4, to.y - y + x * 0.4}, {to.x - x + y * 0.4, to.y - y - x * 0.4}}, true));
+}
+
+constexpr double longest_bar = 110;  // pixels
+constexpr double bar_inset = 12;     // pixels from the window
+
+/// A bar that stands for a round length; upright for the axis across the way.
+std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool upright) {
+  const RoundLength length = round_length(mpq_class(longest_bar / pixels));
+  const double reach = mpq_class(length.value * pixels).get_d(), x = bar_inset, y = size.height - bar_inset;
+  if (upright)
+    return path_element(
+               "bar",
+               path_data(
+                   {{x - 4, y - 24}, {x + 4, y - 24}, {x, y - 24}, {x, y - 24 - reach}, {x - 4, y - 24 - reach}, {x + 4, y - 24 - reach}},
+                   false)) +
+           fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y - 20 - reach / 2, length.text);
+  return path_element("bar", path_data({{x, y - 4}, {x, y + 4}, {x, y}, {x + reach, y}, {x + reach, y - 4}, {x + reach, y + 4}}, false)) +
+         fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + reach + 8, y + 4, length.text);
+}
+
+/// Bars that stand for round lengths: one, or two if the axes are scaled apart.
+std::string scale_bars(const Window& window) {
+  const std::string along = bar_elements(window.scale().x, window.size(), false);
+  return window.apart() ? along + bar_elements(window.scale().y, window.size(), true) : along;
+}
+
+/// Words in the corner below on the right; empty if there are none.
+std::string note_element(const std::string& text, const PixelSize& size) {
+  if (text.empty()) return "";
+  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", size.width - bar_inset,
+                     size.height - bar_inset + 4, text);
+}
+
+/// The pattern that B is filled with.
+std::string hatch_element(const std::string& id) {
+  return fmt::format(
+      "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"7\" height=\"7\" patternTransform=\"rotate(45)\">"
+      "<rect class=\"body-b toned\" width=\"7\" height=\"7\"/><path class=\"body-b stripe\" d=\"M3.5 0V7\"/></pattern></defs>",
+      id);
+}
+
+/// The ground of a picture.
+std::string ground_element(const PixelSize& size) {
+  return fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>", size.width, size.height);
+}
+
+// The bodies, then all of a scene.
 
 constexpr double short_way = 60;  // pixels: a shorter way gets a close-up
 constexpr double close_way = 70;  // how long it is there, in each coordinate at most
@@ -165,6 +273,34 @@ Bounds2 whole_box(const PairScene& scene) {
 
 mpq_class greater_side(const Bounds2& box) { return std::max(mpq_class(box.width()), mpq_class(box.height())); }
 
+constexpr PixelSize alone{720, 420}, of_two{356, 340};  // in a file: one panel, or each of two
+constexpr double gap = 8, head = 34, line = 19, inset = 12;
+constexpr std::size_t widest = 92;  // characters of a line of text
+
+/// The text in lines that fit, broken at spaces.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> result;
+  std::string rest = text;
+  while (rest.size() > widest) {
+    std::size_t at = rest.rfind(' ', widest);
+    if (at == std::string::npos || at == 0) at = widest;
+    result.push_back(rest.substr(0, at));
+    rest = rest.substr(rest[at] == ' ' ? at + 1 : at);
+  }
+  result.push_back(rest);
+  return result;
+}
+
+std::string panel_element(const PairScene& scene, const Panel& panel, const Dot& at, const std::string& name) {
+  const PixelSize& size = panel.window.size();
+  return fmt::format("<svg x=\"{0}\" y=\"{1}\" class=\"pair\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\">{4}</svg>\n", at.x, at.y,
+                     size.width, size.height, painted(scene, panel, name));
+}
+
+std::string text_element(const std::string& style, double y, const std::string& text) {
+  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style, inset, y, markup(text));
+}
+
 }  // namespace
 
 std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
@@ -197,6 +333,50 @@ std::string painted(const PairScene& scene, const Panel& panel, const std::strin
   if (scene.claimed) result += arrow(*scene.claimed, "claimed");
   result += letters(scene, window) + scale_bars(window);
   return result + notes(scene, panel) + (panel.close ? "" : mark_elements(marks, window));
+}
+
+std::string description_of(const PairScene& scene) {
+  std::string result = "Orthographic view of A, toned, and B, hatched, across a shortest way of A out of B, which points to the right.";
+  if (!scene.moves()) result = "Orthographic view of A, toned, and B, hatched, along a plane between them; they touch at the dot.";
+  if (scene.status == Status::disjoint)
+    result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
+  if (scene.moves()) result += " The outline of A moved by it is dashed.";
+  if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
+  if (scene.enclosed) result += " The way is known to within its bounds.";
+  if (scene.claimed) result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";
+  return result;
+}
+
+std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label, const std::vector<Mark>& marks) {
+  std::string result;
+  for (const Panel& panel : panels_of(scene, on_pages)) {
+    const std::string own = name + (panel.close ? "c" : "w");
+    const std::string title = panel.close ? label + ", close to the translations" : label;
+    result += svg_element({"pair", on_pages.width, on_pages.height, own, title, description_of(scene)}, painted(scene, panel, own, marks));
+  }
+  return result;
+}
+
+std::string scene_document(const PairScene& scene, const std::string& title, std::span<const std::string> caption) {
+  std::vector<Panel> panels = panels_of(scene, alone);
+  if (panels.size() > 1) panels = panels_of(scene, of_two);
+  std::string body, spoken = description_of(scene);
+  const std::string name = without_folders(title);
+  for (const Panel& panel : panels)
+    body += panel_element(scene, panel, {panel.close ? of_two.width + gap : 0, head}, panel.close ? "close" : "whole");
+  double y = head + panels.front().window.size().height + line;
+  for (const std::string& text : caption) {
+    for (const std::string& part : lines_of(text)) {
+      body += text_element(&text == caption.data() ? "answer" : "caption", y, part);
+      y += line;
+    }
+    spoken += " " + text + (text.ends_with('.') ? "" : ".");
+  }
+  const std::string ground = fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", alone.width, y);
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+         svg_element(
+             {"pair document", alone.width, y, "picture", markup(name), markup(spoken), true},
+             "\n<style>" + document_style() + "</style>\n" + ground + text_element("heading", head - 12, lines_of(name).front()) + body);
 }
 
 }  // namespace fathom::picture

@@ -1,40 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes of hulls of points, of shapes and of unions: what they share, what each needs, then the three.
 #include "view/picture/scene.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "fathom/depth.hpp"
 #include "reference/shapes/core.hpp"
+#include "reference/shapes/support.hpp"
 
 namespace fathom::picture {
 namespace {
 
+using Points = std::vector<Point>;
+
 bool is_zero(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
 
-std::vector<Point> chosen(const std::vector<Point>& points, const std::vector<std::uint32_t>& ids) {
-  std::vector<Point> result;
+Points chosen(const Points& points, const std::vector<std::uint32_t>& ids) {
+  Points result;
   for (const std::uint32_t id : ids) result.push_back(points[id]);
   return result;
 }
 
 /// The directions of the faces that are edges: a look along one of them would show nothing.
-std::vector<Point> edges_of(const std::vector<Point>& touch_a, const std::vector<Point>& touch_b) {
-  std::vector<Point> result;
-  for (const std::vector<Point>* face : {&touch_a, &touch_b})
-    if (face->size() == 2) result.push_back(face->front() - face->back());
+Points edges_of(const std::vector<Points>& touch_a, const std::vector<Points>& touch_b) {
+  Points result;
+  for (const std::vector<Points>* faces : {&touch_a, &touch_b})
+    for (const Points& face : *faces)
+      if (face.size() == 2) result.push_back(face.front() - face.back());
   return result;
 }
 
+/// The greatest coordinate of a vector, without its sign.
+mpq_class size_of(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
+
+/// Makes `extent` at least as large as the points are far from the origin in any coordinate.
+void widen(mpq_class& extent, const auto& points, const Point& origin) {
+  for (const Point& p : points) extent = std::max(extent, size_of(p - origin));
+}
+
 /// A way in proportion to the bodies: at most three times as long as they are far apart in any coordinate.
-std::optional<Point> in_proportion(const Pair& pair, const std::optional<Point>& way, bool& cut) {
-  const auto size = [](const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); };
-  mpq_class extent = 0;
-  for (const GivenPoints* body : {&pair.a, &pair.b})
-    for (const Point& p : *body) extent = std::max(extent, size(p - pair.b.front()));
-  const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent);
-  cut = way && size(*way) > longest;
-  return cut ? (longest / size(*way)) * (*way) : way;
+Point in_proportion(const Point& way, const mpq_class& extent) {
+  const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent), size = size_of(way);
+  return size > longest ? (longest / size) * way : way;
 }
 
 /// The vector alpha n + beta n/|n|, to within a few roundings.
@@ -56,13 +67,13 @@ Point way_by_value(const SignedDepth& depth) {
 }
 
 /// The points of a core that is a polytope; none of others.
-std::vector<Point> core_points(const Shape& shape) {
-  return shapes::polytope_points(shapes::simplified(shape), most_expanded_points).value_or(std::vector<Point>{});
+Points core_points(const Shape& shape) {
+  return shapes::polytope_points(shapes::simplified(shape), most_expanded_points).value_or(Points{});
 }
 
 /// The face of a rounded body: that of its core, moved outward by the radius.
-std::vector<Point> rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, const Vector& outward) {
-  std::vector<Point> result;
+Points rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, const Vector& outward) {
+  Points result;
   const Point by = along({outward, 0, shapes::simplified(shape).radius});
   for (const Point& p : chosen(core_points(shape), ids)) result.push_back(p + by);
   return result;
@@ -79,6 +90,60 @@ Point normal_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
 Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point& way) {
   if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, -normal);
   return farthest(b, normal) - way;
+}
+
+/// Of the planes between pieces in contact the normal that is the least parallel to the way; nullopt if there is none beside it.
+std::optional<Point> second_of(const std::vector<PieceContact>& contacts, const Point& along) {
+  const Vec3<double> way = unit_vector(along);
+  std::optional<Point> best;
+  double least = 1 - 1e-6;  // a cosine
+  for (const PieceContact& contact : contacts) {
+    const Point normal = rational(contact.direction);
+    const double cosine = std::abs(dot(unit_vector(normal), way));
+    if (cosine < least) least = cosine, best = normal;
+  }
+  return best;
+}
+
+Points moved(const Points& points, const Point& by) {
+  Points result;
+  for (const Point& p : points) result.push_back(p + by);
+  return result;
+}
+
+/// A point of A, where it is now, that touches B once A has moved.
+Point meeting_point(const Points& a, const Points& b, const Point& by) { return penetration_depth(moved(a, by), b).witness()->a - by; }
+
+/// What is in contact, by pieces.
+struct Touching {
+  std::vector<bool> a, b;
+
+  Touching(const Pieces& of_a, const Pieces& of_b) : a(of_a.size()), b(of_b.size()) {}
+  void add(std::uint32_t i, std::uint32_t j) { a[i] = b[j] = true; }
+};
+
+/// Where A ends, and what is in contact there.
+Touching add_optimum(const Pieces& a, const Pieces& b, const UnionOptimum& optimum, PairScene& scene) {
+  Touching touching(a, b);
+  scene.way = optimum.translation;
+  for (const PieceContact& contact : optimum.contacts) {
+    touching.add(contact.a, contact.b);
+    scene.touch_a.push_back(chosen(a[contact.a], contact.contact.a));
+    scene.touch_b.push_back(chosen(b[contact.b], contact.contact.b));
+  }
+  const PieceContact& first = optimum.contacts.front();
+  scene.anchor = meeting_point(a[first.a], b[first.b], scene.way);
+  return touching;
+}
+
+Touching add_distance(const Pieces& a, const Pieces& b, const UnionDistance& apart, PairScene& scene) {
+  Touching touching(a, b);
+  touching.add(apart.a, apart.b);
+  scene.way = apart.distance.translation;
+  scene.anchor = apart.distance.witness.a;
+  scene.touch_a.push_back(chosen(a[apart.a], apart.distance.contact.a));
+  scene.touch_b.push_back(chosen(b[apart.b], apart.distance.contact.b));
+  return touching;
 }
 
 }  // namespace
@@ -98,12 +163,13 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   const Distance* distance = depth.distance();
   const Contact* contact = depth.contact();
   const Witness witness = distance ? distance->witness : *depth.witness();
-  std::vector<Point> touch_a{witness.a}, touch_b{witness.b};
+  Points touch_a{witness.a}, touch_b{witness.b};
   if (contact) touch_a = chosen(pair.a, contact->a), touch_b = chosen(pair.b, contact->b);
-  bool cut = false;
-  const std::optional<Point> shown = in_proportion(pair, claimed, cut);
+  mpq_class extent = 0;
+  for (const GivenPoints* body : {&pair.a, &pair.b}) widen(extent, *body, pair.b.front());
+  const std::optional<Point> shown = claimed ? std::optional(in_proportion(*claimed, extent)) : std::nullopt;
   const std::optional<Point> second = shown && !is_zero(*shown) ? shown : std::nullopt;
-  const View view((distance ? -1 : 1) * rational(depth.direction()), second, edges_of(touch_a, touch_b));
+  const View view((distance ? -1 : 1) * rational(depth.direction()), second, edges_of({touch_a}, {touch_b}));
   return {depth.status(),
           view,
           wires_of(pair.a, view),
@@ -111,7 +177,7 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
           witness.a,
           distance ? distance->translation : depth.translation(),
           shown,
-          cut,
+          shown != claimed,
           {std::move(touch_a)},
           {std::move(touch_b)}};
 }
@@ -128,10 +194,34 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
     touch_a = rounded_face(a, contact->a, -n);
     touch_b = rounded_face(b, contact->b, n);
   }
-  const View view((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt, edges_of(touch_a, touch_b));
+  const View view((depth.status() == Status::disjoint ? -1 : 1) * normal, std::nullopt, edges_of({touch_a}, {touch_b}));
   PairScene scene{depth.status(), view,  drawn_shape(a, view), drawn_shape(b, view), start, way,
                   std::nullopt,   false, {std::move(touch_a)}, {std::move(touch_b)}};
   scene.enclosed = depth.bounds() != nullptr;
+  return scene;
+}
+
+// The part of scene.hpp about unions.
+
+PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum, const std::optional<Point>& claimed) {
+  if (!depth.complete) throw std::invalid_argument("a search that was stopped has no picture");
+  PairScene scene{depth.status, View({1, 0, 0}, std::nullopt), Wires{}, Wires{}, {}, {}, std::nullopt, false, {}, {}};
+  const Touching touching = depth.apart ? add_distance(a, b, *depth.apart, scene) : add_optimum(a, b, depth.optima.at(optimum), scene);
+  const std::vector<PieceContact> contacts = depth.apart ? std::vector<PieceContact>{} : depth.optima[optimum].contacts;
+  const Point along = is_zero(scene.way) ? rational(contacts.front().direction) : scene.way;
+  if (claimed) {
+    mpq_class extent = 0;
+    for (const Pieces* body : {&a, &b})
+      for (const Points& piece : *body) widen(extent, piece, b.front().front());
+    scene.claimed = in_proportion(*claimed, extent);
+    scene.cut = *scene.claimed != *claimed;
+  }
+  scene.view = View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along), edges_of(scene.touch_a, scene.touch_b));
+  Compound of_a = compound_of(a, scene.view), of_b = compound_of(b, scene.view);
+  of_a.in_contact = touching.a;
+  of_b.in_contact = touching.b;
+  scene.a = std::move(of_a);
+  scene.b = std::move(of_b);
   return scene;
 }
 

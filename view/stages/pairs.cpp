@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The canonical pairs, each with its closest lines: a search of its own for each, since that of the run drops what cannot be the nearest.
+// The canonical pairs: each with its closest lines, by a search of its own, since that of the run drops what cannot be the
+// nearest; which one the first optimum comes from; and the cutting of one.
+
 #include "kernels/number/rational.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
 #include "reference/lines/closest_lines.hpp"
 #include "reference/lines/cutting.hpp"
 #include "view/stages/parts.hpp"
@@ -81,6 +87,111 @@ PairFate fate_of(lines::Treatment treatment) {
   return PairFate::none;
 }
 
+// ---- what the first optimum comes from: a facet of one body, or the crossing of two arcs ----
+
+// The face of a hull, spanned by these input points, whose outward normal is `normal` if it is a facet.
+StagedFeature feature_of(const polytope::Polytope& hull, const std::vector<std::uint32_t>& points, const Vector& normal) {
+  const auto vertex = [&](std::uint32_t point) {
+    return static_cast<Index>(std::ranges::lower_bound(hull.input_ids, point) - hull.input_ids.begin());
+  };
+  if (points.size() == 1) return {StagedFeatureKind::vertex, vertex(points[0])};
+  if (points.size() == 2) {
+    const Index p = vertex(points[0]), q = vertex(points[1]);
+    const auto joins = [&](const polytope::Edge& e) {
+      return (e.from.value == p && e.to.value == q) || (e.from.value == q && e.to.value == p);
+    };
+    const auto edge = std::ranges::find_if(hull.edges, joins);
+    if (edge != hull.edges.end()) return {StagedFeatureKind::edge, static_cast<Index>(edge - hull.edges.begin())};
+  }
+  for (Index i = 0; i < hull.facets.size(); ++i) {
+    if (hull.facets[polytope::FacetId(i)].normal == normal) return {StagedFeatureKind::facet, i};
+  }
+  throw std::logic_error("the features of an optimum are no faces of the hulls");
+}
+
+WinnerKind kind_of(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::facet_vertex:
+    case ContactKind::facet_edge:
+    case ContactKind::facet_facet: return WinnerKind::facet_of_a;
+    case ContactKind::vertex_facet:
+    case ContactKind::edge_facet: return WinnerKind::facet_of_b;
+    default: return WinnerKind::edges;
+  }
+}
+
+bool holds(const Indices& edges, Index edge) { return std::ranges::find(edges, edge) != edges.end(); }
+
+using Blocks = std::vector<lines::SearchTrace::Block>;
+
+// ---- the cutting of one pair, level by level: that of the search, or a finer one if the search scanned the pair ----
+
+// A smaller grid is no picture.
+constexpr std::uint64_t least_crossings = 4;
+// More blocks are too many to see, and to print.
+constexpr std::size_t most_blocks = 4000;
+// About how many blocks a cutting for a picture may have at most.
+constexpr std::uint64_t wanted_blocks = 256;
+
+std::optional<Index> pair_to_cut(const Stages& stages) {
+  if (stages.winner && stages.winner->pair && stages.pairs[*stages.winner->pair].crossings() >= least_crossings) return stages.winner->pair;
+  const auto largest = std::ranges::max_element(stages.pairs, {}, &StagedPair::crossings);
+  if (largest == stages.pairs.end() || largest->crossings() < least_crossings || !largest->closest) return std::nullopt;
+  return static_cast<Index>(largest - stages.pairs.begin());
+}
+
+Blocks as_searched(const lines::SearchTrace& trace, std::size_t pair) {
+  Blocks blocks;
+  std::ranges::copy_if(trace.blocks, std::back_inserter(blocks), [&](const auto& block) { return block.pair == pair; });
+  return blocks;
+}
+
+// Cuts the grid until about as many blocks as wanted are left at the most. It starts with the facets of step 1, as the search does.
+Blocks cut_for_picture(const StagesSource& subject, const chart::Charts& charts, const canonical::CanonicalPair& pair) {
+  const lines::EdgeLinesOfA a(subject.exact.hulls.a, subject.pair.exponent());
+  const lines::EdgeLinesOfB b(subject.exact.hulls.b, subject.pair.exponent());
+  const lines::LineScene scene(charts, a, b);
+  kernels::Context context = subject.context.worker();
+  kernels::NearestPlanes nearest = subject.exact.of_facets;
+  lines::SearchTrace trace;
+  lines::LineSearch search(context, scene, nearest, 1, &trace);
+  lines::CuttingSize size;
+  size.few = 1;
+  size.base = std::max<std::uint64_t>(1, pair.crossings() / wanted_blocks);
+  lines::closest_by_cutting(lines::Grid(pair, scene), search, size);
+  return std::move(trace.blocks);
+}
+
+std::array<Index, 2> run_of(const kernels::LineRun& run) { return {static_cast<Index>(run.first), static_cast<Index>(run.last)}; }
+
+BlockFate block_fate_of(lines::Treatment treatment) {
+  switch (treatment) {
+    case lines::Treatment::scanned: return BlockFate::scanned;
+    case lines::Treatment::cleared: return BlockFate::cleared;
+    case lines::Treatment::cut: return BlockFate::refined;
+  }
+  return BlockFate::scanned;
+}
+
+std::vector<StagedLevel> levels_of(const Blocks& blocks, const StagedPair& pair) {
+  const auto place = [](const Indices& edges, Index edge) { return static_cast<Index>(std::ranges::find(edges, edge) - edges.begin()); };
+  const Index row = place(pair.a, pair.closest->a), column = place(pair.b, pair.closest->b);
+  const auto holds = [](const std::array<Index, 2>& run, Index i) { return run[0] <= i && i < run[1]; };
+  std::vector<StagedLevel> levels;
+  for (const lines::SearchTrace::Block& block : blocks) {
+    if (block.level >= levels.size()) levels.resize(block.level + 1);
+    StagedBlock staged{run_of(block.rows), run_of(block.columns), block_fate_of(block.treatment)};
+    if (staged.fate != BlockFate::refined && holds(staged.rows, row) && holds(staged.columns, column)) staged.fate = BlockFate::won;
+    StagedLevel& level = levels[block.level];
+    if (block.level > 0) level.cut_a = block.side == lines::GridAxis::rows;
+    level.blocks.push_back(staged);
+  }
+  for (StagedLevel& level : levels) {
+    std::ranges::sort(level.blocks, {}, [](const StagedBlock& block) { return std::pair(block.rows, block.columns); });
+  }
+  return levels;
+}
+
 }  // namespace
 
 void add_pairs(const StagesSource& subject, Stages& stages) {
@@ -100,6 +211,34 @@ void add_pairs(const StagesSource& subject, Stages& stages) {
       staged.fate = fate_of(exact.traces[h].pairs[k].treatment);
     }
   }
+}
+
+void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages) {
+  if (!depth.penetration()) return;
+  const Optimum& first = depth.optima().front();
+  StagedWinner winner{kind_of(first.contact.kind), std::nullopt, feature_of(subject.exact.hulls.a, first.contact.a, -first.direction),
+                      feature_of(subject.exact.hulls.b, first.contact.b, first.direction)};
+  for (Index i = 0; winner.kind == WinnerKind::edges && i < stages.pairs.size(); ++i) {
+    const StagedPair& pair = stages.pairs[i];
+    if (holds(pair.a, winner.a.index) && holds(pair.b, winner.b.index)) winner.pair = i;
+  }
+  stages.winner = winner;
+}
+
+void add_cutting(const StagesSource& subject, Stages& stages) {
+  if (!subject.exact.depth.penetration()) return;
+  const std::optional<Index> chosen = pair_to_cut(stages);
+  if (!chosen) return;
+  const StagedPair& pair = stages.pairs[*chosen];
+  const std::size_t of_hemisphere = pair.chart == 0 ? *chosen : *chosen - subject.exact.subsets[0].size();
+  StagedCutting cutting{*chosen, stages.winner && stages.winner->pair == chosen, true, {}};
+  Blocks blocks = as_searched(subject.exact.traces[pair.chart], of_hemisphere);
+  if (blocks.empty() || blocks.size() > most_blocks) {
+    cutting.as_searched = false;
+    blocks = cut_for_picture(subject, subject.exact.charts[pair.chart], subject.exact.subsets[pair.chart][of_hemisphere]);
+  }
+  cutting.levels = levels_of(blocks, pair);
+  stages.cutting = std::move(cutting);
 }
 
 }  // namespace fathom::stages

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the stages that have files of their own. For stages_of alone.
+// What the files of this room share: places for pixels, and the parts of the stages that are too long for stages.cpp.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "kernels/context.hpp"
 #include "reference/depth/penetration_depth.hpp"
@@ -13,9 +16,8 @@ namespace fathom::stages {
 
 /// The scale for bodies around `origin`, whose coordinates differ from it by at most `extent`.
 StagedScale scale_of(const Point& origin, const mpq_class& extent);
-/// A length, and one by its square, in the unit of places.
+/// A length in the unit of places.
 double scaled(const mpq_class& value, const StagedScale& scale);
-double scaled_root(const mpq_class& squared, const StagedScale& scale);
 
 /// From lattice and input to places.
 class Placing {
@@ -52,12 +54,6 @@ struct StagesSource {
 
 // Each fills its fields of `stages`, in which those before it are filled.
 
-/// a, b.
-void add_bodies(const StagesSource& subject, Stages& stages);
-/// contact, depth, squared, status.
-void add_contact(const Depth& depth, const Placing& placing, Stages& stages);
-/// charts.
-void add_charts(const StagesSource& subject, Stages& stages);
 /// pairs.
 void add_pairs(const StagesSource& subject, Stages& stages);
 /// winner, and its pair's closest lines, exactly.
@@ -68,15 +64,31 @@ void add_cutting(const StagesSource& subject, Stages& stages);
 void add_sum(const StagesSource& subject, Stages& stages);
 /// coincidences, with decided_by; decided.
 void add_coincidences(const StagesSource& subject, Stages& stages);
-/// bounds.
-void add_bounds(const StagesSource& subject, Stages& stages);
-
-/// sum, of shapes: from the meshes of their outlines.
-void add_sampled_sum(Stages& stages);
-/// coincidences, of shapes: names and counts.
-void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages);
-
 /// The stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
+
+// Input   the exact method's stages for bodies that penetrate.
+// Output  every facet of P = B (+) (-A), with the features of both bodies that make it. The directions are those of nodes and of crossings;
+//         crossings of the perturbed arcs are those of the arcs themselves, or lie at a node.            [AGHRS, section 2.2;
+//         proofs/depth.md]
+// Size    at most the number of nodes and crossings.
+
+/// A vertex of A and one of B: the corner b - a of P.
+struct SumCorner {
+  polytope::VertexId a, b;
+  friend auto operator<=>(const SumCorner&, const SumCorner&) = default;
+};
+
+/// A facet of P, exactly.
+struct ExactSumFacet {
+  Vector normal;                         ///< outward, primitive
+  mpz_class height;                      ///< h(normal) in the unit of the lattice
+  std::vector<SumCorner> corners;        ///< counter-clockwise from outside, none on a line with its neighbours
+  std::vector<polytope::VertexId> a, b;  ///< the faces of A and B: extreme points, ascending
+  Indices pairs;  ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
+};
+
+/// Returns all facets in the order of their normals, or nullopt if there are more than `most`, or far more crossings than that.
+std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& exact, std::size_t most);
 
 }  // namespace fathom::stages

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of shapes: outlines, sampled, and the contact. The exact method's topology is that of polytopes.
+// The stages of shapes: outlines, sampled; the contact; a mesh near P, which is the hull of differences of samples, each
+// extreme in one of many directions; what coincides. The exact method's topology is that of polytopes.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,18 +12,18 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "view/stages/parts.hpp"
+#include "fathom/study.hpp"
 
 namespace fathom::stages {
 namespace {
 
 // The sampled directions: circles of latitude, and points on each.
 constexpr int latitudes = 16, longitudes = 32;
-// Samples lie on a lattice of so many steps across the body, so that flat parts are flat.
+// Samples lie on a lattice of so many steps across the body, or across P, so that flat parts are flat.
 constexpr double steps = 1 << 20;
 
 Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }
 Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
-double dot(const Place& p, const Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
 mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
@@ -195,6 +196,67 @@ void add_answer(const SignedDepth& depth, Stages& stages) {
     const Place direction = unit(optimum.direction);
     contact.optima.push_back({direction, times(length, direction), optimum.contact});
   }
+}
+
+Place minus(const Place& p, const Place& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+
+const Place& extreme(const std::vector<Place>& points, const Place& u) {
+  return *std::ranges::max_element(points, {}, [&](const Place& p) { return dot(p, u); });
+}
+
+/// Differences b - a that are extreme in directions all around.
+std::vector<Place> differences(const std::vector<Place>& a, const std::vector<Place>& b) {
+  std::vector<Place> result;
+  for (int i = 0; i <= latitudes; ++i) {
+    const double polar = std::numbers::pi * i / latitudes;
+    for (int j = 0; j < longitudes; ++j) {
+      const double turn = 2 * std::numbers::pi * j / longitudes;
+      const Place u{std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)};
+      result.push_back(minus(extreme(b, u), extreme(a, {-u[0], -u[1], -u[2]})));
+    }
+  }
+  return result;
+}
+
+StagedFacet facet_of(const polytope::Polytope& hull, const polytope::Facet& facet, const std::vector<Place>& vertices) {
+  StagedFacet result;
+  for (std::uint32_t i = facet.begin; i < facet.end; ++i) result.vertices.push_back(hull.corners[i].value);
+  result.normal = unit(facet.normal);
+  result.distance = std::max(0.0, dot(result.normal, vertices[result.vertices.front()]));
+  result.kind = SumFacetKind::merged;
+  return result;
+}
+
+void add_sampled_sum(Stages& stages) {
+  if (stages.status != Status::penetrating || stages.a.vertices.empty() || stages.b.vertices.empty()) {
+    stages.left_out.emplace_back("P, the set of all differences b - a, is not drawn.");
+    return;
+  }
+  const std::vector<Place> samples = differences(stages.a.vertices, stages.b.vertices);
+  double reach = 0;
+  for (const Place& p : samples) reach = std::max({reach, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  const double step = reach > 0 ? reach / steps : 1;
+  std::vector<Vector> lattice;
+  for (const Place& p : samples)
+    lattice.push_back({mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
+  const polytope::Polytope hull = polytope::convex_hull(lattice);
+  if (hull.rank < 3) return;
+  StagedSum& sum = stages.sum;
+  sum.kind = SumKind::sampled;
+  for (const Vector& v : hull.vertices) sum.vertices.push_back({v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step});
+  for (const polytope::Facet& facet : hull.facets) sum.facets.push_back(facet_of(hull, facet, sum.vertices));
+  std::ranges::stable_sort(sum.facets, {}, &StagedFacet::distance);
+  stages.left_out.emplace_back("P is a mesh near the set of all differences: its facets are left out of the ranking.");
+}
+
+/// By the names of the study.
+void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages) {
+  const ShapeStudy found = study(a, b, {.listed = 0, .monitor = options.monitor});
+  for (std::size_t i = 0; i < found.coincidences.size(); ++i)
+    if (found.coincidences[i].count > 0) stages.coincidences.push_back({shape_coincidence_names[i], found.coincidences[i].count, {}});
+  if (!stages.coincidences.empty())
+    stages.left_out.emplace_back(
+        "Of what coincides of curved bodies only names and counts are here, the features are left out: fathom study lists them.");
 }
 
 }  // namespace

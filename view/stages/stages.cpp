@@ -1,13 +1,249 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Stages of polytopes, part by part, and the door of all. First places for pixels: input coordinates, moved and scaled by
+// a power of two only where binary64 needs it.
 #include "view/stages/stages.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/point_algebra.hpp"
+#include "kernels/sign.hpp"
+#include "kernels/vector.hpp"
 #include "reference/solve/depth.hpp"
+#include "reference/solve/methods.hpp"
 #include "view/stages/parts.hpp"
-#include "view/stages/stage_times.hpp"
 
 namespace fathom::stages {
 namespace {
+
+// Far from O, a body's digits are those of its place: then places count from the body. So they do if it is farther than this many extents.
+constexpr int near_origin = 4;
+
+// Beyond this power of two, squares and products of places would leave binary64.
+constexpr long comfortable_exponent = 300;
+
+mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
+
+long bits(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+
+mpq_class times_power_of_two(mpq_class value, long exponent) {
+  if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return value;
+}
+
+/// A length by its square, in the unit of places.
+double scaled_root(const mpq_class& squared, const StagedScale& scale) {
+  return root_binary64(times_power_of_two(squared, 2 * scale.exponent));
+}
+
+mpq_class extent_of(const polytope::PlacedPair& pair) {
+  mpz_class most;
+  for (const kernels::PointCloud* cloud : {&pair.a, &pair.b}) {
+    for (const Vector& p : cloud->points()) {
+      for (const mpz_class* c : {&p.x, &p.y, &p.z}) {
+        if (mpz_cmpabs(c->get_mpz_t(), most.get_mpz_t()) > 0) most = abs(*c);
+      }
+    }
+  }
+  mpq_class extent(most, pair.denominator);
+  extent.canonicalize();
+  return extent;
+}
+
+// The component of a direction whose components have at most so many bits, over 2^most.
+double component(const mpz_class& c, long most) {
+  long exponent = 0;
+  const double fraction = mpz_get_d_2exp(&exponent, c.get_mpz_t());
+  return std::ldexp(fraction, static_cast<int>(std::max(exponent - most, -2000L)));
+}
+
+// ---- the hulls with their Gaussian diagrams, and the answer ----
+
+// Of very many ties, so many are listed.
+constexpr std::size_t most_optima = 1000;
+
+std::optional<Index> index_of(gaussian::NodeId node) { return node.is_none() ? std::nullopt : std::optional(node.value); }
+
+void add_diagram(const gaussian::GaussianDiagram& diagram, StagedBody& body) {
+  for (const kernels::Direction& node : diagram.nodes) body.nodes.push_back(unit(node.exact()));
+  for (const gaussian::Arc& arc : diagram.arcs) {
+    body.arcs.push_back({index_of(arc.from), index_of(arc.to)});
+    if (diagram.rank < 3) body.circles.push_back(unit(arc.circle.exact()));
+  }
+}
+
+StagedBody body_of(const polytope::Polytope& hull, const gaussian::GaussianDiagram& diagram, const Placing& placing) {
+  StagedBody body;
+  body.rank = hull.rank;
+  body.ids.assign(hull.input_ids.begin(), hull.input_ids.end());
+  for (const Vector& v : hull.vertices) body.vertices.push_back(placing.point(v));
+  for (const polytope::Edge& edge : hull.edges) body.edges.push_back({edge.from.value, edge.to.value});
+  for (const polytope::Facet& facet : hull.facets) {
+    Indices& corners = body.facets.emplace_back();
+    for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.corners[i].value);
+  }
+  add_diagram(diagram, body);
+  return body;
+}
+
+void tell_of_lost_places(std::string_view name, const StagedBody& body, Stages& stages) {
+  const std::set<Place> distinct(body.vertices.begin(), body.vertices.end());
+  if (distinct.size() < body.vertices.size())
+    stages.left_out.push_back(std::string("Vertices of ") + std::string(name) +
+                              " fall together in binary64: beside the other body, or along one axis, they are too near each other.");
+}
+
+Place times(double length, const Place& direction) {
+  return {length * direction[0] + 0.0, length * direction[1] + 0.0, length * direction[2] + 0.0};
+}
+
+void add_bodies(const StagesSource& subject, Stages& stages) {
+  stages.scale = subject.placing.scale();
+  stages.a = body_of(subject.exact.hulls.a, subject.exact.diagrams.a, subject.placing);
+  stages.b = body_of(subject.exact.hulls.b, subject.exact.diagrams.b, subject.placing);
+  tell_of_lost_places("A", stages.a, stages);
+  tell_of_lost_places("B", stages.b, stages);
+}
+
+void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
+  stages.status = depth.status();
+  stages.contact.direction = unit(depth.direction());
+  if (const Distance* const distance = depth.distance())
+    stages.contact.translation = times(-placing.length(distance->squared), stages.contact.direction);
+  if (depth.contact()) stages.contact.features = *depth.contact();
+  if (!depth.penetration()) return;
+  stages.squared = depth.squared();
+  if (const double value = root_binary64(*stages.squared); std::isfinite(value) && value > 0) stages.depth = value;
+  const double length = placing.length(*stages.squared);
+  for (const Optimum& optimum : depth.optima()) {
+    if (stages.contact.optima.size() == most_optima) break;
+    const Place direction = unit(optimum.direction);
+    stages.contact.optima.push_back({direction, times(length, direction), optimum.contact});
+  }
+  stages.contact.translation = stages.contact.optima.front().translation;
+  if (depth.optima_count() > most_optima)
+    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " + std::to_string(depth.optima_count()) +
+                              " optima are listed.");
+}
+
+// ---- both hemispheres as charts, in longitude and latitude about v: walls stay vertical, and the hemisphere fits a square ----
+
+std::optional<Index> end_of(gaussian::NodeId node) { return node == chart::at_infinity ? std::nullopt : std::optional(node.value); }
+
+StagedDiagram diagram_in(const chart::ColourChart& chart, const std::vector<Place>& nodes, const Place& v, const Place& z) {
+  StagedDiagram result;
+  for (const chart::ChartArc& arc : chart.arcs) result.arcs.push_back({arc.arc.value, end_of(arc.left), end_of(arc.right)});
+  const Place right = cross(v, z);
+  for (const gaussian::NodeId i : chart.wall_of.ids()) {
+    if (chart.wall_of[i].is_none()) continue;
+    const Place& n = nodes[i.value];
+    // Not asin, which loses half of the digits near v. Adding 0 turns -0 into 0.
+    const double along = dot(n, right) + 0.0, ahead = dot(n, z) + 0.0;
+    result.nodes.push_back({i.value, std::atan2(along, ahead), std::atan2(dot(n, v), std::hypot(along, ahead))});
+  }
+  return result;
+}
+
+void add_charts(const StagesSource& subject, Stages& stages) {
+  for (const chart::Hemisphere hemisphere : chart::both_hemispheres) {
+    const chart::Charts& charts = subject.exact.charts[stages.charts.size()];
+    StagedChart staged;
+    staged.upper = hemisphere == chart::Hemisphere::upper;
+    staged.v = unit(charts.frame.v.exact());
+    staged.z = unit(charts.frame.z.exact());
+    staged.a = diagram_in(charts.of.a, stages.a.nodes, staged.v, staged.z);
+    staged.b = diagram_in(charts.of.b, stages.b.nodes, staged.v, staged.z);
+    for (const chart::Wall& wall : charts.walls) staged.walls.push_back({wall.colour == gaussian::Colour::a, wall.node.value});
+    stages.charts.push_back(std::move(staged));
+  }
+}
+
+// ---- counts of the exact method beside the paper's bounds, without constants ----
+
+/// m and n: the numbers of edges.
+struct Sizes {
+  double m, n;
+  [[nodiscard]] double both() const { return m + n; }
+  [[nodiscard]] double log() const { return std::log2(std::max(2.0, both())); }
+};
+
+void add_bounds(const StagesSource& subject, Stages& stages) {
+  const depth::Hulls& hulls = subject.exact.hulls;
+  const Sizes size{static_cast<double>(hulls.a.edges.size()), static_cast<double>(hulls.b.edges.size())};
+  const std::uint64_t vertices = hulls.a.vertices.size() + hulls.b.vertices.size(), edges = hulls.a.edges.size() + hulls.b.edges.size(),
+                      facets = hulls.a.facets.size() + hulls.b.facets.size();
+  std::uint64_t walls = 0, pieces = 0, pairs = 0, sums = 0, crossings = 0;
+  for (const chart::Charts& charts : subject.exact.charts) {
+    walls += charts.walls.size();
+    pieces += charts.of.a.arcs.size() + charts.of.b.arcs.size();
+  }
+  for (const canonical::CanonicalSubsets& subsets : subject.exact.subsets) {
+    const canonical::CanonicalSubsets::Sums of_subsets = subsets.sums();
+    pairs += subsets.size();
+    sums += of_subsets.a + of_subsets.b;
+    crossings += of_subsets.product;
+  }
+  const auto add = [&](std::string_view stage, std::string_view what, std::uint64_t count, std::string_view bound, double value,
+                       std::string_view source) {
+    stages.bounds.push_back({stage, what, count, bound, value, source});
+  };
+  const double near_linear = size.both() * size.log() * size.log();
+  add("hulls", "vertices of A and B", vertices, "m + n", size.both(), "m, n: the edges of A and of B");
+  add("diagrams", "arcs", edges, "m + n", size.both(), "one for each edge: section 2.2");
+  add("diagrams", "nodes", facets, "m + n", size.both(), "one for each facet: section 2.2");
+  add("charts", "arcs of both charts", pieces, "2 (m + n)", 2 * size.both(), "section 2.2, \"Computing F\"");
+  add("charts", "walls", walls, "m + n", size.both(), "section 2.2, \"Computing F\"");
+  if (stages.status == Status::penetrating)
+    add("vertex-facet pairs", "facets with their vertices", stages.counters.vertex_facet_pairs, "m + n", size.both(),
+        "PENETRATION-DEPTH, step 1");
+  add("canonical subsets", "pairs (A_i, B_i)", pairs, "(m + n) log^2(m + n)", near_linear, "(C5)");
+  add("canonical subsets", "sum |A_i| + |B_i|", sums, "(m + n) log^2(m + n)", near_linear, "(C5) and equation (1)");
+  add("canonical subsets", "crossings: sum |A_i| |B_i|", crossings, "m n", size.m * size.n, "each crossing once: (C2), (C3)");
+  if (stages.status == Status::penetrating)
+    add("closest lines", "pairs of lines looked at", stages.counters.pairs_evaluated, "(m n)^(3/4) + m + n",
+        std::pow(size.m * size.n, 0.75) + size.both(),
+        "section 2.3, expected, up to eps in the exponents; not proved for cuttings in order");
+}
+
+// ---- all of it ----
+
+/// How long each stage of a run takes: a monitor that looks at the clock when a stage begins, and passes everything on.
+class StageTimes : public Monitor {
+ public:
+  /// `next`, which may be null, hears everything too.
+  explicit StageTimes(Monitor* next) : next_(next) {}
+
+  void report(std::string_view stage, double share) override {
+    if (running_.empty() || running_.back().first != stage) {
+      end();
+      running_.emplace_back(stage, 0);
+      begin_ = Clock::now();
+    }
+    if (next_) next_->report(stage, share);
+  }
+  [[nodiscard]] bool stopped() override { return next_ && next_->stopped(); }
+
+  /// The stage that runs ends here.
+  void end() {
+    if (!running_.empty() && begin_ != Clock::time_point{})
+      running_.back().second = std::chrono::duration<double>(Clock::now() - begin_).count();
+    begin_ = {};
+  }
+  /// In the order in which they ran. Before the first: not measured.
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& seconds() const { return running_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Monitor* next_;
+  std::vector<std::pair<std::string, double>> running_;
+  Clock::time_point begin_{};
+};
 
 // The answer of penetration_depth. Where a common lattice would be too fine, that one takes another way, and may name another of several
 // right directions of touching bodies.
@@ -34,6 +270,40 @@ void fill(const StagesSource& subject, const Depth& depth, Stages& stages) {
 }
 
 }  // namespace
+
+StagedScale scale_of(const Point& origin, const mpq_class& extent) {
+  StagedScale scale;
+  const mpq_class distance = largest(origin);
+  if (distance > near_origin * extent) scale.center = origin;
+  const mpq_class& size = distance > near_origin * extent ? extent : std::max(extent, distance);
+  if (size == 0) return scale;
+  const long exponent = bits(size.get_num()) - bits(size.get_den());
+  if (std::abs(exponent) > comfortable_exponent) scale.exponent = -exponent;
+  return scale;
+}
+
+double scaled(const mpq_class& value, const StagedScale& scale) { return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0; }
+
+Placing::Placing(const polytope::PlacedPair& pair) : scale_(scale_of(pair.origin, extent_of(pair))), pair_(&pair) {}
+
+Place Placing::point(const Vector& lattice) const { return point(pair_->position(lattice)); }
+
+Place Placing::vector(const Vector& lattice) const {
+  return vector(Point{{lattice.x, pair_->denominator}, {lattice.y, pair_->denominator}, {lattice.z, pair_->denominator}});
+}
+
+Place Placing::point(const Point& p) const { return vector(p - scale_.center); }
+
+Place Placing::vector(const Point& v) const { return {scaled(v.x, scale_), scaled(v.y, scale_), scaled(v.z, scale_)}; }
+
+double Placing::length(const mpq_class& squared) const { return scaled_root(squared, scale_); }
+
+Place unit(const Vector& direction) {
+  const long most = std::max({bits(direction.x), bits(direction.y), bits(direction.z)});
+  const Place v{component(direction.x, most), component(direction.y, most), component(direction.z, most)};
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length + 0.0, v[1] / length + 0.0, v[2] / length + 0.0};
+}
 
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options) {
   const kernels::DefaultFloatEnvironment environment;

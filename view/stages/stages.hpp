@@ -28,6 +28,11 @@ using Place = std::array<double, 3>;
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
+inline double dot(const Place& p, const Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+inline Place cross(const Place& p, const Place& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+
 /// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond binary64.
 struct StagedScale {
   Point center;

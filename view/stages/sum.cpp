@@ -1,16 +1,193 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sum P for pictures, or the polytope Q inside it. Part of parts.hpp.
-#include <fmt/format.h>
-
+// The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex polygons in parallel planes:
+// their edges, merged by angle. First that sum, then all facets, then what is shown of them.
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "kernels/number/rational.hpp"
 #include "view/stages/parts.hpp"
+#include "kernels/filters/support.hpp"
+#include "kernels/nearest.hpp"
 
 namespace fathom::stages {
 namespace {
+
+using gaussian::ArcId;
+using polytope::FacetId;
+using polytope::VertexId;
+
+/// Angles around n, counter-clockwise from a direction r in its plane.
+struct Turn {
+  Vector n, r, w;  // w = n x r is a right angle from r
+
+  /// Whether the angle of d is at least pi.
+  [[nodiscard]] bool is_late(const Vector& d) const {
+    const int side = sgn(dot(w, d));
+    return side < 0 || (side == 0 && sgn(dot(r, d)) < 0);
+  }
+  /// Negative: d has the smaller angle. Zero: the same.
+  [[nodiscard]] int compare(const Vector& d, const Vector& e) const {
+    const bool late = is_late(d);
+    if (late != is_late(e)) return late ? 1 : -1;
+    return -sgn(det(n, d, e));
+  }
+};
+
+/// One of the two polygons: those of B as they are, those of A reflected. Its edges are taken by angle.
+class Side {
+ public:
+  Side(const polytope::Polytope& body, bool reflected, std::vector<VertexId> cycle)
+      : body_(&body), reflected_(reflected), cycle_(std::move(cycle)) {
+    if (reflected_) std::ranges::reverse(cycle_);  // a facet of A faces -n
+  }
+
+  [[nodiscard]] Vector point(std::size_t i) const {
+    const Vector& p = body_->vertices[cycle_[i % cycle_.size()]];
+    return reflected_ ? -p : p;
+  }
+  [[nodiscard]] bool has_edges() const { return cycle_.size() > 1; }
+  [[nodiscard]] Vector edge(std::size_t i) const { return point(i + 1) - point(i); }
+  /// Starts at the corner behind which the angles of edges begin at 0.
+  void start(const Turn& turn) {
+    const auto lower = [&](std::size_t i, std::size_t j) {
+      const Vector d = point(i) - point(j);
+      const int side = sgn(dot(turn.w, d));
+      return side < 0 || (side == 0 && sgn(dot(turn.r, d)) < 0);
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < cycle_.size(); ++i)
+      if (lower(i, first)) first = i;
+    std::rotate(cycle_.begin(), cycle_.begin() + static_cast<std::ptrdiff_t>(first), cycle_.end());
+  }
+  [[nodiscard]] bool done() const { return taken_ == (has_edges() ? cycle_.size() : 0); }
+  [[nodiscard]] Vector next_edge() const { return edge(taken_); }
+  void take() { ++taken_; }
+  [[nodiscard]] VertexId corner() const { return cycle_[taken_ % cycle_.size()]; }
+
+ private:
+  const polytope::Polytope* body_;
+  bool reflected_;
+  std::vector<VertexId> cycle_;
+  std::size_t taken_ = 0;
+};
+
+/// The corners of the facet of P with this normal, given the faces of A in direction -normal and of B in direction normal:
+/// each a vertex, the ends of an edge, or the cycle of a facet, counter-clockwise from outside its body.
+std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal, std::vector<VertexId> of_a, std::vector<VertexId> of_b) {
+  Side a(hulls.a, true, std::move(of_a)), b(hulls.b, false, std::move(of_b));
+  const Vector r = a.has_edges() ? a.edge(0) : b.edge(0);
+  const Turn turn{normal, r, cross(normal, r)};
+  a.start(turn);
+  b.start(turn);
+  std::vector<SumCorner> corners;
+  while (!a.done() || !b.done()) {
+    corners.push_back({a.corner(), b.corner()});
+    const int order = a.done() ? 1 : b.done() ? -1 : turn.compare(a.next_edge(), b.next_edge());
+    if (order <= 0) a.take();
+    if (order >= 0) b.take();
+  }
+  return corners;
+}
+
+constexpr std::size_t crossings_per_facet = 20;  // coplanar facets merge; more are not worth the work
+
+/// What lies in a direction: facets of the bodies, or edges that cross there.
+struct Found {
+  gaussian::PerColour<std::optional<FacetId>> facets;
+  gaussian::PerColour<std::optional<ArcId>> edges;
+  Indices pairs;
+};
+using FoundByNormal = std::map<Vector, Found, kernels::NearestPlanes::LexicographicOrder>;
+
+/// Whether n, a multiple of a direction on the circle of the arc, lies on the closed arc.
+bool is_on(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& n) {
+  if (diagram.rank < 2) return true;
+  const Vector circle = arc.circle.exact();
+  return sgn(det(circle, diagram.nodes[arc.from].exact(), n)) >= 0 && sgn(det(circle, n, diagram.nodes[arc.to].exact())) >= 0;
+}
+
+class Directions {
+ public:
+  explicit Directions(const depth::ExactStages& exact) : exact_(exact) {}
+
+  void add_nodes() {
+    for (const FacetId i : exact_.hulls.a.facets.ids()) found_[-exact_.hulls.a.facets[i].normal].facets.a = i;
+    for (const FacetId i : exact_.hulls.b.facets.ids()) found_[exact_.hulls.b.facets[i].normal].facets.b = i;
+  }
+  /// Stops as soon as there are too many directions.
+  void add_crossings(std::size_t most) {
+    Index number = 0;
+    for (std::size_t h = 0; h < exact_.subsets.size(); ++h) {
+      const chart::Charts& charts = exact_.charts[h];
+      for (std::size_t i = 0; i < exact_.subsets[h].size() && found_.size() <= most; ++i, ++number) {
+        const canonical::CanonicalPair pair = exact_.subsets[h][i];
+        for (const chart::ChartArcOfA a : pair.a) {
+          if (found_.size() > most) return;
+          for (const chart::ChartArcOfB b : pair.b)
+            add(charts.of.a.arcs[chart::ChartArcId(a.value)].arc, charts.of.b.arcs[chart::ChartArcId(b.value)].arc, number);
+        }
+      }
+    }
+  }
+  [[nodiscard]] const FoundByNormal& found() const { return found_; }
+
+ private:
+  void add(ArcId e, ArcId f, Index pair) {
+    const gaussian::GaussianDiagram &a = exact_.diagrams.a, &b = exact_.diagrams.b;
+    const Vector line = primitive(cross(a.arcs[e].circle.exact(), b.arcs[f].circle.exact()));
+    if (is_zero(line)) return;  // parallel edges cross only once they are perturbed
+    for (const Vector& n : {line, -line}) {
+      if (!is_on(a, a.arcs[e], n) || !is_on(b, b.arcs[f], n)) continue;
+      Found& here = found_[n];
+      here.edges.a = e;
+      here.edges.b = f;
+      if (here.pairs.empty() || here.pairs.back() != pair) here.pairs.push_back(pair);
+    }
+  }
+
+  const depth::ExactStages& exact_;
+  FoundByNormal found_;
+};
+
+/// The cycles of both faces in a direction.
+class Faces {
+ public:
+  explicit Faces(const depth::Hulls& hulls)
+      : hulls_(hulls),
+        cloud_a_(std::vector<Vector>(hulls.a.vertices.begin(), hulls.a.vertices.end())),
+        cloud_b_(std::vector<Vector>(hulls.b.vertices.begin(), hulls.b.vertices.end())) {}
+
+  [[nodiscard]] std::vector<VertexId> of_a(const Vector& n, const Found& found) const {
+    return of(hulls_.a, cloud_a_, -n, found.facets.a, found.edges.a);
+  }
+  [[nodiscard]] std::vector<VertexId> of_b(const Vector& n, const Found& found) const {
+    return of(hulls_.b, cloud_b_, n, found.facets.b, found.edges.b);
+  }
+
+ private:
+  static std::vector<VertexId> of(const polytope::Polytope& body, const kernels::PointCloud& cloud, const Vector& u,
+                                  const std::optional<FacetId>& facet, const std::optional<ArcId>& edge) {
+    if (facet) {
+      const polytope::Facet& face = body.facets[*facet];
+      return {body.corners.begin() + face.begin, body.corners.begin() + face.end};
+    }
+    if (edge) return {body.edges[edge->value].from, body.edges[edge->value].to};
+    std::vector<VertexId> result;
+    for (const std::uint32_t i : kernels::extreme_points(cloud, u)) result.emplace_back(i);
+    return result;
+  }
+
+  const depth::Hulls& hulls_;
+  kernels::PointCloud cloud_a_, cloud_b_;
+};
+
+std::vector<VertexId> sorted(std::vector<VertexId> cycle) {
+  std::ranges::sort(cycle);
+  return cycle;
+}
 
 constexpr std::size_t most_facets = 20'000;  // a picture of more is a ball
 
@@ -121,6 +298,24 @@ StagedSum inner_sum(const StagesSource& subject) {
 }
 
 }  // namespace
+
+std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& exact, std::size_t most) {
+  if (exact.subsets[0].sums().product + exact.subsets[1].sums().product > most * crossings_per_facet) return std::nullopt;
+  Directions directions(exact);
+  directions.add_nodes();
+  directions.add_crossings(most);
+  if (directions.found().size() > most) return std::nullopt;
+  const Faces faces(exact.hulls);
+  std::vector<ExactSumFacet> result;
+  result.reserve(directions.found().size());
+  for (const auto& [n, found] : directions.found()) {
+    std::vector<VertexId> a = faces.of_a(n, found), b = faces.of_b(n, found);
+    std::vector<SumCorner> corners = sum_cycle(exact.hulls, n, a, b);
+    const mpz_class height = dot(n, exact.hulls.b.vertices[corners.front().b] - exact.hulls.a.vertices[corners.front().a]);
+    result.push_back({n, height, std::move(corners), sorted(std::move(a)), sorted(std::move(b)), found.pairs});
+  }
+  return result;
+}
 
 void add_sum(const StagesSource& subject, Stages& stages) {
   if (stages.status != Status::penetrating) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stages as JSON, schema fathom/stages/1: bodies, charts and pairs. The parts of P and of what coincided are in to_json_parts.cpp.
+// Stages as JSON: of convex bodies, schema fathom/stages/1, in the order of its fields; then of unions.
 #include <algorithm>
 #include <cmath>
 
 #include "kernels/context.hpp"
-#include "view/stages/to_json_parts.hpp"
+#include "reference/text/json.hpp"
+#include "view/stages/union_stages.hpp"
 
 namespace fathom::stages {
 namespace {
@@ -13,6 +14,8 @@ constexpr std::string_view unit_sentence = "A place is (input - center) * 2^expo
 
 // Of the largest coordinate among both bodies; more where a body is small beside that, or far thinner than long.
 constexpr int usual_digits = 6, most_digits = 17;
+
+constexpr int places_digits = 7;  // of lengths and angles
 
 double largest_coordinate(const StagedBody& body) {
   double most = 0;
@@ -188,6 +191,81 @@ void write_winner(text::JsonStream& json, const StagedWinner& winner) {
   });
 }
 
+// Of so many facets, the nearest, the exact squared distance is given: it is long.
+constexpr std::size_t exact_facets = 500;
+
+void write_facet(text::JsonStream& json, const StagedFacet& facet, bool exactly) {
+  static constexpr std::array<std::string_view, 4> kinds{"facet_of_a", "facet_of_b", "edges", "merged"};
+  json.object([&] {
+    json.key("vertices"), json.array_of(facet.vertices);
+    json.key("normal"), json.numbers(facet.normal, places_digits);
+    json.key("distance"), json.number(facet.distance, places_digits);
+    if (exactly && facet.squared > 0) json.key("distance_squared"), json.exact(facet.squared);
+    json.key("kind"), json.string(kinds[static_cast<std::size_t>(facet.kind)]);
+    json.key("a"), json.array_of(facet.a);
+    json.key("b"), json.array_of(facet.b);
+    json.key("pairs"), json.array_of(facet.pairs);
+    json.key("optimal"), json.boolean(facet.optimal);
+  });
+}
+
+void write_sum(text::JsonStream& json, const StagedSum& sum) {
+  static constexpr std::array<std::string_view, 4> kinds{"none", "P", "Q", "sampled"};
+  json.object([&] {
+    json.key("kind"), json.string(kinds[static_cast<std::size_t>(sum.kind)]);
+    json.key("vertices"), json.array_of(sum.vertices, [&](const Place& p) { json.numbers(p, places_digits); });
+    json.key("origin"), json.numbers({0, 0, 0}, places_digits);
+    json.key("facets"), json.array([&] {
+      for (std::size_t i = 0; i < sum.facets.size(); ++i) write_facet(json, sum.facets[i], i < exact_facets || sum.facets[i].optimal);
+    });
+  });
+}
+
+void write_involved(text::JsonStream& json, const StagedInvolved& involved) {
+  const auto features = [&](const auto& list) { json.array_of(list, [&](const auto& points) { json.array_of(points); }); };
+  json.object([&] {
+    json.key("a"), features(involved.a);
+    json.key("b"), features(involved.b);
+    json.key("decided_by"), json.array_of(involved.decided_by, [&](const std::string& monomial) { json.string(monomial); });
+  });
+}
+
+void write_coincidence(text::JsonStream& json, const StagedCoincidence& coincidence) {
+  json.object([&] {
+    json.key("kind"), json.string(coincidence.kind);
+    json.key("count"), json.integer(coincidence.count);
+    json.key("listed"), json.array_of(coincidence.listed, [&](const StagedInvolved& involved) { write_involved(json, involved); });
+  });
+}
+
+void write_decision(text::JsonStream& json, const StagedDecision& decision) {
+  json.object([&] {
+    json.key("predicate"), json.string(decision.predicate);
+    json.key("zero"), json.integer(decision.zero);
+    json.key("monomials"), json.array_of(decision.monomials, [&](const StagedMonomial& monomial) {
+      json.object([&] {
+        json.key("name"), json.string(monomial.name);
+        json.key("count"), json.integer(monomial.count);
+      });
+    });
+  });
+}
+
+void write_bound(text::JsonStream& json, const StagedBound& bound, const Stages& stages) {
+  json.object([&] {
+    json.key("stage"), json.string(bound.stage);
+    json.key("what"), json.string(bound.what);
+    json.key("count"), json.integer(bound.count);
+    json.key("bound"), json.string(bound.bound);
+    json.key("bound_value");
+    if (std::isfinite(bound.bound_value)) json.number(bound.bound_value, places_digits);
+    else json.null();
+    json.key("source"), json.string(bound.source);
+    const auto seconds = std::ranges::find(stages.seconds, bound.stage, [](const auto& stage) { return std::string_view(stage.first); });
+    if (seconds != stages.seconds.end()) json.key("seconds"), json.number(seconds->second, places_digits);
+  });
+}
+
 void write_head(text::JsonStream& json, const Stages& stages) {
   json.key("schema"), json.string("fathom/stages/1");
   json.key("id"), json.string(stages.id);
@@ -214,6 +292,53 @@ void write_counts(text::JsonStream& json, const Counters& counters) {
   });
 }
 
+constexpr int digits_of_pieces = 0;  // the shortest text: pieces may be small beside the whole
+constexpr int digits_of_sums = 7;
+
+void write_pieces(text::JsonStream& json, const std::vector<StagedPiece>& pieces) {
+  json.array_of(pieces, [&](const StagedPiece& piece) {
+    json.object([&] {
+      json.key("ids"), json.array_of(piece.ids);
+      json.key("vertices"), json.array_of(piece.vertices, [&](const Place& p) { json.numbers(p, digits_of_pieces); });
+      json.key("edges"), json.array_of(piece.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
+      json.key("facets"), json.array_of(piece.facets, [&](const Indices& facet) { json.array_of(facet); });
+    });
+  });
+}
+
+void write_pair(text::JsonStream& json, Index a, Index b) {
+  json.key("pieces"), json.array([&] { json.integer(a), json.integer(b); });
+}
+
+void write_way(text::JsonStream& json, const StagedUnionWay& way) {
+  json.object([&] {
+    json.key("translation"), json.numbers(way.translation, digits_of_pieces);
+    json.key("clearance"), json.boolean(way.clearance);
+    json.key("contacts"), json.array_of(way.touching, [&](const StagedTouch& touch) {
+      json.object([&] {
+        write_pair(json, touch.a, touch.b);
+        json.key("direction"), json.numbers(touch.direction, digits_of_pieces);
+        json.key("kind"), json.string(name(touch.contact.kind));
+        json.key("a"), json.array_of(touch.contact.a);
+        json.key("b"), json.array_of(touch.contact.b);
+      });
+    });
+  });
+}
+
+void write_sum(text::JsonStream& json, const PieceSum& sum) {
+  json.object([&] {
+    write_pair(json, sum.a, sum.b);
+    json.key("inside"), json.boolean(sum.inside);
+    json.key("distance"), json.number(sum.distance, digits_of_sums);
+    json.key("distance_squared"), json.exact(sum.squared);
+    json.key("touches"), json.array_of(sum.touches);
+    json.key("vertices"), json.array_of(sum.vertices, [&](const Place& p) { json.numbers(p, digits_of_sums); });
+    json.key("facets"), json.array_of(sum.facets, [&](const Indices& facet) { json.array_of(facet); });
+    json.key("through"), json.array_of(sum.through, [&](const auto& pair) { json.array_of(pair, [&](Index i) { json.integer(i); }); });
+  });
+}
+
 }  // namespace
 
 std::string to_json(const Stages& stages) {
@@ -234,9 +359,35 @@ std::string to_json(const Stages& stages) {
     json.key("winner");
     if (stages.winner) write_winner(json, *stages.winner);
     else json.null();
-    write_parts(json, stages);
+    json.key("sum"), write_sum(json, stages.sum);
+    json.key("coincidences"), json.array_of(stages.coincidences, [&](const StagedCoincidence& c) { write_coincidence(json, c); });
+    json.key("decided"), json.array_of(stages.decided, [&](const StagedDecision& d) { write_decision(json, d); });
     json.key("counts"), write_counts(json, stages.counters);
-    write_costs(json, stages);
+    json.key("bounds"), json.array_of(stages.bounds, [&](const StagedBound& bound) { write_bound(json, bound, stages); });
+    if (!stages.seconds.empty())
+      json.key("seconds"), json.object([&] {
+        for (const auto& [stage, seconds] : stages.seconds) json.key(stage), json.number(seconds, places_digits);
+      });
+    json.key("left_out"), json.array_of(stages.left_out, [&](const std::string& sentence) { json.string(sentence); });
+  });
+  return json.take();
+}
+
+std::string to_json(const UnionStages& stages) {
+  text::JsonStream json;
+  json.object([&] {
+    json.key("schema"), json.string("fathom/union_stages/1");
+    json.key("id"), json.string(stages.id);
+    json.key("status"), json.string(name(stages.status));
+    json.key("scale"), json.object([&] {
+      const Point& center = stages.scale.center;
+      json.key("center"), json.array([&] { json.exact(center.x), json.exact(center.y), json.exact(center.z); });
+      json.key("exponent"), json.integer(stages.scale.exponent);
+    });
+    json.key("a"), write_pieces(json, stages.a);
+    json.key("b"), write_pieces(json, stages.b);
+    json.key("ways"), json.array_of(stages.ways, [&](const StagedUnionWay& way) { write_way(json, way); });
+    json.key("sums"), json.array_of(stages.sums, [&](const PieceSum& sum) { write_sum(json, sum); });
     json.key("left_out"), json.array_of(stages.left_out, [&](const std::string& sentence) { json.string(sentence); });
   });
   return json.take();

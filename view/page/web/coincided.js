@@ -15,7 +15,7 @@ const mostBackground = 600,
 export function mountCoincided(root, data, selection) {
   const { present, absent } = coincidenceKinds(data.coincidences);
   if (present.length === 0) {
-    if (root.childElementCount === 0) root.replaceChildren(element("p", {}, "Nothing coincides: the bodies are in general position."));
+    root.replaceChildren(element("p", {}, "Nothing coincides: the bodies are in general position."));
     return {};
   }
   const view = { data, selection, epsilon: startsAt, items: new Map() };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the page: reads the data, makes the selection, mounts each section, and lets none of them take the others down.
 //
-// A section module NAME.js exports mountNAME(root, data, selection), root its place in the page (see `sections`). It may replace or keep
-// what stands there, the still picture that is seen without scripts, and returns a handle, each member of which may be absent:
+// A section module NAME.js exports mountNAME(root, data, selection), root its place in the page (see `sections`). Of these only #facts and
+// the scene of the bodies hold anything before it is called: what is seen without scripts. It returns a handle, each member of which may
+// be absent:
 //   lit()        what is lit there, for tests: part of {sphere: [[colour, edge]..], chart: [..], bodies: [..], blocks: n}
 //   drawCalls()  how many draw calls its last frame took
 // The modules are joined into one scope, where imports are stripped: names at the top of a module differ from all others'.
@@ -72,6 +73,7 @@ function publicFace(data, selection, handles) {
 }
 
 function startPage() {
+  for (const part of document.querySelectorAll("nav[hidden], main > section[hidden]")) part.hidden = false;
   const data = readData();
   const selection = createSelection(data, window);
   const handles = (data.isUnion ? unionSections : sections).map(([place, mount]) => mounted(place, mount, data, selection));

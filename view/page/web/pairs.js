@@ -9,7 +9,7 @@ const rowsAtOnce = 200,
 
 export function mountPairs(root, data, selection) {
   if (data.pairs.length === 0) {
-    if (root.childElementCount === 0) root.replaceChildren(element("p", { class: "note" }, noPairsSentence(data)));
+    root.replaceChildren(element("p", { class: "note" }, noPairsSentence(data)));
     return {};
   }
   const rows = pairRows(data);

@@ -16,7 +16,10 @@ import { element, onLook } from "./look.js";
 export class NoWebGL extends Error {}
 
 const fieldOfView = 26;  // degrees
-const noWebGLText = "This browser shows no WebGL: the picture stands still, and numbers and tables are complete.";
+const noWebGLText = {
+  still: "This browser shows no WebGL: the picture stands still, and numbers and tables are complete.",
+  none: "This browser shows no WebGL, which this picture needs; numbers and tables are complete.",
+};
 
 /** Calls f(view), or leaves what stands in root and says why. */
 export function withView(root, label, f) {
@@ -28,7 +31,7 @@ export function withView(root, label, f) {
     return f(view, before);
   } catch (error) {
     if (!(error instanceof NoWebGL)) throw error;
-    root.replaceChildren(...before, element("p", { class: "note no-webgl" }, noWebGLText));
+    root.replaceChildren(...before, element("p", { class: "note no-webgl" }, before.length ? noWebGLText.still : noWebGLText.none));
     return {};
   }
 }

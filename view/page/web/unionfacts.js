@@ -9,8 +9,10 @@ const mostContacts = 50;
 export function mountUnionFacts(root, data, selection) {
   document.getElementById("tools")?.replaceChildren(...caseTools(data));
   if (data.optima.length > 1) root.prepend(optimumStepper(data, selection));
-  const written = [];
+  const written = [], contacts = contactsTable();
+  document.getElementById("contacts")?.replaceChildren(contacts.box);
   selection.subscribe((state, changed) => {
+    if (changed.has("optimum")) contacts.show(contactsOfDepth(data.depth, state.optimum));
     if (changed.has("optimum") && data.optima.length > 1) showWay(root, data, state.optimum, written);
     if (changed.has("optimum") || changed.has("pair")) announcePieces(data, selection.chosen());
   });
@@ -19,7 +21,7 @@ export function mountUnionFacts(root, data, selection) {
 /** Writes an optimum where the first one stands, whose text comes back with it. */
 function showWay(root, data, index, written) {
   for (const [place, nodes] of written.splice(0)) place.replaceChildren(...nodes);
-  for (const row of document.querySelectorAll("#contacts [data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
+  for (const row of document.querySelectorAll("#what [data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
   const optimum = data.depth.optima[index];
   if (index === 0 || !optimum) return;
   const write = (place, ...nodes) => {
@@ -31,7 +33,25 @@ function showWay(root, data, index, written) {
   write(place, vectorText(decimalsOf(optimum.translation)));
   write(place?.parentElement.querySelector("pre"), `(${optimum.translation.join(", ")})`);
   write(root.querySelector('[data-field="clearance"]'), optimum.clearance ? "yes" : "none: an exact fit");
-  write(document.querySelector("#contacts tbody"), ...optimum.contacts.slice(0, mostContacts).map(contactRow));
+}
+
+/** What touches once A has moved by an optimum, or to the contact: [{pieces, contact}]. */
+function contactsOfDepth({ apart, optima }, index) {
+  return apart ? [apart] : (optima[index]?.contacts ?? []);
+}
+
+function contactsTable() {
+  const name = "What touches once A has moved", body = element("tbody"), rest = element("p", { class: "soft" });
+  const head = (text, kind = null) => element("th", { scope: "col", class: kind }, text);
+  const heads = element("tr", {}, head("piece of A"), head("piece of B"), head("contact", "text"), head("A\u2019s points", "text"), head("B\u2019s points", "text"));
+  const table = element("table", {}, element("caption", {}, name), element("thead", {}, heads), body);
+  return {
+    box: element("div", {}, element("div", { class: "wide", role: "region", tabindex: 0, "aria-label": name }, table), rest),
+    show(contacts) {
+      body.replaceChildren(...contacts.slice(0, mostContacts).map(contactRow));
+      rest.textContent = contacts.length > mostContacts ? `${contacts.length - mostContacts} pairs more are not listed here.` : "";
+    },
+  };
 }
 
 function contactRow({ pieces, contact }, index) {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs end at their nodes, stay in their hemisphere, and are drawn as smooth lines; lines of a projection keep to the arc.
-#include <gtest/gtest.h>
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 #include "verify/families/families.hpp"
 #include "view/stages/charts_picture.hpp"
 
-namespace fathom::atlas {
+namespace fathom::stages {
 namespace {
 
-using stages::Index;
-using stages::Stages;
 using std::numbers::pi;
 
 constexpr double near = 1e-9;
@@ -86,4 +84,4 @@ TEST(Arcs, LinesKeepToTheArc) {
 }
 
 }  // namespace
-}  // namespace fathom::atlas
+}  // namespace fathom::stages
