@@ -7,8 +7,6 @@
 
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
-#include "verify/families/shape_catalogue.hpp"
-#include "verify/families/union_catalogue.hpp"
 #include "view/stages/stages.hpp"
 
 namespace fathom::testing {

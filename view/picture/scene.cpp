@@ -10,7 +10,6 @@
 
 #include "fathom/depth.hpp"
 #include "reference/shapes/core.hpp"
-#include "reference/shapes/support.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -10,11 +10,8 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/point_algebra.hpp"
-#include "kernels/sign.hpp"
 #include "kernels/vector.hpp"
 #include "reference/solve/depth.hpp"
-#include "reference/solve/methods.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {
