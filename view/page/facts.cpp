@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page says of an answer, from its JSON: values as text, then facts of convex bodies, then those of unions. Numbers
-// are copied as they stand there.
+// What a page says of an answer, from its JSON: values as text, then facts of convex bodies, then
+// those of unions. Numbers are copied as they stand there.
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shell, filled: the sentence of the answer, its facts and a still picture of the bodies, which need no script; the
-// sections that the script paints, with the sentence that leads into each; and the data that it paints them from.
+// The shell, filled: the sentence of the answer, its facts and a still picture of the bodies, which
+// need no script; the sections that the script paints, with the sentence that leads into each; and
+// the data that it paints them from.
 #include "view/page/page.hpp"
 
 #include <algorithm>
@@ -128,7 +129,8 @@ Data parsed(const std::string& depth) {
   return result;
 }
 
-/// The page with its style, its script and its policy. `main` is markup, and so are the heading and what is below it.
+/// The page with its style, its script and its policy. `main` is markup, and so are the heading and
+/// what is below it.
 template <class AnySheet>
 std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading, const std::string& subtitle,
                       const Sections& sections, const std::string& main, const Blocks& blocks) {

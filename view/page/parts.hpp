@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pages are put together from, for page.cpp and its tests: the embedded files, small pieces over JSON values, and
-// the facts of answers.
+// What pages are put together from, for page.cpp and its tests: the embedded files, small pieces
+// over JSON values, and the facts of answers.
 #pragma once
 
 #include <map>
@@ -19,7 +19,8 @@ using Data = nlohmann::ordered_json;
 /// std::logic_error if a name has no value.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
-// The files that are part of every page, as the build put them together: see view/page/assemble.cmake.
+// The files that are part of every page, as the build put them together: see
+// view/page/assemble.cmake.
 
 /// The HTML, with {{names}} where a page puts its own.
 std::string_view shell();

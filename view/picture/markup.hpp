@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one builder of HTML and SVG. First any bytes as text that XML, HTML and terminals take: ids, details and settings
-// come from others and may hold anything. Then the frame of a picture, the parts of pages, and pages themselves.
+// The one builder of HTML and SVG. First any bytes as text that XML, HTML and terminals take: ids,
+// details and settings come from others and may hold anything. Then the frame of a picture, the
+// parts of pages, and pages themselves.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +23,8 @@ std::string ascii(std::string_view text, std::size_t width = static_cast<std::si
 /// begins with a slash where a word begins, and ends at a space, a quotation mark, a comma, a semicolon or a parenthesis.
 std::string without_folders(std::string_view text);
 
-/// What a picture says of itself to those who do not see it, and its size in pixels; texts are markup.
+/// What a picture says of itself to those who do not see it, and its size in pixels; texts are
+/// markup.
 struct SvgFrame {
   std::string style;  ///< its class
   double width = 0, height = 0;
@@ -81,7 +83,8 @@ std::string folded(std::string_view summary, const std::string& text);
 /// Rows of a <dl>.
 class FactList {
  public:
-  /// Adds a row. `label`, `text` and `more` are markup; `field` is its name for scripts and tests, if it has one.
+  /// Adds a row. `label`, `text` and `more` are markup; `field` is its name for scripts and tests,
+  /// if it has one.
   void add(std::string_view field, std::string_view label, const std::string& text, const std::string& more = "");
   /// Adds a row without a name; `text` is escaped here.
   void add_text(std::string_view label, std::string_view text);
@@ -96,7 +99,8 @@ class Table {
  public:
   /// `caption`: what it lists. `heads`: of the columns; those whose name begins with ' are texts, and stand to the left.
   Table(std::string caption, std::vector<std::string_view> heads);
-  /// Adds a row of cells, which are markup, as many as columns; the first heads the row. `attributes`: of the row.
+  /// Adds a row of cells, which are markup, as many as columns; the first heads the row.
+  /// `attributes`: of the row.
   void add(const std::vector<std::string>& cells, std::string_view attributes = "");
   [[nodiscard]] bool empty() const { return rows_.empty(); }
   [[nodiscard]] std::string text() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the strokes to the whole: elements, bodies and ways, panels, then pictures for pages and as files.
+// From the strokes to the whole: elements, bodies and ways, panels, then pictures for pages and as
+// files.
 #include "view/picture/paint.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes of hulls of points, of shapes and of unions: what they share, what each needs, then the three.
+// Scenes of hulls of points, of shapes and of unions: what they share, what each needs, then the
+// three.
 #include "view/picture/scene.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Line charts as SVG, for looking at: numbers are placed to a tenth of a pixel, and the exact ones stand elsewhere.
-// Series differ by dash and by marker as well as by colour. Colours are those of all pictures: light, dark, on paper
-// as light ones. Round numbers along an axis come first, then what a figure is made of, then the door.
+// Series differ by dash and by marker as well as by colour. Colours are those of all pictures:
+// light, dark, on paper as light ones. Round numbers along an axis come first, then what a figure
+// is made of, then the door.
 #pragma once
 
 #include <optional>
@@ -86,8 +87,8 @@ struct Figure {
 /// How many series have a look of their own; those after them begin again.
 inline constexpr unsigned distinct_looks = 6;
 
-/// An SVG file with its style. Texts of others are escaped. Values without a place on an axis are left out,
-/// lines are broken there, and a sentence below the panel counts them.
+/// An SVG file with its style. Texts of others are escaped. Values without a place on an axis are
+/// left out, lines are broken there, and a sentence below the panel counts them.
 std::string figure_file(const Figure& figure);
 
 /// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms. Returns nullopt unless there are two different

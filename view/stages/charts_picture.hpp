@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the stages of two bodies.
-// Output  their charts as an SVG file, in longitude and latitude, where walls are vertical and a hemisphere fits a square.
+// Output  their charts as an SVG file, in longitude and latitude, where walls are vertical and a
+// hemisphere fits a square.
 //         A's arcs are solid and B's dashed; what is lit is thick. Pixels are placed by doubles: the exact data stand
 //         elsewhere.                                                  [AGHRS, section 2.2, "Computing F"]
 //
-// First arcs of great circles, the parts of them in a hemisphere, and how they look in a projection.
+// First arcs of great circles, the parts of them in a hemisphere, and how they look in a
+// projection.
 #pragma once
 
 #include <cstddef>

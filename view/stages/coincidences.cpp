@@ -20,8 +20,9 @@ const chart::Frame& frame() {
   return upper;
 }
 
-/// Which monomials of the perturbation resolve a coincidence: the question that it makes zero is asked of the perturbed
-/// kernel.                                                                                   [proofs/perturbation.md]
+/// Which monomials of the perturbation resolve a coincidence: the question that it makes zero is
+/// asked of the perturbed kernel.
+/// [proofs/perturbation.md]
 class Decisions {
  public:
   /// The subjects must outlive it.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The canonical pairs: each with its closest lines, by a search of its own, since that of the run drops what cannot be the
-// nearest; which one the first optimum comes from; and the cutting of one.
+// The canonical pairs: each with its closest lines, by a search of its own, since that of the run
+// drops what cannot be the nearest; which one the first optimum comes from; and the cutting of one.
 
 #include "kernels/number/rational.hpp"
 
@@ -124,7 +124,9 @@ bool holds(const Indices& edges, Index edge) { return std::ranges::find(edges, e
 
 using Blocks = std::vector<lines::SearchTrace::Block>;
 
-// ---- the cutting of one pair, level by level: that of the search, or a finer one if the search scanned the pair ----
+// ---- the cutting of one pair, level by level ----
+
+// That of the search, or a finer one for a picture if the search scanned the pair.
 
 // A smaller grid is no picture.
 constexpr std::uint64_t least_crossings = 4;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of this room share: places for pixels, and the parts of the stages that are too long for stages.cpp.
+// What the files of this room share: places for pixels, and the parts of the stages that are too
+// long for stages.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of shapes: outlines, sampled; the contact; a mesh near P, which is the hull of differences of samples, each
-// extreme in one of many directions; what coincides. The exact method's topology is that of polytopes.
+// The stages of shapes: outlines, sampled; the contact; a mesh near P, which is the hull of
+// differences of samples, each extreme in one of many directions; what coincides. The exact
+// method's topology is that of polytopes.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,7 +20,8 @@ namespace {
 
 // The sampled directions: circles of latitude, and points on each.
 constexpr int latitudes = 16, longitudes = 32;
-// Samples lie on a lattice of so many steps across the body, or across P, so that flat parts are flat.
+// Samples lie on a lattice of so many steps across the body, or across P, so that flat parts are
+// flat.
 constexpr double steps = 1 << 20;
 
 Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stages of polytopes, part by part, and the door of all. First places for pixels: input coordinates, moved and scaled by
-// a power of two only where binary64 needs it.
+// Stages of polytopes, part by part, and the door of all. First places for pixels: input
+// coordinates, moved and scaled by a power of two only where binary64 needs it.
 #include "view/stages/stages.hpp"
 
 #include <algorithm>
@@ -128,7 +128,9 @@ void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
                               " optima are listed.");
 }
 
-// ---- both hemispheres as charts, in longitude and latitude about v: walls stay vertical, and the hemisphere fits a square ----
+// ---- both hemispheres as charts ----
+
+// In longitude and latitude about v: walls stay vertical, and the hemisphere fits a square.
 
 std::optional<Index> end_of(gaussian::NodeId node) { return node == chart::at_infinity ? std::nullopt : std::optional(node.value); }
 
@@ -209,7 +211,8 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
 
 // ---- all of it ----
 
-/// How long each stage of a run takes: a monitor that looks at the clock when a stage begins, and passes everything on.
+/// How long each stage of a run takes: a monitor that looks at the clock when a stage begins, and
+/// passes everything on.
 class StageTimes : public Monitor {
  public:
   /// `next`, which may be null, hears everything too.

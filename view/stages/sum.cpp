@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex polygons in parallel planes:
-// their edges, merged by angle. First that sum, then all facets, then what is shown of them.
+// The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex
+// polygons in parallel planes: their edges, merged by angle. First that sum, then all facets, then
+// what is shown of them.
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -74,8 +75,9 @@ class Side {
   std::size_t taken_ = 0;
 };
 
-/// The corners of the facet of P with this normal, given the faces of A in direction -normal and of B in direction normal:
-/// each a vertex, the ends of an edge, or the cycle of a facet, counter-clockwise from outside its body.
+/// The corners of the facet of P with this normal, given the faces of A in direction -normal and of
+/// B in direction normal: each a vertex, the ends of an edge, or the cycle of a facet,
+/// counter-clockwise from outside its body.
 std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal, std::vector<VertexId> of_a, std::vector<VertexId> of_b) {
   Side a(hulls.a, true, std::move(of_a)), b(hulls.b, false, std::move(of_b));
   const Vector r = a.has_edges() ? a.edge(0) : b.edge(0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stages as JSON: of convex bodies, schema fathom/stages/1, in the order of its fields; then of unions.
+// Stages as JSON: of convex bodies, schema fathom/stages/1, in the order of its fields; then of
+// unions.
 #include <algorithm>
 #include <cmath>
 
