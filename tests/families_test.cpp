@@ -2,9 +2,8 @@
 // The case generators and their building blocks: exact, and reproducible to the last digit.
 #include "verify/families/families.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
+#include <gtest/gtest.h>
 #include <map>
 #include <regex>
 #include <set>

@@ -3,10 +3,9 @@
 // it starts with subnormal numbers flushed to zero; the tests add each rounding mode and unmask all exceptions.
 #include "kernels/float_environment.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cfenv>
 #include <cstdio>
+#include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
 #include <vector>

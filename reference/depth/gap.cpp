@@ -8,7 +8,6 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/depth/naive.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -134,27 +133,6 @@ std::optional<mpq_class> second_nearest(std::span<const P> a, std::span<const P>
 }
 
 }  // namespace
-
-std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b) {
-  const kernels::DefaultFloatEnvironment environment;
-  const polytope::PlacedPair pair = polytope::place(a, b);
-  const polytope::Polytope hull_a = polytope::convex_hull(pair.a.points()), hull_b = polytope::convex_hull(pair.b.points());
-  std::vector<Vector> differences;
-  for (const Vector& p : hull_a.vertices)
-    for (const Vector& q : hull_b.vertices) differences.push_back(q - p);
-  const polytope::Polytope p = polytope::convex_hull(differences);
-  std::vector<mpq_class> squares;
-  for (const polytope::Facet& facet : p.facets) {
-    const Vector& corner = p.vertices[p.corners[facet.begin]];
-    if (p.rank < 3 || dot(facet.normal, corner) <= 0) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
-    squares.push_back(squared_distance<mpz_class>(facet.normal, corner));
-  }
-  if (squares.empty()) throw std::invalid_argument("only bodies that penetrate have a next nearest facet");
-  std::ranges::sort(squares);
-  const auto next = std::ranges::upper_bound(squares, squares.front());
-  if (next == squares.end()) return std::nullopt;
-  return mpq_class(*next / mpq_class(pair.denominator * pair.denominator));
-}
 
 }  // namespace fathom::depth
 

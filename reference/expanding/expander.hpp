@@ -17,6 +17,9 @@
 #include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/expanding/surface.hpp"
+#include "fathom/depth.hpp"
+#include "kernels/filters/support.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 
@@ -263,3 +266,15 @@ class Expander {
 };
 
 }  // namespace fathom::expanding
+
+namespace fathom {
+
+/// What a Workspace holds.
+struct Workspace::Parts {
+  expanding::Memory<polytope::NarrowInteger> narrow;
+  expanding::Memory<mpz_class> wide;
+  kernels::ScanMemory scan;
+  polytope::NarrowPair pair;  ///< for the caller of an expansion, which leaves it alone
+};
+
+}  // namespace fathom

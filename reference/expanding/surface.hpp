@@ -3,10 +3,16 @@
 // are used only where binary64 with an error bound leaves a sign open. Only triangles strictly below the new point are removed. So the
 // point never lies on the line through an edge of the horizon, and new triangles are never degenerate; coplanar triangles stay side by
 // side.                                                                                                     [proofs/expanding.md, lemma 1]
+// Here are its surface, the four points it starts from, and the form in which it is handed out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <deque>
+#include <initializer_list>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -15,8 +21,39 @@
 #include "kernels/id.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom::expanding {
+
+using PoolIndex = kernels::Id<struct PoolTag>;
+
+/// Values that come and go, in memory that stays.
+/// Values are never constructed again: what `take` returns holds some earlier value. References stay valid until the pool is gone.
+template <class T>
+class Pool {
+ public:
+  PoolIndex take() {
+    if (!free_.empty()) {
+      const PoolIndex index = free_.back();
+      free_.pop_back();
+      return index;
+    }
+    if (taken_ == values_.size()) values_.emplace_back();
+    return PoolIndex(static_cast<std::uint32_t>(taken_++));
+  }
+  void give_back(PoolIndex index) { free_.push_back(index); }
+  /// Gives back all.
+  void clear() {
+    free_.clear();
+    taken_ = 0;
+  }
+  T& operator[](PoolIndex index) { return values_[index.value]; }
+
+ private:
+  std::deque<T> values_;
+  std::size_t taken_ = 0;  // values from here on have not been taken since the last `clear`
+  std::vector<PoolIndex> free_;
+};
 
 /// Indices in a surface.
 using CornerId = kernels::Id<struct CornerTag>;
@@ -217,6 +254,193 @@ const std::vector<TriangleId>& Surface<Integer>::insert(const Vertex& vertex, Tr
     triangles_[following].across[2] = t;
   }
   return fresh_;
+}
+
+/// Where an expanding polytope starts. Each point is searched in a direction u from the hull of the points before it to O, then in -u. If
+/// neither leads out of that hull, P lies in a plane orthogonal to u.
+template <class Differences>
+class Start {
+ public:
+  using Integer = typename Differences::Integer;
+  using Direction = Vec3<Integer>;
+
+  explicit Start(Differences& differences) : differences_(differences) {}
+
+  /// Returns nullopt if P is flat. Exact.
+  std::optional<std::array<polytope::Difference, 4>> run() {
+    const Direction some = differences_[{0, 0}];
+    const polytope::Difference first = differences_.extreme(is_zero(some) ? axis(0, 1) : -some);
+    const Direction p = differences_[first];
+    const auto second = first_beyond(p, {-p, axis(0, 1), axis(0, -1)});
+    if (!second) return std::nullopt;
+    const Direction line = differences_[*second] - p;
+    Direction out = cross(cross(p, line), line);  // from the line to O
+    if (is_zero(out)) out = some_normal(line);
+    const auto third = first_beyond(p, {out, -out});
+    if (!third) return std::nullopt;
+    const Direction normal = cross(line, differences_[*third] - p);
+    const bool towards = sgn(dot(normal, p)) <= 0;
+    const auto fourth = first_beyond(p, {towards ? normal : -normal, towards ? -normal : normal});
+    if (!fourth) return std::nullopt;
+    return std::array{first, *second, *third, *fourth};
+  }
+
+ private:
+  static Direction axis(int k, long sign) { return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)}; }
+
+  // The first extreme difference, over `directions`, that lies farther in its direction than `from`.
+  std::optional<polytope::Difference> first_beyond(const Direction& from, std::initializer_list<Direction> directions) {
+    for (const Direction& u : directions) {
+      if (is_zero(u)) continue;
+      const polytope::Difference d = differences_.extreme(u);
+      if (cmp(Integer(dot(u, differences_[d])), Integer(dot(u, from))) > 0) return d;
+    }
+    return std::nullopt;
+  }
+
+  static Direction some_normal(const Direction& line) {
+    for (int k = 0; k < 3; ++k) {
+      const Direction n = cross(line, axis(k, 1));
+      if (!is_zero(n)) return n;
+    }
+    return {};
+  }
+
+  Differences& differences_;
+};
+
+/// Returns four differences that do not lie in one plane, found in directions that lead towards O, or nullopt if P is flat. Exact.
+template <class Differences>
+std::optional<std::array<polytope::Difference, 4>> starting_tetrahedron(Differences& differences) {
+  return Start<Differences>(differences).run();
+}
+
+// The form in which an expansion proves how far O is from the boundary of P: a polytope inside P. Coplanar triangles of the surface become
+// one polygon, corners inside facets or edges are dropped.
+
+/// What merging remembers.
+struct MergeMemory {
+  kernels::IdVector<TriangleId, std::uint32_t> facet_of;  ///< of triangles that are alive: the index of their facet
+  kernels::IdVector<CornerId, std::uint32_t> name;        // in the result, or none
+  std::vector<TriangleId> members;
+  std::vector<CornerId> cycle;
+  std::vector<std::uint32_t> corners;
+};
+
+/// Merges the facets of a surface.
+template <class Integer>
+class Merging {
+ public:
+  Merging(Surface<Integer>& surface, MergeMemory& memory) : surface_(surface), memory_(memory) {
+    memory.facet_of.assign(surface.triangles().size(), none);
+    memory.name.assign(surface.vertices().size(), none);
+  }
+
+  InnerPolytope run() {
+    result_.facets.reserve(surface_.alive());
+    result_.vertices.reserve(surface_.vertices().size());
+    for (const TriangleId t : surface_.triangles().ids()) {
+      if (!surface_.triangles()[t].alive || memory_.facet_of[t] != none) continue;
+      flood(t);
+      add_facet();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  struct Side {
+    TriangleId triangle;
+    int k;
+  };
+
+  // For neighbours. Only the corner that they do not share can lie off the plane.
+  bool coplanar(TriangleId t, TriangleId other) {
+    const std::array<CornerId, 3>& known = surface_.triangles()[t].corners;
+    for (const CornerId corner : surface_.triangles()[other].corners)
+      if (std::find(known.begin(), known.end(), corner) == known.end()) return surface_.side(t, surface_.vertices()[corner]) == 0;
+    throw std::logic_error("two triangles of the expanding polytope have the same corners");
+  }
+
+  // All triangles of the facet that holds t, into `members`.
+  void flood(TriangleId t) {
+    std::vector<TriangleId>& members = memory_.members;
+    members.assign(1, t);
+    memory_.facet_of[t] = static_cast<std::uint32_t>(result_.facets.size());
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      for (const TriangleId other : surface_.triangles()[members[i]].across) {
+        if (memory_.facet_of[other] != none || !coplanar(members[i], other)) continue;
+        memory_.facet_of[other] = memory_.facet_of[t];
+        members.push_back(other);
+      }
+    }
+  }
+
+  [[nodiscard]] bool inner(const Side& side) const {
+    return memory_.facet_of[surface_.triangles()[side.triangle].across[side.k]] == memory_.facet_of[side.triangle];
+  }
+
+  [[nodiscard]] Side some_outer_side() const {
+    for (const TriangleId t : memory_.members)
+      for (int k = 0; k < 3; ++k)
+        if (!inner({t, k})) return {t, k};
+    throw std::logic_error("a facet of the expanding polytope has no boundary");
+  }
+
+  [[nodiscard]] CornerId start(const Side& side) const { return surface_.triangles()[side.triangle].corners[side.k]; }
+
+  // The side that follows on the boundary of the facet, counter-clockwise: around the corner, over inner sides.
+  [[nodiscard]] Side following(Side side) const {
+    side.k = next(side.k);
+    while (inner(side)) {
+      const CornerId pivot = start(side);
+      side.triangle = surface_.triangles()[side.triangle].across[side.k];
+      for (side.k = 0; start(side) != pivot; ++side.k) {
+      }
+    }
+    return side;
+  }
+
+  [[nodiscard]] bool on_one_line(CornerId u, CornerId v, CornerId w) const {
+    const auto& vertices = surface_.vertices();
+    return is_zero(cross(vertices[v].exact - vertices[u].exact, vertices[w].exact - vertices[v].exact));
+  }
+
+  std::uint32_t name(CornerId vertex) {
+    if (memory_.name[vertex] == none) {
+      memory_.name[vertex] = static_cast<std::uint32_t>(result_.vertices.size());
+      result_.vertices.push_back(surface_.vertices()[vertex].from);
+    }
+    return memory_.name[vertex];
+  }
+
+  void add_facet() {
+    std::vector<CornerId>& cycle = memory_.cycle;
+    cycle.clear();
+    const Side first = some_outer_side();
+    Side side = first;
+    do {
+      cycle.push_back(start(side));
+      side = following(side);
+    } while (side.triangle != first.triangle || side.k != first.k);
+    memory_.corners.clear();
+    const std::size_t n = cycle.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const bool kept = memory_.members.size() == 1 || !on_one_line(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n]);
+      if (kept) memory_.corners.push_back(name(cycle[i]));
+    }
+    result_.facets.push_back(memory_.corners);
+  }
+
+  Surface<Integer>& surface_;
+  MergeMemory& memory_;
+  InnerPolytope result_;
+};
+
+template <class Integer>
+InnerPolytope inner_polytope(Surface<Integer>& surface, MergeMemory& memory) {
+  return Merging<Integer>(surface, memory).run();
 }
 
 }  // namespace fathom::expanding

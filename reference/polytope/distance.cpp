@@ -2,15 +2,40 @@
 // The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to
 // three differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does not
 // need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
+#include <algorithm>
+#include <bit>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/position.hpp"
-#include "reference/polytope/position_search.hpp"
 
 namespace fathom::polytope {
 namespace {
+
+/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt unless all of its weights are positive.
+std::optional<SimplexFoot> foot(const std::vector<SimplexCorner>& corners) {
+  const Vector& p = corners[0].p;
+  if (corners.size() == 1) return SimplexFoot{p, {1}, 1};
+  const Vector e = corners[1].p - p;
+  if (corners.size() == 2) {
+    const mpz_class square = dot(e, e), w = -dot(p, e);
+    if (w <= 0 || w >= square) return std::nullopt;
+    return SimplexFoot{square * p + w * e, {square - w, w}, square};
+  }
+  // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n, n>.
+  const Vector f = corners[2].p - p, n = cross(e, f);
+  const mpz_class square = dot(n, n), v = det(-p, f, n), w = det(e, -p, n);
+  mpz_class u = square - v - w;
+  if (u <= 0 || v <= 0 || w <= 0) return std::nullopt;
+  return SimplexFoot{dot(n, p) * n, {std::move(u), v, w}, square};
+}
+
+bool nearest_of(const SimplexFoot& z, const std::vector<SimplexCorner>& corners) {
+  const mpz_class square = dot(z.point, z.point);
+  return std::all_of(corners.begin(), corners.end(), [&](const SimplexCorner& c) { return z.denominator * dot(z.point, c.p) >= square; });
+}
 
 std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const SimplexFoot& z, std::uint32_t Difference::*side) {
   std::vector<Difference> differences;
@@ -23,6 +48,21 @@ std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const Simp
 }
 
 }  // namespace
+
+std::optional<SimplexFoot> nearest_in_simplex(std::vector<SimplexCorner>& corners) {
+  const unsigned last = 1U << (corners.size() - 1);
+  for (unsigned subset = last; subset < 2 * last; ++subset) {
+    if (std::popcount(subset) > 3) continue;
+    std::vector<SimplexCorner> chosen;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      if (subset >> i & 1U) chosen.push_back(corners[i]);
+    std::optional<SimplexFoot> z = foot(chosen);
+    if (!z || !nearest_of(*z, corners)) continue;
+    corners = std::move(chosen);
+    return z;
+  }
+  return std::nullopt;
+}
 
 NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");

@@ -5,7 +5,11 @@
 // Size    linear; O(log n) levels; O(log n) steps a query.                                             [proofs/hierarchy.md]
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "kernels/filters/support.hpp"
@@ -14,6 +18,50 @@
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
+
+/// A vertex is removed only while at most this many edges meet in it.
+inline constexpr std::uint32_t greatest_degree = 8;
+/// A polytope with fewer vertices is not coarsened further. Then more than greatest_degree vertices remain, which keeps every level
+/// solid.                                                                                                [proofs/hierarchy.md, lemma 4]
+inline constexpr std::uint32_t least_coarsened = 3 * greatest_degree - 3;
+
+inline constexpr std::uint32_t no_change = std::numeric_limits<std::uint32_t>::max();
+
+/// The coarsening of a solid polytope, level by level, and what a descent needs of it.
+/// Level 0 is the polytope itself; level k + 1 is the hull of the vertices of level k without those whose last level is k.
+/// An edge belongs to the levels from `born` up to the last level of either end.
+struct Coarsening {
+  struct Edge {
+    VertexId from, to;
+    std::uint32_t born;
+    std::uint32_t changes;  ///< the first, from the coarsest level on; or no_change
+  };
+  /// At `level` one of the edge's two facets is new: one level below, `apex` stood above it.
+  struct Change {
+    std::uint32_t level;
+    VertexId apex;
+    std::uint32_t next;  ///< of the same edge, at this level or a finer one; or no_change
+  };
+  struct Link {
+    VertexId vertex;  ///< at the other end
+    std::uint32_t edge;
+  };
+
+  kernels::IdVector<VertexId, std::uint32_t> last;  ///< the coarsest level that has the vertex
+  std::vector<VertexId> top;                        ///< vertices of the coarsest level
+  std::vector<Edge> edges;                          ///< of all levels
+  std::vector<Change> changes;
+  std::vector<Link> links;                                ///< of each vertex at its last level, counter-clockwise
+  kernels::IdVector<VertexId, std::uint32_t> first_link;  ///< one more entry closes the last
+  std::uint32_t levels = 0;
+
+  [[nodiscard]] std::span<const Link> links_of(VertexId v) const {
+    return std::span(links).subspan(first_link[v], first_link[v.next()] - first_link[v]);
+  }
+};
+
+/// Of a polytope of rank 3. Exact, linear time.
+Coarsening coarsen(const Polytope& polytope);
 
 /// A count of exact sign decisions, the same on every machine.
 using Steps = std::uint64_t;
@@ -48,5 +96,63 @@ class Hierarchy {
 /// Checks every level of a hierarchy of rank 3 against the hull of its vertices: the same edges; removed vertices independent, of
 /// degree at most greatest_degree, with all their edges listed. O(levels) hulls: for tests.
 [[nodiscard]] kernels::Report validate(const Hierarchy& hierarchy);
+
+/// One way down a hierarchy, level by level, with the highest vertex in a direction that may change on the way.
+/// Refers to the hierarchy, which must outlive it. Each step down takes a constant number of sign decisions.
+class HierarchyDescent {
+ public:
+  explicit HierarchyDescent(const Hierarchy& hierarchy);
+
+  /// The vertices of the coarsest level; all of them if there is but one level.
+  [[nodiscard]] std::vector<VertexId> coarsest() const;
+  /// Starts at the coarsest level, with direction u, which must not be zero.
+  void start(const Vector& u);
+
+  [[nodiscard]] VertexId highest() const;
+  [[nodiscard]] bool at_finest() const { return level_ == 0; }
+  /// Goes to the next finer level. Returns whether one of its vertices is strictly higher: then it is `highest`, and its last level is this
+  /// one.
+  bool step_down();
+  /// Goes on with another direction, in which `highest`, new at this level, is still highest among the vertices of this level.
+  void turn_to(const Vector& u);
+  /// Returns the neighbours of `highest` at this level, if it is new at this level.
+  [[nodiscard]] std::vector<VertexId> neighbours() const;
+
+  /// Rank 3, at the finest level: another highest vertex, adjacent to `highest`, if there is one.
+  [[nodiscard]] const VertexId* tied() const { return left_.level ? &left_.other : right_.level ? &right_.other : nullptr; }
+  /// The sign of <u, v - highest>: positive if v is higher. One step.
+  kernels::Sign rise(VertexId v) { return ++steps_, view_->rise(highest_.value, v.value); }
+  [[nodiscard]] Steps steps() const { return steps_; }
+
+ private:
+  /// An edge at the highest vertex. A level edge ends in another highest vertex: then it serves as left and as right.
+  struct Side {
+    VertexId other;  // the vertex at its other end
+    std::uint32_t change = no_change;
+    bool level = false;
+  };
+
+  kernels::Sign turn(VertexId p, VertexId q) { return ++steps_, view_->turn(highest_.value, p.value, q.value); }
+  bool climb(VertexId v);
+  void choose_sides();
+  void collect(Side& s);
+  bool hides(VertexId apex, const Side& s, kernels::Sign sense);
+  Side side_to(VertexId apex);
+  bool step_down_solid();
+  bool step_down_polygon();
+
+  const Hierarchy* hierarchy_;
+  const Coarsening* c_;
+  std::optional<kernels::PlanarView> view_;
+  Steps steps_ = 0;
+  std::uint32_t level_ = 0;
+  VertexId highest_;
+  // Rank 3.
+  Side left_, right_;
+  std::array<VertexId, 4> apexes_{};
+  std::uint32_t count_ = 0;
+  // Rank 2: level k holds every 2^k-th corner of the cycle; `highest` stands at this one.
+  std::uint32_t position_ = 0;
+};
 
 }  // namespace fathom::polytope

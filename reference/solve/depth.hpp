@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two bodies as points, wherever these stand.
-// Output  what penetration_depth says of them, and the lattice on which it found the answer.
+// Input   two bodies, as the user gives them or on one lattice, and the options of penetration_depth.
+// Output  the answer by the method that they ask for.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
@@ -11,6 +13,32 @@
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::solve {
+
+/// Resets the counters of `context` first.
+Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
+
+/// The exact method's answer.
+Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
+
+enum class NarrowEnd {
+  answered,
+  failed,     ///< the expanding polytope gave up, and would do so on any lattice
+  not_tried,  ///< the method does not ask for it, or the lattice is not narrow
+};
+
+struct NarrowResult {
+  NarrowEnd end = NarrowEnd::not_tried;
+  std::optional<Depth> depth;
+};
+
+/// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow lattice and the expanding polytope ends.
+/// It equals that of depth_by_method, its naive twin, in every field.
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Options& options);
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const std::array<double, 3>> a,
+                                     std::span<const std::array<double, 3>> b, const Options& options);
+
+// Input   two bodies as points, wherever these stand.
+// Output  what penetration_depth says of them, and the lattice on which it found the answer.
 
 struct PlacedDepth {
   Depth depth;

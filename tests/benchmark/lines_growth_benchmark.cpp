@@ -4,10 +4,6 @@
 // With --turned 1 both bodies are rotated, exactly, so that their chains lie along no axis. Engines run N times; the least time counts.
 // One process per case, so that the peak memory is its own. Work is cells + block tests + pairs evaluated. The last lines of each family
 // are exponents between its smallest and its largest size.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,6 +11,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 #include "reference/gaussian/gaussian_diagram.hpp"

@@ -2,7 +2,6 @@
 // Shallow penetrations of large bodies: the exact pipeline, SHALLOW-PENETRATION from the points on, and one query of bodies that are made
 // ready, A moving from query to query. Unit spheres of random points, centres 1.98 apart.
 #include <benchmark/benchmark.h>
-
 #include <memory>
 #include <string>
 

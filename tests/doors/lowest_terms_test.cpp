@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rationals that are not as GMP wants them (2/4, 1/-2, 1/0) are refused by all that takes points: no crash, no wrong answer.
-#include <gtest/gtest.h>
-
 #include <functional>
+#include <gtest/gtest.h>
 #include <map>
 #include <stdexcept>
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All crossed bundles, at sizes beyond those of the tests over all families: Theta(n^2) crossings, one of which decides, and the pipeline
 // against its twins.
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 
 #include "reference/depth/naive.hpp"
 #include "tests/support/exact_depth.hpp"

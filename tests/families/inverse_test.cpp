@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // That the answers which the bodies were built for are their answers; against the hull of all differences.
 #include <gtest/gtest.h>
-
 #include <map>
 #include <set>
 

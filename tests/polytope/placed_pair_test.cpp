@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-#include <rapidcheck.h>
-
 #include <cmath>
 #include <cstdlib>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
 #include <span>
 #include <stdexcept>
 #include <string>

@@ -3,7 +3,6 @@
 #include "reference/unions/union_prover.hpp"
 
 #include <gtest/gtest.h>
-
 #include <set>
 #include <string>
 

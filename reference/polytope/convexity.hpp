@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   points and faces of a mesh: equal points, faces that turn inside out, holes and slivers welcome.
-// Output  whether some face goes through the inside of the points' hull, and how much the hull adds.
-// Time    linear but for hashing and sorting if the mesh is the boundary of a convex body; else that of a hull.    [proofs/polytope.md]
+// What the hull of a body hides of it.
+// Input   the points of a body, and the faces of its mesh if it has some: equal points, faces that turn inside out, holes and
+//         slivers welcome.
+// Output  how many points are not extreme; whether some face goes through the inside of the points' hull, and how much the hull adds.
+// Time    that of a hull; of convex bodies less: n log n double operations if all points are seen to be extreme, linear but for
+//         hashing and sorting if the mesh is the boundary.                                             [proofs/polytope.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -17,6 +20,10 @@
 #include "kernels/vector.hpp"
 
 namespace fathom::polytope {
+
+/// Counts the points that are not vertices of the hull, nor equal to one. Exact. Returns nullopt if a hull is needed, but the
+/// points' denominators share little (place_if_slim). The body must not be empty.
+std::optional<std::size_t> count_inner_points(std::span<const Point> body);
 
 /// A point and how deep inside a hull it is.
 struct DeepestPoint {

@@ -1,15 +1,95 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coplanar neighbours are united, corners where fewer than three facets meet are dropped, the rest is numbered canonically.
+// The hull of points of any rank: duplicates out, rank found exactly, then one method for each rank. Of a solid, coplanar triangles are
+// united, corners where fewer than three facets meet are dropped, the rest is numbered canonically.
+
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "reference/polytope/hull.hpp"
+#include "kernels/float_environment.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
 namespace {
 
 using Index = std::uint32_t;
+
+/// Gives `polytope` the vertices points[id] for the ids marked in `extreme`, in ascending order. Returns the vertex of each id, or none.
+std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
+  std::vector<VertexId> number(points.size(), VertexId::none());
+  for (Index id = 0; id < points.size(); ++id) {
+    if (!extreme[id]) continue;
+    number[id] = VertexId(static_cast<Index>(polytope.vertices.size()));
+    polytope.vertices.push_back(points[id]);
+    polytope.input_ids.push_back(id);
+  }
+  return number;
+}
+
+/// Turns a cycle so that it starts at its lowest vertex.
+void start_at_lowest(std::vector<VertexId>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
+
+void append_facet(Polytope& polytope, Vector normal, std::span<const VertexId> cycle) {
+  const auto begin = static_cast<Index>(polytope.corners.size());
+  polytope.corners.insert(polytope.corners.end(), cycle.begin(), cycle.end());
+  polytope.facets.push_back({std::move(normal), begin, static_cast<Index>(polytope.corners.size())});
+}
+
+/// One index, the lowest, of each group of equal points; ascending.
+std::vector<Index> distinct_points(std::span<const Vector> points) {
+  DistinctPoints seen = no_points_yet(points, points.size());
+  std::vector<Index> ids;
+  for (Index i = 0; i < points.size(); ++i) {
+    if (seen.insert(i).second) ids.push_back(i);
+  }
+  return ids;
+}
+
+Polytope point(std::span<const Vector> points) {
+  Polytope polytope;
+  polytope.vertices = {points[0]};
+  polytope.input_ids = {0};
+  return polytope;
+}
+
+/// Lexicographic order is monotone along a line.
+Polytope segment(std::span<const Vector> points, std::span<const Index> ids) {
+  const auto [first, last] =
+      std::ranges::minmax_element(ids, [&](Index i, Index j) { return lexicographically_less(points[i], points[j]); });
+  const auto [low, high] = std::minmax(*first, *last);
+  Polytope polytope;
+  polytope.rank = 1;
+  polytope.vertices = {points[low], points[high]};
+  polytope.input_ids = {low, high};
+  polytope.edges = {{VertexId(0), VertexId(1), FacetId::none(), FacetId::none()}};
+  return polytope;
+}
+
+/// Of the two normals the one whose first component other than zero is positive belongs to facet 0; seen along that axis nothing is lost.
+Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, const Vector& some_normal) {
+  Vector normal = primitive(some_normal);
+  const int axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;
+  if (lexicographically_less(normal, Vector{})) normal = -normal;
+  const std::vector<Index> corners = hull_cycle(points, ids, axis);
+
+  Polytope polytope;
+  polytope.rank = 2;
+  std::vector<bool> extreme(points.size());
+  for (const Index id : corners) extreme[id] = true;
+  const std::vector<VertexId> number = number_vertices(polytope, points, extreme);
+  std::vector<VertexId> cycle;
+  for (const Index id : corners) cycle.push_back(number[id]);
+  start_at_lowest(cycle);
+  append_facet(polytope, normal, cycle);
+  std::reverse(cycle.begin() + 1, cycle.end());
+  append_facet(polytope, -normal, cycle);
+  const auto n = static_cast<Index>(cycle.size());
+  for (Index i = 0; i < n; ++i) polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], FacetId(0), FacetId(1)});
+  return polytope;
+}
 
 /// Half-edge 3 t + i runs from corner i of triangle t to the next one.
 struct Surface {
@@ -148,25 +228,6 @@ std::vector<Edge> edges_of(const Polytope& polytope) {
 
 }  // namespace
 
-std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
-  std::vector<VertexId> number(points.size(), VertexId::none());
-  for (Index id = 0; id < points.size(); ++id) {
-    if (!extreme[id]) continue;
-    number[id] = VertexId(static_cast<Index>(polytope.vertices.size()));
-    polytope.vertices.push_back(points[id]);
-    polytope.input_ids.push_back(id);
-  }
-  return number;
-}
-
-void start_at_lowest(std::vector<VertexId>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
-
-void append_facet(Polytope& polytope, Vector normal, std::span<const VertexId> cycle) {
-  const auto begin = static_cast<Index>(polytope.corners.size());
-  polytope.corners.insert(polytope.corners.end(), cycle.begin(), cycle.end());
-  polytope.facets.push_back({std::move(normal), begin, static_cast<Index>(polytope.corners.size())});
-}
-
 Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles) {
   Surface surface = make_surface(points, triangles);
   Polytope polytope;
@@ -177,6 +238,22 @@ Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTria
   }
   polytope.edges = edges_of(polytope);
   return polytope;
+}
+
+int affine_rank(std::span<const Vector> points) { return affine_span<mpz_class>(points, points.size()).rank; }
+
+Polytope convex_hull(std::span<const Vector> points) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (points.empty()) throw std::invalid_argument("convex_hull: no points");
+  if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
+  const std::vector<Index> ids = distinct_points(points);
+  const Span<mpz_class> span = affine_span<mpz_class>(points, points.size());
+  switch (span.rank) {
+    case 0: return point(points);
+    case 1: return segment(points, ids);
+    case 2: return polygon(points, ids, span.normal);
+    default: return merge_coplanar(points, ids.size() <= few_points ? hull_triangles_of_few(points, ids) : hull_triangles(points, ids));
+  }
 }
 
 }  // namespace fathom::polytope

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "kernels/filters/plane.hpp"
 #include "kernels/number/rational.hpp"
@@ -13,8 +14,10 @@
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "kernels/filters/all_extreme.hpp"
 
 namespace fathom::polytope {
+
 namespace {
 
 using kernels::BoxedPoints;
@@ -220,6 +223,19 @@ bool is_convex_boundary(std::span<const Vector> given, std::span<const MeshTrian
     if (t > 0 && cone_holds(boxed, eye, triangles[t], target, -inside)) return false;
   }
   return true;
+}
+
+std::optional<std::size_t> count_inner_points(std::span<const Point> body) {
+  if (kernels::all_seen_extreme(body)) return 0;
+  const std::optional<PlacedPair> placed = place_if_slim(body, body.first(1));
+  if (!placed) return std::nullopt;
+  const std::vector<Vector>& points = placed->a.points();
+  const Polytope hull = convex_hull(points);
+  DistinctPoints extreme = no_points_yet(points, hull.input_ids.size());
+  extreme.insert(hull.input_ids.begin(), hull.input_ids.end());
+  std::size_t inner = 0;
+  for (std::uint32_t i = 0; i < points.size(); ++i) inner += !extreme.contains(i);
+  return inner;
 }
 
 MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces, std::size_t most_comparisons) {
