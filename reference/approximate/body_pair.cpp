@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/approximate/body_pair.hpp"
 
+
 #include "fathom/approximate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
@@ -23,7 +24,7 @@ BodyPair::Meeting BodyPair::meeting(const Vector& n, const Point& t) const {
   const mpz_class d = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
   const mpq_class s = placed_.denominator * d;
   const Vector v{mpq_class(s * t.x).get_num(), mpq_class(s * t.y).get_num(), mpq_class(s * t.z).get_num()};
-  return {depth::optimum(placed_, n, faces).contact, depth::meeting_points(placed_, faces, v, d)};
+  return {{depth::kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}, depth::meeting_points(placed_, faces, v, d)};
 }
 
 Hierarchies::Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/depth/apart.hpp"
 
+
 #include "kernels/number/rational.hpp"
 #include "kernels/parallel.hpp"
 #include "kernels/vector.hpp"
@@ -76,10 +77,6 @@ bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, D
   if (beginning.origin.position == Position::inside) return false;
   depth.outcome = std::move(beginning.depth.outcome);
   return true;
-}
-
-BodyFacts facts_of(const polytope::PlacedPair& pair) {
-  return {polytope::affine_rank(pair.a.points()) < 3, polytope::affine_rank(pair.b.points()) < 3, 0, 0};
 }
 
 Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts) {

@@ -52,9 +52,6 @@ struct Beginning {
 /// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate.
 [[nodiscard]] bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, Depth& depth);
 
-/// Returns whether the bodies are flat; does not count extreme points.
-BodyFacts facts_of(const polytope::PlacedPair& pair);
-
 /// Computes the hulls; sets the counts of extreme points in `facts`, and the counters.
 Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts);
 /// Throws std::logic_error if a hull breaks a law.

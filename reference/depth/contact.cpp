@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "kernels/number/rational.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "reference/polytope/position.hpp"
 
 namespace fathom::depth {
 namespace {
@@ -16,8 +16,6 @@ ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
   for (const std::uint32_t i : ids) points.push_back(body[i]);
   return face_of(ids, std::move(points));
 }
-
-Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 }  // namespace
 
@@ -60,16 +58,11 @@ Point combination(const polytope::PlacedPair& pair, std::span<const Vector> poin
   return sum;
 }
 
-Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
-  const mpz_class height = dot(n, faces.b.points.front() - faces.a.points.front());
-  return {n, kernels::ratio(height, pair.denominator), {kind_of(faces.a.ids.size(), faces.b.ids.size()), faces.a.ids, faces.b.ids}};
-}
-
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
 std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d) {
   std::vector<Vector> moved_a, scaled_b;
-  for (const Vector& p : faces.a.points) moved_a.push_back(scaled(d, p) + v);
-  for (const Vector& p : faces.b.points) scaled_b.push_back(scaled(d, p));
+  for (const Vector& p : faces.a.points) moved_a.push_back(d * p + v);
+  for (const Vector& p : faces.b.points) scaled_b.push_back(d * p);
   const polytope::PlacedPair moved = polytope::place_integers(std::move(moved_a), std::move(scaled_b));
   const polytope::PositionOfOrigin common = polytope::position_of_origin(moved.a, moved.b);
   if (common.position == polytope::Position::outside) return std::nullopt;
@@ -78,15 +71,9 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
 
 FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
   const Vector apart = faces.b.points.front() - faces.a.points.front();
-  std::optional<Witness> common = meeting_points(pair, faces, scaled(dot(n, apart), n), dot(n, n));
+  std::optional<Witness> common = meeting_points(pair, faces, dot(n, apart) * n, dot(n, n));
   if (!common) throw std::logic_error("the faces in an optimal direction do not meet");
   return std::move(*common);
-}
-
-FaceMeeting meeting(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
-  const auto at = [&](const ExtremeFace& face) { return [&](std::size_t k) { return pair.position(face.points[k]); }; };
-  std::optional<FaceMeeting> simple = simple_meeting(faces.a.ids.size(), faces.b.ids.size(), at(faces.a), at(faces.b));
-  return simple ? std::move(*simple) : overlap(pair, n, faces);
 }
 
 void require_listed(const std::optional<std::size_t>& listed) {

@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/position.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {
 
@@ -36,24 +38,7 @@ FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 /// The contact of any two faces.
 Contact contact_of(FacingFaces faces);
 
-/// Returns the optimum in direction n, the outward normal of a facet of P, given the faces in that direction. Throws std::logic_error if
-/// these do not span a facet.
-Optimum optimum(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
-
-/// Returns what the witness follows from, given the faces in direction n. There is a witness for a nearest facet: the foot point of O lies
-/// in it.
-FaceMeeting meeting(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
-
-/// The same for simple faces, of which only the numbers of corners matter: a corner against any face, edges that cross. Returns nullopt for
-/// others. a(k) is the position of corner k of the face of A, b(k) that of B.
-template <class PositionA, class PositionB>
-std::optional<FaceMeeting> simple_meeting(std::size_t of_a, std::size_t of_b, PositionA a, PositionB b) {
-  if (of_b == 1) return CornerOfB{{b(0)}};
-  if (of_a == 1) return CornerOfA{{a(0)}};
-  if (of_a == 2 && of_b == 2) return CrossingEdges{{{{a(0)}, {a(1)}}}, {{{b(0)}, {b(1)}}}};
-  return std::nullopt;
-}
-/// The same for others, whose faces overlap.
+/// What the witness of a nearest facet follows from, given the faces in its direction n, where they are not simple: they overlap.
 FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
 /// The kind of contact of faces with these numbers of corners. Throws std::logic_error if they do not span a facet.
@@ -65,10 +50,58 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
 /// Returns the rational position of a convex combination of lattice points.
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
+/// The contacts of bodies on any lattice, PlacedPair or NarrowBodies.
+template <class Bodies>
+class Contacts {
+ public:
+  explicit Contacts(const Bodies& bodies) : bodies_(bodies) {}
+
+  /// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error if the faces do not span a facet.
+  [[nodiscard]] Optimum optimum(const Vector& n) const {
+    const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
+    std::vector<std::uint32_t> a = corners(bodies_.a, -u), b = corners(bodies_.b, u);
+    const Integer height = dot(u, bodies_.differences()[{a.front(), b.front()}]);
+    const ContactKind kind = kind_of(a.size(), b.size());
+    return {n, bodies_.over_unit(height), {kind, std::move(a), std::move(b)}};
+  }
+
+  /// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot point of O lies in it.
+  [[nodiscard]] FaceMeeting meeting(const Optimum& optimum) const {
+    const std::vector<std::uint32_t>&a = optimum.contact.a, &b = optimum.contact.b;
+    const auto of_a = [&](std::size_t k) { return bodies_.point_of_a(a[k]); };
+    const auto of_b = [&](std::size_t k) { return bodies_.point_of_b(b[k]); };
+    if (b.size() == 1) return CornerOfB{of_b(0)};
+    if (a.size() == 1) return CornerOfA{of_a(0)};
+    if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
+    return overlap(bodies_.frame(), optimum.direction, {{points(bodies_.a, a), a}, {points(bodies_.b, b), b}});
+  }
+
+ private:
+  using Body = std::remove_cvref_t<decltype(std::declval<const Bodies&>().a)>;
+  using Integer = polytope::IntegerOf<Body>;
+
+  // Of the face in direction u.
+  static std::vector<std::uint32_t> corners(const Body& body, const Vec3<Integer>& u) {
+    std::vector<std::uint32_t> ids = extreme_points(body, u);
+    if (ids.size() == 1 || (ids.size() == 2 && body[ids[0]] != body[ids[1]])) return ids;
+    return face_of(ids, points(body, ids)).ids;
+  }
+
+  static std::vector<Vector> points(const Body& body, const std::vector<std::uint32_t>& ids) {
+    std::vector<Vector> points;
+    points.reserve(ids.size());
+    for (const std::uint32_t i : ids) points.push_back(polytope::to_vector(body[i]));
+    return points;
+  }
+
+  const Bodies& bodies_;
+};
+
 /// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order. It lists the
-/// first `listed` optima, at least one. `contacts` finds them on the lattice: contacts.optimum(n), and then contacts.meeting(optimum).
-template <class Contacts, class Normals>
-Penetration penetration_by(Contacts contacts, const Normals& nearest, std::optional<std::size_t> listed) {
+/// first `listed` optima, at least one.
+template <class Bodies, class Normals>
+Penetration penetration_along(const Bodies& bodies, const Normals& nearest, std::optional<std::size_t> listed = std::nullopt) {
+  const Contacts<Bodies> contacts(bodies);
   Penetration result;
   const std::size_t all = nearest.size(), most = std::min<std::size_t>(all, listed.value_or(all));
   result.optima.reserve(most);
@@ -76,27 +109,18 @@ Penetration penetration_by(Contacts contacts, const Normals& nearest, std::optio
   for (const Vector& n : nearest) {
     if (result.optima.size() == most) break;
     result.optima.push_back(contacts.optimum(n));
-    if (result.optima.size() == 1) result.meeting = contacts.meeting(result.optima.front());
   }
+  if (most > 0) result.meeting = contacts.meeting(result.optima.front());
   return result;
 }
 
-/// The contacts of bodies on any lattice.
-class PlacedContacts {
- public:
-  explicit PlacedContacts(const polytope::PlacedPair& pair) : pair_(pair) {}
-  Optimum optimum(const Vector& n) { return depth::optimum(pair_, n, faces_ = facing_faces(pair_, n)); }
-  [[nodiscard]] FaceMeeting meeting(const Optimum& last) const { return depth::meeting(pair_, last.direction, faces_); }
-
- private:
-  const polytope::PlacedPair& pair_;
-  FacingFaces faces_;
-};
-
-/// The same for bodies on any lattice.
-template <class Normals>
-Penetration penetration_along(const polytope::PlacedPair& pair, const Normals& nearest, std::optional<std::size_t> listed = std::nullopt) {
-  return penetration_by(PlacedContacts(pair), nearest, listed);
+/// Whether the bodies are flat; extreme points are not counted.
+template <class Bodies>
+BodyFacts facts_of(const Bodies& bodies) {
+  const auto flat = []<class Body>(const Body& body) {
+    return polytope::affine_span<polytope::IntegerOf<Body>>(body, body.size()).rank < 3;
+  };
+  return {flat(bodies.a), flat(bodies.b), 0, 0};
 }
 
 /// Throws std::invalid_argument unless at least one optimum is asked for.

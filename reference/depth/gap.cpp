@@ -90,27 +90,24 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
   }
 }
 
-// The answer on one lattice of this unit: all neighbours, and then what expand(nearest, least) finds, given the depth and the nearest
-// neighbour's distance. It returns nullopt if its integers are too short, and so does this.
-template <class Differences, class Expand>
-std::optional<std::optional<mpq_class>> second_nearest(Differences differences, const Penetration& penetration, const mpz_class& unit,
-                                                       Expand expand) {
-  const mpq_class square(unit * unit), nearest = penetration.squared() * square;
+// The answer on one lattice: all neighbours, and then what an expansion finds that is nearer than those. Returns nullopt if its
+// integers are too short for it.
+template <class Bodies>
+std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies, const Penetration& penetration,
+                                                       Workspace& workspace) {
+  const mpz_class units = bodies.units();
+  const mpq_class square(units * units), nearest = penetration.squared() * square;
   std::optional<mpq_class> least;
+  auto differences = bodies.differences();
   for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
   if (!least) return std::optional<mpq_class>();  // without one, whatever can be reached from a nearest facet is one
-  const std::optional<mpq_class> next = expand(nearest, *least);
+  const std::optional<mpq_class> next = expanding::next_nearest_by_expansion(context, bodies, nearest, *least, workspace);
   if (!next) return std::nullopt;
   return std::optional<mpq_class>(*next / square);
 }
 
-std::span<const Point> exact(std::span<const Point> points) { return points; }
-std::vector<Point> exact(std::span<const std::array<double, 3>> points) { return polytope::exact_points(points); }
-
-// P is Point, or three doubles.
-template <class P>
-std::optional<mpq_class> second_nearest(std::span<const P> a, std::span<const P> b, const Penetration& penetration, Monitor* monitor,
-                                        Workspace* workspace) {
+std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const polytope::Points& b, const Penetration& penetration,
+                                           Monitor* monitor, Workspace* workspace) {
   const kernels::DefaultFloatEnvironment environment;
   if (penetration.unlisted > 0)
     throw std::invalid_argument("the second nearest facet is looked for from all optima, and some are not listed");
@@ -119,17 +116,11 @@ std::optional<mpq_class> second_nearest(std::span<const P> a, std::span<const P>
   if (workspace == nullptr) workspace = &own.emplace();
   Workspace::Parts& parts = *workspace->parts;
   if (polytope::place_narrow(a, b, parts.pair)) {
-    const auto expand = [&](const mpq_class& nearest, const mpq_class& least) {
-      return expanding::next_nearest_by_expansion(context, parts.pair, nearest, least, *workspace);
-    };
-    const polytope::NarrowDifferences differences(parts.pair, parts.scan);
-    if (auto found = second_nearest(differences, penetration, mpz_class(1) << parts.pair.shift, expand)) return std::move(*found);
+    const polytope::NarrowBodies bodies(parts.pair, a, b, parts.scan);
+    if (auto found = second_nearest(context, bodies, penetration, *workspace)) return std::move(*found);
   }
-  const polytope::PlacedPair pair = polytope::place(exact(a), exact(b));
-  const auto expand = [&](const mpq_class& nearest, const mpq_class& least) {
-    return std::optional(expanding::next_nearest_by_expansion(context, pair.a, pair.b, nearest, least));
-  };
-  return *second_nearest(polytope::Differences{pair.a, pair.b}, penetration, pair.denominator, expand);
+  std::vector<Point> room_a, room_b;
+  return *second_nearest(context, polytope::place(a.exact(room_a), b.exact(room_b)), penetration, *workspace);
 }
 
 }  // namespace
@@ -140,14 +131,12 @@ namespace fathom {
 
 std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
                                                 Monitor* monitor, Workspace* workspace) {
-  return depth::second_nearest(a, b, penetration, monitor, workspace);
+  return depth::second_nearest_of(a, b, penetration, monitor, workspace);
 }
 
 std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration, Monitor* monitor,
                                                 Workspace* workspace) {
-  if (a.points.in_binary64() && b.points.in_binary64())
-    return depth::second_nearest(a.points.binary64(), b.points.binary64(), penetration, monitor, workspace);
-  return second_nearest_squared(a.points.exact(), b.points.exact(), penetration, monitor, workspace);
+  return depth::second_nearest_of(a.points, b.points, penetration, monitor, workspace);
 }
 
 }  // namespace fathom

@@ -33,16 +33,8 @@ struct Memory {
   std::vector<std::pair<std::uint32_t, TriangleId>> facets;  // of Q, for each of them
 };
 
-inline Vector to_vector(const Vector& v) { return v; }
-template <unsigned Bits>
-Vector to_vector(const Vec3<kernels::FixedInteger<Bits>>& v) {
-  return {v.x.to_mpz(), v.y.to_mpz(), v.z.to_mpz()};
-}
-inline const mpz_class& to_mpz(const mpz_class& n) { return n; }
-template <unsigned Bits>
-mpz_class to_mpz(const kernels::FixedInteger<Bits>& n) {
-  return n.to_mpz();
-}
+using polytope::to_mpz;
+using polytope::to_vector;
 
 /// The vector without the common factor of its components.
 inline Vector without_factor(const Vector& v) { return primitive(v); }

@@ -39,7 +39,7 @@ template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits, F f) {
   require_clouds(a, b);
   if (fits(a.exponent(), bits)) {
-    NarrowDifferences differences(a, b, parts.scan);
+    NarrowDifferences differences{{a, parts.scan}, {b, parts.scan}};
     return f(differences, parts.narrow);
   }
   polytope::Differences differences{a, b};
@@ -184,9 +184,9 @@ Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCl
                        [&](auto& differences, auto& memory) { return nearest(context, differences, memory, budget); });
 }
 
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, std::size_t budget, Workspace* workspace) {
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
-  NarrowDifferences differences(pair, (*scratch).scan);
+  NarrowDifferences differences = bodies.differences();
   return nearest(context, differences, (*scratch).narrow, budget);
 }
 
@@ -216,18 +216,17 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
   });
 }
 
-mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                    const mpq_class& nearest, const mpq_class& bound) {
-  const Scratch scratch(nullptr);
-  const long bits = std::max(own_bits(a), bits_of(bound));
-  return with_integers(a, b, *scratch, bits,
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
+                                                   const mpq_class& bound, Workspace& workspace) {
+  const long bits = std::max(own_bits(pair.a), bits_of(bound));
+  return with_integers(pair.a, pair.b, *workspace.parts, bits,
                        [&](auto& differences, auto& memory) { return next_nearest(context, differences, memory, nearest, bound); });
 }
 
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, const mpq_class& nearest,
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, const mpq_class& nearest,
                                                    const mpq_class& bound, Workspace& workspace) {
-  if (!fits(pair.exponent, bits_of(bound))) return std::nullopt;
-  NarrowDifferences differences(pair, workspace.parts->scan);
+  if (!fits(bodies.exponent(), bits_of(bound))) return std::nullopt;
+  NarrowDifferences differences = bodies.differences();
   return next_nearest(context, differences, workspace.parts->narrow, nearest, bound);
 }
 

@@ -44,7 +44,7 @@ struct Expansion {
 Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same on a narrow lattice.
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, std::size_t budget = unlimited,
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget = unlimited,
                                Workspace* workspace = nullptr);
 /// The same in integers of any size: the twin, and the way for lattices that are not narrow.
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
@@ -70,10 +70,10 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
 /// distance of a facet plane, larger than `nearest` and at most `bound`, such that no facet at a distance strictly between holds the foot
 /// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in the interior of P.  [proofs/gap.md,
 /// lemma 2]
-mpq_class next_nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                    const mpq_class& nearest, const mpq_class& bound);
-/// The same on a narrow lattice, in the workspace that the pair may be a part of. Returns nullopt if `bound` has too many bits for it.
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowPair& pair, const mpq_class& nearest,
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
+                                                   const mpq_class& bound, Workspace& workspace);
+/// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt if `bound` has too many bits for it.
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, const mpq_class& nearest,
                                                    const mpq_class& bound, Workspace& workspace);
 
 }  // namespace fathom::expanding

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
+// Rationals are multiplied by their common denominator, and what all integers share is divided out.
+// Dyadic numbers need shifts only: the unit is the lowest bit that any coordinate has.
 #include "reference/polytope/lattice.hpp"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/filters/fixed_images.hpp"
-#include "kernels/float_environment.hpp"
 #include "kernels/number/lowest_terms.hpp"
 #include "kernels/number/ratio.hpp"
 #include "kernels/point_algebra.hpp"
@@ -149,74 +149,22 @@ PlacedPair place_wide(kernels::Positions a, kernels::Positions b) {
   return with_clouds(std::move(lattice));
 }
 
-}  // namespace
-
-void require_bodies(kernels::Positions a, kernels::Positions b) {
-  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
-  all_coordinates(a, b, [](const mpq_class& q) { return kernels::require_lowest_terms(q), true; });
-}
-
-std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b) {
-  require_bodies(a, b);
-  std::size_t limit = short_enough;
-  Lattice lattice;
-  lattice.denominator = common_denominator(a, b, [&](std::size_t size) {
-    if (size > limit && limit == short_enough) limit = in_proportion(a, b);
-    return size <= limit;
-  });
-  if (lattice.denominator == 0) return std::nullopt;
-  lattice.origin = b.front();
-  const Vector origin = multiple(b.front(), lattice.denominator);
-  lattice.a = shifted_multiples(a, lattice.denominator, origin);
-  lattice.b = shifted_multiples(b, lattice.denominator, origin);
-  coarsen(lattice);
-  return with_clouds(std::move(lattice));
-}
-
-PlacedPair place(kernels::Positions a, kernels::Positions b) {
-  std::optional<PlacedPair> slim = place_if_slim(a, b);
-  return slim ? std::move(*slim) : place_wide(a, b);
-}
-
-PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
-  const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
-  PlacedPair pair;
-  pair.a = kernels::PointCloud(std::move(a), exponent);
-  pair.b = kernels::PointCloud(std::move(b), exponent);
-  return pair;
-}
-
-Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
-  const mpz_class unit = denominator * divisor;
-  return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit), origin.z + kernels::ratio(v.z, unit)};
-}
-
-// From dyadic numbers to a lattice by shifts: the unit is the lowest bit that any coordinate has.
-
-namespace {
-
-std::array<const double*, 3> coordinates(const std::array<double, 3>& p) { return {p.data(), p.data() + 1, p.data() + 2}; }
-std::array<const mpq_class*, 3> coordinates(const Point& p) { return {&p.x, &p.y, &p.z}; }
-
 // The bits that coordinates have: none below 2^low, none from 2^high on.
 struct Range {
   long low = 0, high = std::numeric_limits<long>::min();
 
   // Adds the numbers to the list. False if some number is not dyadic.
-  template <class Points>
-  bool cover(Points body, std::vector<kernels::Dyadic>& numbers) {
-    for (const auto& p : body) {
-      for (const auto* c : coordinates(p)) {
-        const std::optional<kernels::Dyadic> value = kernels::dyadic(*c);
-        if (!value) return false;
-        numbers.push_back(*value);
-        if (value->mantissa == 0) continue;
-        low = std::min(low, value->exponent);
-        const auto magnitude = static_cast<std::uint64_t>(value->mantissa < 0 ? -value->mantissa : value->mantissa);
-        high = std::max(high, value->exponent + static_cast<long>(std::bit_width(magnitude)));
-      }
-    }
-    return true;
+  bool cover(const Points& body, std::vector<kernels::Dyadic>& numbers) {
+    return body.all_coordinates([&](const auto& c) {
+      const std::optional<kernels::Dyadic> value = kernels::dyadic(c);
+      if (!value) return false;
+      numbers.push_back(*value);
+      if (value->mantissa == 0) return true;
+      low = std::min(low, value->exponent);
+      const auto magnitude = static_cast<std::uint64_t>(value->mantissa < 0 ? -value->mantissa : value->mantissa);
+      high = std::max(high, value->exponent + static_cast<long>(std::bit_width(magnitude)));
+      return true;
+    });
   }
 };
 
@@ -233,7 +181,7 @@ void put(const kernels::Dyadic* p, long low, Vec3<NarrowCoordinate>& q) {
 }
 
 // Of coordinates: the least number of trailing zeros, and the least e >= 0 with |c| <= 2^e.
-template <class Lattice>
+template <class Row>
 class Extent;
 
 template <>
@@ -272,8 +220,8 @@ class Extent<Vec3<NarrowCoordinate>> {
 void divide_by_power(std::int64_t& c, unsigned shift) { c = shift < 64 ? c >> shift : 0; }
 void divide_by_power(NarrowCoordinate& c, unsigned shift) { c.divide_by_power(shift); }
 
-template <class Lattice>
-void make_images(const std::vector<Lattice>& points, long exponent, NarrowCloud& cloud) {
+template <class Row>
+void make_images(const std::vector<Row>& points, long exponent, NarrowCloud& cloud) {
   for (std::vector<double>* images : {&cloud.x, &cloud.y, &cloud.z}) images->resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     cloud.x[i] = kernels::image(points[i].x, exponent);
@@ -283,15 +231,15 @@ void make_images(const std::vector<Lattice>& points, long exponent, NarrowCloud&
 }
 
 // From `pair.numbers`, in words or in wider integers: `list` is one of a cloud's two lists.
-template <class Lattice>
-void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Lattice> NarrowCloud::*list) {
-  Lattice origin;
+template <class Row>
+void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Row> NarrowCloud::*list) {
+  Row origin;
   put(&pair.numbers[3 * size_a], low, origin);
-  Extent<Lattice> extent;
+  Extent<Row> extent;
   const kernels::Dyadic* p = pair.numbers.data();
   for (const auto& [size, points] : {std::pair(size_a, &(pair.a.*list)), std::pair(pair.numbers.size() / 3 - size_a, &(pair.b.*list))}) {
     points->resize(size);
-    for (Lattice& q : *points) {
+    for (Row& q : *points) {
       put(p, low, q);
       p += 3;
       q = q - origin;
@@ -305,8 +253,8 @@ void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Lattice> N
   pair.shift = static_cast<unsigned>(-low) - shared;
   pair.exponent = std::max(extent.exponent() - static_cast<long>(shared), 0L);
   for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
-    std::vector<Lattice>& points = cloud->*list;
-    for (Lattice& p : points) {
+    std::vector<Row>& points = cloud->*list;
+    for (Row& p : points) {
       if (shared == 0) break;
       divide_by_power(p.x, shared);
       divide_by_power(p.y, shared);
@@ -316,8 +264,64 @@ void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Lattice> N
   }
 }
 
-template <class Points>
-bool place(Points a, Points b, NarrowPair& pair) {
+}  // namespace
+
+void require_bodies(kernels::Positions a, kernels::Positions b) {
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  all_coordinates(a, b, [](const mpq_class& q) { return kernels::require_lowest_terms(q), true; });
+}
+
+std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b) {
+  require_bodies(a, b);
+  std::size_t limit = short_enough;
+  Lattice lattice;
+  lattice.denominator = common_denominator(a, b, [&](std::size_t size) {
+    if (size > limit && limit == short_enough) limit = in_proportion(a, b);
+    return size <= limit;
+  });
+  if (lattice.denominator == 0) return std::nullopt;
+  lattice.origin = b.front();
+  const Vector origin = multiple(b.front(), lattice.denominator);
+  lattice.a = shifted_multiples(a, lattice.denominator, origin);
+  lattice.b = shifted_multiples(b, lattice.denominator, origin);
+  coarsen(lattice);
+  return with_clouds(std::move(lattice));
+}
+
+PlacedPair place(kernels::Positions a, kernels::Positions b) {
+  std::optional<PlacedPair> slim = place_if_slim(a, b);
+  return slim ? std::move(*slim) : place_wide(a, b);
+}
+
+PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
+  const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
+  PlacedPair pair;
+  pair.a = kernels::PointCloud(std::move(a), exponent);
+  pair.b = kernels::PointCloud(std::move(b), exponent);
+  return pair;
+}
+
+mpq_class PlacedPair::over_unit(const mpz_class& n) const { return kernels::ratio(n, denominator); }
+
+Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
+  const mpz_class unit = denominator * divisor;
+  return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit), origin.z + kernels::ratio(v.z, unit)};
+}
+
+kernels::Positions Points::exact(std::vector<Point>& room) const {
+  if (doubles_.empty()) return exact_;
+  room = exact_points(doubles_);
+  return room;
+}
+
+std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
+  std::vector<Point> points;
+  points.reserve(body.size());
+  for (const std::array<double, 3>& p : body) points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
+  return points;
+}
+
+bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   Range range;
   pair.numbers.clear();
   if (a.empty() || b.empty() || !range.cover(a, pair.numbers) || !range.cover(b, pair.numbers)) return false;
@@ -332,28 +336,42 @@ bool place(Points a, Points b, NarrowPair& pair) {
   return true;
 }
 
-}  // namespace
-
-std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
-  std::vector<Point> points;
-  points.reserve(body.size());
-  for (const std::array<double, 3>& p : body) points.push_back(exact_point(p));
-  return points;
+const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u) {
+  const kernels::DirectionImage v = kernels::direction_image_for(u, body.exponent_);
+  kernels::near_extreme(body.images(), v, *body.memory_);
+  std::vector<std::uint32_t>& near = body.memory_->near;
+  if (near.size() == 1 || v.slack == 0) return near;
+  std::size_t kept = 0;
+  NarrowInteger most;
+  for (const std::uint32_t i : near) {
+    const NarrowInteger value = dot(u, body[i]);
+    const int order = kept == 0 ? 1 : cmp(value, most);
+    if (order < 0) continue;
+    if (order > 0) {
+      kept = 0;
+      most = value;
+    }
+    near[kept++] = i;
+  }
+  near.resize(kept);
+  return near;
 }
 
-Point exact_point(const std::array<double, 3>& p) { return {exact_value(p[0]), exact_value(p[1]), exact_value(p[2])}; }
-
-bool place_narrow(kernels::Positions a, kernels::Positions b, NarrowPair& pair) { return place(a, b, pair); }
-
-bool place_narrow(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, NarrowPair& pair) {
-  const kernels::DefaultFloatEnvironment environment;
-  return place(a, b, pair);
+mpq_class NarrowBodies::over_unit(NarrowInteger n) const {
+  mpq_class q;
+  if (sgn(n) == 0) return q;
+  const unsigned shared = std::min(pair_.shift, n.trailing_zeros());
+  n.divide_by_power(shared);
+  q.get_num() = n.to_mpz();
+  q.get_den() <<= pair_.shift - shared;
+  return q;
 }
 
-Difference Differences::extreme(const Vector& u) {
-  ++scans;
-  if (is_zero(u)) return {0, 0};
-  return {kernels::extreme_points(a, -u).front(), kernels::extreme_points(b, u).front()};
+PlacedPair NarrowBodies::frame() const {
+  PlacedPair pair;
+  pair.denominator = units();
+  pair.origin = given_b_[0].exact();
+  return pair;
 }
 
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
@@ -381,36 +399,6 @@ std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points
     sum.z += w.weight * p.z;
   }
   return total == 1 ? std::optional(sum) : std::nullopt;
-}
-
-int affine_rank(const NarrowPoints& points) { return affine_span<NarrowInteger>(points, points.size()).rank; }
-
-void find_extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u, long exponent, kernels::ScanMemory& memory) {
-  const kernels::DirectionImage v = kernels::direction_image_for(u, exponent);
-  kernels::near_extreme(body.images(), v, memory);
-  std::vector<std::uint32_t>& near = memory.near;
-  if (near.size() == 1 || v.slack == 0) return;
-  std::size_t kept = 0;
-  NarrowInteger most;
-  for (const std::uint32_t i : near) {
-    const NarrowInteger value = dot(u, body[i]);
-    const int order = kept == 0 ? 1 : cmp(value, most);
-    if (order < 0) continue;
-    if (order > 0) {
-      kept = 0;
-      most = value;
-    }
-    near[kept++] = i;
-  }
-  near.resize(kept);
-}
-
-Difference NarrowDifferences::extreme(const Vec3<NarrowInteger>& u) {
-  if (is_zero(u)) return {0, 0};
-  find_extreme_points(a_, -u, exponent_, memory_);
-  const std::uint32_t first = memory_.near.front();
-  find_extreme_points(b_, u, exponent_, memory_);
-  return {first, memory_.near.front()};
 }
 
 }  // namespace fathom::polytope

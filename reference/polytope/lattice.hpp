@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points whose hull holds a union: all of all its pieces.
+// Two bodies on one lattice: from points in any form to integer points in a common unit, the form in
+// which every later stage computes. The integers are mpz_class, or of a fixed size where few bits do.
 #pragma once
 
 #include <array>
@@ -7,10 +8,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "fathom/body.hpp"
+#include "fathom/depth.hpp"
 #include "fathom/point.hpp"
 #include "kernels/filters/fixed_images.hpp"
 #include "kernels/filters/support.hpp"
@@ -21,17 +24,106 @@
 
 namespace fathom::polytope {
 
-/// Piece after piece, each in its order; none if there are no pieces. Who has pieces from outside asks for their laws first.
+/// The points whose hull holds a union: piece after piece, each in its order; none if there are no pieces. Who has pieces from outside asks
+/// for their laws first.
 inline std::vector<Point> joined(const Pieces& pieces) {
   std::vector<Point> all;
   for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
   return all;
 }
 
-// Both bodies as integer points in one common unit: the form in which every later stage computes.
+/// A view of the points of a body in the form in which they were given: coordinates in binary64, exact
+/// points, or the centers of atoms. What it is made from must outlive it.
+class Points {
+ public:
+  using Doubles = std::span<const std::array<double, 3>>;
 
-/// A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not see `origin`;
-/// it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
+  template <class Range>
+  requires std::is_convertible_v<const Range&, Doubles> Points(const Range& points)  // NOLINT(google-explicit-constructor)
+      : doubles_(points), exact_(nullptr, 0) {}
+  template <class Range>
+  requires std::is_convertible_v<const Range&, kernels::Positions> Points(const Range& points)  // NOLINT(google-explicit-constructor)
+      : exact_(points) {}
+  Points(const GivenPoints& points)  // NOLINT(google-explicit-constructor)
+      : doubles_(points.binary64()), exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
+
+  [[nodiscard]] std::size_t size() const { return doubles_.size() + exact_.size(); }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  [[nodiscard]] GivenPoint operator[](std::size_t i) const {
+    if (doubles_.empty()) return {exact_[i]};
+    return {doubles_[i]};
+  }
+  /// The exact points, where they stand or else in `room`, which must outlive them.
+  [[nodiscard]] kernels::Positions exact(std::vector<Point>& room) const;
+
+  /// Calls f(coordinate), with numbers of binary64 or with rationals, until it returns false. Returns
+  /// whether it never did.
+  template <class F>
+  bool all_coordinates(F f) const {
+    for (const std::array<double, 3>& p : doubles_)
+      if (!f(p[0]) || !f(p[1]) || !f(p[2])) return false;
+    for (const Point& p : exact_)
+      if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
+    return true;
+  }
+
+ private:
+  Doubles doubles_;
+  kernels::Positions exact_;  // if they are not in binary64
+};
+
+/// The exact positions. Throws std::invalid_argument if a coordinate is no finite number.
+std::vector<Point> exact_points(std::span<const std::array<double, 3>> body);
+
+/// The difference b - a, by the indices of a in A and of b in B.
+using Difference = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Integers of any kind as those of any size.
+inline Vector to_vector(const Vector& v) { return v; }
+template <unsigned Bits>
+Vector to_vector(const Vec3<kernels::FixedInteger<Bits>>& v) {
+  return {v.x.to_mpz(), v.y.to_mpz(), v.z.to_mpz()};
+}
+inline const mpz_class& to_mpz(const mpz_class& n) { return n; }
+template <unsigned Bits>
+mpz_class to_mpz(const kernels::FixedInteger<Bits>& n) {
+  return n.to_mpz();
+}
+
+/// The integers of a body's points.
+template <class Body>
+using IntegerOf = std::remove_cvref_t<decltype(std::declval<const Body&>()[0].x)>;
+
+inline Vector difference(const kernels::PointCloud& a, const kernels::PointCloud& b, Difference d) { return b[d.second] - a[d.first]; }
+
+/// The implicit vertex set of P = B (+) (-A): all differences b - a of two bodies, at the cost of linear
+/// scans. The bodies must outlive it.
+template <class Body>
+struct DifferencesOf {
+  using Integer = IntegerOf<Body>;
+
+  Body a, b;
+  std::size_t scans = 0;  ///< linear scans over both bodies so far
+
+  [[nodiscard]] Vec3<Integer> operator[](Difference d) const { return difference(a, b, d); }
+  /// Returns a difference that maximises <u, p>; of several the one with the lowest indices. Exact.
+  Difference extreme(const Vec3<Integer>& u) {
+    ++scans;
+    if (is_zero(u)) return {0, 0};
+    const std::uint32_t first = extreme_points(a, -u).front();
+    return {first, extreme_points(b, u).front()};
+  }
+  /// Returns a difference that is extreme in direction n by its image, without a guarantee.
+  [[nodiscard]] Difference likely_extreme(const Vec3<double>& n) const {
+    return {kernels::likely_extreme_point(a.images(), -n), kernels::likely_extreme_point(b.images(), n)};
+  }
+  /// Of both bodies, if they share one.
+  [[nodiscard]] long exponent() const { return a.exponent(); }
+};
+using Differences = DifferencesOf<const kernels::PointCloud&>;
+
+/// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not see
+/// `origin`; it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
 struct PlacedPair {
   mpz_class denominator = 1;  ///< > 0
   Point origin;
@@ -42,6 +134,18 @@ struct PlacedPair {
   /// The rational position of a lattice point, or of lattice coordinates with a further divisor: origin + v / (denominator * divisor).
   /// `divisor` must not be zero.
   [[nodiscard]] Point position(const Vector& v, const mpz_class& divisor = 1) const;
+
+  // What NarrowBodies has too, for the steps that are templates over the integers.
+
+  [[nodiscard]] Differences differences() const { return {a, b}; }
+  /// The number in the unit of the input.
+  [[nodiscard]] mpq_class over_unit(const mpz_class& n) const;
+  [[nodiscard]] const mpz_class& units() const { return denominator; }
+  /// The points themselves.
+  [[nodiscard]] GivenPoint point_of_a(std::size_t i) const { return {position(a[i])}; }
+  [[nodiscard]] GivenPoint point_of_b(std::size_t i) const { return {position(b[i])}; }
+  /// For the positions of lattice points.
+  [[nodiscard]] const PlacedPair& frame() const { return *this; }
 };
 
 /// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a positive denominator.
@@ -60,8 +164,8 @@ std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the origin O.
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);
 
-// Bodies on a narrow lattice: one whose coordinates have so few bits that all of an expanding polytope's integers fit a fixed size.
-// Whatever programs compute with (binary32, binary64 of similar sizes) lies on one.       [proofs/expanding.md, "Fixed integers"]
+// A narrow lattice is one whose coordinates have so few bits that all of an expanding polytope's integers fit a fixed size. Whatever
+// programs compute with (binary32, binary64 of similar sizes) lies on one.       [proofs/expanding.md, "Fixed integers"]
 
 /// |c| <= 2^exponent for coordinates, with at most this exponent.
 inline constexpr long most_narrow_bits = 305;
@@ -91,38 +195,73 @@ struct NarrowPair {
   std::vector<kernels::Dyadic> numbers;  ///< the coordinates that place_narrow was given, taken apart
 };
 
-/// The exact positions. Throws std::invalid_argument if a coordinate is no finite number.
-std::vector<Point> exact_points(std::span<const std::array<double, 3>> body);
-Point exact_point(const std::array<double, 3>& p);
-
 /// Places both bodies if all coordinates are dyadic and their lattice is narrow: no rationals, and no allocation if `pair` has had room for
-/// as many points before. Returns false otherwise, also for what `place` throws at: empty bodies, numbers not in lowest terms.
-bool place_narrow(kernels::Positions a, kernels::Positions b, NarrowPair& pair);
-/// The same for coordinates in binary64. Throws std::invalid_argument if one is no finite number.
-bool place_narrow(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, NarrowPair& pair);
+/// as many points before. Returns false otherwise, also for what `place` throws at: empty bodies, numbers not in lowest terms. Throws
+/// std::invalid_argument if a coordinate in binary64 is no finite number.
+bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
-// The implicit vertex set of P = B (+) (-A): all differences b - a of two clouds, at the cost of linear scans.
+/// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent is at most most_narrow_bits. Scans are
+/// made in `memory`.
+class NarrowPoints {
+ public:
+  NarrowPoints(const NarrowCloud& cloud, long exponent, kernels::ScanMemory& memory)
+      : images_(cloud.images()), words_(cloud.words), fixed_(cloud.points), exponent_(exponent), memory_(&memory) {}
+  NarrowPoints(const kernels::PointCloud& cloud, kernels::ScanMemory& memory)
+      : images_(cloud.images()), integers_(cloud.points()), exponent_(cloud.exponent()), memory_(&memory) {}
 
-/// The difference b - a, by the indices of a in A and of b in B.
-using Difference = std::pair<std::uint32_t, std::uint32_t>;
-
-/// The clouds must outlive it.
-struct Differences {
-  using Integer = mpz_class;
-
-  const kernels::PointCloud& a;
-  const kernels::PointCloud& b;
-  std::size_t scans = 0;  ///< linear scans over both clouds so far
-
-  [[nodiscard]] Vector operator[](Difference d) const { return b[d.second] - a[d.first]; }
-  /// Returns a difference that maximises <u, p>; of several the one with the lowest indices.
-  Difference extreme(const Vector& u);
-  /// Returns a difference that is extreme in direction n by its image, without a guarantee.
-  [[nodiscard]] Difference likely_extreme(const Vec3<double>& n) const {
-    return {kernels::likely_extreme_point(a.images(), -n), kernels::likely_extreme_point(b.images(), n)};
+  [[nodiscard]] std::size_t size() const { return images_.size(); }
+  [[nodiscard]] const kernels::Images& images() const { return images_; }
+  [[nodiscard]] long exponent() const { return exponent_; }
+  [[nodiscard]] Vec3<NarrowInteger> operator[](std::size_t i) const {
+    if (in_words()) return widened(words_[i]);
+    return integers_.empty() ? widened(fixed_[i]) : widened(integers_[i]);
   }
-  /// Of both clouds, if they share one.
-  [[nodiscard]] long exponent() const { return a.exponent(); }
+
+  friend Vec3<NarrowInteger> difference(const NarrowPoints& a, const NarrowPoints& b, Difference d) {
+    if (!a.in_words()) return b[d.second] - a[d.first];
+    return widened(b.words_[d.second] - a.words_[d.first]);
+  }
+  /// The indices of all points that maximise <u, p>, ascending, until the next call. u is not zero. Exact.
+  friend const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u);
+
+ private:
+  [[nodiscard]] bool in_words() const { return !words_.empty(); }
+  template <class NT>
+  static Vec3<NarrowInteger> widened(const Vec3<NT>& p) {
+    return {NarrowInteger(p.x), NarrowInteger(p.y), NarrowInteger(p.z)};
+  }
+
+  kernels::Images images_;
+  std::span<const Vec3<std::int64_t>> words_;
+  std::span<const Vec3<NarrowCoordinate>> fixed_;
+  std::span<const Vector> integers_;
+  long exponent_;
+  kernels::ScanMemory* memory_;
+};
+/// The same values as those of Differences, without allocation.
+using NarrowDifferences = DifferencesOf<NarrowPoints>;
+
+/// Bodies on a narrow lattice, with their points as they were given: only those that an answer names become rationals.
+class NarrowBodies {
+ public:
+  /// All must outlive it. `pair` is what place_narrow made of the points.
+  NarrowBodies(const NarrowPair& pair, const Points& given_a, const Points& given_b, kernels::ScanMemory& memory)
+      : a(pair.a, pair.exponent, memory), b(pair.b, pair.exponent, memory), pair_(pair), given_a_(given_a), given_b_(given_b) {}
+
+  NarrowPoints a, b;
+
+  [[nodiscard]] long exponent() const { return pair_.exponent; }
+  [[nodiscard]] NarrowDifferences differences() const { return {a, b}; }
+  [[nodiscard]] mpq_class over_unit(NarrowInteger n) const;
+  [[nodiscard]] mpz_class units() const { return mpz_class(1) << pair_.shift; }
+  [[nodiscard]] GivenPoint point_of_a(std::size_t i) const { return given_a_[i]; }
+  [[nodiscard]] GivenPoint point_of_b(std::size_t i) const { return given_b_[i]; }
+  /// Without points.
+  [[nodiscard]] PlacedPair frame() const;
+
+ private:
+  const NarrowPair& pair_;
+  Points given_a_, given_b_;
 };
 
 /// What the points of one body weigh in a convex combination of differences: `side` is Difference::first for A.
@@ -135,67 +274,5 @@ std::vector<Weight> weights_of(std::span<const Difference> differences, std::spa
 mpz_class support_naive(std::span<const Vector> a, std::span<const Vector> b, const Vector& u);
 /// The weighted sum; nullopt unless the weights are convex weights of the points.
 std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points, std::span<const Weight> weights);
-
-// The differences b - a on a narrow lattice, as Differences has them on any: the same values, without allocation.
-
-/// One body: points on a narrow lattice, or the integer points of a cloud whose exponent is at most most_narrow_bits.
-class NarrowPoints {
- public:
-  explicit NarrowPoints(const NarrowCloud& cloud) : images_(cloud.images()), words_(cloud.words), fixed_(cloud.points) {}
-  explicit NarrowPoints(const kernels::PointCloud& cloud) : images_(cloud.images()), integers_(cloud.points()) {}
-
-  [[nodiscard]] std::size_t size() const { return images_.size(); }
-  [[nodiscard]] const kernels::Images& images() const { return images_; }
-  [[nodiscard]] Vec3<NarrowInteger> operator[](std::size_t i) const {
-    if (in_words()) return widened(words_[i]);
-    return integers_.empty() ? widened(fixed_[i]) : widened(integers_[i]);
-  }
-  [[nodiscard]] bool in_words() const { return !words_.empty(); }
-  [[nodiscard]] const Vec3<std::int64_t>& word(std::size_t i) const { return words_[i]; }
-
- private:
-  template <class NT>
-  static Vec3<NarrowInteger> widened(const Vec3<NT>& p) {
-    return {NarrowInteger(p.x), NarrowInteger(p.y), NarrowInteger(p.z)};
-  }
-
-  kernels::Images images_;
-  std::span<const Vec3<std::int64_t>> words_;
-  std::span<const Vec3<NarrowCoordinate>> fixed_;
-  std::span<const Vector> integers_;
-};
-
-/// The dimension of the affine span.
-int affine_rank(const NarrowPoints& points);
-
-/// Leaves in `memory.near` the indices of all points that maximise <u, p>, ascending. u is not zero. Exact.
-void find_extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u, long exponent, kernels::ScanMemory& memory);
-
-/// The twin of Differences. What it is made from must outlive it.
-class NarrowDifferences {
- public:
-  using Integer = NarrowInteger;
-
-  NarrowDifferences(const NarrowPair& pair, kernels::ScanMemory& memory)
-      : a_(pair.a), b_(pair.b), exponent_(pair.exponent), memory_(memory) {}
-  NarrowDifferences(const kernels::PointCloud& a, const kernels::PointCloud& b, kernels::ScanMemory& memory)
-      : a_(a), b_(b), exponent_(a.exponent()), memory_(memory) {}
-
-  [[nodiscard]] long exponent() const { return exponent_; }
-  [[nodiscard]] Vec3<NarrowInteger> operator[](Difference d) const {
-    if (!a_.in_words()) return b_[d.second] - a_[d.first];
-    const Vec3<std::int64_t> difference = b_.word(d.second) - a_.word(d.first);
-    return {difference.x, difference.y, difference.z};
-  }
-  Difference extreme(const Vec3<NarrowInteger>& u);
-  [[nodiscard]] Difference likely_extreme(const Vec3<double>& n) const {
-    return {kernels::likely_extreme_point(a_.images(), -n), kernels::likely_extreme_point(b_.images(), n)};
-  }
-
- private:
-  NarrowPoints a_, b_;
-  long exponent_;
-  kernels::ScanMemory& memory_;
-};
 
 }  // namespace fathom::polytope

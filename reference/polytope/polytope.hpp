@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The affine span of points, over integers of any kind.
+// Input   any finite, non-empty set of integer points: duplicates, interior, collinear and coplanar points welcome.
+// Output  its convex hull: extreme vertices only, coplanar facets merged, ids of the input kept.       [AGHRS, section 2]
 #pragma once
 
 #include <cstddef>
@@ -14,14 +15,14 @@
 
 namespace fathom::polytope {
 
-/// The rank of a set of points, up to 3, and for rank 2 a normal of their plane.
+/// The affine span: the rank of a set of points, up to 3, and for rank 2 a normal of their plane.
 template <class Integer>
 struct Span {
   int rank = 0;
   Vec3<Integer> normal;
 };
 
-/// Of points[0], points[1], ... Linear at worst; stops as soon as the rank is 3. There must be a point.
+/// Of points[0], points[1], ..., over integers of any kind. Linear at worst; stops as soon as the rank is 3. There must be a point.
 template <class Integer, class Points>
 Span<Integer> affine_span(const Points& points, std::size_t size) {
   Span<Integer> span;
@@ -42,9 +43,6 @@ Span<Integer> affine_span(const Points& points, std::size_t size) {
   }
   return span;
 }
-
-// Input   any finite, non-empty set of integer points: duplicates, interior, collinear and coplanar points welcome.
-// Output  its convex hull: extreme vertices only, coplanar facets merged, ids of the input kept.       [AGHRS, section 2]
 
 /// Indices in a polytope.
 using VertexId = kernels::Id<struct VertexTag>;

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two bodies, as the user gives them or on one lattice, and the options of penetration_depth.
+// Input   two bodies as points in any form, or on one lattice, and the options of penetration_depth.
 // Output  the answer by the method that they ask for.
 #pragma once
 
-#include <array>
 #include <optional>
-#include <span>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/positions.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::solve {
 
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
-
-/// The exact method's answer.
-Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
 enum class NarrowEnd {
   answered,
@@ -33,13 +27,10 @@ struct NarrowResult {
 
 /// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow lattice and the expanding polytope ends.
 /// It equals that of depth_by_method, its naive twin, in every field.
-NarrowResult depth_on_narrow_lattice(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Options& options);
-NarrowResult depth_on_narrow_lattice(kernels::Context& context, std::span<const std::array<double, 3>> a,
-                                     std::span<const std::array<double, 3>> b, const Options& options);
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
+                                     const Options& options);
 
-// Input   two bodies as points, wherever these stand.
-// Output  what penetration_depth says of them, and the lattice on which it found the answer.
-
+/// What penetration_depth says of two bodies, and the lattice on which it found the answer.
 struct PlacedDepth {
   Depth depth;
   /// Both bodies on one lattice. Not set if it was a narrow one, as happens to bodies that penetrate; nor if the bodies' denominators share
@@ -48,6 +39,6 @@ struct PlacedDepth {
 };
 
 /// Throws as penetration_depth does.
-PlacedDepth placed_depth(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Options& options);
+PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b, const Options& options);
 
 }  // namespace fathom::solve

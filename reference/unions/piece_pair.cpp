@@ -30,7 +30,7 @@ polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, c
 }
 polytope::NarrowDifferences differences_of(FixedNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                            kernels::ScanMemory& memory) {
-  return {a, b, memory};
+  return {{a, memory}, {b, memory}};
 }
 
 }  // namespace

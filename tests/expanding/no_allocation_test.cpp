@@ -44,7 +44,8 @@ Counts allocations_of(kernels::Context& context, const Case& input, Workspace::P
   const std::size_t before = allocations;
   if (!polytope::place_narrow(input.a.points, input.b.points, parts.pair)) return {0, 0};
   const std::size_t placed = allocations;
-  NarrowDifferences differences(parts.pair, parts.scan);
+  const polytope::NarrowBodies bodies(parts.pair, input.a.points, input.b.points, parts.scan);
+  NarrowDifferences differences = bodies.differences();
   Expander<NarrowDifferences> expander(context, differences, parts.narrow, 1000);
   if (expander.start()) expander.find_nearest();
   return {placed - before, allocations - placed};

@@ -33,7 +33,11 @@ inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, W
   expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
   polytope::NarrowPair pair;
   const bool narrow = polytope::place_narrow(input.a.points, input.b.points, pair);
-  if (narrow) expect_same(nearest_by_expansion(context, pair, budget, &workspace), twin);
+  kernels::ScanMemory memory;
+  if (narrow) {
+    const polytope::NarrowBodies bodies(pair, input.a.points, input.b.points, memory);
+    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin);
+  }
   return {twin.end, narrow};
 }
 

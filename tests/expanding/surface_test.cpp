@@ -25,7 +25,7 @@ TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolidAndTheSameWithAllIntegers) {
     polytope::Differences search{clouds.a, clouds.b};
     const auto start = starting_tetrahedron(search);
     ASSERT_EQ(start.has_value(), polytope::affine_rank(differences) == 3) << i;
-    polytope::NarrowDifferences narrow(clouds.a, clouds.b, memory);
+    polytope::NarrowDifferences narrow{{clouds.a, memory}, {clouds.b, memory}};
     ASSERT_EQ(starting_tetrahedron(narrow), start) << i;
     ++(start ? solid : flat);
     if (!start) continue;
