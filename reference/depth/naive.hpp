@@ -35,7 +35,8 @@ kernels::NearestPlanes nearest_facets_naive(const polytope::Polytope& a, const p
 /// `exponent` bounds the coordinates: |c| <= 2^exponent.
 kernels::NearestPlanes nearest_facets_scan(const polytope::Polytope& a, const polytope::Polytope& b, long exponent);
 
-/// The twin of second_nearest_squared. Looks at all facets of the hull of all vertex differences. Throws std::invalid_argument unless the bodies penetrate.
+/// The twin of second_nearest_squared. Looks at all facets of the hull of all vertex differences. Throws std::invalid_argument unless the
+/// bodies penetrate.
 std::optional<mpq_class> second_nearest_squared_naive(std::span<const Point> a, std::span<const Point> b);
 
 }  // namespace fathom::depth

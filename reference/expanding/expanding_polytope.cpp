@@ -223,8 +223,8 @@ std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, co
                        [&](auto& differences, auto& memory) { return next_nearest(context, differences, memory, nearest, bound); });
 }
 
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, const mpq_class& nearest,
-                                                   const mpq_class& bound, Workspace& workspace) {
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+                                                   const mpq_class& nearest, const mpq_class& bound, Workspace& workspace) {
   if (!fits(bodies.exponent(), bits_of(bound))) return std::nullopt;
   NarrowDifferences differences = bodies.differences();
   return next_nearest(context, differences, workspace.parts->narrow, nearest, bound);

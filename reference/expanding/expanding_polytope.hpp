@@ -73,7 +73,7 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
                                                    const mpq_class& bound, Workspace& workspace);
 /// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt if `bound` has too many bits for it.
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, const mpq_class& nearest,
-                                                   const mpq_class& bound, Workspace& workspace);
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+                                                   const mpq_class& nearest, const mpq_class& bound, Workspace& workspace);
 
 }  // namespace fathom::expanding

@@ -122,8 +122,8 @@ struct DifferencesOf {
 };
 using Differences = DifferencesOf<const kernels::PointCloud&>;
 
-/// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not see
-/// `origin`; it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
+/// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not
+/// see `origin`; it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
 struct PlacedPair {
   mpz_class denominator = 1;  ///< > 0
   Point origin;
