@@ -33,7 +33,8 @@ void insist_on_nearest(const Beginning& state) {
   if (state.nearest) kernels::insist(polytope::validate(*state.nearest, state.pair->a.points(), state.pair->b.points()));
 }
 
-// In the direction of the nearest point of P the height is -distance: no shorter translation brings A to B.
+// In the direction of the nearest point of P the height is -distance: no shorter translation brings
+// A to B.
 Distance distance(const polytope::PlacedPair& pair, const polytope::NearestPoints& nearest) {
   const Vector& n = nearest.normal;
   const mpq_class factor = kernels::ratio(nearest.height, dot(n, n) * pair.denominator);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies on a lattice.
-// Output  where O lies, and with it the answer about bodies that do not penetrate; of others the hulls. Every method begins like this.
-//                                                                       [AGHRS, section 2.2, step before the algorithm]
+// Output  where O lies, and with it the answer about bodies that do not penetrate; of others the
+//         hulls. Every method begins like this. [AGHRS, section 2.2, step before the algorithm]
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@
 
 namespace fathom::depth {
 
-/// One stage of a method: it makes a part of the state from the parts before it. `insist` throws std::logic_error if a law of that part is
-/// broken; it is null where there are none.
+/// One stage of a method: it makes a part of the state from the parts before it. `insist` throws
+/// std::logic_error if a law of that part is broken; it is null where there are none.
 template <class State>
 struct Stage {
   void (*make)(kernels::Context& context, State& state);
@@ -46,7 +46,8 @@ struct Beginning {
   Hulls hulls;                                     ///< of bodies that penetrate
 };
 
-/// Fills in all but `pair` and `depth.method`. Returns whether the bodies penetrate: then `depth.outcome` is still to be found.
+/// Fills in all but `pair` and `depth.method`. Returns whether the bodies penetrate: then
+/// `depth.outcome` is still to be found.
 [[nodiscard]] bool begin(kernels::Context& context, Beginning& beginning, bool validate);
 
 /// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A face of a body is the hull of the body's extreme points in a direction: the hull of the whole body is not needed.
+// A face of a body is the hull of the body's extreme points in a direction: the hull of the whole
+// body is not needed.
 #include "reference/depth/contact.hpp"
 
 #include <stdexcept>
@@ -19,7 +20,8 @@ ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
 
 }  // namespace
 
-// A face of a convex polytope given by its extreme points: one is a vertex, two an edge, more a facet.
+// A face of a convex polytope given by its extreme points: one is a vertex, two an edge, more a
+// facet.
 ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   if (corners_of_a >= 3) {
     return corners_of_b == 1 ? ContactKind::facet_vertex : corners_of_b == 2 ? ContactKind::facet_edge : ContactKind::facet_facet;

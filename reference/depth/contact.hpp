@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a direction in which a facet of P lies.
-// Output  the contact: the faces of both bodies in that direction, the translation, and a pair of points that meet.      [proofs/depth.md]
+// Output  the contact: the faces of both bodies in that direction, the translation, and a pair of
+//         points that meet.                                                       [proofs/depth.md]
 #pragma once
 
 #include <algorithm>
@@ -19,18 +20,21 @@ namespace fathom::depth {
 
 using FaceMeeting = decltype(Penetration::meeting);
 
-/// A face of a body: its extreme points in the order of their indices, those of the input; of equal points the lowest index.
+/// A face of a body: its extreme points in the order of their indices, those of the input; of equal
+/// points the lowest index.
 struct ExtremeFace {
   std::vector<Vector> points;
   std::vector<std::uint32_t> ids;
 };
 
-/// The faces that meet when A is moved out of B along n: that of A in direction -n, and that of B in direction n.
+/// The faces that meet when A is moved out of B along n: that of A in direction -n, and that of B
+/// in direction n.
 struct FacingFaces {
   ExtremeFace a, b;
 };
 
-/// The face that is spanned by points which are all extreme in one direction, given their ids, ascending.
+/// The face that is spanned by points which are all extreme in one direction, given their ids,
+/// ascending.
 ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points);
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
@@ -38,13 +42,16 @@ FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 /// The contact of any two faces.
 Contact contact_of(FacingFaces faces);
 
-/// What the witness of a nearest facet follows from, given the faces in its direction n, where they are not simple: they overlap.
+/// What the witness of a nearest facet follows from, given the faces in its direction n, where they
+/// are not simple: they overlap.
 FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
-/// The kind of contact of faces with these numbers of corners. Throws std::logic_error if they do not span a facet.
+/// The kind of contact of faces with these numbers of corners. Throws std::logic_error if they do
+/// not span a facet.
 ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b);
 
-/// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or nullopt if there are none.
+/// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or
+/// nullopt if there are none.
 std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
 
 /// Returns the rational position of a convex combination of lattice points.
@@ -56,7 +63,8 @@ class Contacts {
  public:
   explicit Contacts(const Bodies& bodies) : bodies_(bodies) {}
 
-  /// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error if the faces do not span a facet.
+  /// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error if the
+  /// faces do not span a facet.
   [[nodiscard]] Optimum optimum(const Vector& n) const {
     const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
     std::vector<std::uint32_t> a = corners(bodies_.a, -u), b = corners(bodies_.b, u);
@@ -65,7 +73,8 @@ class Contacts {
     return {n, bodies_.over_unit(height), {kind, std::move(a), std::move(b)}};
   }
 
-  /// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot point of O lies in it.
+  /// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot
+  /// point of O lies in it.
   [[nodiscard]] FaceMeeting meeting(const Optimum& optimum) const {
     const std::vector<std::uint32_t>&a = optimum.contact.a, &b = optimum.contact.b;
     const auto of_a = [&](std::size_t k) { return bodies_.point_of_a(a[k]); };
@@ -97,8 +106,8 @@ class Contacts {
   const Bodies& bodies_;
 };
 
-/// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and in lexicographic order. It lists the
-/// first `listed` optima, at least one.
+/// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and
+/// in lexicographic order. It lists the first `listed` optima, at least one.
 template <class Bodies, class Normals>
 Penetration penetration_along(const Bodies& bodies, const Normals& nearest, std::optional<std::size_t> listed = std::nullopt) {
   const Contacts<Bodies> contacts(bodies);

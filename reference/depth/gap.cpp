@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The next nearest facet of P either shares an edge with a nearest one, or holds the foot point of O in its interior. The first kind is
-// found by turning the plane of each nearest facet about its edges, the second by an expanding polytope.       [proofs/gap.md, lemma 1]
+// The next nearest facet of P either shares an edge with a nearest one, or holds the foot point of
+// O in its interior. The first kind is found by turning the plane of each nearest facet about its
+// edges, the second by an expanding polytope.                              [proofs/gap.md, lemma 1]
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -19,7 +20,8 @@ namespace {
 template <class Integer>
 using Vectors = std::vector<Vec3<Integer>>;
 
-// The directions of the edges of a face with these extreme points, counter-clockwise seen against n; a segment has two: there and back.
+// The directions of the edges of a face with these extreme points, counter-clockwise seen against
+// n; a segment has two: there and back.
 template <class Integer>
 Vectors<Integer> edge_directions(const Vectors<Integer>& points, const Vec3<Integer>& n) {
   if (points.size() == 1) return {};
@@ -59,8 +61,9 @@ mpq_class squared_distance(const Vec3<Integer>& normal, const Vec3<Integer>& p) 
   return kernels::ratio(expanding::to_mpz(Integer(height * height)), expanding::to_mpz(dot(normal, normal)));
 }
 
-// The normal of the facet beyond the edge of the facet with normal n that runs through p along d, counter-clockwise seen from outside: the
-// first plane about the edge, turned away from n, that has no point of P above it. Every step turns farther back.
+// The normal of the facet beyond the edge of the facet with normal n that runs through p along d,
+// counter-clockwise seen from outside: the first plane about the edge, turned away from n, that has
+// no point of P above it. Every step turns farther back.
 template <class Differences, class Integer>
 Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, const Vec3<Integer>& p, const Vec3<Integer>& d) {
   Vec3<Integer> normal = cross(differences[differences.extreme(-n)] - p, d);
@@ -71,7 +74,8 @@ Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, co
   }
 }
 
-// The least squared distance, other than `nearest`, of the facets that share an edge with the nearest facet `optimum`.
+// The least squared distance, other than `nearest`, of the facets that share an edge with the
+// nearest facet `optimum`.
 template <class Differences>
 void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
   using Integer = typename Differences::Integer;
@@ -90,8 +94,8 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
   }
 }
 
-// The answer on one lattice: all neighbours, and then what an expansion finds that is nearer than those. Returns nullopt if its
-// integers are too short for it.
+// The answer on one lattice: all neighbours, and then what an expansion finds that is nearer than
+// those. Returns nullopt if its integers are too short for it.
 template <class Bodies>
 std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies, const Penetration& penetration,
                                                        Workspace& workspace) {

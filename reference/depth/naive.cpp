@@ -75,7 +75,8 @@ bool flat_contains_origin(const polytope::Polytope& p) {
   }
 }
 
-// Facets of `body` against the extreme vertices of `other`, given by their extreme point in the facet's normal direction.
+// Facets of `body` against the extreme vertices of `other`, given by their extreme point in the
+// facet's normal direction.
 template <class ExtremePoint>
 void offer_facets(const polytope::Polytope& a, const polytope::Polytope& b, ExtremePoint extreme, kernels::NearestPlanes& nearest) {
   for (const polytope::Facet& facet : b.facets) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PENETRATION-DEPTH, step by step. What the paper says of the sphere of directions is done in two charts, one for each hemisphere.
+// PENETRATION-DEPTH, step by step. What the paper says of the sphere of directions is done in two
+// charts, one for each hemisphere.
 #include "reference/depth/penetration_depth.hpp"
 
 #include <utility>
@@ -43,7 +44,8 @@ void insist_on_diagrams(const Run& run) {
   kernels::insist(gaussian::validate(run.made.diagrams.b, run.made.hulls.b, gaussian::Colour::b));
 }
 
-// "Computing F": the overlay of both diagrams is never built, its crossings are found chart by chart.
+// "Computing F": the overlay of both diagrams is never built, its crossings are found chart by
+// chart.
 void make_charts(kernels::Context& context, Run& run) {
   context.report("charts");
   ExactStages& made = run.made;
@@ -77,7 +79,8 @@ void offer_vertex_facet_pairs(kernels::Context&, Run& run) {
   if (run.traced) run.made.of_facets = run.nearest;
 }
 
-// (A_i, B_i): every edge of A_i crosses every edge of B_i on the sphere, and each crossing is in one of them (C1 to C5).
+// (A_i, B_i): every edge of A_i crosses every edge of B_i on the sphere, and each crossing is in
+// one of them (C1 to C5).
 void make_canonical_subsets(kernels::Context& context, Run& run) {
   in_both_hemispheres(context, run, [&](kernels::Context& own, std::size_t i) {
     canonical::CanonicalSubsets& subsets = run.made.subsets[i] = canonical::canonical_subsets(own, run.made.charts[i]);
@@ -107,7 +110,8 @@ void insist_on_canonical_subsets(const Run& run) {
   }
 }
 
-// The facet spanned by two crossing edges is as far from O as their lines are from each other (Lemma 2.2).
+// The facet spanned by two crossing edges is as far from O as their lines are from each other
+// (Lemma 2.2).
 void offer_closest_lines(kernels::Context& context, Run& run) {
   const LinesOfEdges of_edges(run.made);
   for (std::size_t i = 0; i < run.made.charts.size(); ++i) {
@@ -123,8 +127,8 @@ void find_contacts(kernels::Context&, Run& run) {
   run.made.depth.outcome = penetration_along(*run.made.pair, run.nearest.directions(), run.options.optima);
 }
 
-// O is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of the other, or it is spanned by an edge of
-// each: steps 1 and 2 offer the planes of these two kinds.
+// O is in the interior of P. A facet of P is the sum of a facet of one body and a vertex of the
+// other, or it is spanned by an edge of each: steps 1 and 2 offer the planes of these two kinds.
 constexpr Stage<Run> exact_method[] = {
     {make_diagrams, insist_on_diagrams},
     {make_charts, insist_on_charts},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies on one lattice.
-// Output  their exact penetration depth, by the exact method; and all that it makes on its way, for those who look into a run.
-//                                                                              [AGHRS, PENETRATION-DEPTH, section 2.2]
-// Time    near-linear in the size of the bodies, except for the closest lines where very many edges cross; AGHRS, Theorem 2.5.
+// Output  their exact penetration depth, by the exact method; and all that it makes on its way, for
+//         those who look into a run. [AGHRS, PENETRATION-DEPTH, section 2.2]
+// Time    near-linear in the size of the bodies, except for the closest lines where very many edges
+//         cross; AGHRS, Theorem 2.5.
 #pragma once
 
 #include <array>
@@ -36,8 +37,9 @@ Depth penetration_depth(kernels::Context& context, const polytope::PlacedPair& p
 template <class T>
 using PerHemisphere = std::array<T, 2>;
 
-/// The stages of a run. That over bodies that do not penetrate ends before the hulls: then these, the diagrams, charts and canonical
-/// subsets are made after it, and not counted in the answer. The charts refer to the diagrams, so it stays where it is.
+/// The stages of a run. That over bodies that do not penetrate ends before the hulls: then these,
+/// the diagrams, charts and canonical subsets are made after it, and not counted in the answer. The
+/// charts refer to the diagrams, so it stays where it is.
 struct ExactStages : Beginning {
   gaussian::PerColour<gaussian::GaussianDiagram> diagrams;  ///< those of -A and of B
   PerHemisphere<chart::Charts> charts;
@@ -51,7 +53,8 @@ struct ExactStages : Beginning {
   ExactStages& operator=(const ExactStages&) = delete;
 };
 
-/// Returns what penetration_depth returns, in `depth`, and the stages before it. The pair must outlive them.
+/// Returns what penetration_depth returns, in `depth`, and the stages before it. The pair must
+/// outlive them.
 std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options = {});
 
 }  // namespace fathom::depth

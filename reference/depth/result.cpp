@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What fathom/depth.hpp declares beside the questions: words, accessors of Depth for every status, and
-// what follows from a few of an answer's numbers.
+// What fathom/depth.hpp declares beside the questions: words, accessors of Depth for every status,
+// and what follows from a few of an answer's numbers.
 
 #include "fathom/depth.hpp"
 
@@ -53,7 +53,8 @@ std::optional<Status> status_named(std::string_view text) {
 
 namespace {
 
-// The point of the edge of A that lies over the line of the edge of B, seen along n. The edges are not parallel.
+// The point of the edge of A that lies over the line of the edge of B, seen along n. The edges are
+// not parallel.
 Point over_line(const CrossingEdges& edges, const Vector& n) {
   const Point start = edges.a[0].exact(), on_b = edges.b[0].exact();
   const Point along = edges.a[1].exact() - start, across = cross(edges.b[1].exact() - on_b, rational(n));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search: a polytope inside P expands towards the facets of P nearest to O. One template over the integers: those of a fixed size,
-// which need no allocation, where the lattice is narrow, and mpz_class anywhere.                                 [proofs/expanding.md]
+// The search: a polytope inside P expands towards the facets of P nearest to O. One template over
+// the integers: those of a fixed size, which need no allocation, where the lattice is narrow, and
+// mpz_class anywhere.                                                         [proofs/expanding.md]
 #pragma once
 
 #include <algorithm>
@@ -46,7 +47,8 @@ Vector without_factor(const Vec3<kernels::FixedInteger<Bits>>& v) {
   return {x / factor, y / factor, z / factor};
 }
 
-/// A squared distance from O, as a quotient, and a binary64 number that the distance does not exceed.
+/// A squared distance from O, as a quotient, and a binary64 number that the distance does not
+/// exceed.
 template <class Integer>
 struct Radius {
   Integer numerator, denominator;
@@ -106,7 +108,8 @@ class Expander {
     return end;
   }
 
-  /// Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance found, ignoring facets at `depth`.
+  /// Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance
+  /// found, ignoring facets at `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
     Radius<Integer> radius = radius_of(Integer(next.get_num()), Integer(next.get_den()));
     return grow([&](TriangleId t) { return beyond(t, radius, true); },
@@ -122,7 +125,8 @@ class Expander {
                 });
   }
 
-  /// Expands until shows(n) for a normal n of a triangle, and sets `direction` to it, or leaves it as it is if there is none.
+  /// Expands until shows(n) for a normal n of a triangle, and sets `direction` to it, or leaves it
+  /// as it is if there is none.
   template <class Shows>
   ExpansionEnd find_direction(Shows shows, Vector& direction) {
     memory_.waiting.clear();
@@ -187,8 +191,9 @@ class Expander {
       if (surface_.triangles()[t].alive) wait_for(t);
   }
 
-  // Takes triangle after triangle, except those that `pass_over` skips, and expands Q towards a point of P above it. A triangle with
-  // nothing above it lies in the plane of a facet of P, and `go_on` gets it.
+  // Takes triangle after triangle, except those that `pass_over` skips, and expands Q towards a
+  // point of P above it. A triangle with nothing above it lies in the plane of a facet of P, and
+  // `go_on` gets it.
   template <class PassOver, class GoOn>
   ExpansionEnd grow(PassOver pass_over, GoOn go_on) {
     while (!memory_.waiting.empty()) {
@@ -224,8 +229,8 @@ class Expander {
     return or_equal ? order >= 0 : order > 0;
   }
 
-  // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms, or an extreme point. Returns nullopt if
-  // the plane supports P.
+  // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms,
+  // or an extreme point. Returns nullopt if the plane supports P.
   std::optional<Corner> point_above(TriangleId t) {
     std::optional<Corner> found = corner(likely_extreme(t));
     if (surface_.side(t, *found) > 0) return found;

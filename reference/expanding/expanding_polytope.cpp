@@ -31,10 +31,12 @@ void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) 
   }
 }
 
-// Whether narrow integers hold everything, for coordinates up to 2^w and squared distances to compare with of so many bits.
+// Whether narrow integers hold everything, for coordinates up to 2^w and squared distances to
+// compare with of so many bits.
 bool fits(long w, long bits) { return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20; }
 
-// Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances that are compared with, at most.
+// Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances
+// that are compared with, at most.
 template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits, F f) {
   require_clouds(a, b);
@@ -98,7 +100,8 @@ class Scratch {
   Workspace::Parts* parts_ = nullptr;
 };
 
-// The laws of a finished expansion, by definition: every vertex of Q against every facet, all points against every direction.
+// The laws of a finished expansion, by definition: every vertex of Q against every facet, all
+// points against every direction.
 class Check {
  public:
   Check(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b) : expansion_(expansion), a_(a), b_(b) {}
@@ -128,7 +131,8 @@ class Check {
     return true;
   }
 
-  // The sign of the distance of the plane <n,x> = height, less that of the nearest ones. height > 0.
+  // The sign of the distance of the plane <n,x> = height, less that of the nearest ones. height >
+  // 0.
   [[nodiscard]] int order(const Vector& n, const mpz_class& height) const {
     return cmp(mpz_class(height * height * expansion_.nearest.denominator()), mpz_class(expansion_.nearest.numerator() * dot(n, n)));
   }

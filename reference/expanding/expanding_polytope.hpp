@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two point clouds.
-// Output  the facets of P nearest to O, found and proved by a polytope Q that grows inside P towards them; no hull, no decomposition.
-//         In engines this search is known as EPA, the expanding polytope algorithm (van den Bergen 2001); here binary64 guesses which
-//         point comes next and integers decide.                                                                      [proofs/expanding.md]
+// Output  the facets of P nearest to O, found and proved by a polytope Q that grows inside P
+//         towards them; no hull, no decomposition. In engines this search is known as EPA, the
+//         expanding polytope algorithm (van den Bergen 2001); here binary64 guesses which point
+//         comes next and integers decide.                                     [proofs/expanding.md]
 #pragma once
 
 #include <cstddef>
@@ -32,15 +33,18 @@ struct Expansion {
   ExpansionEnd end = ExpansionEnd::spent;
   /// proved: the directions of all facets of P nearest to O, with their squared distance. Exact.
   kernels::NearestPlanes nearest;
-  /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly farther from O.
+  /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly
+  /// farther from O.
   InnerPolytope inner;
   std::size_t points = 0;  ///< added to Q beyond the first four
-  /// How often it was asked on which side of a triangle a point lies, and how often binary64 could not tell.
+  /// How often it was asked on which side of a triangle a point lies, and how often binary64 could
+  /// not tell.
   std::uint64_t sides = 0, sides_exact = 0;
 };
 
-/// The clouds must be non-empty and have the same exponent, on all axes. Always ends: gives up if Q would need more than `budget` points.
-/// `workspace` may be null; with one, nothing is allocated on a narrow lattice but the result, once it has grown. Throws Interrupted.
+/// The clouds must be non-empty and have the same exponent, on all axes. Always ends: gives up if Q
+/// would need more than `budget` points. `workspace` may be null; with one, nothing is allocated on
+/// a narrow lattice but the result, once it has grown. Throws Interrupted.
 Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same on a narrow lattice.
@@ -50,8 +54,9 @@ Expansion nearest_by_expansion(kernels::Context& context, const polytope::Narrow
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                       std::size_t budget = unlimited, Workspace* workspace = nullptr);
 
-/// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it is no nearer than the nearest planes,
-/// touches them in one facet each, and these support P. Quadratic in the size of Q.
+/// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it
+/// is no nearer than the nearest planes, touches them in one facet each, and these support P.
+/// Quadratic in the size of Q.
 [[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b);
 
 /// A proof of low <= depth^2 <= high, all in the clouds' unit.
@@ -62,17 +67,20 @@ struct BallExpansion {
   InnerPolytope inner;                         ///< if `low` is true: holds the ball of squared radius `low`
 };
 
-/// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows `high`; `hint`, if given, is tried first.
+/// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows
+/// `high`; `hint`, if given, is tried first.
 BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, const mpq_class& low,
                              const mpq_class& high, const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
 
-/// Requires O in the interior of P, `nearest` = depth^2, and `bound`, a larger squared distance of a facet plane of P. Returns the squared
-/// distance of a facet plane, larger than `nearest` and at most `bound`, such that no facet at a distance strictly between holds the foot
-/// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in the interior of P.  [proofs/gap.md,
-/// lemma 2]
+/// Requires O in the interior of P, `nearest` = depth^2, and `bound`, a larger squared distance of
+/// a facet plane of P. Returns the squared distance of a facet plane, larger than `nearest` and at
+/// most `bound`, such that no facet at a distance strictly between holds the foot
+/// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in
+/// the interior of P.  [proofs/gap.md, lemma 2]
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
                                                    const mpq_class& bound, Workspace& workspace);
-/// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt if `bound` has too many bits for it.
+/// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt
+/// if `bound` has too many bits for it.
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
                                                    const mpq_class& nearest, const mpq_class& bound, Workspace& workspace);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A convex polytope that grows point by point: its surface as triangles, none degenerate, neighbours coplanar or convex. Exact; integers
-// are used only where binary64 with an error bound leaves a sign open. Only triangles strictly below the new point are removed. So the
-// point never lies on the line through an edge of the horizon, and new triangles are never degenerate; coplanar triangles stay side by
-// side.                                                                                                     [proofs/expanding.md, lemma 1]
+// A convex polytope that grows point by point: its surface as triangles, none degenerate,
+// neighbours coplanar or convex. Exact; integers are used only where binary64 with an error bound
+// leaves a sign open. Only triangles strictly below the new point are removed. So the point never
+// lies on the line through an edge of the horizon, and new triangles are never degenerate; coplanar
+// triangles stay side by side.                                       [proofs/expanding.md, lemma 1]
 // Here are its surface, the four points it starts from, and the form in which it is handed out.
 #pragma once
 
@@ -27,8 +28,8 @@ namespace fathom::expanding {
 
 using PoolIndex = kernels::Id<struct PoolTag>;
 
-/// Values that come and go, in memory that stays.
-/// Values are never constructed again: what `take` returns holds some earlier value. References stay valid until the pool is gone.
+/// Values that come and go, in memory that stays. Values are never constructed again: what `take`
+/// returns holds some earlier value. References stay valid until the pool is gone.
 template <class T>
 class Pool {
  public:
@@ -77,7 +78,8 @@ struct ExactPlane {
 /// The corner of a triangle after corner k, counter-clockwise.
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
-/// One triangle, counter-clockwise seen from outside; across[k] lies on the other side of the edge from corner k to corner k + 1.
+/// One triangle, counter-clockwise seen from outside; across[k] lies on the other side of the edge
+/// from corner k to corner k + 1.
 struct Triangle {
   std::array<CornerId, 3> corners;
   std::array<TriangleId, 3> across;
@@ -91,18 +93,20 @@ struct SideCounts {
   std::uint64_t calls = 0, exact = 0;
 };
 
-/// `Integer` holds every number of this computation: mpz_class, or a FixedInteger that is wide enough. One object serves many polytopes,
-/// one after another, and keeps its memory.
+/// `Integer` holds every number of this computation: mpz_class, or a FixedInteger that is wide
+/// enough. One object serves many polytopes, one after another, and keeps its memory.
 template <class Integer>
 class Surface {
  public:
   using Vertex = SurfaceVertex<Integer>;
 
-  /// Becomes the tetrahedron of four differences that do not lie in one plane. Throws std::logic_error if they do.
+  /// Becomes the tetrahedron of four differences that do not lie in one plane. Throws
+  /// std::logic_error if they do.
   void start(std::array<Vertex, 4> corners);
 
-  /// Adds a point that lies strictly above triangle `seen`, and returns the new triangles, until the next call. Then the surface is that of
-  /// the convex hull. Throws std::logic_error if the point does not lie above it.
+  /// Adds a point that lies strictly above triangle `seen`, and returns the new triangles, until
+  /// the next call. Then the surface is that of the convex hull. Throws std::logic_error if the
+  /// point does not lie above it.
   const std::vector<TriangleId>& insert(const Vertex& vertex, TriangleId seen);
 
   [[nodiscard]] const kernels::IdVector<TriangleId, Triangle>& triangles() const { return triangles_; }  ///< all that were ever alive
@@ -256,8 +260,9 @@ const std::vector<TriangleId>& Surface<Integer>::insert(const Vertex& vertex, Tr
   return fresh_;
 }
 
-/// Where an expanding polytope starts. Each point is searched in a direction u from the hull of the points before it to O, then in -u. If
-/// neither leads out of that hull, P lies in a plane orthogonal to u.
+/// Where an expanding polytope starts. Each point is searched in a direction u from the hull of the
+/// points before it to O, then in -u. If neither leads out of that hull, P lies in a plane
+/// orthogonal to u.
 template <class Differences>
 class Start {
  public:
@@ -288,7 +293,8 @@ class Start {
  private:
   static Direction axis(int k, long sign) { return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)}; }
 
-  // The first extreme difference, over `directions`, that lies farther in its direction than `from`.
+  // The first extreme difference, over `directions`, that lies farther in its direction than
+  // `from`.
   std::optional<polytope::Difference> first_beyond(const Direction& from, std::initializer_list<Direction> directions) {
     for (const Direction& u : directions) {
       if (is_zero(u)) continue;
@@ -309,14 +315,15 @@ class Start {
   Differences& differences_;
 };
 
-/// Returns four differences that do not lie in one plane, found in directions that lead towards O, or nullopt if P is flat. Exact.
+/// Returns four differences that do not lie in one plane, found in directions that lead towards O,
+/// or nullopt if P is flat. Exact.
 template <class Differences>
 std::optional<std::array<polytope::Difference, 4>> starting_tetrahedron(Differences& differences) {
   return Start<Differences>(differences).run();
 }
 
-// The form in which an expansion proves how far O is from the boundary of P: a polytope inside P. Coplanar triangles of the surface become
-// one polygon, corners inside facets or edges are dropped.
+// The form in which an expansion proves how far O is from the boundary of P: a polytope inside P.
+// Coplanar triangles of the surface become one polygon, corners inside facets or edges are dropped.
 
 /// What merging remembers.
 struct MergeMemory {
@@ -390,7 +397,8 @@ class Merging {
 
   [[nodiscard]] CornerId start(const Side& side) const { return surface_.triangles()[side.triangle].corners[side.k]; }
 
-  // The side that follows on the boundary of the facet, counter-clockwise: around the corner, over inner sides.
+  // The side that follows on the boundary of the facet, counter-clockwise: around the corner, over
+  // inner sides.
   [[nodiscard]] Side following(Side side) const {
     side.k = next(side.k);
     while (inner(side)) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A closed surface of triangles, such that O lies strictly below all of them, a ray from O meets one only, and every two neighbours meet
-// convexly, is the boundary of a convex body: seen from O it covers the sphere once, so it is star-shaped, and what is convex at every edge
-// is convex (Mehlhorn et al., Checking geometric programs or verification of geometric structures, 1999).
+// A closed surface of triangles, such that O lies strictly below all of them, a ray from O meets
+// one only, and every two neighbours meet convexly, is the boundary of a convex body: seen from O
+// it covers the sphere once, so it is star-shaped, and what is convex at every edge is convex
+// (Mehlhorn et al., Checking geometric programs or verification of geometric structures, 1999).
 #include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
@@ -63,7 +64,8 @@ std::vector<Side> sides_by_edge(std::span<const MeshTriangle> triangles) {
   return sides;
 }
 
-/// Whether each edge has two sides, which run in opposite senses: the surface is closed, and seen from one side.
+/// Whether each edge has two sides, which run in opposite senses: the surface is closed, and seen
+/// from one side.
 bool is_closed(const std::vector<Side>& sides) {
   if (sides.empty() || sides.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
@@ -73,8 +75,8 @@ bool is_closed(const std::vector<Side>& sides) {
   return true;
 }
 
-/// Whether the cone from `eye` over the triangle holds the point. The triangle is seen counter-clockwise from the other side of its plane
-/// if `sign` is 1.
+/// Whether the cone from `eye` over the triangle holds the point. The triangle is seen
+/// counter-clockwise from the other side of its plane if `sign` is 1.
 bool cone_holds(const BoxedPoints& points, std::uint32_t eye, const MeshTriangle& triangle, std::uint32_t point, int sign) {
   for (std::size_t i = 0; i < 3; ++i)
     if (sign * to_int(Plane(points, eye, triangle[i], triangle[(i + 1) % 3]).side(point)) < 0) return false;
@@ -116,7 +118,8 @@ bool is_on_boundary(const Planes& planes, const std::vector<Vector>& points, con
   return false;
 }
 
-/// Which point is deepest below all facets, and how deep. The facet that was nearest to one point is tried first for the next.
+/// Which point is deepest below all facets, and how deep. The facet that was nearest to one point
+/// is tried first for the next.
 std::optional<DeepestPoint> deepest_point(const Polytope& hull, const std::vector<Vector>& points, std::span<const std::uint32_t> canonical,
                                           std::size_t most_comparisons) {
   struct PlaneOfFacet {

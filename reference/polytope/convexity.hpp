@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the hull of a body hides of it.
-// Input   the points of a body, and the faces of its mesh if it has some: equal points, faces that turn inside out, holes and
-//         slivers welcome.
-// Output  how many points are not extreme; whether some face goes through the inside of the points' hull, and how much the hull adds.
-// Time    that of a hull; of convex bodies less: n log n double operations if all points are seen to be extreme, linear but for
-//         hashing and sorting if the mesh is the boundary.                                             [proofs/polytope.md]
+// Input   the points of a body, and the faces of its mesh if it has some: equal points, faces that
+//         turn inside out, holes and slivers welcome.
+// Output  how many points are not extreme; whether some face goes through the inside of the points'
+//         hull, and how much the hull adds.
+// Time    that of a hull; of convex bodies less: n log n double operations if all points are seen
+//         to be extreme, linear but for hashing and sorting if the mesh is the boundary.
+//                                                                              [proofs/polytope.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -21,8 +23,9 @@
 
 namespace fathom::polytope {
 
-/// Counts the points that are not vertices of the hull, nor equal to one. Exact. Returns nullopt if a hull is needed, but the
-/// points' denominators share little (place_if_slim). The body must not be empty.
+/// Counts the points that are not vertices of the hull, nor equal to one. Exact. Returns nullopt if
+/// a hull is needed, but the points' denominators share little (place_if_slim). The body must not
+/// be empty.
 std::optional<std::size_t> count_inner_points(std::span<const Point> body);
 
 /// A point and how deep inside a hull it is.
@@ -43,18 +46,20 @@ struct MeshConvexity {
   std::optional<Dents> dents;  ///< set if it is not convex
 };
 
-/// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if it lies in a facet's plane; a face
-/// without area belongs to it, and so does any face if all points lie in a plane. The search for the deepest point compares points with
-/// facets, and gives up after so many comparisons. Throws std::invalid_argument if there is no point.
+/// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if
+/// it lies in a facet's plane; a face without area belongs to it, and so does any face if all
+/// points lie in a plane. The search for the deepest point compares points with facets, and gives
+/// up after so many comparisons. Throws std::invalid_argument if there is no point.
 MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces, std::size_t most_comparisons = 1'000'000);
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
-/// The faces as triangles, those with two equal corners left out; of equal points the one named `canonical` stands for all.
+/// The faces as triangles, those with two equal corners left out; of equal points the one named
+/// `canonical` stands for all.
 std::vector<MeshTriangle> triangles_of(const MeshFaces& faces, std::span<const std::uint32_t> canonical);
 
-/// True only if the triangles are the boundary of a convex body with interior, all seen from one side. Points that are no corners do not
-/// count. False says nothing.
+/// True only if the triangles are the boundary of a convex body with interior, all seen from one
+/// side. Points that are no corners do not count. False says nothing.
 bool is_convex_boundary(std::span<const Vector> points, std::span<const MeshTriangle> triangles);
 
 }  // namespace fathom::polytope

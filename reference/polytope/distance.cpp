@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic: keep the point z of the hull of one to
-// three differences that is nearest to O; add the difference that lies farthest towards O; drop those that the new nearest point does not
+// The method of Gilbert, Johnson and Keerthi (Wolfe's for nearest points), in exact arithmetic:
+// keep the point z of the hull of one to three differences that is nearest to O; add the difference
+// that lies farthest towards O; drop those that the new nearest point does not
 // need. |z| falls strictly, so no triple occurs twice and the search ends.  [proofs/distance.md]
 #include <algorithm>
 #include <bit>
@@ -14,7 +15,8 @@
 namespace fathom::polytope {
 namespace {
 
-/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt unless all of its weights are positive.
+/// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt
+/// unless all of its weights are positive.
 std::optional<SimplexFoot> foot(const std::vector<SimplexCorner>& corners) {
   const Vector& p = corners[0].p;
   if (corners.size() == 1) return SimplexFoot{p, {1}, 1};
@@ -24,7 +26,8 @@ std::optional<SimplexFoot> foot(const std::vector<SimplexCorner>& corners) {
     if (w <= 0 || w >= square) return std::nullopt;
     return SimplexFoot{square * p + w * e, {square - w, w}, square};
   }
-  // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n, n>.
+  // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n,
+  // n>.
   const Vector f = corners[2].p - p, n = cross(e, f);
   const mpz_class square = dot(n, n), v = det(-p, f, n), w = det(e, -p, n);
   mpz_class u = square - v - w;

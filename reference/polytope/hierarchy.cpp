@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Descents through a hierarchy, its extreme vertices, and its laws.
 //
-// In the view with u upward a level appears as a convex polygon; `left_` and `right_` are edges of the polytope that appear at either side
-// of its highest vertex. One level below only that vertex or an apex that stood over one of these two can be the highest.
+// In the view with u upward a level appears as a convex polygon; `left_` and `right_` are edges of
+// the polytope that appear at either side of its highest vertex. One level below only that vertex
+// or an apex that stood over one of these two can be the highest.
 
 #include "reference/polytope/hierarchy.hpp"
 
@@ -152,7 +153,8 @@ bool HierarchyDescent::step_down() {
   return hierarchy_->polytope().rank == 3 ? step_down_solid() : step_down_polygon();
 }
 
-/// Heights along the cycle rise once and fall once: a corner that is higher than all is next to the old highest one.
+/// Heights along the cycle rise once and fall once: a corner that is higher than all is next to the
+/// old highest one.
 bool HierarchyDescent::step_down_polygon() {
   const Index stride = Index{1} << level_, last = (corners(*hierarchy_) - 1) / stride * stride, here = position_;
   bool climbed = false;
@@ -178,7 +180,8 @@ void HierarchyDescent::choose_sides() {
   }
 }
 
-/// The apexes that stand over a facet of `s` at this level, where the next coarser one has it open; at most two.
+/// The apexes that stand over a facet of `s` at this level, where the next coarser one has it open;
+/// at most two.
 void HierarchyDescent::collect(Side& s) {
   for (; s.change != no_change && c_->changes[s.change].level == level_ + 1; s.change = c_->changes[s.change].next) {
     const VertexId apex = c_->changes[s.change].apex;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a convex polytope of any rank.
-// Output  its Dobkin-Kirkpatrick hierarchy: ever coarser polytopes, each the hull of the vertices left when an independent set of
-//         vertices of bounded degree is removed; extreme vertices in any direction.                                      [AGHRS, section 3]
-// Size    linear; O(log n) levels; O(log n) steps a query.                                             [proofs/hierarchy.md]
+// Output  its Dobkin-Kirkpatrick hierarchy: ever coarser polytopes, each the hull of the vertices
+//         left when an independent set of vertices of bounded degree is removed; extreme vertices
+//         in any direction.                                                      [AGHRS, section 3]
+// Size    linear; O(log n) levels; O(log n) steps a query.                    [proofs/hierarchy.md]
 #pragma once
 
 #include <array>
@@ -21,15 +22,15 @@ namespace fathom::polytope {
 
 /// A vertex is removed only while at most this many edges meet in it.
 inline constexpr std::uint32_t greatest_degree = 8;
-/// A polytope with fewer vertices is not coarsened further. Then more than greatest_degree vertices remain, which keeps every level
-/// solid.                                                                                                [proofs/hierarchy.md, lemma 4]
+/// A polytope with fewer vertices is not coarsened further. Then more than greatest_degree vertices
+/// remain, which keeps every level solid.                            [proofs/hierarchy.md, lemma 4]
 inline constexpr std::uint32_t least_coarsened = 3 * greatest_degree - 3;
 
 inline constexpr std::uint32_t no_change = std::numeric_limits<std::uint32_t>::max();
 
-/// The coarsening of a solid polytope, level by level, and what a descent needs of it.
-/// Level 0 is the polytope itself; level k + 1 is the hull of the vertices of level k without those whose last level is k.
-/// An edge belongs to the levels from `born` up to the last level of either end.
+/// The coarsening of a solid polytope, level by level, and what a descent needs of it. Level 0 is
+/// the polytope itself; level k + 1 is the hull of the vertices of level k without those whose last
+/// level is k. An edge belongs to the levels from `born` up to the last level of either end.
 struct Coarsening {
   struct Edge {
     VertexId from, to;
@@ -68,7 +69,8 @@ using Steps = std::uint64_t;
 
 class Hierarchy {
  public:
-  /// Refers to the polytope, which must outlive the hierarchy. Expected to be a value that convex_hull returned. Exact.
+  /// Refers to the polytope, which must outlive the hierarchy. Expected to be a value that
+  /// convex_hull returned. Exact.
   explicit Hierarchy(const Polytope& polytope);
 
   [[nodiscard]] const Polytope& polytope() const { return *polytope_; }
@@ -78,13 +80,16 @@ class Hierarchy {
   /// Returns the number of stored items: vertices, edges of all levels, links and changes.
   [[nodiscard]] std::size_t size() const;
 
-  /// Returns a vertex that maximises <u, p>; any, if several do. Exact. u may be zero. Adds its steps to *steps.
+  /// Returns a vertex that maximises <u, p>; any, if several do. Exact. u may be zero. Adds its
+  /// steps to *steps.
   [[nodiscard]] VertexId extreme(const Vector& u, Steps* steps = nullptr) const;
-  /// Returns all vertices that maximise <u, p>, ascending: a vertex, the ends of an edge, the corners of a facet, or all vertices when u is
-  /// zero or normal to a flat polytope. The listing adds its own length to the time, not to the steps.
+  /// Returns all vertices that maximise <u, p>, ascending: a vertex, the ends of an edge, the
+  /// corners of a facet, or all vertices when u is zero or normal to a flat polytope. The listing
+  /// adds its own length to the time, not to the steps.
   [[nodiscard]] std::vector<VertexId> extreme_face(const Vector& u, Steps* steps = nullptr) const;
 
-  /// How a polytope of rank 3 is coarsened; empty for lower ranks, where vertices of the cycle are halved again and again.
+  /// How a polytope of rank 3 is coarsened; empty for lower ranks, where vertices of the cycle are
+  /// halved again and again.
   [[nodiscard]] const Coarsening& coarsening() const { return coarsening_; }
 
  private:
@@ -93,12 +98,14 @@ class Hierarchy {
   Coarsening coarsening_;
 };
 
-/// Checks every level of a hierarchy of rank 3 against the hull of its vertices: the same edges; removed vertices independent, of
-/// degree at most greatest_degree, with all their edges listed. O(levels) hulls: for tests.
+/// Checks every level of a hierarchy of rank 3 against the hull of its vertices: the same edges;
+/// removed vertices independent, of degree at most greatest_degree, with all their edges listed.
+/// O(levels) hulls: for tests.
 [[nodiscard]] kernels::Report validate(const Hierarchy& hierarchy);
 
-/// One way down a hierarchy, level by level, with the highest vertex in a direction that may change on the way.
-/// Refers to the hierarchy, which must outlive it. Each step down takes a constant number of sign decisions.
+/// One way down a hierarchy, level by level, with the highest vertex in a direction that may change
+/// on the way. Refers to the hierarchy, which must outlive it. Each step down takes a constant
+/// number of sign decisions.
 class HierarchyDescent {
  public:
   explicit HierarchyDescent(const Hierarchy& hierarchy);
@@ -110,10 +117,11 @@ class HierarchyDescent {
 
   [[nodiscard]] VertexId highest() const;
   [[nodiscard]] bool at_finest() const { return level_ == 0; }
-  /// Goes to the next finer level. Returns whether one of its vertices is strictly higher: then it is `highest`, and its last level is this
-  /// one.
+  /// Goes to the next finer level. Returns whether one of its vertices is strictly higher: then it
+  /// is `highest`, and its last level is this one.
   bool step_down();
-  /// Goes on with another direction, in which `highest`, new at this level, is still highest among the vertices of this level.
+  /// Goes on with another direction, in which `highest`, new at this level, is still highest among
+  /// the vertices of this level.
   void turn_to(const Vector& u);
   /// Returns the neighbours of `highest` at this level, if it is new at this level.
   [[nodiscard]] std::vector<VertexId> neighbours() const;
@@ -125,7 +133,8 @@ class HierarchyDescent {
   [[nodiscard]] Steps steps() const { return steps_; }
 
  private:
-  /// An edge at the highest vertex. A level edge ends in another highest vertex: then it serves as left and as right.
+  /// An edge at the highest vertex. A level edge ends in another highest vertex: then it serves as
+  /// left and as right.
   struct Side {
     VertexId other;  // the vertex at its other end
     std::uint32_t change = no_change;

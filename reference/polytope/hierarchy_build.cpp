@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coarsening of a solid polytope: independent vertices are removed, level by level, and each hole is closed with the hull of its rim.
+// The coarsening of a solid polytope: independent vertices are removed, level by level, and each
+// hole is closed with the hull of its rim.
 
 #include <algorithm>
 #include <array>
@@ -17,15 +18,15 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Half-edges 2 e and 2 e + 1 are the two senses of edge e; 2 e of the polytope's own edges runs as they do. A half-edge's facet lies to
-/// its left, seen from outside.
+/// Half-edges 2 e and 2 e + 1 are the two senses of edge e; 2 e of the polytope's own edges runs as
+/// they do. A half-edge's facet lies to its left, seen from outside.
 using HalfEdge = kernels::Id<struct HalfEdgeTag>;
 
 constexpr HalfEdge opposite(HalfEdge h) { return HalfEdge(h.value ^ 1); }
 constexpr std::uint32_t edge_of(HalfEdge h) { return h.value / 2; }
 
-/// The boundary of a convex polytope under removal of vertices: half-edges, facets of any number of corners. Edges are plain indices, as
-/// in a Polytope.
+/// The boundary of a convex polytope under removal of vertices: half-edges, facets of any number of
+/// corners. Edges are plain indices, as in a Polytope.
 class HierarchySurface {
  public:
   /// Rank 3.
@@ -38,8 +39,8 @@ class HierarchySurface {
   /// Half-edges that leave v, counter-clockwise.
   [[nodiscard]] std::vector<HalfEdge> leaving(VertexId v) const;
 
-  /// Removes v and closes the hole with the hull of its neighbours. New edges get the next numbers. Returns the edges of all new
-  /// facets, each once: the rim first. What remains must be of rank 3.
+  /// Removes v and closes the hole with the hull of its neighbours. New edges get the next numbers.
+  /// Returns the edges of all new facets, each once: the rim first. What remains must be of rank 3.
   std::vector<std::uint32_t> remove(VertexId v);
 
  private:
@@ -65,7 +66,8 @@ HierarchySurface::HierarchySurface(const Polytope& polytope)
   }
   next_.resize(origin_.size());
   previous_.resize(origin_.size());
-  // The half-edge that leaves each corner along its facet: half-edges grouped by facet, then looked up by their origin.
+  // The half-edge that leaves each corner along its facet: half-edges grouped by facet, then looked
+  // up by their origin.
   kernels::IdVector<FacetId, Index> free(polytope.facets.size());
   std::vector<HalfEdge> grouped(origin_.size());
   kernels::IdVector<VertexId, HalfEdge> at(polytope.vertices.size());
@@ -107,8 +109,8 @@ std::vector<HalfEdge> HierarchySurface::leaving(VertexId v) const {
   return ring;
 }
 
-/// h leaves v. The half-edge with the hole to its left, from h's target to the next neighbour, where v's corner of the facet left of h
-/// is cut off. Of a triangle nothing is left but that side.
+/// h leaves v. The half-edge with the hole to its left, from h's target to the next neighbour,
+/// where v's corner of the facet left of h is cut off. Of a triangle nothing is left but that side.
 HalfEdge HierarchySurface::cut_corner(HalfEdge h) {
   const HalfEdge last = previous_[h], first = next_[h];
   if (next_[first] == last) return first;
@@ -132,8 +134,9 @@ std::vector<Index> HierarchySurface::remove(VertexId v) {
   return touched;
 }
 
-/// The facet left of hole[0], as positions of its further corners in the hole: a plane is turned about hole[0] until no corner lies
-/// above it. The corners span less than a half-turn about hole[0], so the order in which the plane meets them is total.
+/// The facet left of hole[0], as positions of its further corners in the hole: a plane is turned
+/// about hole[0] until no corner lies above it. The corners span less than a half-turn about
+/// hole[0], so the order in which the plane meets them is total.
 std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) const {
   std::size_t best = 2;
   kernels::Plane plane(points_, point(hole[0]), point(hole[1]), point(hole[best]));
@@ -148,7 +151,8 @@ std::vector<std::size_t> HierarchySurface::corners_of_facet(const Cycle& hole) c
   return corners;
 }
 
-/// Facets are found from the hole's first side inwards; each leaves smaller holes, at most greatest_degree deep.
+/// Facets are found from the hole's first side inwards; each leaves smaller holes, at most
+/// greatest_degree deep.
 void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
   Cycle facet{hole[0]};
   std::vector<Cycle> holes;
@@ -171,7 +175,8 @@ void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
   for (const Cycle& rest : holes) close(rest, touched);
 }
 
-/// No two adjacent, none of more than greatest_degree edges; greedily, those of few edges first, since they exclude few others.
+/// No two adjacent, none of more than greatest_degree edges; greedily, those of few edges first,
+/// since they exclude few others.
 std::vector<VertexId> independent_set(const HierarchySurface& surface, const std::vector<VertexId>& vertices) {
   std::array<std::vector<VertexId>, greatest_degree + 1> by_degree;
   for (const VertexId v : vertices)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hull of points of any rank: duplicates out, rank found exactly, then one method for each rank. Of a solid, coplanar triangles are
-// united, corners where fewer than three facets meet are dropped, the rest is numbered canonically.
+// The hull of points of any rank: duplicates out, rank found exactly, then one method for each
+// rank. Of a solid, coplanar triangles are united, corners where fewer than three facets meet are
+// dropped, the rest is numbered canonically.
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +18,8 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Gives `polytope` the vertices points[id] for the ids marked in `extreme`, in ascending order. Returns the vertex of each id, or none.
+/// Gives `polytope` the vertices points[id] for the ids marked in `extreme`, in ascending order.
+/// Returns the vertex of each id, or none.
 std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
   std::vector<VertexId> number(points.size(), VertexId::none());
   for (Index id = 0; id < points.size(); ++id) {
@@ -68,7 +70,8 @@ Polytope segment(std::span<const Vector> points, std::span<const Index> ids) {
   return polytope;
 }
 
-/// Of the two normals the one whose first component other than zero is positive belongs to facet 0; seen along that axis nothing is lost.
+/// Of the two normals the one whose first component other than zero is positive belongs to facet 0;
+/// seen along that axis nothing is lost.
 Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, const Vector& some_normal) {
   Vector normal = primitive(some_normal);
   const int axis = normal.x != 0 ? 0 : normal.y != 0 ? 1 : 2;
@@ -124,7 +127,8 @@ std::vector<Index> twins(const Surface& s) {
   return twin;
 }
 
-/// Primitive normals of triangles, one after another, in integers that are used again: expressions would take new ones at each step.
+/// Primitive normals of triangles, one after another, in integers that are used again: expressions
+/// would take new ones at each step.
 class Normals {
  public:
   /// Sets n to (q - p) x (r - p), divided by the greatest common divisor of its components.
@@ -172,7 +176,8 @@ Surface make_surface(std::span<const Vector> points, std::span<const HullTriangl
   return s;
 }
 
-/// Facets meet at a point in as many border half-edges as there are facets: 0 or 2 where it lies inside a facet or an edge.
+/// Facets meet at a point in as many border half-edges as there are facets: 0 or 2 where it lies
+/// inside a facet or an edge.
 std::vector<bool> extreme_points(const Surface& s, std::size_t points) {
   std::vector<Index> borders(points, 0);
   for (Index h = 0; h < s.border.size(); ++h) {
@@ -206,7 +211,8 @@ std::vector<Cycle> facet_cycles(const Surface& s, std::span<const VertexId> numb
   return cycles;
 }
 
-/// Each pair of neighbouring corners occurs once in either direction: rising in the facet to the left, falling in the one to the right.
+/// Each pair of neighbouring corners occurs once in either direction: rising in the facet to the
+/// left, falling in the one to the right.
 std::vector<Edge> edges_of(const Polytope& polytope) {
   std::vector<Edge> halves;
   halves.reserve(polytope.corners.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of convex_hull: equal points are found by hashing, triangles cover the boundary, coplanar ones are merged.
+// The steps of convex_hull: equal points are found by hashing, triangles cover the boundary,
+// coplanar ones are merged.
 #pragma once
 
 #include <array>
@@ -48,23 +49,25 @@ inline DistinctPoints no_points_yet(std::span<const Vector> points, std::size_t 
 /// Three indices of points, counter-clockwise seen from outside.
 using HullTriangle = std::array<std::uint32_t, 3>;
 
-/// Triangles that cover the boundary of the hull of points[id], id in `ids`, once. Exact for integers of any size. No triangle is
-/// degenerate; neighbours may be coplanar and corners may lie inside a facet or an edge.
-/// `ids` must be distinct points that affinely span space.
+/// Triangles that cover the boundary of the hull of points[id], id in `ids`, once. Exact for
+/// integers of any size. No triangle is degenerate; neighbours may be coplanar and corners may lie
+/// inside a facet or an edge. `ids` must be distinct points that affinely span space.
 std::vector<HullTriangle> hull_triangles(std::span<const Vector> points, std::span<const std::uint32_t> ids);
 
-/// The corners of the hull of points[id], id in `ids`, in the projection that forgets coordinate `axis` (0, 1, 2 for x, y, z):
-/// extreme points only, counter-clockwise seen from the positive end of that axis. Exact.
-/// `ids` must have distinct projections that affinely span the plane.
+/// The corners of the hull of points[id], id in `ids`, in the projection that forgets coordinate
+/// `axis` (0, 1, 2 for x, y, z): extreme points only, counter-clockwise seen from the positive end
+/// of that axis. Exact. `ids` must have distinct projections that affinely span the plane.
 std::vector<std::uint32_t> hull_cycle(std::span<const Vector> points, std::span<const std::uint32_t> ids, int axis);
 
-/// Up to so many points hull_triangles_of_few is used: it is quadratic, and near 20 points, as most bodies have, several times as fast.
+/// Up to so many points hull_triangles_of_few is used: it is quadratic, and near 20 points, as most
+/// bodies have, several times as fast.
 inline constexpr std::size_t few_points = 64;
 
 /// Returns triangles as hull_triangles states, in general others where points are coplanar.
 std::vector<HullTriangle> hull_triangles_of_few(std::span<const Vector> points, std::span<const std::uint32_t> ids);
 
-/// The polytope of rank 3 whose boundary `triangles` cover as hull_triangles states. Exact, O(n log n).    [proofs/polytope.md]
+/// The polytope of rank 3 whose boundary `triangles` cover as hull_triangles states. Exact, O(n log
+/// n).                                                                         [proofs/polytope.md]
 Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles);
 
 }  // namespace fathom::polytope

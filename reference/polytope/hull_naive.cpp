@@ -46,7 +46,8 @@ struct Naive {
     return !is_zero(n) && dot(n, normal(p, q, r)) >= 0 && dot(n, normal(p, r, s)) >= 0 && dot(n, normal(p, s, q)) >= 0;
   }
 
-  /// By Caratheodory's theorem a point of a coplanar set is a corner iff no segment and no triangle of the others holds it.
+  /// By Caratheodory's theorem a point of a coplanar set is a corner iff no segment and no triangle
+  /// of the others holds it.
   [[nodiscard]] Ids corners(const Ids& coplanar) const {
     Ids result;
     for (const Index p : coplanar) {

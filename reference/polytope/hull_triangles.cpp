@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangles that cover the boundary of a hull, twice: by a growing surface for few points, by CGAL's quickhull for many.
+// Triangles that cover the boundary of a hull, twice: by a growing surface for few points, by
+// CGAL's quickhull for many.
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
 #include <algorithm>
@@ -18,9 +19,10 @@ namespace {
 
 using Index = std::uint32_t;
 
-// The hull of few points: one after another joins a surface of triangles, each of which is asked whether it sees the point. A triangle does
-// if the point lies strictly above it, so the surface stays that of the hull, with coplanar triangles side by side.
-//                                                                                                        [proofs/polytope.md, lemma 1]
+// The hull of few points: one after another joins a surface of triangles, each of which is asked
+// whether it sees the point. A triangle does if the point lies strictly above it, so the surface
+// stays that of the hull, with coplanar triangles side by side.
+//                                                                     [proofs/polytope.md, lemma 1]
 
 /// The corner of a triangle after corner k.
 constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
@@ -129,17 +131,21 @@ class GrowingHull {
   std::vector<Index> fan_;   // of each point on the horizon: the new face whose edge on the horizon begins there
 };
 
-// CGAL's quickhull over indices of points. Its questions go to kernels/filters/plane.hpp, so there is one path for small and for enormous
-// integers, and the triangles come back with the ids of the input.
+// CGAL's quickhull over indices of points. Its questions go to kernels/filters/plane.hpp, so there
+// is one path for small and for enormous integers, and the triangles come back with the ids of the
+// input.
 //
-// CGAL counts a facet as visible from the points of its plane, so a facet with k corners would be torn down and rebuilt k times. Here
-// a point counts as moved inward by an infinitesimal whenever it lies on the plane in question: facets grow, and k corners cost O(k).
+// CGAL counts a facet as visible from the points of its plane, so a facet with k corners would be
+// torn down and rebuilt k times. Here a point counts as moved inward by an infinitesimal whenever
+// it lies on the plane in question: facets grow, and k corners cost O(k).
 //
-// What this relies on and no manual of CGAL promises, the first triangle, the fourth corner, who decides what a point sees, and which way
-// round triangles come back, is pinned by tests/polytope/quickhull_behaviour_test.cpp.
+// What this relies on and no manual of CGAL promises, the first triangle, the fourth corner, who
+// decides what a point sees, and which way round triangles come back, is pinned by
+// tests/polytope/quickhull_behaviour_test.cpp.
 //
-// CGAL's ready-made kernel for doubles is passed by: there convex_hull_3 compares with a static error bound, derived for rounding to
-// nearest, while it rounds upward, where each operation may err by twice as much.
+// CGAL's ready-made kernel for doubles is passed by: there convex_hull_3 compares with a static
+// error bound, derived for rounding to nearest, while it rounds upward, where each operation may
+// err by twice as much.
 
 /// CGAL's ConvexHullTraits_2 on indices: the points as `turn` sees them along coordinate `axis`.
 struct PlanarTraits {
@@ -176,8 +182,8 @@ struct PlanarTraits {
   }
 };
 
-/// A point that lies in the interior of every intermediate hull: just off the centroid of CGAL's first triangle, on the side where the
-/// fourth corner of its first tetrahedron lies.
+/// A point that lies in the interior of every intermediate hull: just off the centroid of CGAL's
+/// first triangle, on the side where the fourth corner of its first tetrahedron lies.
 struct Heart {
   Index p, q, r;
   int side;
@@ -252,8 +258,8 @@ struct SpatialTraits {
   [[nodiscard]] PlanarTraits construct_traits_xz_3_object() const { return {points, 1}; }
 };
 
-/// Moves three points that are not on one line to the front: there convex_hull_3 takes its first triangle. The fourth corner it takes
-/// from the triangle's negative side if any point lies there.
+/// Moves three points that are not on one line to the front: there convex_hull_3 takes its first
+/// triangle. The fourth corner it takes from the triangle's negative side if any point lies there.
 Heart choose_heart(const kernels::BoxedPoints& points, std::vector<Index>& order) {
   const auto off_line = [&](Index r) { return !kernels::Plane(points, order[0], order[1], r).degenerate(); };
   std::iter_swap(order.begin() + 2, std::find_if(order.begin() + 2, order.end(), off_line));
@@ -262,7 +268,8 @@ Heart choose_heart(const kernels::BoxedPoints& points, std::vector<Index>& order
   return {order[0], order[1], order[2], below ? -1 : 1};
 }
 
-/// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns all.
+/// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns
+/// all.
 void orient_outward(const kernels::BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
   const kernels::Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
   const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != kernels::Sign::zero; });

@@ -23,7 +23,8 @@
 namespace fathom::polytope {
 namespace {
 
-// A common denominator with at most this many bits never costs much; a longer one is compared with the coordinates.
+// A common denominator with at most this many bits never costs much; a longer one is compared with
+// the coordinates.
 constexpr std::size_t short_enough = 4096;
 constexpr std::size_t times_the_widest = 8;
 // Of all coordinates together, where the denominator outgrows them: 256 MB.
@@ -51,7 +52,8 @@ std::size_t in_proportion(kernels::Positions a, kernels::Positions b) {
   return std::max(short_enough, times_the_widest * widest);
 }
 
-/// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal, so divisibility is asked first.
+/// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal,
+/// so divisibility is asked first.
 template <class More>
 mpz_class common_denominator(kernels::Positions a, kernels::Positions b, More more) {
   mpz_class common = 1;
@@ -113,7 +115,8 @@ void for_each_coordinate(Lattice& lattice, F f) {
   }
 }
 
-/// Points such as 1/3, 4/3, 7/3 need a denominator, their differences do not: divides out what all coordinates and it share.
+/// Points such as 1/3, 4/3, 7/3 need a denominator, their differences do not: divides out what all
+/// coordinates and it share.
 void coarsen(Lattice& lattice) {
   mpz_class shared = lattice.denominator;
   for_each_coordinate(lattice, [&](const mpz_class& c) {
@@ -131,8 +134,8 @@ std::vector<Point> offsets(kernels::Positions body, const Point& origin) {
   return result;
 }
 
-/// For points whose common denominator is much longer than they are: what differences do not need is left out first, and there
-/// are limits.
+/// For points whose common denominator is much longer than they are: what differences do not need
+/// is left out first, and there are limits.
 PlacedPair place_wide(kernels::Positions a, kernels::Positions b) {
   Lattice lattice;
   lattice.origin = b.front();
@@ -248,7 +251,8 @@ void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Row> Narro
       extent.cover(q.z);
     }
   }
-  // The powers of two that all coordinates and the denominator share, which `place` divides out too. All coordinates may be 0.
+  // The powers of two that all coordinates and the denominator share, which `place` divides out
+  // too. All coordinates may be 0.
   const unsigned shared = std::min(static_cast<unsigned>(-low), extent.trailing_zeros());
   pair.shift = static_cast<unsigned>(-low) - shared;
   pair.exponent = std::max(extent.exponent() - static_cast<long>(shared), 0L);

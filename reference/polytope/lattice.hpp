@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies on one lattice: from points in any form to integer points in a common unit, the form in
-// which every later stage computes. The integers are mpz_class, or of a fixed size where few bits do.
+// Two bodies on one lattice: from points in any form to integer points in a common unit, the form
+// in which every later stage computes. The integers are mpz_class, or of a fixed size where few
+// bits do.
 #pragma once
 
 #include <array>
@@ -24,16 +25,16 @@
 
 namespace fathom::polytope {
 
-/// The points whose hull holds a union: piece after piece, each in its order; none if there are no pieces. Who has pieces from outside asks
-/// for their laws first.
+/// The points whose hull holds a union: piece after piece, each in its order; none if there are no
+/// pieces. Who has pieces from outside asks for their laws first.
 inline std::vector<Point> joined(const Pieces& pieces) {
   std::vector<Point> all;
   for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());
   return all;
 }
 
-/// A view of the points of a body in the form in which they were given: coordinates in binary64, exact
-/// points, or the centers of atoms. What it is made from must outlive it.
+/// A view of the points of a body in the form in which they were given: coordinates in binary64,
+/// exact points, or the centers of atoms. What it is made from must outlive it.
 class Points {
  public:
   using Doubles = std::span<const std::array<double, 3>>;
@@ -56,8 +57,8 @@ class Points {
   /// The exact points, where they stand or else in `room`, which must outlive them.
   [[nodiscard]] kernels::Positions exact(std::vector<Point>& room) const;
 
-  /// Calls f(coordinate), with numbers of binary64 or with rationals, until it returns false. Returns
-  /// whether it never did.
+  /// Calls f(coordinate), with numbers of binary64 or with rationals, until it returns false.
+  /// Returns whether it never did.
   template <class F>
   bool all_coordinates(F f) const {
     for (const std::array<double, 3>& p : doubles_)
@@ -96,8 +97,8 @@ using IntegerOf = std::remove_cvref_t<decltype(std::declval<const Body&>()[0].x)
 
 inline Vector difference(const kernels::PointCloud& a, const kernels::PointCloud& b, Difference d) { return b[d.second] - a[d.first]; }
 
-/// The implicit vertex set of P = B (+) (-A): all differences b - a of two bodies, at the cost of linear
-/// scans. The bodies must outlive it.
+/// The implicit vertex set of P = B (+) (-A): all differences b - a of two bodies, at the cost of
+/// linear scans. The bodies must outlive it.
 template <class Body>
 struct DifferencesOf {
   using Integer = IntegerOf<Body>;
@@ -122,8 +123,9 @@ struct DifferencesOf {
 };
 using Differences = DifferencesOf<const kernels::PointCloud&>;
 
-/// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator. Differences b - a, hence P = B (+) (-A), do not
-/// see `origin`; it only keeps the integers small when the bodies lie far from O. Indices are those of the input.
+/// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator.
+/// Differences b - a, hence P = B (+) (-A), do not see `origin`; it only keeps the integers small
+/// when the bodies lie far from O. Indices are those of the input.
 struct PlacedPair {
   mpz_class denominator = 1;  ///< > 0
   Point origin;
@@ -131,8 +133,8 @@ struct PlacedPair {
 
   /// Of both clouds: |c| <= 2^exponent for every coordinate c.
   [[nodiscard]] long exponent() const { return a.exponent(); }
-  /// The rational position of a lattice point, or of lattice coordinates with a further divisor: origin + v / (denominator * divisor).
-  /// `divisor` must not be zero.
+  /// The rational position of a lattice point, or of lattice coordinates with a further divisor:
+  /// origin + v / (denominator * divisor). `divisor` must not be zero.
   [[nodiscard]] Point position(const Vector& v, const mpz_class& divisor = 1) const;
 
   // What NarrowBodies has too, for the steps that are templates over the integers.
@@ -148,24 +150,29 @@ struct PlacedPair {
   [[nodiscard]] const PlacedPair& frame() const { return *this; }
 };
 
-/// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a positive denominator.
+/// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a
+/// positive denominator.
 void require_bodies(kernels::Positions a, kernels::Positions b);
 
-/// On the lattice with the least denominator for which all points, taken from the first point of B, are integral; b[0] is zero. Exact.
-/// The unit is never coarser than 1: a factor that all integers share stays.
-/// Size: each integer has about as many bits as the common denominator of all points, times their extent.
-/// Throws as require_bodies does, and InputError when place_if_slim returns nullopt and all integers together would take more than 256 MB.
+/// On the lattice with the least denominator for which all points, taken from the first point of B,
+/// are integral; b[0] is zero. Exact. The unit is never coarser than 1: a factor that all integers
+/// share stays. Size: each integer has about as many bits as the common denominator of all points,
+/// times their extent. Throws as require_bodies does, and InputError when place_if_slim returns
+/// nullopt and all integers together would take more than 256 MB.
 PlacedPair place(kernels::Positions a, kernels::Positions b);
 
-/// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or eight times as many as the widest
-/// coordinate. Returns nullopt otherwise: the points' denominators share little, and fewer points would have a smaller lattice.
+/// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or
+/// eight times as many as the widest coordinate. Returns nullopt otherwise: the points'
+/// denominators share little, and fewer points would have a smaller lattice.
 std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b);
 
-/// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the origin O.
+/// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the
+/// origin O.
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);
 
-// A narrow lattice is one whose coordinates have so few bits that all of an expanding polytope's integers fit a fixed size. Whatever
-// programs compute with (binary32, binary64 of similar sizes) lies on one.       [proofs/expanding.md, "Fixed integers"]
+// A narrow lattice is one whose coordinates have so few bits that all of an expanding polytope's
+// integers fit a fixed size. Whatever programs compute with (binary32, binary64 of similar sizes)
+// lies on one.                                              [proofs/expanding.md, "Fixed integers"]
 
 /// |c| <= 2^exponent for coordinates, with at most this exponent.
 inline constexpr long most_narrow_bits = 305;
@@ -186,8 +193,8 @@ struct NarrowCloud {
   [[nodiscard]] kernels::Images images() const { return {x, y, z}; }
 };
 
-/// A point p of either cloud stands for origin + p / 2^shift, where the origin is the first point of B: the same lattice as that of
-/// `place`.
+/// A point p of either cloud stands for origin + p / 2^shift, where the origin is the first point
+/// of B: the same lattice as that of `place`.
 struct NarrowPair {
   unsigned shift = 0;
   long exponent = 0;  ///< the least with |c| <= 2^exponent for every coordinate c of both clouds
@@ -195,13 +202,14 @@ struct NarrowPair {
   std::vector<kernels::Dyadic> numbers;  ///< the coordinates that place_narrow was given, taken apart
 };
 
-/// Places both bodies if all coordinates are dyadic and their lattice is narrow: no rationals, and no allocation if `pair` has had room for
-/// as many points before. Returns false otherwise, also for what `place` throws at: empty bodies, numbers not in lowest terms. Throws
+/// Places both bodies if all coordinates are dyadic and their lattice is narrow: no rationals, and
+/// no allocation if `pair` has had room for as many points before. Returns false otherwise, also
+/// for what `place` throws at: empty bodies, numbers not in lowest terms. Throws
 /// std::invalid_argument if a coordinate in binary64 is no finite number.
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
-/// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent is at most most_narrow_bits. Scans are
-/// made in `memory`.
+/// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent
+/// is at most most_narrow_bits. Scans are made in `memory`.
 class NarrowPoints {
  public:
   NarrowPoints(const NarrowCloud& cloud, long exponent, kernels::ScanMemory& memory)
@@ -221,7 +229,8 @@ class NarrowPoints {
     if (!a.in_words()) return b[d.second] - a[d.first];
     return widened(b.words_[d.second] - a.words_[d.first]);
   }
-  /// The indices of all points that maximise <u, p>, ascending, until the next call. u is not zero. Exact.
+  /// The indices of all points that maximise <u, p>, ascending, until the next call. u is not zero.
+  /// Exact.
   friend const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u);
 
  private:
@@ -241,7 +250,8 @@ class NarrowPoints {
 /// The same values as those of Differences, without allocation.
 using NarrowDifferences = DifferencesOf<NarrowPoints>;
 
-/// Bodies on a narrow lattice, with their points as they were given: only those that an answer names become rationals.
+/// Bodies on a narrow lattice, with their points as they were given: only those that an answer
+/// names become rationals.
 class NarrowBodies {
  public:
   /// All must outlive it. `pair` is what place_narrow made of the points.
@@ -264,7 +274,8 @@ class NarrowBodies {
   Points given_a_, given_b_;
 };
 
-/// What the points of one body weigh in a convex combination of differences: `side` is Difference::first for A.
+/// What the points of one body weigh in a convex combination of differences: `side` is
+/// Difference::first for A.
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
                                std::uint32_t Difference::*side);
 

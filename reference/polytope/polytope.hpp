@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   any finite, non-empty set of integer points: duplicates, interior, collinear and coplanar points welcome.
-// Output  its convex hull: extreme vertices only, coplanar facets merged, ids of the input kept.       [AGHRS, section 2]
+// Input   any finite, non-empty set of integer points: duplicates, interior, collinear and coplanar
+//         points welcome.
+// Output  its convex hull: extreme vertices only, coplanar facets merged, ids of the input kept.
+//                                                                                [AGHRS, section 2]
 #pragma once
 
 #include <cstddef>
@@ -22,7 +24,8 @@ struct Span {
   Vec3<Integer> normal;
 };
 
-/// Of points[0], points[1], ..., over integers of any kind. Linear at worst; stops as soon as the rank is 3. There must be a point.
+/// Of points[0], points[1], ..., over integers of any kind. Linear at worst; stops as soon as the
+/// rank is 3. There must be a point.
 template <class Integer, class Points>
 Span<Integer> affine_span(const Points& points, std::size_t size) {
   Span<Integer> span;
@@ -48,23 +51,25 @@ Span<Integer> affine_span(const Points& points, std::size_t size) {
 using VertexId = kernels::Id<struct VertexTag>;
 using FacetId = kernels::Id<struct FacetTag>;
 
-/// The edge from vertex `from` to vertex `to`; seen from outside, facet `left` lies to its left and `right` to its right.
-/// So normal(left) x normal(right) is a positive multiple of to - from.
+/// The edge from vertex `from` to vertex `to`; seen from outside, facet `left` lies to its left and
+/// `right` to its right. So normal(left) x normal(right) is a positive multiple of to - from.
 struct Edge {
   VertexId from, to;
   FacetId left, right;
 };
 
-/// Corners (vertices, counter-clockwise seen from outside, none collinear) are corners[begin, end) of the polytope.
+/// Corners (vertices, counter-clockwise seen from outside, none collinear) are corners[begin, end)
+/// of the polytope.
 struct Facet {
   Vector normal;  ///< outward, primitive
   std::uint32_t begin, end;
 };
 
-/// A convex polytope of rank 0 (a point), 1 (a segment), 2 (a convex polygon) or 3.
-/// Rank 2 has two facets on the same corners, facet 0 with normal N, counter-clockwise seen from N's side, and facet 1 with -N and
-/// the reverse cycle; every edge runs along facet 0's cycle, with left = 0 and right = 1. Rank 1 has one edge, whose facets are none.
-/// The facets' ranges of corners follow one another and fill `corners`.
+/// A convex polytope of rank 0 (a point), 1 (a segment), 2 (a convex polygon) or 3. Rank 2 has two
+/// facets on the same corners, facet 0 with normal N, counter-clockwise seen from N's side, and
+/// facet 1 with -N and the reverse cycle; every edge runs along facet 0's cycle, with left = 0 and
+/// right = 1. Rank 1 has one edge, whose facets are none. The facets' ranges of corners follow one
+/// another and fill `corners`.
 struct Polytope {
   int rank = 0;
   kernels::IdVector<VertexId, Vector> vertices;
@@ -77,16 +82,19 @@ struct Polytope {
 /// The dimension of the affine span of a non-empty set. Linear at worst; stops as soon as it is 3.
 int affine_rank(std::span<const Vector> points);
 
-/// Exact for integers of any size; about n log n steps for n points in common position, never recursive. The result depends on the
-/// points and their numbering alone, and is written in one way only: each cycle starts at its lowest vertex, facets are ordered by
-/// cycle; edges of rank 3 have from < to and are ordered by (from, to); those of rank 2 follow facet 0's cycle; the one of rank 1
-/// runs from 0 to 1. Of the normals of a polygon N is the one whose first component other than zero is positive.
-/// Throws std::invalid_argument when `points` is empty or holds 2^31 points or more.           [proofs/polytope.md]
+/// Exact for integers of any size; about n log n steps for n points in common position, never
+/// recursive. The result depends on the points and their numbering alone, and is written in one way
+/// only: each cycle starts at its lowest vertex, facets are ordered by cycle; edges of rank 3 have
+/// from < to and are ordered by (from, to); those of rank 2 follow facet 0's cycle; the one of rank
+/// 1 runs from 0 to 1. Of the normals of a polygon N is the one whose first component other than
+/// zero is positive. Throws std::invalid_argument when `points` is empty or holds 2^31 points or
+/// more.                                                                       [proofs/polytope.md]
 Polytope convex_hull(std::span<const Vector> points);
 
-/// Checks every law of the types above, Euler's formula, and convexity at every edge and every vertex: so far O(n log n), and
-/// enough for a convex polytope [proofs/polytope.md, lemma 4]. `thorough` checks also that no input point lies outside it, in
-/// O(facets * points). Safe on any value, however broken.
+/// Checks every law of the types above, Euler's formula, and convexity at every edge and every
+/// vertex: so far O(n log n), and enough for a convex polytope [proofs/polytope.md, lemma 4].
+/// `thorough` checks also that no input point lies outside it, in O(facets * points). Safe on any
+/// value, however broken.
 [[nodiscard]] kernels::Report validate(const Polytope& polytope, std::span<const Vector> points, bool thorough = true);
 
 }  // namespace fathom::polytope

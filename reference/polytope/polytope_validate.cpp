@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Local laws that together make a closed surface the boundary of a convex polytope, checked exactly: of facets, edges and vertices, and
-// of the lists that hold them.                                                             [proofs/polytope.md, lemma 4]
+// Local laws that together make a closed surface the boundary of a convex polytope, checked
+// exactly: of facets, edges and vertices, and of the lists that hold them.
+//                                                                     [proofs/polytope.md, lemma 4]
 #include <algorithm>
 #include <functional>
 #include <limits>
@@ -20,7 +21,8 @@ using Index = std::uint32_t;
 
 constexpr Index no_side = std::numeric_limits<Index>::max();
 
-/// A slot is a position in polytope.corners; it stands also for the side of the facet from this corner to the next.
+/// A slot is a position in polytope.corners; it stands also for the side of the facet from this
+/// corner to the next.
 struct Sides {
   explicit Sides(const Polytope& polytope) : p(polytope), facet(p.corners.size()), twin(p.corners.size(), no_side) {
     for (const FacetId f : p.facets.ids()) std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
@@ -54,8 +56,9 @@ bool strictly_convex(const Polytope& p, const Facet& f) {
     const Vector& v = p.vertices[p.corners[i]];
     return sgn(dot(f.normal, cross(p.vertices[p.corners[j]] - v, p.vertices[p.corners[k]] - v))) > 0;
   };
-  // All corners to the left of the first side and in turning order around the first corner: simple. Left turns throughout: convex.
-  // At the first, second and last corner the turn is among the former.
+  // All corners to the left of the first side and in turning order around the first corner: simple.
+  // Left turns throughout: convex. At the first, second and last corner the turn is among the
+  // former.
   for (Index i = f.begin + 2; i < f.end; ++i) {
     if (!left(f.begin, f.begin + 1, i) || !left(f.begin, i - 1, i) || !left(i - 2, i - 1, i)) return false;
   }
@@ -85,7 +88,8 @@ bool pair_sides(Sides& sides, kernels::Report& report) {
   return report.ok();
 }
 
-/// The sides that leave the vertex of `start`, in turning order until it comes round again. All sides must be paired.
+/// The sides that leave the vertex of `start`, in turning order until it comes round again. All
+/// sides must be paired.
 std::vector<Index> star(const Sides& sides, Index start) {
   std::vector<Index> around;
   Index s = start;
@@ -96,8 +100,9 @@ std::vector<Index> star(const Sides& sides, Index start) {
   return around;
 }
 
-/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first facet except for its own two, and all
-/// other facets lie strictly above the first edge. At the edges convexity is known.
+/// The facets around a vertex bound a pointed convex cone: its edges lie strictly below the first
+/// facet except for its own two, and all other facets lie strictly above the first edge. At the
+/// edges convexity is known.
 bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
   // Facet i lies between the edges i and i + 1.
   const Vector first = sides.direction(around[0]);
@@ -110,7 +115,8 @@ bool convex_cone(const Sides& sides, const std::vector<Index>& around) {
   return true;
 }
 
-/// Normals primitive, corners on the plane, cycles simple, strictly convex and counter-clockwise. Indices must be in range.
+/// Normals primitive, corners on the plane, cycles simple, strictly convex and counter-clockwise.
+/// Indices must be in range.
 void validate_facets(const Polytope& polytope, kernels::Report& report) {
   for (const FacetId i : polytope.facets.ids()) {
     const Facet& f = polytope.facets[i];
@@ -124,8 +130,9 @@ void validate_facets(const Polytope& polytope, kernels::Report& report) {
   }
 }
 
-/// Rank 3 with valid facets: each side of a facet belongs to one edge and each edge to two sides, left and right facets lie to the left and
-/// right, facets meet convexly at every edge and in a convex cone at every vertex.
+/// Rank 3 with valid facets: each side of a facet belongs to one edge and each edge to two sides,
+/// left and right facets lie to the left and right, facets meet convexly at every edge and in a
+/// convex cone at every vertex.
 void validate_surface(const Polytope& polytope, kernels::Report& report) {
   Sides sides(polytope);
   if (!pair_sides(sides, report)) return;
@@ -149,7 +156,8 @@ void validate_surface(const Polytope& polytope, kernels::Report& report) {
   }
 }
 
-// Every law that polytope.hpp states, rank by rank. Nothing is assumed of the value, so shape and ranges of indices come first.
+// Every law that polytope.hpp states, rank by rank. Nothing is assumed of the value, so shape and
+// ranges of indices come first.
 
 constexpr Index nowhere = std::numeric_limits<Index>::max();  // place of a vertex that a cycle does not have
 
@@ -234,7 +242,8 @@ void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::R
   report.expect(planar, "an input point lies off the polygon's plane");
 }
 
-/// Whether the half-space or, for a polygon, the half-plane of any facet or side leaves an input point outside.
+/// Whether the half-space or, for a polygon, the half-plane of any facet or side leaves an input
+/// point outside.
 void check_containment(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
   const auto expect_none_beyond = [&](const Vector& n, const Vector& base, const std::string& name) {
     const mpz_class height = dot(n, base);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// O is in P iff (0, 1) is in the cone of all (p, 1). If it is, O lies in the relative interior of the hull of some differences T; T grows,
-// by a dimension each time, until a supporting plane through O is found or T surrounds O.  [proofs/position.md]
+// O is in P iff (0, 1) is in the cone of all (p, 1). If it is, O lies in the relative interior of
+// the hull of some differences T; T grows,
+// by a dimension each time, until a supporting plane through O is found or T surrounds O.
+// [proofs/position.md]
 
 #include "reference/polytope/position.hpp"
 
@@ -63,8 +65,9 @@ struct Solution {
   mpz_class determinant;
 };
 
-// The weights of the projection onto the span of `support`, by fraction-free elimination (Bareiss, Gauss-Jordan form). A Gram matrix of
-// independent vectors is positive definite: every pivot is positive, and so is the determinant.
+// The weights of the projection onto the span of `support`, by fraction-free elimination (Bareiss,
+// Gauss-Jordan form). A Gram matrix of independent vectors is positive definite: every pivot is
+// positive, and so is the determinant.
 Solution project(const Matrix& gram, const std::vector<std::size_t>& support) {
   const std::size_t n = support.size();
   Matrix m;
@@ -122,12 +125,14 @@ bool reaches_none(const Lifted& residual, std::span<const Lifted> generators, un
   return true;
 }
 
-/// The nearest point of the cone of `generators` to `target`. There are one to four of them, linearly independent, and the target lies
-/// strictly nearer to their cone than to the cone of all but the last (so the last one is in the support).
-/// The residual is orthogonal to the support and has no positive product with any generator, which proves the point nearest.
-// Subsets of the generators are tried, largest first: the nearest point z of the cone is the orthogonal projection onto the span of its
-// support, with positive weights there and <target - z, g> <= 0 for all generators g. These conditions are also sufficient, and as the
-// generators are independent exactly one subset meets them.
+/// The nearest point of the cone of `generators` to `target`. There are one to four of them,
+/// linearly independent, and the target lies strictly nearer to their cone than to the cone of all
+/// but the last (so the last one is in the support). The residual is orthogonal to the support and
+/// has no positive product with any generator, which proves the point nearest.
+// Subsets of the generators are tried, largest first: the nearest point z of the cone is the
+// orthogonal projection onto the span of its support, with positive weights there and <target - z,
+// g> <= 0 for all generators g. These conditions are also sufficient, and as the generators are
+// independent exactly one subset meets them.
 NearestInCone nearest_in_cone(std::span<const Lifted> generators, const Lifted& target) {
   const std::size_t n = generators.size();
   if (n == 0 || n > most) throw std::logic_error("nearest_in_cone: one to four generators expected");
@@ -151,7 +156,8 @@ NearestInCone nearest_in_cone(std::span<const Lifted> generators, const Lifted& 
   throw std::logic_error("nearest_in_cone: the last generator is not needed, or the generators are dependent");
 }
 
-/// Searches the cone that all differences of two clouds span for the point nearest to a target, without listing the differences.
+/// Searches the cone that all differences of two clouds span for the point nearest to a target,
+/// without listing the differences.
 class ConeSearch {
  public:
   explicit ConeSearch(Differences& differences) : differences_(differences) {}
@@ -163,11 +169,12 @@ class ConeSearch {
     Lifted residual;                 ///< zero if the target is in the cone; else a proof that it is not, see below
   };
 
-  /// Searches the cone of all (p, lift), p a difference, for `target`. If the target is not in it, the residual r is a positive multiple
-  /// of target - nearest: <r, target> > 0 and <r, (p, lift)> <= 0 for every p. With lift = 1 and target (0, 1) the search stops
-  /// early, with some r such that <r.v, p> < 0 for every p.
-  /// `seeds`: some differences, at least one. Unless lift = 1, O must be a positive combination of them.
-  /// Expected time linear in the number of points.                                                           [proofs/position.md]
+  /// Searches the cone of all (p, lift), p a difference, for `target`. If the target is not in it,
+  /// the residual r is a positive multiple of target - nearest: <r, target> > 0 and <r, (p, lift)>
+  /// <= 0 for every p. With lift = 1 and target (0, 1) the search stops early, with some r such
+  /// that <r.v, p> < 0 for every p. `seeds`: some differences, at least one. Unless lift = 1, O
+  /// must be a positive combination of them. Expected time linear in the number of points.
+  ///                                                                           [proofs/position.md]
   Nearest nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds);
 
  private:
@@ -180,8 +187,9 @@ class ConeSearch {
   bool sample_ = false;     // of a larger problem: then the search may not stop early
 };
 
-// Small problems: an active-set method (Wolfe; Lawson and Hanson; in the lifted form the exact kin of Gilbert, Johnson and Keerthi).
-// Large ones: Clarkson's sampling for problems of linear-programming type, which calls itself on samples of O(sqrt n) points.
+// Small problems: an active-set method (Wolfe; Lawson and Hanson; in the lifted form the exact kin
+// of Gilbert, Johnson and Keerthi). Large ones: Clarkson's sampling for problems of
+// linear-programming type, which calls itself on samples of O(sqrt n) points.
 
 constexpr std::size_t small_enough = 2000;  // points; of more, a sample with all forced points is at most 24 sqrt(n) + 26 < n
 constexpr std::size_t basis_size = 8;       // points: at most four differences make the answer
@@ -269,7 +277,8 @@ ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int li
     for (Difference& d : z.support) d = {chosen.a[d.first], chosen.b[d.second]};
     if (is_zero(z.residual)) return z;
 
-    // The residual is orthogonal to its support, and to the seeds if there is none: they mark the greatest value in the sample.
+    // The residual is orthogonal to its support, and to the seeds if there is none: they mark the
+    // greatest value in the sample.
     const Difference mark = z.support.empty() ? seeds.front() : z.support.front();
     const std::vector<std::uint32_t> beyond_a = kernels::points_beyond(all_a, -z.residual.v, mark.first);
     const std::vector<std::uint32_t> beyond_b = kernels::points_beyond(all_b, z.residual.v, mark.second);
@@ -303,8 +312,9 @@ Vector normal_to(const std::vector<Vector>& independent) {
   return primitive(is_zero(v) ? cross(independent[0], Vector{0, 1, 0}) : v);
 }
 
-// Whether O is in the interior of the hull: no u != 0 has <u, p> <= 0 for all p. If the vectors span R^3 but such u exist, they form a cone
-// without lines; on one of its extreme rays two independent constraints are tight, so u is normal to two of the vectors.
+// Whether O is in the interior of the hull: no u != 0 has <u, p> <= 0 for all p. If the vectors
+// span R^3 but such u exist, they form a cone without lines; on one of its extreme rays two
+// independent constraints are tight, so u is normal to two of the vectors.
 bool surrounds(const std::vector<Vector>& vectors) {
   if (basis(vectors).size() < 3) return false;
   for (std::size_t i = 0; i < vectors.size(); ++i) {

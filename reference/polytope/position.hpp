@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two finite point sets A and B.
-// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof   [AGHRS, section 2.2, step before the algorithm];
-//         of sets that are apart the exact distance: the point of P nearest to O, as convex weights of both.    [proofs/distance.md]
+// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof; of sets that
+//         are apart the exact distance: the point of P nearest to O, as convex weights of both.
+//                  [AGHRS, section 2.2, step before the algorithm; proofs/position.md, distance.md]
 // Time    linear expected in |A| + |B| for the position.
 #pragma once
 
@@ -25,9 +26,11 @@ struct PositionOfOrigin {
   Position position = Position::outside;
   /// outside: primitive u with h(u) < 0. boundary: primitive u with h(u) = 0. inside: none.
   std::optional<Vector> normal;
-  /// inside and boundary: convex weights (each list sums to 1) with sum of weighted a = sum of weighted b. outside: empty.
+  /// inside and boundary: convex weights (each list sums to 1) with sum of weighted a = sum of
+  /// weighted b. outside: empty.
   std::vector<Weight> a, b;
-  /// inside: index pairs (a, b) whose differences b - a have O in the interior of their convex hull. Otherwise empty.
+  /// inside: index pairs (a, b) whose differences b - a have O in the interior of their convex
+  /// hull. Otherwise empty.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> surrounding;
   std::size_t scans = 0;  ///< linear scans over all points that it took
 };
@@ -38,8 +41,9 @@ PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels:
 /// Checks the proof, and nothing but the proof.
 [[nodiscard]] kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b);
 
-/// The least |b - a| of two sets whose hulls have no point in common. With it the depth becomes one exact signed function of a sweep
-/// across contact. The nearest point of P is z = (h(n) / <n,n>) n for n = `normal`, as for a penetrating pair, with h(n) < 0.
+/// The least |b - a| of two sets whose hulls have no point in common. With it the depth becomes one
+/// exact signed function of a sweep across contact. The nearest point of P is z = (h(n) / <n,n>) n
+/// for n = `normal`, as for a penetrating pair, with h(n) < 0.
 struct NearestPoints {
   Vector normal;             ///< primitive; -z is a positive multiple of it, and h(normal) / |normal| is -distance
   mpz_class height;          ///< h(normal) < 0. distance^2 = height^2 / <normal,normal>
@@ -51,7 +55,8 @@ struct NearestPoints {
 /// Throws std::invalid_argument otherwise.
 NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b);
 
-/// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic only.
+/// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic
+/// only.
 [[nodiscard]] kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b);
 
 /// A difference and its place.
@@ -67,11 +72,11 @@ struct SimplexFoot {
   mpz_class denominator;
 };
 
-/// The step that the searches of Gilbert, Johnson and Keerthi share.
-/// Of one to four corners, affinely independent: keeps those of the face that holds the point of their hull nearest to O in its relative
-/// interior, and returns that point. There is one such face. Only faces with the last corner are looked at: O must be strictly nearer to
-/// the hull of all than to that of the others, if there are others. Returns nullopt, and keeps all, if O is in the interior of a
-/// tetrahedron.
+/// The step that the searches of Gilbert, Johnson and Keerthi share. Of one to four corners,
+/// affinely independent: keeps those of the face that holds the point of their hull nearest to O in
+/// its relative interior, and returns that point. There is one such face. Only faces with the last
+/// corner are looked at: O must be strictly nearer to the hull of all than to that of the others,
+/// if there are others. Returns nullopt, and keeps all, if O is in the interior of a tetrahedron.
 std::optional<SimplexFoot> nearest_in_simplex(std::vector<SimplexCorner>& corners);
 
 }  // namespace fathom::polytope

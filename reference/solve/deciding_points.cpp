@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Guesses the deciding points on bodies rounded to a coarse grid, and answers exactly for those. If other points lie farther out in a
-// direction of that answer, they become deciding points too, and it answers again.
+// Guesses the deciding points on bodies rounded to a coarse grid, and answers exactly for those. If
+// other points lie farther out in a direction of that answer, they become deciding points too, and
+// it answers again.
 #include "reference/solve/deciding_points.hpp"
 
 #include <algorithm>
@@ -57,8 +58,8 @@ std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& 
   return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
 }
 
-// The same among all. Coordinates of images err by less than one, so a product does by less than |u|_1: what is extreme is within twice
-// that of the greatest.
+// The same among all. Coordinates of images err by less than one, so a product does by less than
+// |u|_1: what is extreme is within twice that of the greatest.
 std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<const Vector> images, const Vector& u) {
   std::vector<mpz_class> values;
   values.reserve(images.size());
@@ -81,7 +82,8 @@ bool is_flat(kernels::Positions body) {
   return polytope::affine_rank(directions) < 3;
 }
 
-// The directions that an answer names. Where all points agree in each of them with those that were asked, the answer is right.
+// The directions that an answer names. Where all points agree in each of them with those that were
+// asked, the answer is right.
 std::vector<Vector> directions_of(const Depth& depth) {
   if (!depth.penetration()) return {depth.direction()};
   std::vector<Vector> directions;

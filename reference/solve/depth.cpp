@@ -86,8 +86,8 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
   return {NarrowEnd::answered, certified_depth(context, bodies, std::move(expansion), options)};
 }
 
-// Bodies on a narrow lattice are answered there if an expanding polytope can. Otherwise they are placed on any lattice, or the deciding
-// points answer if a common lattice would be too fine.
+// Bodies on a narrow lattice are answered there if an expanding polytope can. Otherwise they are
+// placed on any lattice, or the deciding points answer if a common lattice would be too fine.
 PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b, const Options& options) {
   depth::require_listed(options.optima);
   NarrowResult narrow = depth_on_narrow_lattice(context, a, b, options);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two bodies as points in any form, or on one lattice, and the options of penetration_depth.
+// Input   two bodies as points in any form, or on one lattice, and the options of
+//         penetration_depth.
 // Output  the answer by the method that they ask for.
 #pragma once
 
@@ -25,16 +26,18 @@ struct NarrowResult {
   std::optional<Depth> depth;
 };
 
-/// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow lattice and the expanding polytope ends.
-/// It equals that of depth_by_method, its naive twin, in every field.
+/// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow
+/// lattice and the expanding polytope ends. It equals that of depth_by_method, its naive twin, in
+/// every field.
 NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                                      const Options& options);
 
 /// What penetration_depth says of two bodies, and the lattice on which it found the answer.
 struct PlacedDepth {
   Depth depth;
-  /// Both bodies on one lattice. Not set if it was a narrow one, as happens to bodies that penetrate; nor if the bodies' denominators share
-  /// so little that deciding points gave the answer.
+  /// Both bodies on one lattice. Not set if it was a narrow one, as happens to bodies that
+  /// penetrate; nor if the bodies' denominators share so little that deciding points gave the
+  /// answer.
   std::optional<polytope::PlacedPair> pair;
 };
 
