@@ -14,10 +14,9 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/filters/fixed_images.hpp"
-#include "kernels/number/lowest_terms.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {

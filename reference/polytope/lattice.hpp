@@ -16,10 +16,10 @@
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/point.hpp"
-#include "kernels/filters/fixed_images.hpp"
+#include "kernels/filters/rounded_plane.hpp"
 #include "kernels/filters/support.hpp"
-#include "kernels/number/dyadic.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 

@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "kernels/number/ratio.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 
