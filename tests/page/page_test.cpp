@@ -3,6 +3,7 @@
 #include "view/page/page.hpp"
 
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 

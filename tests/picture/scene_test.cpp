@@ -3,9 +3,10 @@
 // and every kind of body has an outline.
 #include "view/picture/scene.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "kernels/vector.hpp"
 #include "tests//support/boxes.hpp"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Arcs end at their nodes, stay in their hemisphere, and are drawn as smooth lines; lines of a projection keep to the arc.
 
-#include <cmath>
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <numbers>
 
 #include "verify/families/families.hpp"

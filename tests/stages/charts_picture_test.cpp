@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is lit are the arcs of the canonical pair, which cross each other in its strip; what is left out is said.
 
+#include "view/stages/charts_picture.hpp"
+
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <set>
 
 #include "fathom/numbers.hpp"
 #include "tests/support/matches.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "view/stages/charts_picture.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places, normals and angles are near the exact ones, and charts lie as the exact method sorts them.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <numbers>
 
 #include "fathom/numbers.hpp"

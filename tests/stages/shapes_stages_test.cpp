@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of shapes: sampled outlines and the contact.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"

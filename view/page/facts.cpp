@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a page says of an answer, from its JSON: values as text, then facts of convex bodies, then
 // those of unions. Numbers are copied as they stand there.
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "fathom/numbers.hpp"
 #include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
-#include "fathom/numbers.hpp"
 
 namespace fathom::page {
 namespace {

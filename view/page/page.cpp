@@ -4,9 +4,10 @@
 // the data that it paints them from.
 #include "view/page/page.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"

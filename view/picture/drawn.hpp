@@ -3,16 +3,17 @@
 // edges of its pieces and the outline of all.
 #pragma once
 
-#include <cstddef>
 #include <gmpxx.h>
+
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
 
 #include "fathom/point.hpp"
 #include "fathom/shape.hpp"
-#include "view/picture/view.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "verify/digest/sha256.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
-#include "verify/digest/sha256.hpp"
 
 namespace fathom::picture {
 namespace {

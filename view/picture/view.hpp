@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gmpxx.h>
+
 #include <optional>
 #include <span>
 #include <string>

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-
 namespace fathom::plot {
 
 /// How values are spread over an axis.

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the study for what coincides, and which monomials of the perturbation decide it. Part of parts.hpp.
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
+#include "kernels/predicates/perturbed_kernel.hpp"
+#include "reference/chart/chart.hpp"
 #include "reference/depth/contact.hpp"
 #include "verify/study/study.hpp"
 #include "view/stages/parts.hpp"
-#include "kernels/predicates/perturbed_kernel.hpp"
-#include "reference/chart/chart.hpp"
 
 namespace fathom::stages {
 namespace {

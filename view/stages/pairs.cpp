@@ -2,11 +2,10 @@
 // The canonical pairs: each with its closest lines, by a search of its own, since that of the run
 // drops what cannot be the nearest; which one the first optimum comes from; and the cutting of one.
 
-#include "kernels/number/rational.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernels/number/rational.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/lines/cutting.hpp"
 #include "view/stages/parts.hpp"

@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include "fathom/signed_depth.hpp"
+#include "fathom/study.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "view/stages/parts.hpp"
-#include "fathom/study.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -2,16 +2,17 @@
 // The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex
 // polygons in parallel planes: their edges, merged by angle. First that sum, then all facets, then
 // what is shown of them.
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
 
-#include "kernels/number/rational.hpp"
-#include "view/stages/parts.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
+#include "kernels/number/rational.hpp"
+#include "view/stages/parts.hpp"
 
 namespace fathom::stages {
 namespace {
