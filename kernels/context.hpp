@@ -2,13 +2,47 @@
 // What every stage gets beside its input: the monitor to report to, the request to stop, and the counters.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "fathom/monitor.hpp"
+#include "fathom/counters.hpp"
+
+namespace fathom {
+
+// In the namespace of their operands, where argument-dependent lookup finds them.
+
+/// Returns what was counted since `before` was copied.
+PredicateCounts operator-(const PredicateCounts& now, const PredicateCounts& before);
+PredicateCounts& operator+=(PredicateCounts& sum, const PredicateCounts& more);
+
+/// Adds the counts of `more`; the seed stays.
+Counters& operator+=(Counters& sum, const Counters& more);
+
+}  // namespace fathom
 
 namespace fathom::kernels {
+
+struct Count {
+  std::string_view name;
+  std::uint64_t value;
+};
+
+/// The counters of one stage of a run, but those of the predicates. It has run if any of them is not 0.
+struct StageCounts {
+  std::string_view stage;
+  std::vector<Count> counts;
+  [[nodiscard]] bool ran() const {
+    return std::ranges::any_of(counts, [](const Count& count) { return count.value != 0; });
+  }
+};
+
+/// The counters by name and stage, in the order in which results list them.
+std::vector<StageCounts> counts_by_stage(const Counters& counters);
 
 /// Each thread that works has one. That of the calling thread reports to the monitor; those of its workers only share the request to stop.
 class Context {

@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/vector.hpp"
 
+#include <algorithm>
+
+namespace fathom::kernels {
+
+long bit_length(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+
+long bit_length(const Vector& v) { return std::max({bit_length(v.x), bit_length(v.y), bit_length(v.z)}); }
+
+}  // namespace fathom::kernels
+
 namespace fathom {
 
 Vector primitive(const Vector& v) {

@@ -1,8 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arithmetic of vectors. It is in fathom, as Vec3 is, where argument-dependent lookup finds it.
+// Signs, and the arithmetic of vectors and points. What is said of vectors is in fathom, as Vec3 and Point are, where argument-dependent
+// lookup finds it.
 #pragma once
 
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <type_traits>
+
 #include "fathom/point.hpp"
+
+namespace fathom::kernels {
+
+/// What a predicate answers. Zero is an answer ("on"); a filter that cannot tell returns std::optional<Sign> without a value.
+enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
+
+/// The sign of a comparison's result: any int, of which only the sign counts.
+constexpr Sign sign_of(int value) { return value > 0 ? Sign::positive : value < 0 ? Sign::negative : Sign::zero; }
+inline Sign sign_of(const mpz_class& value) { return sign_of(sgn(value)); }
+
+constexpr int to_int(Sign s) { return static_cast<int>(s); }
+constexpr Sign operator-(Sign s) { return static_cast<Sign>(-to_int(s)); }
+constexpr Sign operator*(Sign s, Sign t) { return static_cast<Sign>(to_int(s) * to_int(t)); }
+
+/// The number of bits of |n|, and of the largest component; 0 for 0.
+long bit_length(const mpz_class& n);
+long bit_length(const Vector& v);
+
+}  // namespace fathom::kernels
 
 namespace fathom {
 
@@ -51,10 +76,40 @@ inline bool lexicographically_less(const Vector& a, const Vector& b) {
   return cmp(a.z, b.z) < 0;
 }
 
+/// Coordinate 0, 1 or 2 of v.
+template <class NT>
+const NT& coordinate(const Vec3<NT>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 /// v divided by the greatest common divisor of its components; the zero vector stays.
 Vector primitive(const Vector& v);
 
 /// Whether a = s b for a rational s > 0. Neither may be zero.
 bool same_direction(const Vector& a, const Vector& b);
+
+// Points, and vectors along them.
+
+/// The same position. It is no function, so that argument-dependent lookup does not find it where a room has a function of that name.
+inline constexpr auto rational = [](const Vector& v) { return Point{v.x, v.y, v.z}; };
+
+inline Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+inline Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+inline Point operator-(const Point& p) { return {-p.x, -p.y, -p.z}; }
+inline Point operator*(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
+/// For rationals alone: an int or an mpz_class times a vector is a vector.
+template <class NT>
+requires std::is_same_v<NT, mpq_class> Point operator*(const NT& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+inline mpq_class dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+inline mpq_class dot(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
+inline Point cross(const Point& p, const Point& q) { return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x}; }
+
+/// The primitive vector of the same direction; of O the zero vector.
+inline Vector primitive_along(const Point& p) {
+  const mpz_class unit = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
+  const auto times_unit = [&](const mpq_class& c) { return mpz_class(c.get_num() * (unit / c.get_den())); };
+  return primitive({times_unit(p.x), times_unit(p.y), times_unit(p.z)});
+}
 
 }  // namespace fathom

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom cases --family NAME|all | --catalogue | --list | --from A B | --from-fcl FILE
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
-
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>

@@ -2,7 +2,6 @@
 #include "kernels/filters/plane.hpp"
 
 #include <CGAL/Interval_nt.h>
-
 #include <algorithm>
 
 #include "kernels/predicates/direction.hpp"
@@ -33,11 +32,8 @@ struct PointOperand {
 }  // namespace
 
 BoxedPoints::BoxedPoints(std::span<const Vector> exact) : exact_(exact) {
-  std::size_t bits = 0;
-  for (const Vector& p : exact) {
-    for (const mpz_class* c : {&p.x, &p.y, &p.z}) bits = std::max(bits, mpz_sizeinbase(c->get_mpz_t(), 2));
-  }
-  const long shift = static_cast<long>(bits);
+  long shift = 0;
+  for (const Vector& p : exact) shift = std::max(shift, bit_length(p));
   boxes_.reserve(exact.size());
   images_.reserve(exact.size());
   for (const Vector& p : exact) {

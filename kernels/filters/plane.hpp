@@ -59,10 +59,4 @@ class Plane {
 /// cyclically point right and up: positive if p, q, r turn left, zero if they lie on one line.
 Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r);
 
-/// Coordinate 0, 1 or 2 of v.
-template <class NT>
-const NT& coordinate(const Vec3<NT>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 }  // namespace fathom::kernels

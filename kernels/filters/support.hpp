@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The support function of a finite point set, by a filtered linear scan.
+// The support function of a finite point set, by a filtered linear scan; and what a walk to an extreme point asks of two or three points.
 #pragma once
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "kernels/vector.hpp"
@@ -78,8 +79,52 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
 
+/// Returns those of `listed` whose value is greatest, in their order. `set(value, i)` writes the value of i, a Number.
+template <class Number, class Set>
+std::vector<std::uint32_t> greatest(std::span<const std::uint32_t> listed, const Set& set) {
+  std::vector<std::uint32_t> result;
+  Number most, value;
+  for (const std::uint32_t i : listed) {
+    set(value, i);
+    const int order = result.empty() ? 1 : cmp(value, most);
+    if (order < 0) continue;
+    if (order > 0) {
+      result.clear();
+      swap(most, value);
+    }
+    result.push_back(i);
+  }
+  return result;
+}
+
 /// The naive twins: exact arithmetic only.
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);
 std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k);
+
+/// Returns those of `listed` whose value// Points of one cloud as they appear with a direction u pointing up: who is higher, and who lies
+/// to which side as seen from a third.
+// Binary64 first, exact integers when it is unsure.
+
+/// Projects along a generic direction to a plane in which u points up: coordinates (<t,p>, <u,p>) with t = e_i + epsilon e_j, where
+/// epsilon is a positive infinitesimal and u, e_i, e_j are linearly independent. So only the null vector projects to 0, and two
+/// vectors project to parallel ones only if they are parallel themselves or both level.
+class PlanarView {
+ public:
+  /// u must not be zero; the cloud must outlive the view.
+  PlanarView(const PointCloud& cloud, const Vector& u);
+
+  /// The sign of <u, q - p>: positive if q is higher.
+  [[nodiscard]] Sign rise(std::uint32_t p, std::uint32_t q) const;
+  /// Positive if the way from o to q appears to the left of the way from o to p; zero if they are parallel, or both level.
+  [[nodiscard]] Sign turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const;
+
+ private:
+  [[nodiscard]] double height(std::uint32_t p, std::uint32_t q) const;
+
+  const PointCloud* cloud_;
+  Vector u_;
+  Vec3<double> image_;  // of u
+  int right_, far_;     // i and j
+};
 
 }  // namespace fathom::kernels

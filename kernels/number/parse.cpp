@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One scan serves decimals and hex floats: digits, point, digits, exponent. GMP sees nothing but checked digits.
+#include "kernels/number/parse.hpp"
+
 #include <algorithm>
 #include <bit>
+#include <cfenv>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::kernels {
 
@@ -20,21 +25,6 @@ bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_hex_digit(char c) { return is_decimal_digit(c) || (lower(c) >= 'a' && lower(c) <= 'f'); }
 bool is_sign(char c) { return c == '+' || c == '-'; }
-
-/// `text` in quotes; long ones cut short, and everything that a terminal might obey made visible.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t shown = 40;
-  std::string result = "'";
-  for (const char c : text.substr(0, shown)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte < 0x7f) {
-      result += c;
-    } else {
-      result += {'\\', 'x', "0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
-    }
-  }
-  return result + (text.size() > shown ? "..." : "") + "'";
-}
 
 ParsedNumber refused(std::string reason) { return {std::nullopt, std::move(reason)}; }
 
@@ -91,7 +81,7 @@ Scan scan(std::string_view rest, bool (*is_digit)(char), char exponent_letter) {
     if (digits.empty()) return malformed("no digits in the exponent after '" + letter + "'");
     result.exponent = saturated_exponent(negative, digits);
   }
-  if (!rest.empty()) return malformed("unexpected " + quoted(rest.substr(0, 1)));
+  if (!rest.empty()) return malformed("unexpected " + shown(rest.substr(0, 1)));
   if (result.digits.empty()) return malformed("no digits");
   return result;
 }
@@ -190,6 +180,27 @@ ParsedNumber parse_unsigned(std::string_view text, Decimals decimals) {
 
 }  // namespace
 
+// std::from_chars rounds correctly, but some of its shortcuts follow the rounding mode that an interval filter may have set.
+// Falls back to parse_number for inf, nan, integers over 53 bits and underflow.
+std::optional<double> quick_number(std::string_view token, Decimals decimals) {
+  constexpr long exact_up_to = 1L << 53;
+  constexpr std::size_t short_enough = 64;
+  if (token.size() > short_enough) return std::nullopt;
+  const char* const end = token.data() + token.size();
+  long integer = 0;
+  const auto [stop, fault] = std::from_chars(token.data(), end, integer);
+  if (fault == std::errc() && stop == end) {
+    const bool is_double = -exact_up_to <= integer && integer <= exact_up_to;
+    return is_double ? std::optional(static_cast<double>(integer)) : std::nullopt;
+  }
+  if (decimals != Decimals::binary64 || token.find_first_of(".eE") == std::string_view::npos) return std::nullopt;
+  double nearest = 0;
+  const auto [double_stop, double_fault] = std::from_chars(token.data(), end, nearest);
+  if (double_fault != std::errc() || double_stop != end || !std::isfinite(nearest) || std::fegetround() != FE_TONEAREST)
+    return std::nullopt;
+  return nearest;
+}
+
 }  // namespace fathom::kernels
 
 namespace fathom {
@@ -197,12 +208,12 @@ namespace fathom {
 ParsedNumber parse_number(std::string_view token, Decimals decimals) {
   if (token.empty()) return kernels::refused("expected a number, found nothing");
   if (token.size() > longest_number) {
-    return kernels::refused("expected a number, found " + kernels::quoted(token) + ": longer than " + std::to_string(longest_number) +
+    return kernels::refused("expected a number, found " + kernels::shown(token) + ": longer than " + std::to_string(longest_number) +
                             " characters");
   }
   const bool negative = token.front() == '-';
   ParsedNumber result = kernels::parse_unsigned(token.substr(kernels::is_sign(token.front()) ? 1 : 0), decimals);
-  if (!result.value) return kernels::refused("expected a number, found " + kernels::quoted(token) + ": " + result.error);
+  if (!result.value) return kernels::refused("expected a number, found " + kernels::shown(token) + ": " + result.error);
   if (negative) mpq_neg(result.value->get_mpq_t(), result.value->get_mpq_t());
   return result;
 }

@@ -15,6 +15,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -33,8 +34,6 @@ struct Cut {
   long exponent;
   bool rest;
 };
-
-long bit_length(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
 /// floor(q / 2^exponent) for q >= 0. `rest` tells whether q / 2^exponent is not an integer.
 mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {

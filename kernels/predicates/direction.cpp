@@ -25,9 +25,20 @@ DoubleInterval enclose(const mpz_class& c, long shift) {
 }
 
 Vec3<DoubleInterval> enclose(const Vector& v) {
-  const auto bits = [](const mpz_class& c) { return c == 0 ? 0L : static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2)); };
-  const long shift = std::max({bits(v.x), bits(v.y), bits(v.z)});
+  const long shift = bit_length(v);
   return {enclose(v.x, shift), enclose(v.y, shift), enclose(v.z, shift)};
 }
+
+double image(const mpz_class& c, long exponent) {
+  constexpr long negligible = -500;
+  if (c == 0) return 0;
+  long own = 0;
+  const double mantissa = mpz_get_d_2exp(&own, c.get_mpz_t());
+  return own - exponent < negligible ? 0 : std::ldexp(mantissa, static_cast<int>(own - exponent));
+}
+
+Vec3<double> image(const Vector& v, long exponent) { return {image(v.x, exponent), image(v.y, exponent), image(v.z, exponent)}; }
+
+Vec3<double> direction_image(const Vector& v) { return image(v, bit_length(v)); }
 
 }  // namespace fathom::kernels

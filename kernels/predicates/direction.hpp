@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The operands of the predicates: exact directions with the enclosures that the interval filter reads.
+// The operands of the predicates: exact directions, the enclosures that the interval filter reads, and images in binary64.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "kernels/filters/error_bounds.hpp"
 #include "kernels/predicates/perturbation.hpp"
 #include "kernels/vector.hpp"
 
@@ -35,6 +40,52 @@ class Direction {
   Vector exact_;
   Vec3<DoubleInterval> enclosure_;
   Role role_ = Role::fixed;
+};
+
+// The images of exact numbers in binary64, for all filters; and the signs that images of directions settle, for searches that ask one node
+// or one arc about many arcs.                                                                    [proofs/kernels.md, "Plain doubles"]
+
+/// c * 2^-exponent, truncated to 53 bits; 0 below 2^-500, so that no product of two images underflows.
+double image(const mpz_class& c, long exponent);
+Vec3<double> image(const Vector& v, long exponent);
+/// With the exponent for which the largest component lies in [1/2, 1]. v is not zero. The image of -v is the negative.
+Vec3<double> direction_image(const Vector& v);
+
+/// The lower ends: each within 2^-53 of what the box encloses, if that is in [-1, 1].
+inline Vec3<double> image(const Vec3<DoubleInterval>& box) { return {box.x.low, box.y.low, box.z.low}; }
+
+/// A direction in binary64: each component within 2^-53 of that of the exact one after scaling, hence in [-1, 1].
+inline Vec3<double> image(const Direction& d) { return image(d.enclosure()); }
+
+/// The largest component in absolute value.
+inline double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+/// The sign of a number of which `value` errs by `error` at most; nullopt if unsure.
+inline std::optional<Sign> sure_sign(double value, double error) {
+  if (value > error) return Sign::positive;
+  if (value < -error) return Sign::negative;
+  return std::nullopt;
+}
+
+/// The sign of <n,d>, for images or their negatives.
+inline std::optional<Sign> sure_side_of_arc(const Vec3<double>& n, const Vec3<double>& d) {
+  return sure_sign(dot(n, d), error_bound::product);
+}
+
+/// The point of arc d1 on the vertical through n: OrderOnVertical(d1, d2, n, v) = <c, d2> for c = n <d1,v> - v <d1,n>.
+class VerticalProbe {
+ public:
+  /// d1, n and v are images of directions, or the negatives of images.
+  VerticalProbe(const Vec3<double>& d1, const Vec3<double>& n, const Vec3<double>& v) {
+    const double s = dot(d1, v), t = dot(d1, n);
+    c_ = {n.x * s - v.x * t, n.y * s - v.y * t, n.z * s - v.z * t};
+  }
+
+  /// The sign of OrderOnVertical(d1, d2, n, v). d2 as the others.
+  [[nodiscard]] std::optional<Sign> sign(const Vec3<double>& d2) const { return sure_sign(dot(c_, d2), error_bound::order_on_vertical); }
+
+ private:
+  Vec3<double> c_;
 };
 
 }  // namespace fathom::kernels

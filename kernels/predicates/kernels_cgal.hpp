@@ -2,12 +2,16 @@
 // The CGAL kernels of the tiers, and the way of an operand into each of them.                               [docs/kernel_concept.md]
 #pragma once
 
+#include <CGAL/Filtered_predicate.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/mpz_class.h>
 
+#include <cstdint>
+
 #include "kernels/number/infinitesimal_cgal.hpp"
 #include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/predicates_cgal.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {
@@ -52,5 +56,27 @@ struct ToIntervals {
     return to_intervals(operand.enclosure());
   }
 };
+
+// Where both meet: intervals first, integers when the interval holds zero and more.
+
+/// The exact tier of a predicate, counted.
+template <class P>
+struct Counted {
+  using result_type = typename P::result_type;
+  std::uint64_t* calls;
+
+  template <class... Vectors>
+  result_type operator()(const Vectors&... vectors) const {
+    ++*calls;
+    return P{}(vectors...);
+  }
+};
+
+/// The sign of P of the operands; `interval` and `exact` are P over either kernel, or call it.
+template <class Exact, class Approximate, class... Operands>
+Sign filtered_sign(const Exact& exact, const Approximate& interval, const Operands&... operands) {
+  const CGAL::Filtered_predicate<Exact, Approximate, ToExact, ToIntervals> predicate(exact, interval);
+  return sign_of(static_cast<int>(predicate(operands...)));
+}
 
 }  // namespace fathom::kernels

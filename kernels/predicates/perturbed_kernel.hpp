@@ -5,9 +5,9 @@
 
 #include <cstdint>
 
-#include "kernels/context.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
+#include "fathom/counters.hpp"
 
 namespace fathom::kernels {
 

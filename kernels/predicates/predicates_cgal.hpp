@@ -11,8 +11,8 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
-#include "kernels/context.hpp"
 #include "kernels/filters/error_bounds.hpp"
+#include "fathom/counters.hpp"
 
 namespace fathom::kernels {
 

@@ -2,7 +2,7 @@
 // Input   two bodies and a rational delta > 0.
 // Output  an exact separating translation t with depth <= |t| <= (1 + delta) depth.        [AGHRS, APPROX-SEPARATION, Theorem 3.2]
 // Time    O(1 / delta) rays of O(log^2(m + n)) steps each, once the hierarchies stand.
-// Departs from the paper: the grid, see grid/directions.hpp; and each ray offers the plane of the facet that it hits in place of the
+// Departs from the paper: the grid, see directions.hpp; and each ray offers the plane of the facet that it hits in place of the
 // hit point, which is never farther and often the optimum itself.                                   [proofs/approximate.md]
 #pragma once
 

@@ -6,7 +6,11 @@
 // Departs from the paper: the grid is that for delta / 4, and a search starts from the facet that a ray hits.   [proofs/errata.md]
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "fathom/approximate.hpp"
 #include "kernels/nearest.hpp"
@@ -15,8 +19,96 @@
 #include "reference/approximate/ray.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/polytope/hierarchy.hpp"
+#include "kernels/context.hpp"
 
 namespace fathom::approximate {
+
+// The rays.
+// Input   two bodies, and a rational delta > 0.
+// Output  Delta with depth <= Delta <= (1 + delta) depth, and every direction u of the grid for delta with Delta(u) <= (1 + delta) Delta,
+//         where Delta(u) is how far the boundary of P is from O along u.           [AGHRS, SHALLOW-PENETRATION, steps 1 to 3]
+// Departs from the paper: from coarse grids to fine ones, and no ray is shot where those before show that it is too long. Far sides of P
+// take few rays.                                                                                               [proofs/shallow.md]
+
+/// A ray that was shot from O, which is inside P.
+struct NearRay {
+  Vector direction;
+  Vector normal;             ///< of a facet of P that it hits
+  mpq_class factor;          ///< factor * direction is on the boundary
+  mpq_class length_squared;  ///< of factor * direction
+};
+
+struct NearRays {
+  bool inside = false;            ///< whether O is in the interior of P; if not, nothing more is found
+  mpq_class nearest_squared;      ///< Delta^2: the squared distance of the nearest plane of a facet that was hit
+  std::vector<NearRay> in_reach;  ///< the rays, of all grids, with Delta(u) <= (1 + delta) Delta
+  std::uint64_t rays = 0;         ///< shot
+  std::uint64_t skipped = 0;      ///< directions of the grids in which no ray was needed
+  std::uint64_t steps = 0;        ///< that the rays took
+};
+
+/// The gauge of P about O: gauge(u) = 1 / f where f u is on the boundary. It is sublinear, so that few rays bound it everywhere from above.
+class GaugeBound {
+ public:
+  /// The first six rays must be those along x, -x, y, -y, z, -z; the factors of all are positive.
+  void add(const NearRay& ray);
+
+  /// Whether the rays along the axes and the one closest to u show that gauge(u)^2 bound_squared < 1. Exact; false proves nothing.
+  [[nodiscard]] bool below(const Vector& u, const mpq_class& bound_squared) const;
+
+ private:
+  struct Known {
+    Vector direction;
+    mpq_class gauge;
+  };
+  [[nodiscard]] mpq_class along_axes(const std::array<mpq_class, 3>& r) const;
+  [[nodiscard]] mpq_class along(const Vector& u, const Known& known) const;
+
+  std::vector<Known> axes_, others_;
+};
+
+/// The six axes, the grids for 1/4, 1/16, ..., and at last that for delta.
+class RayGrids {
+ public:
+  /// Throws std::invalid_argument unless delta > 0.
+  RayGrids(kernels::Context& context, const mpq_class& delta);
+
+  /// From `start` in place of O, in lattice units. Throws Interrupted.
+  [[nodiscard]] NearRays shoot(kernels::Context& context, const RayShooter& shooter, const Vector& start) const;
+
+ private:
+  struct Grid {
+    mpq_class delta;
+    std::vector<Vector> directions;
+  };
+  std::vector<Grid> grids_;
+};
+
+// The walk over the facets of P near a point: breadth first, from facet to facet across the edges that meet a ball. P is never built.
+//                                                     [AGHRS, SHALLOW-PENETRATION, step 5; proofs/shallow.md]
+
+/// The closed ball of points x with denominator |x - centre|^2 <= numerator.
+struct Ball {
+  Vector centre;
+  mpz_class numerator, denominator = 1;  ///< >= 0 and > 0
+
+  [[nodiscard]] bool holds(const Vector& p) const;
+  /// Whether the segment from p to q, which differ, meets the ball. Exact.
+  [[nodiscard]] bool meets(const Vector& p, const Vector& q) const;
+};
+
+struct WalkCounts {
+  std::uint64_t facets = 0;  ///< visited
+  std::uint64_t edges = 0;   ///< of these facets, one that two of them share counted once
+  std::uint64_t steps = 0;   ///< corners of faces and neighbours of vertices that were looked at
+};
+
+/// Called once for each facet.
+using VisitFacet = std::function<void(const SumFacet& facet)>;
+
+/// Visits the starts, and every facet that shares an edge which meets the ball with a visited one. Throws Interrupted.
+WalkCounts walk(kernels::Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts,
+                const VisitFacet& visit);
 
 struct ShallowResult {
   bool inside = false;             ///< whether O is in the interior of P; if not, nothing more is found

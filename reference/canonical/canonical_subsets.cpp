@@ -5,15 +5,94 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
+#include <map>
 #include <numeric>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "kernels/predicates/direction.hpp"
-#include "reference/canonical/query_filing.hpp"
 #include "reference/chart/chart.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::canonical {
+
 namespace {
+
+// The strips over which a chart arc runs. An end at infinity lies strictly inside no strip.
+Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::ChartArcId arc) {
+  const chart::ColourChart& chart = charts.of[colour];
+  const chart::ChartArc& a = chart.arcs[arc];
+  const auto strips = static_cast<std::uint32_t>(charts.walls.size() + 1);
+  return {a.left != chart::at_infinity ? chart.wall_of[a.left].value + 1 : 0,
+          a.right != chart::at_infinity ? chart.wall_of[a.right].value + 1 : strips};
+}
+
+// The queries that one node of a segment tree has answered, filed under the canonical subsets that they cross. Over the node's list of
+// stored arcs stands a balanced tree in heap order, whose subtrees are the canonical subsets.
+class Filing {
+ public:
+  struct Entry {
+    std::uint64_t subset;  ///< index in the heap, then the sense of crossing in the lowest bit
+    chart::ChartArcId query;
+  };
+
+  Filing(const chart::Charts& charts, gaussian::Colour query_of);
+
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+
+  /// Files the query under the subsets that make up [low, high) of a list of `size` arcs.
+  void file(std::size_t size, std::size_t low, std::size_t high, bool rising, chart::ChartArcId query) {
+    const std::size_t leaves = std::bit_ceil(size);
+    for (std::size_t first = leaves + low, last = leaves + high; first < last; first /= 2, last /= 2) {
+      if (first % 2 == 1) entries_.push_back({2 * first++ + rising, query});
+      if (last % 2 == 1) entries_.push_back({2 * --last + rising, query});
+    }
+  }
+
+  /// Calls visit(first, last, rising, entries) for each subset [first, last) and sense that has entries, these in the order in which
+  /// they cross the stored arcs from left to right. Afterwards nothing is filed.
+  template <class Visit>
+  void take(std::size_t size, Visit visit) {
+    sort();
+    const std::size_t leaves = std::bit_ceil(size);
+    for (std::size_t i = 0, j = 0; i < entries_.size(); i = j) {
+      while (j < entries_.size() && entries_[j].subset == entries_[i].subset) ++j;
+      const std::size_t heap = entries_[i].subset / 2, width = leaves / std::bit_floor(heap);
+      const std::size_t first = (heap - std::bit_floor(heap)) * width;
+      visit(first, std::min(first + width, size), entries_[i].subset % 2 == 1, std::span<const Entry>(entries_).subspan(i, j - i));
+    }
+    entries_.clear();
+  }
+
+ private:
+  void sort();
+
+  kernels::IdVector<chart::ChartArcId, Strip> strips_;  // of the query colour's arcs
+  std::vector<Entry> entries_;
+};
+
+Filing::Filing(const chart::Charts& charts, gaussian::Colour query_of) {
+  strips_.reserve(charts.of[query_of].arcs.size());
+  for (const chart::ChartArcId i : charts.of[query_of].arcs.ids()) strips_.push_back(strips_of(charts, query_of, i));
+}
+
+// Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later than one above it and a falling arc
+// later than one below it, and ids are in height order; of two others the left one crosses first.
+// [proofs/canonical_subsets.md, "Grid"]
+void Filing::sort() {
+  std::ranges::sort(entries_, [&](const Entry& e, const Entry& f) {
+    if (e.subset != f.subset) return e.subset < f.subset;
+    if (e.query == f.query) return false;
+    const Strip& s = strips_[e.query];
+    const Strip& t = strips_[f.query];
+    if (!s.overlaps(t)) return s.first < t.first;
+    return (e.subset % 2 == 1) == (e.query > f.query);
+  });
+}
 
 struct Stored {
   chart::ChartArcId arc;
@@ -264,6 +343,136 @@ CanonicalSubsets canonical_subsets(kernels::Context& context, const chart::Chart
   CanonicalSubsets result;
   for (const gaussian::Colour stored_of : gaussian::both_colours) CanonicalBuilder(context, kernel, charts, stored_of, result).run();
   return result;
+}
+
+// The naive twin: all pairs of arcs.
+std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> crossings_naive(const chart::Charts& charts) {
+  std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> result;
+  PredicateCounts uncounted;
+  const kernels::PerturbedKernel kernel(charts.perturbation, uncounted);
+  const gaussian::GaussianDiagram &a = *charts.of.a.diagram, &b = *charts.of.b.diagram;
+  for (const gaussian::ArcId i : a.arcs.ids()) {
+    for (const gaussian::ArcId j : b.arcs.ids()) {
+      const kernels::Direction& d = a.arcs[i].circle;
+      const kernels::Direction& g = b.arcs[j].circle;
+      for (const kernels::Sign sign : gaussian::perturbed_crossings(kernel, a, a.arcs[i], b, b.arcs[j])) {
+        if (sign * kernel.order_at_infinity(d, g, charts.frame.z) == kernels::Sign::positive) result.emplace_back(i.value, j.value);
+      }
+    }
+  }
+  return result;
+}
+
+// What the canonical pairs say about all pairs of arcs is checked, and the grid that each canonical pair forms.
+namespace {
+
+// Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a rising r is still below s and a falling
+// one above it. The crossing has the direction +-(d_q x d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
+bool crosses_first(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, gaussian::Colour of_queries,
+                   const chart::ChartArc& q, const chart::ChartArc& r, const chart::ChartArc& s) {
+  const chart::ColourChart &queries = charts.of[of_queries], &stored = charts.of[gaussian::other(of_queries)];
+  const kernels::Sign sign = kernel.order_at_infinity(queries.circle(q), stored.circle(s), queries.circle(r));
+  return orientation(q) * orientation(r) * orientation(s) * sign == kernels::Sign::negative;
+}
+
+// The arcs of one side of a pair, or none if one of them is not an arc of the chart.
+std::vector<const chart::ChartArc*> arcs_of(const chart::ColourChart& chart, const auto& ids) {
+  std::vector<const chart::ChartArc*> arcs;
+  for (const auto id : ids) {
+    if (id.value >= chart.arcs.size()) return {};
+    arcs.push_back(&chart.arcs[chart::ChartArcId(id.value)]);
+  }
+  return arcs;
+}
+
+void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
+                const gaussian::PerColour<std::vector<const chart::ChartArc*>>& arcs) {
+  const gaussian::Colour of_stored = pair.stored_of, of_queries = gaussian::other(of_stored);
+  const std::vector<const chart::ChartArc*>&stored = arcs[of_stored], &queries = arcs[of_queries];
+  for (std::size_t i = 1; i < stored.size(); ++i) {
+    report.expect(chart::above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == kernels::Sign::positive,
+                  "stored arcs are not in height order");
+  }
+  for (const chart::ChartArc* s : stored) {
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+      const bool from_below = chart::above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == kernels::Sign::negative;
+      report.expect(from_below == pair.rising, "a query crosses in the other sense");
+      report.expect(k == 0 || crosses_first(kernel, charts, of_queries, *queries[k - 1], *queries[k], *s),
+                    "queries are not in the order in which they cross");
+    }
+  }
+}
+
+// In the strip the query comes from one side of the stored arc and leaves on the other, unless it ends in there.
+bool crosses_inside(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
+                    const chart::ChartArc& query, Strip of_query, const chart::ChartArc& stored) {
+  const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
+  const auto above_at = [&](std::uint32_t wall) {
+    const chart::Wall& w = charts.walls[chart::WallId(wall - 1)];
+    return chart::above_on_wall(kernel, charts, of_queries, query, pair.stored_of, stored, w) == kernels::Sign::positive;
+  };
+  const bool from = pair.strip.first <= of_query.first || above_at(pair.strip.first) != pair.rising;
+  const bool to = pair.strip.last >= of_query.last || above_at(pair.strip.last) == pair.rising;
+  return from && to && of_query.overlaps(pair.strip);
+}
+
+void check_strip(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair) {
+  const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
+  const auto ids = [&](gaussian::Colour colour) {
+    std::vector<chart::ChartArcId> result;
+    const auto copy = [&](const auto& arcs) {
+      for (const auto arc : arcs) result.emplace_back(arc.value);
+    };
+    colour == gaussian::Colour::a ? copy(pair.a) : copy(pair.b);
+    return result;
+  };
+  const std::vector<chart::ChartArcId> queries = ids(of_queries);
+  const bool inside = pair.strip.first < pair.strip.last && pair.strip.last <= charts.walls.size() + 1;
+  if (!report.expect(inside, "a strip is none of the chart")) return;
+  for (const chart::ChartArcId s : ids(pair.stored_of)) {
+    report.expect(pair.strip.within(strips_of(charts, pair.stored_of, s)), "a stored arc does not span the strip");
+    for (const chart::ChartArcId q : queries) {
+      report.expect(crosses_inside(kernel, charts, pair, charts.of[of_queries].arcs[q], strips_of(charts, of_queries, q),
+                                   charts.of[pair.stored_of].arcs[s]),
+                    "a crossing is outside the strip");
+    }
+  }
+}
+
+void check_once(kernels::Report& report, const std::vector<const chart::ChartArc*>& arcs) {
+  report.expect(std::set(arcs.begin(), arcs.end()).size() == arcs.size(), "C1: an edge occurs twice in a set");
+}
+
+}  // namespace
+
+kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& charts) {
+  kernels::Report report;
+  PredicateCounts uncounted;
+  const kernels::PerturbedKernel kernel(charts.perturbation, uncounted);
+  std::map<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>, int> reported;
+  for (std::size_t k = 0; k < subsets.size(); ++k) {
+    const CanonicalPair pair = subsets[k];
+    report.expect(!pair.a.empty() && !pair.b.empty(), "a canonical pair has an empty side");
+    const gaussian::PerColour<std::vector<const chart::ChartArc*>> arcs{arcs_of(charts.of.a, pair.a), arcs_of(charts.of.b, pair.b)};
+    if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(), "C1: an id is not an arc of the chart")) continue;
+    check_once(report, arcs.a);
+    check_once(report, arcs.b);
+    check_strip(report, kernel, charts, pair);
+    check_grid(report, kernel, charts, pair, arcs);
+    for (const chart::ChartArc* e : arcs.a) {
+      for (const chart::ChartArc* f : arcs.b) ++reported[{gaussian::EdgeOfA(e->arc.value), gaussian::EdgeOfB(f->arc.value)}];
+    }
+  }
+  const auto name = [](const std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>& pair) {
+    return "(" + std::to_string(pair.first.value) + "," + std::to_string(pair.second.value) + ")";
+  };
+  for (const auto& crossing : crossings_naive(charts)) {
+    report.expect(reported[crossing] > 0, "C3: crossing pair " + name(crossing) + " is not reported");
+    report.expect(reported[crossing] <= 1, "crossing pair " + name(crossing) + " is reported more than once");
+    reported.erase(crossing);
+  }
+  for (const auto& [pair, count] : reported) report.expect(false, "C2: reported pair " + name(pair) + " does not cross");
+  return report;
 }
 
 }  // namespace fathom::canonical

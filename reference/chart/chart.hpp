@@ -7,6 +7,8 @@
 #pragma once
 
 #include "kernels/context.hpp"
+
+
 #include "kernels/predicates/direction.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "kernels/report.hpp"
@@ -51,6 +53,9 @@ struct ChartArc {
   /// height, and above it otherwise.
   ChartArcId left_height, right_height;
 };
+
+/// Of the arc's circle: positive if it points upward.
+constexpr kernels::Sign orientation(const ChartArc& arc) { return arc.flipped ? kernels::Sign::negative : kernels::Sign::positive; }
 
 /// Where a node lies among the arcs of the other colour.
 struct NodePlace {
@@ -104,5 +109,22 @@ Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& m
 /// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each face that the arcs below it come before
 /// those above it; then the arcs are in height order [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.
 [[nodiscard]] kernels::Report validate(const Charts& charts);
+
+// What searches ask about the nodes and arcs of a chart: the predicates of kernels/ with the arcs oriented from left to right. No answer is
+// zero.
+
+/// Positive: the node lies above the line of the arc. Not for an end of the arc.
+kernels::Sign node_above_arc(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_node, gaussian::NodeId node,
+                             gaussian::Colour of_arc, const ChartArc& arc);
+/// Positive: arc e lies above arc f on the wall.
+kernels::Sign above_on_wall(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
+                            gaussian::Colour of_f, const ChartArc& f, const Wall& wall);
+/// Positive: arc e lies above arc f far to the left.
+kernels::Sign above_far_left(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
+                             gaussian::Colour of_f, const ChartArc& f);
+/// Positive: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
+/// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
+kernels::Sign above_same_colour(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour, const ChartArc& e,
+                                const ChartArc& f);
 
 }  // namespace fathom::chart

@@ -1,16 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Which of the two bodies something belongs to.
+#pragma once
+
+#include "kernels/id.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/predicates/direction.hpp"
+#include "kernels/report.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
+
+namespace fathom::gaussian {
+
+/// Colour a is the diagram of -A, colour b that of B.
+enum class Colour : std::uint8_t { a, b };
+
+inline constexpr std::array both_colours{Colour::a, Colour::b};
+
+constexpr Colour other(Colour c) { return c == Colour::a ? Colour::b : Colour::a; }
+
+/// What exists once for each colour.
+template <class T>
+struct PerColour {
+  T a, b;
+
+  [[nodiscard]] T& operator[](Colour c) { return c == Colour::a ? a : b; }
+  [[nodiscard]] const T& operator[](Colour c) const { return c == Colour::a ? a : b; }
+};
+
 // Input   a convex polytope of rank 0 to 3.
 // Output  its Gaussian diagram, or that of its reflection through O: nodes are outward facet normals, arcs are edges, faces are vertices.
 //         [AGHRS, section 2.2, "Computing F"]
 // Size    linear.
-#pragma once
-
-#include "kernels/id.hpp"
-#include "kernels/predicates/direction.hpp"
-#include "kernels/report.hpp"
-#include "reference/polytope/polytope.hpp"
-
-namespace fathom::gaussian {
 
 /// Indices in a diagram. Node i is facet i of the polytope, arc i is edge i.
 using NodeId = kernels::Id<struct NodeTag>;
@@ -57,5 +81,23 @@ GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytop
 /// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `colour` tells which diagram of the polytope it
 /// should be.
 [[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour);
+
+// Whether two arcs cross, decided on the sphere from the two arcs alone: the yardstick for everything that finds crossings faster.
+
+/// The signs s for which s (e.circle x f.circle) is a strict crossing: a transversal one, in the interior of both arcs. At most one sign,
+/// except for two full circles. With n_i the ends of e, (n1 x n2) x f.circle = n2 <n1,f.circle> - n1 <n2,f.circle> tells which of the two
+/// antipodal points of the great circles e meets.
+std::vector<kernels::Sign> strict_crossings(const kernels::UnperturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e,
+                                            const GaussianDiagram& of_f, const Arc& f);
+
+/// The same for the perturbed arcs, where every crossing is strict.
+std::vector<kernels::Sign> perturbed_crossings(const kernels::PerturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e,
+                                               const GaussianDiagram& of_f, const Arc& f);
+
+/// Whether the closed arc contains u, a direction on its great circle.
+bool contains(const GaussianDiagram& diagram, const Arc& arc, const Vector& u);
+
+/// Whether the closed arcs have a point in common. True for arcs of one great circle only if an end of one lies on the other.
+bool touch(const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f);
 
 }  // namespace fathom::gaussian

@@ -2,11 +2,25 @@
 #include "reference/lines/cutting.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fathom::lines {
 namespace {
 
 using Node = CellNode;
+
+// A frame test costs as much as some hundred pairs; and where it seldom clears, it is tried on few blocks only.
+constexpr std::uint64_t worth_a_frame = 1024;
+
+// What tests cost, in pairs scanned: about two nanoseconds. An offer is a pair that the filter in binary64 has left.
+constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 800, offer_cost = 96;
+
+// How far below 0 margins may be for wide floats to help: that of the smooth frames, by rounding in binary64, and that with the lines' own
+// noise. Beyond, the block is too large, or it holds pairs that are nearer than the best.
+constexpr double rounding_margin = 0x1p-43, noise_margin = 0x1p-30;
+
+// The offset test may leave this many pairs for each line of a block.
+constexpr std::size_t left_for_each = 4;
 
 int level(Node k) { return std::bit_width(k); }
 
@@ -158,6 +172,161 @@ class Engine {
 };
 
 }  // namespace
+
+Blocks::Wide::Wide(const Grid& grid, const std::array<CellTree, 2>& trees)
+    : rows(grid.wide_rows()), columns(grid.wide_columns()), frames{{trees[0], rows}, {trees[1], columns}} {}
+
+Blocks::Blocks(const Grid& grid, std::uint64_t allowance)
+    : clearing_(grid),
+      trees_{CellTree(grid.rows()), CellTree(grid.columns())},
+      frames_{{trees_[0], clearing_.rows()}, {trees_[1], clearing_.columns()}} {
+  const std::uint64_t crossings = std::uint64_t{grid.rows()} * grid.columns();
+  test_account_.free = crossings / 8 + allowance;
+}
+
+std::uint64_t Blocks::credit(const LineSearch& search) const {
+  return offers_before_ ? (search.offers() - *offers_before_) * offer_cost / 8 : 0;
+}
+
+bool Blocks::exhausted(const LineSearch& search) const { return !test_account_.worth_trying(credit(search)); }
+
+bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search) {
+  if (exhausted(search)) return false;
+  if (!offers_before_) offers_before_ = search.offers();
+  Counters& counters = search.counters();
+  ++counters.block_tests;
+  spend(test_account_, vertex_cost, search);
+  if (clearing_.vertex_clears(block(side, cell, opposite), search.nearest(), search.bound())) {
+    ++counters.vertex_clears;
+    return true;
+  }
+  const std::uint64_t pairs = tree(side).size(cell) * tree(other(side)).size(opposite);
+  if (pairs < worth_a_frame || !frames_promise(search)) return false;
+  const auto [row, column] = rows_and_columns(side, cell, opposite);
+  if (!frames_clear(row, column, search)) return false;
+  test_account_.saved += pairs;
+  return true;
+}
+
+// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where pairs cost so much that they may as
+// well be; else on one in 16.
+bool Blocks::frames_promise(const LineSearch& search) const {
+  return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 || frame_cost * frames_tried_ <= credit(search);
+}
+
+// In binary64; then, if precision or the lines' own noise may be what is wrong, in wide floats.
+bool Blocks::frames_clear(Node row, Node column, LineSearch& search) {
+  Counters& counters = search.counters();
+  ++counters.frame_tests;
+  ++frames_tried_;
+  spend(test_account_, frame_cost, search);
+  const double bound = search.bound().above;
+  if (!std::isfinite(bound)) return false;
+  const auto sketched = kernels::frames_margin(frames_.rows.sketch(row), frames_.columns.sketch(column), bound);
+  if (!sketched || *sketched < -noise_margin) return false;
+  if (*sketched > 0 && kernels::frames_beyond(frames_.rows.whole(row), frames_.columns.whole(column), bound)) {
+    ++counters.frame_clears;
+    ++frames_held_;
+    return true;
+  }
+  const std::uint64_t offers = offers_expected(row, column, bound);
+  if (offers == 0 || !nearly_tied(row, column, bound)) return false;
+  ++frames_held_;
+  const std::size_t lines = tree(GridAxis::rows).size(row) + tree(GridAxis::columns).size(column);
+  if (offers * offer_cost < wide_cost + wide_line_cost * lines) return false;
+  wide_account_.free = std::max(wide_account_.free, 16 * wide_cost + offers * offer_cost / 8);
+  if (!wide_account_.worth_trying(credit(search)) || !wide_clears(row, column, search)) return false;
+  wide_account_.saved += offers * offer_cost;
+  return true;
+}
+
+// By the pairs of few lines; 0 if these are too few to tell.
+std::uint64_t Blocks::offers_expected(Node row, Node column, double bound) const {
+  std::uint64_t left = 0;
+  const auto rows = frames_.rows.few_lines(row), columns = frames_.columns.few_lines(column);
+  for (const std::uint32_t i : rows) {
+    for (const std::uint32_t j : columns) left += !kernels::surely_farther(clearing_.rows(), i, clearing_.columns(), j, bound);
+  }
+  return left < 4 ? 0 : left * tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) / (rows.size() * columns.size());
+}
+
+bool Blocks::nearly_tied(Node row, Node column, double bound) {
+  const auto smooth = kernels::frames_margin(frames_.rows.sketch(row).smooth(), frames_.columns.sketch(column).smooth(), bound);
+  return smooth && *smooth > -rounding_margin;
+}
+
+// Sketches tell whether a test of the whole may hold.
+bool Blocks::wide_clears(Node row, Node column, LineSearch& search) {
+  ++search.counters().wide_tests;
+  spend(wide_account_, wide_cost, search);
+  if (!wide_) wide_ = std::make_unique<Wide>(clearing_.grid(), trees_);
+  const auto margin = kernels::frames_margin(wide_->frames.rows.sketch(row), wide_->frames.columns.sketch(column), search.wide_bound());
+  if (margin && *margin > 0 && whole_clears(row, column, search)) return true;
+  return offsets_may_clear(row, column, search.wide_bound()) && offsets_clear(row, column, search);
+}
+
+template <class Test>
+bool Blocks::counting_lines(LineSearch& search, Test test) {
+  const auto framed = [this] { return wide_->frames.rows.lines_framed() + wide_->frames.columns.lines_framed(); };
+  const std::uint64_t before = framed();
+  const bool clear = test();
+  spend(wide_account_, wide_line_cost * (framed() - before), search);
+  return clear;
+}
+
+bool Blocks::whole_clears(Node row, Node column, LineSearch& search) {
+  const bool clear = counting_lines(search, [&] {
+    const auto margin = kernels::frames_margin(wide_->frames.rows.whole(row), wide_->frames.columns.whole(column), search.wide_bound());
+    return margin && *margin > 0;
+  });
+  search.counters().wide_clears += clear;
+  return clear;
+}
+
+// If many pairs of a sketch are left, too many of all would be.
+bool Blocks::offsets_may_clear(Node row, Node column, const kernels::WideFloat& bound) {
+  CellFrames<kernels::WideLines>&rows = wide_->frames.rows, &columns = wide_->frames.columns;
+  const auto smooth = kernels::margin_model(rows.sketch(row).smooth(), columns.sketch(column).smooth(), bound);
+  if (!smooth) return false;
+  const auto few_rows = rows.few_lines(row), few_columns = columns.few_lines(column);
+  const std::size_t m = tree(GridAxis::rows).size(row), n = tree(GridAxis::columns).size(column);
+  const std::size_t most = 1 + few_rows.size() * few_columns.size() * left_for_each * (m + n) / (m * n);
+  return kernels::pairs_left({wide_->rows, few_rows, rows.sketch(row)}, {wide_->columns, few_columns, columns.sketch(column)}, bound,
+                             *smooth, most)
+      .has_value();
+}
+
+bool Blocks::offsets_clear(Node row, Node column, LineSearch& search) {
+  return counting_lines(search, [&] {
+    CellFrames<kernels::WideLines>&frames_of_rows = wide_->frames.rows, &frames_of_columns = wide_->frames.columns;
+    const kernels::FramedRun rows{wide_->rows, tree(GridAxis::rows).lines(row), frames_of_rows.whole(row)};
+    const kernels::FramedRun columns{wide_->columns, tree(GridAxis::columns).lines(column), frames_of_columns.whole(column)};
+    const auto smooth = kernels::margin_model(rows.frame.smooth(), columns.frame.smooth(), search.wide_bound());
+    if (!smooth) return false;
+    const std::size_t lines = rows.run.size() + columns.run.size();
+    spend(wide_account_, wide_line_cost * lines, search);
+    const auto left = kernels::pairs_left(rows, columns, search.wide_bound(), *smooth, left_for_each * lines);
+    if (!left) return false;
+    Counters& counters = search.counters();
+    ++counters.offset_blocks;
+    counters.offset_pairs += left->size();
+    counters.pairs_evaluated += left->size();
+    for (const auto& [i, j] : *left) search.offer(clearing_.grid().row(i), clearing_.grid().column(j));
+    return true;
+  });
+}
+
+void Blocks::spend(Account& account, std::uint64_t pairs, LineSearch& search) {
+  account.spent += pairs;
+  search.work(pairs);
+}
+
+double Blocks::estimate(GridAxis side, Node cell, Node opposite) const { return clearing_.estimate(block(side, cell, opposite)); }
+
+kernels::Block Blocks::block(GridAxis side, Node cell, Node opposite) const {
+  const auto [row, column] = rows_and_columns(side, cell, opposite);
+  return {kernels::side_of(tree(GridAxis::rows).run(row)), kernels::side_of(tree(GridAxis::columns).run(column))};
+}
 
 std::vector<Cell> cut(Blocks& blocks, GridAxis side, Node cell, const std::vector<Node>& list, const CuttingSize& size,
                       LineSearch& search) {

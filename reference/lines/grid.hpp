@@ -9,6 +9,7 @@
 #include <array>
 #include <utility>
 
+#include "kernels/filters/line_filter.hpp"
 #include "kernels/report.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/lines/line_scene.hpp"
@@ -68,5 +69,38 @@ class Grid {
 /// neighbour's point lies farther out than the crossing's own, and O lies below it: so p - q is a vertex of P and the vertex test holds.
 /// O(rows columns).
 [[nodiscard]] kernels::Report validate(const Grid& grid);
+
+// The vertex test: is every pair of a block of rows and columns proved to be strictly farther than the nearest planes so far? Then the
+// block is clear. One vertex of P against the four corner crossings, exact.                                      [proofs/cutting.md]
+
+/// Ascending positions in one chain of a grid; not empty.
+using ChainLines = std::span<const std::uint32_t>;
+
+inline kernels::BlockSide side_of(ChainLines lines) { return {lines.front(), lines[lines.size() / 2], lines.back()}; }
+
+/// The block tests of one grid.
+class Clearing {
+ public:
+  explicit Clearing(const Grid& grid) : grid_(grid), rows_(grid.row_images()), columns_(grid.column_images()) {}
+
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+  [[nodiscard]] const kernels::LineImages& rows() const { return rows_; }
+  [[nodiscard]] const kernels::LineImages& columns() const { return columns_; }
+
+  /// The vertex test, for all lines between the block's first and last ones. `bound` is the images' bound of `nearest`, which may not be
+  /// empty unless the bound is infinite. The answer is that of exact arithmetic: it does not depend on rounding.
+  [[nodiscard]] bool vertex_clears(const kernels::Block& block, const kernels::NearestPlanes& nearest,
+                                   const kernels::LineBound& bound) const;
+
+  /// The least estimate of a pair's squared distance over the corners and the middle: for the order of a search, not a bound.
+  [[nodiscard]] double estimate(const kernels::Block& block) const;
+
+ private:
+  Grid grid_;
+  kernels::LineImages rows_, columns_;
+};
+
+/// The vertex test on a whole grid, without images of its chains: can it beat the best at all? O(1).
+[[nodiscard]] bool vertex_clears(const Grid& grid, const kernels::NearestPlanes& nearest, const kernels::LineBound& bound);
 
 }  // namespace fathom::lines

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random shapes against other ways to their signed depth: segments in closed form, and polytopes inside and outside of discs and balls.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
+#include <gtest/gtest.h>
 #include <vector>
 
 #include "fathom/signed_depth.hpp"

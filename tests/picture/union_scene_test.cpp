@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of unions: the way out points to the right, planes between pieces are seen from their edges, the outline is that of all pieces
 // together, and those in contact are marked.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numeric>
 #include <random>
 

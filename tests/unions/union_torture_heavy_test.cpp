@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of every family by the laws that any depth obeys: convex bodies are what they were before they were cut, all shorter translations
 // overlap, bodies may be exchanged, moved and scaled together, and the checker accepts every proof.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 #include <string>
 

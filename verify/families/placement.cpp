@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/vector.hpp"
+
+
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <gmpxx.h>
-
 #include <optional>
 #include <span>
 #include <string>

@@ -2,9 +2,8 @@
 // The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex
 // polygons in parallel planes: their edges, merged by angle. First that sum, then all facets, then
 // what is shown of them.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <set>
 #include <stdexcept>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/export/export.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
-
-#include <algorithm>
-#include <cctype>
 #include <iostream>
 #include <map>
 #include <optional>

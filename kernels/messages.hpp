@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds misspelt fields: unknown ones that look like a known one, such as "depht".
+// Words of users in messages: untrusted bytes made printable, and misspelt words found.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,20 @@
 
 namespace fathom::kernels {
 
+/// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN; "nothing" if it is
+/// empty.
+std::string shown(std::string_view text);
+
+/// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
+std::string printable(std::string_view text, std::size_t limit);
+
 /// The edit distance of two words: letters missing, inserted or wrong, or two neighbours swapped. Case does not matter.
 std::size_t slips(std::string_view s, std::string_view t);
 
 /// Whether `text` is probably the word: its edit distance is at most a third of the word's length.
 bool is_near(std::string_view text, std::string_view word);
 
-/// For each known word that is missing, names the first unknown field near it: "the field 'depht' is not read: is 'depth' meant?".
+/// For each known field that is missing, names the first unknown field near it: "the field 'depht' is not read: is 'depth' meant?".
 /// Several are joined by "; ". Empty if there is none.
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known);
 

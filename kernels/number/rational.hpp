@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers with a word of bits and a power of two: what binary64 holds, taken apart without rationals.
+// Rational numbers: in lowest terms, and as a word of bits times a power of two, which is what binary64 holds.
 #pragma once
 
 #include <gmpxx.h>
@@ -11,6 +11,21 @@
 #include <stdexcept>
 
 namespace fathom::kernels {
+
+/// p / q in lowest terms; q is not zero.
+inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
+  mpq_class result(p, q);
+  result.canonicalize();
+  return result;
+}
+
+// All exact arithmetic relies on lowest terms, which the public functions check: GMP computes wrongly with mpq_class(2, -4).
+
+/// Returns whether the number is in lowest terms over a positive denominator, as mpq_class::canonicalize leaves it.
+bool in_lowest_terms(const mpq_class& value);
+
+/// Throws std::invalid_argument unless it is.
+void require_lowest_terms(const mpq_class& value);
 
 /// mantissa * 2^exponent, where the mantissa is odd; 0 is 0 * 2^0.
 struct Dyadic {

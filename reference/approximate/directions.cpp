@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A face of the cube is cut into side x side cells along the values g(t) of evenly spaced t in [-1, 1], with g(t) = (4 t + t^3) / 5: close
 // enough to tan(pi t / 4) that the cells look about equally large from O, and a third fewer are needed than with g(t) = t.
+
 #include "reference/approximate/directions.hpp"
 
 #include <stdexcept>
+
 
 namespace fathom::approximate {
 namespace {

@@ -12,6 +12,26 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 
 }  // namespace
 
+std::string printable(std::string_view text, std::size_t limit) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string result;
+  for (const char c : text.substr(0, limit)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte < 0x7f) {
+      result += c;
+    } else {
+      result += {'\\', 'x', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  if (text.size() > limit) result += "...";
+  return result;
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t readable = 40;
+  return text.empty() ? "nothing" : "'" + printable(text, readable) + "'";
+}
+
 std::size_t slips(std::string_view s, std::string_view t) {
   std::vector<std::vector<std::size_t>> least(s.size() + 1, std::vector<std::size_t>(t.size() + 1));
   for (std::size_t i = 0; i <= s.size(); ++i) {

@@ -7,6 +7,8 @@
 
 #include "kernels/filters/line_filter.hpp"
 #include "kernels/predicates/direction.hpp"
+#include "kernels/filters/error_bounds.hpp"
+#include "kernels/filters/support.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -109,6 +111,28 @@ void collect(const Test& test, const Many& many, LineRun run, std::vector<std::u
   }
 }
 
+struct Crossing {
+  double height, squared_length;
+};
+
+Crossing crossing(const Vec3<double>& s, const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  const Vec3<double> w = cross(a.direction(i), b.direction(j));
+  return {dot(s, w), dot(w, w)};
+}
+
+// The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from above, W - S the length from below.
+CornerVerdict verdict(const Crossing& c, const LineBound& bound) {
+  const double low = c.height - error_bound::height_over_line;
+  if (low > 0 && low * low - bound.above * error_bound::raised_bound * (c.squared_length + error_bound::squared_length) > 0) {
+    return CornerVerdict::beyond;
+  }
+  const double high = c.height + error_bound::height_over_line;
+  if (high <= 0) return CornerVerdict::within;
+  const double shortest = c.squared_length - error_bound::squared_length;
+  if (shortest > 0 && bound.below * error_bound::lowered_bound * shortest - high * high > 0) return CornerVerdict::within;
+  return CornerVerdict::unsure;
+}
+
 }  // namespace
 
 void LineImages::push_back(const Vector& point, const Vector& direction) {
@@ -168,6 +192,58 @@ void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineS
   collect(OnOneSide{farther.d}, many.arcs, {0, many.images.size()}, unsure);
   std::erase_if(unsure,
                 [&](std::uint32_t j) { return farther.margin<double>(many.images, j) > 0 || not_crossing(lines, one, many, j) > 0; });
+}
+
+LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+  LineBound bound{image_bound(numerator, denominator, exponent), 0};
+  // image_bound exceeds the value by less than a part in 2^48, unless it was raised to the least normal number or cut at infinity.
+  const bool raised = bound.above <= 2 * std::numeric_limits<double>::min();
+  if (std::isfinite(bound.above) && !raised) bound.below = bound.above * error_bound::below_raised;
+  return bound;
+}
+
+CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block, const LineBound& bound) {
+  const Vec3<double> s = columns.point(block.columns.middle) - rows.point(block.rows.middle);
+  CornerVerdict worst = CornerVerdict::beyond;
+  for (const std::size_t i : {block.rows.first, block.rows.last}) {
+    for (const std::size_t j : {block.columns.first, block.columns.last}) {
+      const CornerVerdict corner = verdict(crossing(s, rows, i, columns, j), bound);
+      if (corner == CornerVerdict::within) return corner;
+      if (corner == CornerVerdict::unsure) worst = corner;
+    }
+  }
+  return worst;
+}
+
+double estimated_squared_distance(const LineImages& a, std::size_t i, const LineImages& b, std::size_t j) {
+  const Crossing c = crossing(b.point(j) - a.point(i), a, i, b, j);
+  return c.height * c.height / c.squared_length;
+}
+
+WideLine wide_line(const Vector& point, const Vector& direction, long exponent) {
+  return {wide_image(point, exponent), wide_image(direction, binary_exponent({&direction, 1}))};
+}
+
+const WideLine& WideLines::operator[](std::size_t i) const {
+  if (place_.empty()) place_.resize(size_);
+  if (place_[i] == 0) {
+    made_.push_back(make_(i));
+    place_[i] = static_cast<std::uint32_t>(made_.size());
+  }
+  return made_[place_[i] - 1];
+}
+
+WideFloat wide_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
+  return WideFloat::scaled(numerator, 2 * exponent) / WideFloat::scaled(denominator, 0) * (1 + WideFloat(8 * WideFloat::unit));
+}
+
+// As the filter in binary64, with smaller units.
+bool surely_farther(const WideLine& a, const WideLine& b, const WideFloat& bound) {
+  const Vec3<WideFloat> w = cross(a.direction, b.direction);
+  const WideFloat least = abs(dot(a.point - b.point, w)) - error_bound::height_over_line_of<WideFloat>;
+  if (least <= 0) return false;
+  const WideFloat raised = bound * (1 + WideFloat(16 * WideFloat::unit));
+  return least * least > raised * (dot(w, w) + error_bound::squared_length_of<WideFloat>);
 }
 
 }  // namespace fathom::kernels
