@@ -23,6 +23,12 @@ constexpr int to_int(Sign s) { return static_cast<int>(s); }
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-to_int(s)); }
 constexpr Sign operator*(Sign s, Sign t) { return static_cast<Sign>(to_int(s) * to_int(t)); }
 
+/// Coordinate 0, 1 or 2 of v.
+template <class NT>
+const NT& coordinate(const Vec3<NT>& v, int axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
 /// The number of bits of |n|, and of the largest component; 0 for 0.
 long bit_length(const mpz_class& n);
 long bit_length(const Vector& v);
@@ -74,12 +80,6 @@ inline bool lexicographically_less(const Vector& a, const Vector& b) {
   if (const int c = cmp(a.x, b.x)) return c < 0;
   if (const int c = cmp(a.y, b.y)) return c < 0;
   return cmp(a.z, b.z) < 0;
-}
-
-/// Coordinate 0, 1 or 2 of v.
-template <class NT>
-const NT& coordinate(const Vec3<NT>& v, int axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
 /// v divided by the greatest common divisor of its components; the zero vector stays.

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hull of all differences against brute force on small lattices, where every degeneracy is frequent, and the laws that hold for any
 // answer.
-#include <gtest/gtest.h>
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <cstdlib>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
 #include <stdexcept>
 
 #include "reference/depth/naive.hpp"
@@ -33,7 +32,7 @@ rc::Gen<Points> lattice_points() {
                          }));
 }
 
-std::vector<Point> rational(const Points& points) {
+std::vector<Point> rational_points(const Points& points) {
   std::vector<Point> result;
   for (const Vector& v : points) result.push_back({v.x, v.y, v.z});
   return result;
@@ -60,7 +59,7 @@ TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
   EXPECT_TRUE(rc::check("hull of differences = all candidate directions", [] {
     const Points a = *lattice_points(), b = *lattice_points();
     const depth::NaiveDepth naive = depth::naive_depth(a, b);
-    const oracles::OracleAnswer brute = oracles::brute_oracle(rational(a), rational(b));
+    const oracles::OracleAnswer brute = oracles::brute_oracle(rational_points(a), rational_points(b));
     RC_CLASSIFY(naive.status == Status::penetrating, "penetrating");
     RC_CLASSIFY(naive.status == Status::touching, "touching");
     RC_ASSERT(naive.status == brute.status);
