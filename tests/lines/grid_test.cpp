@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fathom/depth.hpp"
+#include "kernels/filters/line_frame.hpp"
 #include "tests/support/grids.hpp"
+#include "tests/support/line_scenes.hpp"
 
 namespace fathom::lines {
 namespace {
@@ -81,6 +85,186 @@ TEST(Grid, EveryCrossingSupportsP) {
     });
   }
   EXPECT_GT(crossings, 1000U);
+}
+
+// The block tests against exact distances: what is cleared holds nothing as near as the bound.
+
+using namespace fathom::testing;
+using Lines = std::vector<std::uint32_t>;
+
+// Some ascending positions of 0, ..., n - 1: a run, or every now and then any subset.
+Lines some_lines(Random& random, std::size_t n) {
+  std::size_t first = random() % n, last = random() % n;
+  if (first > last) std::swap(first, last);
+  Lines lines;
+  const bool holes = random() % 8 == 0;
+  for (std::size_t i = first; i <= last; ++i) {
+    if (!holes || random() % 2 == 0) lines.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (lines.empty()) lines.push_back(static_cast<std::uint32_t>(first));
+  return lines;
+}
+
+// Blocks shrink as fast as the search's do, or most would be too large to be cleared.
+Lines small_lines(Random& random, std::size_t n) {
+  const std::size_t size = 1 + random() % std::min<std::size_t>(n, 6), first = random() % (n - size + 1);
+  Lines lines(size);
+  std::iota(lines.begin(), lines.end(), static_cast<std::uint32_t>(first));
+  return lines;
+}
+
+struct Audit {
+  std::uint64_t blocks = 0, vertex = 0, frame = 0, wide = 0, offset = 0;
+};
+
+// A threshold above the least distance, by 10^-k for k = 1, ..., 12, or by 2^-k for k = 40, 45, ..., 90.
+mpq_class threshold_above(const mpq_class& least, int k) {
+  mpz_class part;
+  if (k < 40) {
+    mpz_ui_pow_ui(part.get_mpz_t(), 10, static_cast<unsigned long>(k));
+  } else {
+    part = mpz_class(1) << static_cast<mp_bitcnt_t>(k);
+  }
+  return least * mpq_class(part + 1, part);
+}
+
+// The tests in wide floats, on one block. `left_nearer` counts the pairs that the offset test leaves and that are nearer than the
+// threshold.
+struct WideVerdict {
+  bool clear = false, offset = false;
+  std::uint64_t left_nearer = 0;
+};
+
+WideVerdict wide_verdict(const kernels::WideLines& a, const Lines& rows, const kernels::WideLines& b, const Lines& columns,
+                         const kernels::WideFloat& bound, const GridDistances& distances, std::uint32_t pivot) {
+  const auto row_frame = kernels::line_frame(a, rows), column_frame = kernels::line_frame(b, columns);
+  const auto margin = kernels::frames_margin(row_frame, column_frame, bound);
+  const auto smooth = kernels::margin_model(row_frame.smooth(), column_frame.smooth(), bound);
+  WideVerdict verdict{margin && *margin > 0};
+  if (!smooth) return verdict;
+  const auto left = kernels::pairs_left({a, rows, row_frame}, {b, columns, column_frame}, bound, *smooth, rows.size() * columns.size());
+  if (!left) return verdict;
+  verdict.offset = left->size() < rows.size() * columns.size();
+  for (const auto& [i, j] : *left) verdict.left_nearer += distances.rank(i, j) < pivot;
+  return verdict;
+}
+
+// Random blocks of one grid, thresholds from 1e-1 to 2^-90 above its least distance, each block under all tests.
+void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std::string& where) {
+  const GridDistances distances(grid);
+  if (distances.empty()) return;
+  const Clearing clearing(grid);
+  const kernels::WideLines wide_rows = grid.wide_rows(), wide_columns = grid.wide_columns();
+  constexpr int thresholds[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85, 90};
+  for (const int k : thresholds) {
+    const kernels::NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : threshold_above(distances.least(), k));
+    const kernels::WideFloat wide_bound =
+        kernels::wide_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+    const kernels::LineBound bound = kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+    const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
+    for (int n = 0; n < blocks / static_cast<int>(std::size(thresholds)); ++n) {
+      const RoundingMode mode(rounding_modes[n % 4]);
+      const Lines rows = n % 3 ? small_lines(random, grid.rows()) : some_lines(random, grid.rows());
+      const Lines columns = n % 3 ? small_lines(random, grid.columns()) : some_lines(random, grid.columns());
+      std::uint32_t least = UINT32_MAX;
+      std::uint64_t nearer = 0;
+      for (const std::uint32_t i : rows) {
+        for (const std::uint32_t j : columns) {
+          least = std::min(least, distances.rank(i, j));
+          nearer += distances.rank(i, j) < pivot;
+        }
+      }
+      const bool vertex = clearing.vertex_clears({side_of(rows), side_of(columns)}, nearest, bound);
+      const bool frame =
+          kernels::frames_beyond(kernels::line_frame(clearing.rows(), rows), kernels::line_frame(clearing.columns(), columns), bound.above);
+      // Wide floats take their time.
+      WideVerdict wide;
+      if (n % 7 == 0) wide = wide_verdict(wide_rows, rows, wide_columns, columns, wide_bound, distances, pivot);
+      ++sums.blocks;
+      sums.vertex += vertex;
+      sums.frame += frame;
+      ASSERT_TRUE(!vertex || least >= pivot) << where << ": the vertex test cleared a nearer pair";
+      sums.wide += wide.clear;
+      sums.offset += wide.offset;
+      ASSERT_TRUE(!frame || least >= pivot) << where << ": the frame test cleared a nearer pair";
+      ASSERT_TRUE(!wide.clear || least >= pivot) << where << ": the frame test in wide floats cleared a nearer pair";
+      ASSERT_TRUE(!wide.offset || wide.left_nearer == nearer) << where << ": the offset test threw out a nearer pair";
+    }
+  }
+}
+
+TEST(Clearing, NeverClearsANearerPair) {
+  Random random(5);
+  Audit sums;
+  constexpr const char* names[] = {"crossed_fans",           "crossed_parabolas", "crossed_random_parabolas",
+                                   "crossed_twists",         "crossed_prisms",    "crossed_random_prisms",
+                                   "crossed_bands",          "crossed_ties",      "crossed_shrinking_ties",
+                                   "crossed_vanishing_ties", "crossed_fillets",   "crossed_patch",
+                                   "crossed_noisy_ties"};
+  for (const char* name : names) {
+    const families::Family* family = families::find_family(name);
+    ASSERT_NE(family, nullptr) << name;
+    int audited = 0;
+    for (unsigned seed = 1; audited < 4 && seed <= 6; ++seed) {
+      const Case made = family->make(seed, 40);
+      int of_this = 0;
+      PreparedGrids(seed % 2 == 0 ? turned(made) : made).for_each([&](const Grid& grid) {
+        if (of_this >= 2 || grid.rows() * grid.columns() < 64) return;
+        ++of_this;
+        ++audited;
+        audit(grid, 14000, random, sums, name);
+      });
+    }
+  }
+  EXPECT_GE(sums.blocks, 500000U);
+  EXPECT_GE(sums.vertex, sums.blocks / 20);
+  EXPECT_GE(sums.frame, sums.blocks / 20);
+  EXPECT_GE(sums.wide, sums.frame / 7);
+  EXPECT_GE(sums.offset, sums.blocks / 140);
+  for (const auto& [what, count] :
+       {std::pair("all", sums.blocks), {"vertex", sums.vertex}, {"frame", sums.frame}, {"wide", sums.wide}, {"offset", sums.offset}}) {
+    RecordProperty(what, std::to_string(count));
+  }
+}
+
+// On small integers many distances tie, lines are parallel, and corners vanish.
+TEST(Clearing, NeverClearsATie) {
+  Random random(6);
+  Audit sums;
+  for (const char* name : {"lattice", "random_lattice", "boxes", "crossed_parabolas", "platonic"}) {
+    const families::Family* family = families::find_family(name);
+    if (family == nullptr) continue;
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      PreparedGrids(family->make(seed, 20)).for_each([&](const Grid& grid) {
+        if (grid.rows() * grid.columns() > 1) audit(grid, 120, random, sums, name);
+      });
+    }
+  }
+  EXPECT_GE(sums.blocks, 10000U);
+  EXPECT_GE(sums.vertex, 100U);
+}
+
+// The whole pair, without images of its chains, as with them.
+TEST(Clearing, WholePairIsTheBlockOfAll) {
+  std::size_t clear = 0, kept = 0;
+  for (const Case& input : cases_of_all_families(1, 24)) {
+    PreparedGrids(input).for_each([&](const Grid& grid) {
+      const GridDistances distances(grid);
+      if (distances.empty()) return;
+      const Clearing clearing(grid);
+      for (const int k : {1, 2, 4}) {
+        const kernels::NearestPlanes nearest = plane_at(distances.least() / k);
+        const kernels::LineBound bound =
+            kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+        const bool whole = vertex_clears(grid, nearest, bound);
+        const kernels::Block all{side_of(all_indices(grid.rows())), side_of(all_indices(grid.columns()))};
+        EXPECT_EQ(whole, clearing.vertex_clears(all, nearest, bound)) << input.id;
+        ++(whole ? clear : kept);
+      }
+    });
+  }
+  EXPECT_GE(clear, 100U);
+  EXPECT_GE(kept, 100U);
 }
 
 }  // namespace
