@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The question how deep, or how far apart, two bodies are, and what its answer tells: doubles, exact numbers, JSON, its certificate.
+// The question how deep, or how far apart, two bodies are, and what its answer tells: doubles, exact numbers, JSON, its certificate;
+// and the independent checker.
+
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bindings/c/boundary.hpp"
@@ -13,6 +17,11 @@
 #include "reference/rounded/coordinates.hpp"
 #include "verify/check/unreadable.hpp"
 #include "reference/output/answer_json.hpp"
+#include "reference/files/case_json.hpp"
+#include "verify/check/cases.hpp"
+#include "verify/check/check.hpp"
+#include "verify/check/limits.hpp"
+#include "verify/check/reader.hpp"
 
 namespace fathom::c {
 namespace {
@@ -99,6 +108,29 @@ void require_way_out(const fathom_answer& answer, std::size_t index) {
   if (index < count) return;
   throw std::invalid_argument("index: expected one below " + std::to_string(count) + ", the number of optima, found " +
                               std::to_string(index));
+}
+
+// ---- the checker ----
+
+using fathom_check::Verdict;
+
+text::Json points_json(const fathom_body& body, const char* name) {
+  if (body.body->shape)
+    throw std::invalid_argument(std::string(name) + ": expected points, or pieces, to compare the certificate with, found a shape");
+  Body bare;
+  if (body.body->pieces) bare.pieces = body.body->pieces;
+  else bare.points = body.body->points;
+  return files::body_json(bare);
+}
+
+/// Refuses a certificate that is not about these bodies.
+Verdict verify_about(std::string_view text, const fathom_body& a, const fathom_body& b) {
+  const fathom_check::CaseFile bodies(text::Json{{"a", points_json(a, "a")}, {"b", points_json(b, "b")}}.text() + '\n');
+  const Verdict alone = fathom_check::verify(text);
+  if (!alone.accepted()) return alone;
+  fathom_check::Lines lines(text, fathom_check::longest_line);
+  const auto compare = [&](const fathom_check::Certificate& certificate) { bodies.compare(certificate); };
+  return fathom_check::Reader(lines).next(compare).value_or(Verdict());
 }
 
 }  // namespace
@@ -253,5 +285,22 @@ int fathom_answer_hulls(const fathom_answer* answer, double* depth) {
     require(answer, "answer");
     require(depth, "depth");
     *depth = fathom::root_binary64(present(answer->answer.union_bounds()).hulls);
+  });
+}
+
+// ---- the checker ----
+
+int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
+                             char** line) {
+  if (line) *line = nullptr;
+  return guarded([&] {
+    require(certificate, "certificate");
+    require(outcome, "outcome");
+    require_at_most(length, "bytes of a certificate");
+    if ((a == nullptr) != (b == nullptr)) throw std::invalid_argument("expected both bodies or none, found one");
+    const std::string_view text(certificate, length);
+    const fathom_check::Verdict verdict = a ? verify_about(text, *a, *b) : fathom_check::verify(text);
+    if (line) *line = text_for_caller(fathom_check::verdict_line(verdict, "certificate"));
+    *outcome = static_cast<int>(verdict.outcome);
   });
 }

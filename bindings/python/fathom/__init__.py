@@ -42,11 +42,11 @@ except ImportError as fault:
 
 from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
 from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh,
-                            sphere, tapered_capsule)
+                            read_pieces, sphere, tapered_capsule, union)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
 from fathom._questions import Approx, Judgement, Metric, Ray, Study, approx, judge, metric, ray, study
-from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, read_pieces, union, union_depth
+from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, union_depth
 
 __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", "Exact", "Judgement", "Metric", "NotConvexWarning", "Optimum",
            "PieceContact", "Pose", "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "Width",

@@ -41,16 +41,12 @@ class _Kept(types.SimpleNamespace):
 
     def certificate(self, id: str) -> str:
         """Asks again."""
-        return getattr(_fathom, self.ask)(*self.question).certificate(id)  # type: ignore[no-any-return]
+        ask, *arguments = self.question
+        return getattr(_fathom, ask)(*arguments).certificate(id)  # type: ignore[no-any-return]
 
 
-def keep(answer: type, ask: str) -> None:
-    """Makes the answers of a class of C++ fit for pickle: all that they tell is kept, and the function so called answers again."""
-    fields = [name for name, member in vars(answer).items() if isinstance(member, property)]
-    copyreg.pickle(answer, lambda found: (_Kept, (), {"ask": ask, **{name: getattr(found, name) for name in fields}}))
-
-
-keep(_fathom.Answer, "depth")
+_FIELDS = [name for name, member in vars(_fathom.Answer).items() if isinstance(member, property)]
+copyreg.pickle(_fathom.Answer, lambda found: (_Kept, (), {name: getattr(found, name) for name in _FIELDS}))
 
 
 class Optimum:
@@ -147,7 +143,51 @@ class _Answer:
         return self._answer.high
 
 
-class Depth(_Answer):
+class PairAnswer(_Answer):
+    """What the answers about two bodies tell of all kinds."""
+
+    __slots__ = ()
+
+    @property
+    def status(self) -> str:
+        """"penetrating", "touching" if the interiors are disjoint but the bodies meet, or "disjoint"; of cylinders and the like also
+        "undecided", if the bounds leave it open."""
+        return self._answer.status
+
+    @property
+    def depth(self) -> float | None:
+        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None if there are
+        bounds that have not the same nearest float, or the search for it was stopped."""
+        value = self._answer.nearest
+        return None if value is None else max(0.0, value)
+
+    @property
+    def notes(self) -> list[str]:
+        """What may be a slip: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
+        return self._answer.notes
+
+    @property
+    def counters(self) -> dict[str, Any]:
+        """What the run did, in counts that do not depend on the machine; "stages": what ran, "predicates": what they were asked. Of unions
+        nodes, nearest_points, pairs, pairs_touched."""
+        return self._answer.counters
+
+    def certificate(self, id: str = "") -> str:
+        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). Raises ValueError if the
+        search was stopped."""
+        if not self._answer.complete:
+            raise ValueError("there is no certificate of a search that was stopped")
+        return self._answer.certificate(id)
+
+    def __repr__(self) -> str:
+        name, value = type(self).__name__, self._answer.nearest
+        if value is None:
+            return f"{name}({self.status}, between {self.low!r} and {self.high!r})"
+        number = f"distance={-value!r}" if self.status == "disjoint" else f"depth={max(0.0, value)!r}"
+        return f"{name}({self.status}, {number})"
+
+
+class Depth(PairAnswer):
     """How deep two bodies overlap, or how far apart they are.
 
     >>> import fathom
@@ -163,27 +203,16 @@ class Depth(_Answer):
     __slots__ = ()
 
     @property
-    def status(self) -> str:
-        """"penetrating", "touching" or "disjoint"; of cylinders and the like also "undecided", if the bounds leave it open."""
-        return self._answer.status
-
-    @property
     def signed_depth(self) -> float | None:
         """depth > 0, 0.0 for bodies that touch, -distance < 0. None if there are bounds that have not the same nearest float: more `bits`
         bring them closer."""
         return self._answer.nearest
 
     @property
-    def depth(self) -> float | None:
-        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None as above."""
-        value = self.signed_depth
-        return None if value is None else max(value, 0.0)
-
-    @property
     def distance(self) -> float | None:
-        """0.0 unless the bodies are disjoint. None as above."""
+        """0.0 unless the bodies are disjoint. None as `depth`."""
         value = self.signed_depth
-        return None if value is None else max(-value, 0.0)
+        return None if value is None else max(0.0, -value)
 
     @property
     def direction(self) -> FloatArray:
@@ -222,16 +251,6 @@ class Depth(_Answer):
         return self._answer.contact
 
     @property
-    def notes(self) -> list[str]:
-        """What may be a slip: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
-        return self._answer.notes
-
-    @property
-    def counters(self) -> dict[str, Any]:
-        """What the run did, in counts that do not depend on the machine; "stages": what ran, "predicates": what they were asked."""
-        return self._answer.counters
-
-    @property
     def method(self) -> str | None:
         """"certificate", "exact" or "naive": what found the answer. None for cylinders and the like."""
         return self._answer.method
@@ -240,16 +259,6 @@ class Depth(_Answer):
     def exact(self) -> Exact:
         """The same in Fractions."""
         return Exact(self._answer)
-
-    def certificate(self, id: str = "") -> str:
-        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md)."""
-        return self._answer.certificate(id)
-
-    def __repr__(self) -> str:
-        if self.signed_depth is None:
-            return f"Depth({self.status}, between {self.low!r} and {self.high!r})"
-        number = f", distance={self.distance!r}" if self.status == "disjoint" else f", depth={self.depth!r}"
-        return f"Depth({self.status}{number})"
 
 
 def _integer(name: str, value: Any, most: int) -> int:

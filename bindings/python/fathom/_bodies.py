@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import copyreg
 import math
+import os
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import Any, Iterable, NamedTuple
 
 from fathom import _fathom
 from fathom._fathom import Body, Pose
 from fathom._types import BodyLike, Number, Triple
 
 __all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "cylinder", "ellipsoid", "frustum", "halfspace", "pose",
-           "read_mesh", "sphere", "tapered_capsule"]
+           "read_mesh", "read_pieces", "sphere", "tapered_capsule", "union"]
 
 
 def _body_of_state(*state: Any) -> Body:
@@ -96,6 +97,35 @@ def read_mesh(path: str, decimals: str = "binary64") -> Body:
     decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
     """
     return _fathom.read_mesh(str(path), decimals)
+
+
+def union(pieces: Iterable[BodyLike]) -> Body:
+    """The union of convex pieces: of each the hull of an array of points, of a list of points, of a mesh, or a body that is a polytope.
+
+    Pieces may overlap, abut and repeat: where two meet in a common face there is no gap. A mesh with `faces` that is not convex is taken as
+    its hull, with a NotConvexWarning. `union_depth` takes the list as well; a body can be posed, and keeps what was read.
+
+    >>> import fathom
+    >>> fathom.union([fathom.box((1, 1, 1)), fathom.box((2, "1/3", 1))])
+    <fathom.Body, a union of 2 pieces>
+    """
+    return _fathom.union(pieces)
+
+
+def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Body:
+    """The union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there.
+
+    So tools for convex decomposition write them (docs/unions.md). Another mesh file is one piece. A group or file that is not convex is
+    taken as its hull, with a NotConvexWarning.
+
+    decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
+
+    >>> import fathom
+    >>> key = fathom.read_pieces("tests/data/key.obj")
+    >>> len(key.pieces), key.pieces[0].shape
+    (3, (8, 3))
+    """
+    return _fathom.read_pieces(os.fspath(path), decimals)
 
 
 def _readable(number: Fraction | None) -> str:

@@ -35,18 +35,22 @@ class Body:
 
 class Answer:
     status: str
+    complete: bool
     low: float
     high: float
     nearest: Any
     exact_value: tuple[Fraction, Fraction] | None
     bounds: tuple[Fraction, Fraction] | None
-    direction: FloatArray
-    normal: tuple[int, int, int]
+    squares: Any
+    direction: Any
+    normal: Any
     optima: list[dict[str, Any]]
     optima_count: int
     method: str | None
     flat: tuple[bool, bool]
     contact: dict[str, Any] | None
+    apart: dict[str, Any] | None
+    union_bounds: dict[str, Any] | None
     counters: dict[str, Any]
     notes: list[str]
     dents: str
@@ -54,22 +58,6 @@ class Answer:
     exact_translation: Any
     witness: Any
     exact_witness: Any
-    question: tuple[Any, ...]
-    def certificate(self, id: str) -> str: ...
-
-class UnionAnswer:
-    status: str
-    complete: bool
-    low_squared: Fraction
-    high_squared: Fraction
-    low: float
-    high: float
-    depth: float | None
-    optima: list[dict[str, Any]]
-    apart: dict[str, Any] | None
-    bounds: dict[str, Any] | None
-    counters: dict[str, int]
-    notes: list[str]
     question: tuple[Any, ...]
     def certificate(self, id: str) -> str: ...
 
@@ -99,7 +87,7 @@ def depth(a: BodyLike, b: BodyLike, pose_a: PoseLike, pose_b: PoseLike, method: 
 def depths(a: Any, b: BodyLike | None, poses_a: Any, poses_b: Any, method: str, optima: int | None, bits: int, threads: int,
            faults_returned: bool, progress: Callable[[int, int], Any] | None) -> list[Answer | Exception]: ...
 def width(body: BodyLike, pose: PoseLike, bits: int) -> Answer: ...
-def union_depth(a: UnionLike, b: UnionLike, pose_a: PoseLike, pose_b: PoseLike, bounds: bool, stop: Callable[[], bool] | None) -> UnionAnswer: ...
+def union_depth(a: UnionLike, b: UnionLike, pose_a: PoseLike, pose_b: PoseLike, bounds: bool, stop: Callable[[], bool] | None) -> Answer: ...
 def union(pieces: UnionLike) -> Body: ...
 def read_pieces(path: str, decimals: str) -> Body: ...
 def check(text: str) -> dict[str, Any]: ...

@@ -1,47 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that need not be convex: unions of convex pieces, and their depth."""
+"""Depths of unions of convex pieces."""
 from __future__ import annotations
 
-import os
 from fractions import Fraction
-from typing import Any, Callable, Iterable, NamedTuple
+from typing import Any, Callable, NamedTuple
 
 from fathom import _fathom
-from fathom._answers import keep
-from fathom._fathom import Body
-from fathom._types import BodyLike, FloatArray, FractionTriple, PoseLike, UnionLike
-
-
-keep(_fathom.UnionAnswer, "union_depth")
-
-
-def union(pieces: Iterable[BodyLike]) -> Body:
-    """The union of convex pieces: of each the hull of an array of points, of a list of points, of a mesh, or a body that is a polytope.
-
-    Pieces may overlap, abut and repeat: where two meet in a common face there is no gap. A mesh with `faces` that is not convex is taken as
-    its hull, with a NotConvexWarning. `union_depth` takes the list as well; a body can be posed, and keeps what was read.
-
-    >>> import fathom
-    >>> fathom.union([fathom.box((1, 1, 1)), fathom.box((2, "1/3", 1))])
-    <fathom.Body, a union of 2 pieces>
-    """
-    return _fathom.union(pieces)
-
-
-def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Body:
-    """The union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there.
-
-    So tools for convex decomposition write them (docs/unions.md). Another mesh file is one piece. A group or file that is not convex is
-    taken as its hull, with a NotConvexWarning.
-
-    decimals  what "0.1" in a text file stands for: "binary64", the nearest float, as other programs read it; or "exact", 1/10
-
-    >>> import fathom
-    >>> key = fathom.read_pieces("tests/data/key.obj")
-    >>> len(key.pieces), key.pieces[0].shape
-    (3, (8, 3))
-    """
-    return _fathom.read_pieces(os.fspath(path), decimals)
+from fathom._answers import PairAnswer
+from fathom._types import FloatArray, FractionTriple, PoseLike, UnionLike
 
 
 class PieceContact(NamedTuple):
@@ -84,7 +50,7 @@ class UnionBounds(NamedTuple):
     hulls_squared: Fraction
 
 
-class UnionDepth:
+class UnionDepth(PairAnswer):
     """How deep two unions of convex pieces overlap, or how far apart they are. Floats are correctly rounded, Fractions exact.
 
     >>> import fathom
@@ -97,15 +63,7 @@ class UnionDepth:
     True
     """
 
-    __slots__ = ("_answer",)
-
-    def __init__(self, answer: _fathom.UnionAnswer):
-        self._answer = answer
-
-    @property
-    def status(self) -> str:
-        """"penetrating", "touching" if the interiors are disjoint but pieces meet, or "disjoint"."""
-        return self._answer.status
+    __slots__ = ()
 
     @property
     def complete(self) -> bool:
@@ -113,35 +71,29 @@ class UnionDepth:
         return self._answer.complete
 
     @property
-    def depth(self) -> float | None:
-        """The length of the shortest translation that makes the interiors disjoint: 0.0 unless the bodies penetrate. None unless
-        complete."""
-        return self._answer.depth
-
-    @property
     def squared(self) -> Fraction | None:
         """depth^2. None unless complete."""
-        return self._answer.low_squared if self.complete else None
+        return self.low_squared if self.complete else None
 
     @property
     def low(self) -> float:
         """The largest float that is at most the depth, or at most its lower bound."""
-        return self._answer.low
+        return max(0.0, self._answer.low)
 
     @property
     def high(self) -> float:
         """The least float that is at least the depth, or at least its upper bound."""
-        return self._answer.high
+        return max(0.0, self._answer.high)
 
     @property
     def low_squared(self) -> Fraction:
         """low_squared <= depth^2 <= high_squared: equal if the search is complete."""
-        return self._answer.low_squared
+        return self._answer.squares[0]
 
     @property
     def high_squared(self) -> Fraction:
         """The square of the length of the shortest way out that was found."""
-        return self._answer.high_squared
+        return self._answer.squares[1]
 
     @property
     def distance(self) -> float:
@@ -153,8 +105,7 @@ class UnionDepth:
     def translation(self) -> FloatArray:
         """The first of the shortest translations of A after which the bodies touch: zero if they touch already. If the search was stopped,
         the shortest that was found."""
-        apart = self._answer.apart
-        return self._answer.optima[0]["translation"] if apart is None else apart["translation"]
+        return self._answer.translation
 
     @property
     def optima(self) -> list[UnionOptimum]:
@@ -172,31 +123,8 @@ class UnionDepth:
     @property
     def bounds(self) -> UnionBounds | None:
         """The depths of the deepest pair and of the hulls; None if they were not asked for."""
-        fields = self._answer.bounds
+        fields = self._answer.union_bounds
         return None if fields is None else UnionBounds(**fields)
-
-    @property
-    def notes(self) -> list[str]:
-        """What may be a slip: a pose that is no rotation, bodies of very different size."""
-        return self._answer.notes
-
-    @property
-    def counters(self) -> dict[str, int]:
-        """What the search did, in counts that do not depend on the machine: nodes, nearest_points, pairs, pairs_touched."""
-        return self._answer.counters
-
-    def certificate(self, id: str = "") -> str:
-        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). Raises ValueError unless
-        the search is complete."""
-        if not self.complete:
-            raise ValueError("there is no certificate of a search that was stopped")
-        return self._answer.certificate(id)
-
-    def __repr__(self) -> str:
-        if not self.complete:
-            return f"UnionDepth({self.status}, between {self.low!r} and {self.high!r})"
-        number = f"distance={self.distance!r}" if self.status == "disjoint" else f"depth={self.depth!r}"
-        return f"UnionDepth({self.status}, {number})"
 
 
 def union_depth(a: UnionLike, b: UnionLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, bounds: bool = True,

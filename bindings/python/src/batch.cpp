@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/stl.h>
-
+// Many pairs on several threads.
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <exception>
 #include <optional>
+#include <pybind11/stl.h>
 #include <string>
 #include <thread>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "bindings/python/src/answers.hpp"
 
 namespace fathom::python {
 namespace {
+
+/// The answer about a pair, or what was wrong with it.
+using MaybeAnswer = std::variant<std::exception_ptr, PairAnswer>;
+
+/// Whether all pairs are answered, wrong ones by what was thrown; or the first that is wrong, by its place, ends the work and throws.
+enum class Faults { returned, thrown };
+
+/// Bodies to be asked about, or what was wrong with them.
+using MaybeAsked = std::variant<std::exception_ptr, Asked>;
 
 /// What the threads of a batch share. They take pairs in order, so that all before the first fault are finished.
 class Batch {
@@ -78,8 +92,8 @@ class Batch {
   std::atomic<std::size_t> next_ = 0, end_;  // no pair at end_ or behind is wanted
 };
 
-}  // namespace
-
+/// Answers all of them with so many threads, or with as many as the system gives. `done` counts them meanwhile. To be called without
+/// Python's lock. Throws Interrupted if the monitor stopped the work, and only then.
 std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Question& question, unsigned threads, Faults faults,
                                     std::atomic<std::size_t>& done, Monitor& monitor) {
   const std::size_t useful = std::min<std::size_t>(threads, pairs.size());
@@ -107,8 +121,6 @@ std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Questio
   if (batch.stop) throw Interrupted();
   return batch.outcomes();
 }
-
-namespace {
 
 /// What `make` returns; or, where faults are returned, what it throws. Ctrl-C is no fault.
 template <class Make>

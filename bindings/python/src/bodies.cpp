@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <pybind11/stl.h>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
+#include "fathom/shape.hpp"
+#include "reference/files/piece_files.hpp"
 
 namespace fathom::python {
 namespace {
@@ -137,18 +140,170 @@ py::object extent_in_python(const Body& body) {
   return lengths ? py::object(array(*lengths)) : py::object(py::none());
 }
 
+std::optional<polytope::MeshConvexity> fact_of(const Body& body) {
+  const py::gil_scoped_release unlocked;
+  return hull_fact(body);
+}
+
 /// None if nothing is known.
 py::object convexity(const Body& body) {
-  const std::optional<polytope::MeshConvexity> found = [&] {
-    const py::gil_scoped_release unlocked;
-    return hull_fact(body);
-  }();
+  const std::optional<polytope::MeshConvexity> found = fact_of(body);
   if (!found) return py::none();
   if (!found->dents) return py::make_tuple(true, py::none(), py::none(), py::none());
   const polytope::Dents& dents = *found->dents;
   const py::object ratio = dents.volume_ratio ? fraction(*dents.volume_ratio) : py::object(py::none());
   if (!dents.deepest) return py::make_tuple(false, ratio, py::none(), py::none());
   return py::make_tuple(false, ratio, dents.deepest->point, fraction(dents.deepest->squared_depth));
+}
+
+// ---- shapes, with the words by which a case describes them ----
+
+Axis axis_from(const std::string& axis) {
+  if (axis == "x") return Axis::x;
+  if (axis == "y") return Axis::y;
+  if (axis == "z") return Axis::z;
+  throw py::value_error("expected the axis 'x', 'y' or 'z', found '" + axis + "'");
+}
+
+/// The words for a convex body: those that it has, or a hull of its points.
+files::NamedBody words_of(const Body& body) {
+  if (convex(body).words) return *body.words;
+  if (body.shape) throw std::logic_error("a shape has no words");
+  return files::named_hull(body.points.exact());
+}
+
+using Numbers = std::vector<mpq_class>;
+
+Numbers one(const py::object& number) { return {number_from(number)}; }
+
+Numbers three(const py::object& numbers) {
+  const Point p = point_from(numbers);
+  return {p.x, p.y, p.z};
+}
+
+/// With the words for it.
+Body shape(const char* name, files::NumbersByName numbers, const std::string& axis = "z") {
+  return files::body_of(files::named(name, numbers, axis_from(axis)));
+}
+
+Body body_with_margin(const Body& body, const mpq_class& margin) {
+  Body result = files::body_of(with_margin(files::shape_of(convex(body)), margin));
+  files::NamedBody words = words_of(body);
+  const auto present = words.fields.numbers.find("margin");
+  if (present == words.fields.numbers.end()) words = files::rounded(std::move(words), margin);
+  else present->second = {present->second.front() + margin};
+  result.words = std::make_shared<const files::NamedBody>(std::move(words));
+  return result;
+}
+
+Body body_sum(const Body& a, const Body& b) {
+  Body result = files::body_of(minkowski_sum(files::shape_of(convex(a)), files::shape_of(convex(b))));
+  result.words = std::make_shared<const files::NamedBody>(files::named_sum({words_of(a), words_of(b)}));
+  return result;
+}
+
+void bind_shapes(py::module_& module) {
+  using py::arg;
+  using Object = const py::object&;
+  using Text = const std::string&;
+  module.def(
+      "sphere",
+      [](Object radius) {
+        return shape("sphere", {{"radius", one(radius)}});
+      },
+      arg("radius"));
+  module.def(
+      "capsule",
+      [](Object radius, Object half_length, Text axis) {
+        return shape("capsule", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
+      },
+      arg("radius"), arg("half_length"), arg("axis") = "z");
+  module.def(
+      "tapered_capsule",
+      [](Object low, Object high, Object half_length, Text axis) {
+        return shape("tapered_capsule", {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
+      },
+      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
+  module.def(
+      "box",
+      [](Object half) {
+        return shape("box", {{"half", three(half)}});
+      },
+      arg("half"));
+  module.def(
+      "cylinder",
+      [](Object radius, Object half_length, Text axis) {
+        return shape("cylinder", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
+      },
+      arg("radius"), arg("half_length"), arg("axis") = "z");
+  module.def(
+      "cone",
+      [](Object radius, Object half_length, Text axis) {
+        return shape("cone", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
+      },
+      arg("radius"), arg("half_length"), arg("axis") = "z");
+  module.def(
+      "frustum",
+      [](Object low, Object high, Object half_length, Text axis) {
+        return shape("frustum", {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
+      },
+      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
+  module.def(
+      "ellipsoid",
+      [](Object radii) {
+        return shape("ellipsoid", {{"radii", three(radii)}});
+      },
+      arg("radii"));
+  module.def(
+      "halfspace",
+      [](Object normal, Object offset) {
+        return shape("halfspace", {{"normal", three(normal)}, {"offset", one(offset)}});
+      },
+      arg("normal"), arg("offset"));
+}
+
+// ---- unions of pieces ----
+
+/// Says that a mesh is not convex, to the caller of the function of Python that called.
+void warn(const std::string& sentence) {
+  constexpr py::ssize_t caller = 2;
+  const py::object category = py::module_::import("fathom").attr("NotConvexWarning");
+  if (PyErr_WarnEx(category.ptr(), sentence.c_str(), caller) != 0) throw py::error_already_set();
+}
+
+/// The points of a convex body, "piece 3 of A" as a warning calls it, and "a: piece 3" an error.
+std::vector<Point> piece_from(py::handle from, const std::string& called, const std::string& name) {
+  const Body body = body_from(from, py::none(), name.c_str());
+  if (body.shape) throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
+  const std::optional<polytope::MeshConvexity> fact = fact_of(body);
+  if (fact && fact->dents) warn(shapes::dents_of(called, *fact->dents));
+  return body.points.exact();
+}
+
+/// One piece, or as many as there are.
+Pieces pieces_from(py::handle from, const std::string& called, const std::string& name) {
+  if (is_one_body(from)) return {piece_from(from, called, name)};
+  if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
+    throw py::type_error(name + ": expected convex pieces, or one convex body, found " + py::repr(py::type::of(from)).cast<std::string>());
+  Pieces pieces;
+  for (const py::handle item : py::reinterpret_borrow<py::iterable>(from)) {
+    const std::string piece = "piece " + std::to_string(pieces.size());
+    pieces.push_back(piece_from(item, piece + " of " + called, name + ": " + piece));
+  }
+  if (pieces.empty()) throw py::value_error(name + ": expected at least one convex piece, found none");
+  return pieces;
+}
+
+Body union_of(Pieces pieces) {
+  Body body;
+  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+  return body;
+}
+
+Body union_in_files(const std::string& path, const std::string& decimals) {
+  Body body = files::read_union(path, decimals_from(decimals));
+  warn_of_dents(body, path);
+  return body;
 }
 
 }  // namespace
@@ -203,6 +358,19 @@ const GivenPoints& points_of(const Body& body, const char* name) {
   return body.points;
 }
 
+Body union_from(py::handle from, const std::string& called, const std::string& name) {
+  if (py::isinstance<Body>(from) && from.cast<const Body&>().pieces) return from.cast<Body>();
+  return union_of(pieces_from(from, called, name));
+}
+
+void warn_of_dents(const Body& body, const std::string& called) {
+  const std::optional<shapes::DentedPieces> dented = [&] {
+    const py::gil_scoped_release unlocked;
+    return shapes::dented_pieces(body);
+  }();
+  if (dented && !dented->empty()) warn(shapes::dents_text(called, *dented));
+}
+
 void bind_bodies(py::module_& module) {
   py::class_<files::GivenPose>(module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
       .def(py::init(&given_pose), py::arg("rows"))
@@ -246,6 +414,9 @@ void bind_bodies(py::module_& module) {
   module.def(
       "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
   bind_shapes(module);
+  module.def(
+      "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, py::arg("pieces"));
+  module.def("read_pieces", union_in_files, py::arg("path"), py::arg("decimals"));
   module.def(
       "read_mesh", [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
       py::arg("path"), py::arg("decimals") = "binary64");

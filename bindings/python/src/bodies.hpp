@@ -38,10 +38,6 @@ Body posed(Body body, py::handle pose, const char* name, std::vector<std::string
 /// The same body. Throws py::value_error if it is a union of pieces.
 const Body& convex(const Body& body);
 
-/// Of convex bodies: all points at most `margin` away; the Minkowski sum. They throw as their makers in fathom/shape.hpp do.
-Body body_with_margin(const Body& body, const mpq_class& margin);
-Body body_sum(const Body& a, const Body& b);
-
 /// The pose of what stands for one; nullopt of None. Throws as body_from does.
 std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
 
@@ -70,9 +66,15 @@ auto named(const std::string& name, Work work) try {
   throw py::type_error(name + ": " + fault.what());
 }
 
-/// Body, Pose, read_mesh; sphere and its like.
+/// A union that is there; or one of convex pieces, of one or as many as there are, each as body_from takes it: polytopes. A warning of
+/// pieces that are not convex says "piece 3 of A" where `called` is "A", an error "a: piece 3" where `name` is "a".
+Body union_from(py::handle from, const std::string& called, const std::string& name);
+
+/// Warns of the pieces of a union that are not convex, where faces tell it.
+void warn_of_dents(const Body& body, const std::string& called);
+
+/// Body, Pose, read_mesh, read_pieces, union; sphere and its like.
 void bind_bodies(py::module_& module);
-void bind_shapes(py::module_& module);
 
 }  // namespace fathom::python
 

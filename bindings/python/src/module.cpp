@@ -1,10 +1,127 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say what everything means.
+// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say what everything means. Here its files
+// of cases, golden data, and families; and the module itself.
+
+#include <iostream>
+#include <memory>
+#include <optional>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
 #include "fathom/files.hpp"
+#include "verify/families/families.hpp"
+#include "verify/golden/io/files.hpp"
+
+namespace fathom::python {
+namespace {
+
+/// A case as its id and bodies.
+py::tuple in_python(Case&& found) { return py::make_tuple(found.id, std::move(found.a), std::move(found.b)); }
+
+/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
+class Cases {
+ public:
+  explicit Cases(const std::string& path) : stream_(CaseStream::open(path, std::cin)) {}
+
+  py::tuple next() {
+    std::optional<CaseItem> item = stream_.next();
+    if (!item) throw py::stop_iteration();
+    if (!item->ok()) throw py::value_error(item->error().what());
+    return in_python(std::get<Case>(std::move(item->outcome)));
+  }
+
+ private:
+  CaseStream stream_;
+};
+
+}  // namespace
+}  // namespace fathom::python
+
+template <>
+struct pybind11::detail::type_caster<fathom::python::Cases> : fathom::python::MadeCaster<fathom::python::Cases> {};
+template <>
+struct pybind11::detail::type_caster<fathom::golden::ZstdReader> : fathom::python::MadeCaster<fathom::golden::ZstdReader> {};
+
+namespace fathom::python {
+namespace {
+
+py::tuple parsed_case(const std::string& text, const std::string& name, std::size_t line) {
+  CaseItem item = parse_case(text, name, line);
+  if (!item.ok()) throw py::value_error(item.error().what());
+  return in_python(std::get<Case>(std::move(item.outcome)));
+}
+
+py::str next_line(golden::ZstdReader& reader) {
+  const std::optional<std::string_view> line = reader.line();
+  if (!line) throw py::stop_iteration();
+  return py::str(line->data(), line->size());
+}
+
+// ---- families ----
+
+/// Calls visit(family) for each of polytopes, shapes and unions.
+template <class Visit>
+void for_each_family(Visit visit) {
+  for (const families::Family& family : families::families()) visit(family);
+  for (const families::ShapeFamily& family : families::shape_families()) visit(family);
+  for (const families::UnionFamily& family : families::union_families()) visit(family);
+}
+
+Case case_of(Case made) { return made; }
+Case case_of(const families::ShapeCase& made) { return made.read(); }
+
+/// The case that `fathom cases` prints; None if there is no such family.
+py::object family_case(const std::string& name, std::uint64_t seed, const std::optional<unsigned>& size) {
+  std::optional<Case> found;
+  for_each_family([&](const auto& family) {
+    if (family.name == name) found = case_of(family.make(seed, size.value_or(family.usual_size)));
+  });
+  return found ? py::object(in_python(*std::move(found))) : py::object(py::none());
+}
+
+std::vector<std::string> family_names() {
+  std::vector<std::string> names;
+  for_each_family([&](const auto& family) { names.emplace_back(family.name); });
+  return names;
+}
+
+/// Cases, ZstdLines, parse_case; families.
+void bind_files(py::module_& module) {
+  using py::arg;
+  module.def("parse_case", parsed_case, arg("text"), arg("name"), arg("line"));
+  module.def("family_case", family_case, arg("name"), arg("seed"), arg("size"));
+  module.def("family_names", family_names);
+  py::class_<Cases>(module, "Cases")
+      .def(py::init<const std::string&>(), arg("path"))
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &Cases::next);
+  py::class_<golden::ZstdReader>(module, "ZstdLines")
+      .def(py::init([](const std::string& path) {
+             try {
+               return std::make_unique<golden::ZstdReader>(path);
+             } catch (const golden::FileError& fault) {
+               throw py::value_error(fault.what());
+             }
+           }),
+           arg("path"))
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", [](golden::ZstdReader& reader) {
+        try {
+          return next_line(reader);
+        } catch (const golden::FileError& fault) {
+          throw py::value_error(fault.what());
+        }
+      });
+}
+
+}  // namespace
+}  // namespace fathom::python
 
 PYBIND11_MODULE(_fathom, module) {
   namespace python = fathom::python;
@@ -23,5 +140,4 @@ PYBIND11_MODULE(_fathom, module) {
   python::bind_batches(module);
   python::bind_questions(module);
   python::bind_files(module);
-  python::bind_unions(module);
 }

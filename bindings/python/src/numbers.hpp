@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact numbers from Python and back.
+// Exact numbers from Python and back; the points and faces of a convex body, from an array, a sequence of points, or an object with
+// `vertices`.
 #pragma once
 
 #include <gmpxx.h>
@@ -7,8 +8,12 @@
 #include <pybind11/pybind11.h>
 
 #include <array>
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
 
@@ -44,5 +49,20 @@ py::tuple integers(const Vector& vector);
 py::array_t<double> array(const std::array<double, 3>& values);
 /// Each coordinate correctly rounded.
 py::array_t<double> array(const Point& point);
+
+// ---- points and faces ----
+
+/// The points, in binary64 if all of them are. Throws py::value_error, which names the first bad point, and py::type_error.
+GivenPoints given_points(py::handle from);
+
+/// The same of points that are there.
+GivenPoints given_form(std::vector<Point> points);
+
+/// The faces of an object that has some beside its `vertices`, so many points; else null. Throws py::value_error.
+std::shared_ptr<const MeshFaces> given_faces(py::handle from, std::size_t points);
+
+/// Whether it is one convex body rather than a list of some: a Body, an object with `vertices`, or a sequence of points, the first of which
+/// begins with a number.
+bool is_one_body(py::handle from);
 
 }  // namespace fathom::python

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <pybind11/stl.h>
-
+// Other questions about two bodies, and the judge.
 #include <optional>
+#include <pybind11/stl.h>
 #include <string>
 #include <utility>
 
@@ -240,7 +240,7 @@ py::object in_python(const UnionBounds& value) {
 py::object in_python(const std::vector<Verdict>& list) {
   py::list result;
   for (const Verdict verdict : list) result.append(in_python(verdict));
-  return std::move(result);
+  return result;
 }
 template <class T>
 py::object in_python(const std::optional<T>& value) {

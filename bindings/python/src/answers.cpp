@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <optional>
 #include <pybind11/stl.h>
 #include <string>
 #include <utility>
@@ -13,13 +15,18 @@
 #include "reference/shapes/body_notes.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/numbers.hpp"
 
 namespace fathom::python {
 namespace {
 
+using py::literals::operator""_a;
+using py::literals::operator""_a;
+
 py::str status(const PairAnswer& asked) { return std::string(asked.answer.status_name()); }
 
-py::object nearest(const PairAnswer& asked) { return py::cast(asked.answer.nearest_binary64()); }
+py::object nearest(const PairAnswer& asked) { return py::cast(asked.answer.complete() ? asked.answer.nearest_binary64() : std::nullopt); }
 
 py::object exact_value(const PairAnswer& asked) {
   const Part<Surd> value = asked.answer.exact();
@@ -27,22 +34,40 @@ py::object exact_value(const PairAnswer& asked) {
 }
 
 py::object bounds(const PairAnswer& asked) {
-  const Bounds* const bounds = asked.depth() ? nullptr : asked.of_shapes().bounds();
+  const Bounds* const bounds = asked.of_shapes() ? asked.of_shapes()->bounds() : nullptr;
   return bounds ? py::object(py::make_tuple(fraction(bounds->low), fraction(bounds->high))) : py::object(py::none());
 }
 
-Vector direction(const PairAnswer& asked) { return *asked.answer.direction(); }
+/// Bounds of the squared depth of unions, equal if it is known.
+py::object squares(const PairAnswer& asked) {
+  const UnionDepth* const unions = asked.of_unions();
+  return unions ? py::object(py::make_tuple(fraction(unions->low), fraction(unions->high))) : py::object(py::none());
+}
 
-Point translation_of(const Depth& depth) { return depth.distance() ? depth.distance()->translation : depth.translation(); }
+py::object direction(const PairAnswer& asked) {
+  const Part<Vector> n = asked.answer.direction();
+  return n ? py::object(unit(*n)) : py::object(py::none());
+}
 
-std::optional<Witness> witness_of(const Depth& depth) { return depth.distance() ? depth.distance()->witness : depth.witness(); }
+py::object normal(const PairAnswer& asked) {
+  const Part<Vector> n = asked.answer.direction();
+  return n ? py::object(integers(*n)) : py::object(py::none());
+}
+
+/// Of polytopes and unions; of a search that was stopped the shortest that was found.
+std::optional<Point> rational_translation(const PairAnswer& asked) {
+  if (const Depth* const depth = asked.depth()) return depth->distance() ? depth->distance()->translation : depth->translation();
+  const UnionDepth* const unions = asked.of_unions();
+  if (!unions) return std::nullopt;
+  return unions->apart ? unions->apart->distance.translation : unions->optima.front().translation;
+}
 
 py::object translation(const PairAnswer& asked, bool exact) {
+  if (const std::optional<Point> t = rational_translation(asked)) return exact ? py::object(fractions(*t)) : py::object(array(*t));
   const Part<SurdPoint> rounding = asked.answer.translation();
   if (!rounding) return py::none();
   if (!exact) return array(rounded::nearest_binary64(*rounding));
-  if (const Depth* const depth = asked.depth()) return fractions(translation_of(*depth));
-  const AlongNormal t = asked.of_shapes().translations().front();
+  const AlongNormal t = asked.of_shapes()->translations().front();
   return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
 }
 
@@ -51,20 +76,38 @@ py::object rounded_point(const RoundedPoint& p, bool exact) {
   return array(rounded::nearest_binary64(rounded::coordinates(p)));
 }
 
-py::object witness_in_python(const PairAnswer& answer, bool exact) {
-  if (const Depth* const depth = answer.depth()) return witness(witness_of(*depth), exact);
-  const std::optional<RoundedWitness> found = answer.of_shapes().witness();
+py::object witness_in_python(const PairAnswer& asked, bool exact) {
+  if (const Depth* const depth = asked.depth()) return witness(depth->distance() ? depth->distance()->witness : depth->witness(), exact);
+  if (const UnionDepth* const unions = asked.of_unions())
+    return witness(unions->apart ? std::optional(unions->apart->distance.witness) : std::nullopt, exact);
+  const std::optional<RoundedWitness> found = asked.of_shapes()->witness();
   if (!found) return py::none();
   return py::make_tuple(rounded_point(found->a, exact), rounded_point(found->b, exact));
 }
 
 py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> translation, py::object exact) {
-  using py::literals::operator""_a;
   return py::dict("direction"_a = unit(n), "normal"_a = integers(n), "translation"_a = std::move(translation),
                   "exact_translation"_a = std::move(exact), "contact"_a = contact(touching));
 }
 
+py::dict touch(const PieceContact& met) {
+  return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction), "normal"_a = integers(met.direction),
+                  "contact"_a = contact(&met.contact));
+}
+
+py::list optima_of_unions(const UnionDepth& found) {
+  py::list list;
+  for (const UnionOptimum& optimum : found.optima) {
+    py::list contacts;
+    for (const PieceContact& met : optimum.contacts) contacts.append(touch(met));
+    list.append(py::dict("translation"_a = array(optimum.translation), "exact"_a = fractions(optimum.translation),
+                         "clearance"_a = optimum.clearance, "contacts"_a = contacts));
+  }
+  return list;
+}
+
 py::list optima(const PairAnswer& answer) {
+  if (const UnionDepth* const unions = answer.of_unions()) return optima_of_unions(*unions);
   py::list list;
   const Depth* const core = answer.answer.core();
   if (const Depth* const depth = answer.depth()) {
@@ -74,10 +117,10 @@ py::list optima(const PairAnswer& answer) {
     }
     return list;
   }
-  const std::vector<AlongNormal> translations = answer.of_shapes().translations();
+  const std::vector<AlongNormal> translations = answer.of_shapes()->translations();
   for (std::size_t i = 0; i < translations.size(); ++i) {
     const AlongNormal& t = translations[i];
-    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes().contact();
+    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes()->contact();
     list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(rounded::coordinates(t))),
                         py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
   }
@@ -85,8 +128,27 @@ py::list optima(const PairAnswer& answer) {
 }
 
 std::size_t optima_count(const PairAnswer& answer) {
+  if (const UnionDepth* const unions = answer.of_unions()) return unions->optima.size();
   if (const Depth* const core = answer.answer.core(); core && core->optima_count() > 0) return core->optima_count();
-  return answer.depth() ? 0 : answer.of_shapes().translations().size();
+  return answer.depth() ? 0 : answer.of_shapes()->translations().size();
+}
+
+py::object apart(const PairAnswer& answer) {
+  const UnionDepth* const unions = answer.of_unions();
+  if (!unions || !unions->apart) return py::none();
+  const UnionDistance& apart = *unions->apart;
+  const Distance& d = apart.distance;
+  return py::dict("distance"_a = root_binary64(d.squared), "squared"_a = fraction(d.squared), "pieces"_a = py::make_tuple(apart.a, apart.b),
+                  "translation"_a = array(d.translation), "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact));
+}
+
+py::object union_bounds(const PairAnswer& answer) {
+  const Part<UnionBounds> found = answer.answer.union_bounds();
+  if (!found) return py::none();
+  const UnionBounds& bounds = *found;
+  return py::dict("deepest_pair"_a = root_binary64(bounds.deepest_pair), "pieces"_a = py::make_tuple(bounds.a, bounds.b),
+                  "hulls"_a = root_binary64(bounds.hulls), "deepest_pair_squared"_a = fraction(bounds.deepest_pair),
+                  "hulls_squared"_a = fraction(bounds.hulls));
 }
 
 std::string certificate(const PairAnswer& answer, const std::string& id) {
@@ -110,7 +172,12 @@ py::tuple flatness(const PairAnswer& asked) {
 py::object contact_in_python(const PairAnswer& answer) { return contact(answer.answer.contact()); }
 
 py::dict counters_in_python(const PairAnswer& answer) {
-  const Counters counters = answer.depth() ? answer.depth()->counters : answer.of_shapes().counters();
+  if (const UnionDepth* const unions = answer.of_unions()) {
+    const UnionCounters& counted = unions->counters;
+    return py::dict("nodes"_a = counted.nodes, "nearest_points"_a = counted.nearest_points, "pairs"_a = counted.pairs,
+                    "pairs_touched"_a = counted.pairs_touched);
+  }
+  const Counters counters = answer.depth() ? answer.depth()->counters : answer.of_shapes()->counters();
   py::dict result;
   py::list stages;
   for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
@@ -134,17 +201,36 @@ py::dict checked(const std::string& text) {
     const py::gil_scoped_release unlocked;
     return fathom_check::verify(text);
   }();
-  using py::literals::operator""_a;
   return py::dict("accepted"_a = verdict.accepted(), "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed,
                   "line_number"_a = verdict.line, "reason"_a = verdict.reason, "status"_a = verdict.status,
                   "verdict"_a = fathom_check::verdict_line(verdict, ""));
 }
 
-/// What makes the answer again: arguments of `depth`.
+/// What makes the answer again: the name of a function of this module, and its arguments.
 py::tuple question_of(const PairAnswer& answer) {
+  if (answer.of_unions())
+    return py::make_tuple("union_depth", answer.a, answer.b, py::none(), py::none(), answer.question.union_bounds, py::none());
   const Options& options = answer.question.options;
-  return py::make_tuple(answer.a, answer.b, py::none(), py::none(), std::string(name(options.method)), options.optima,
+  return py::make_tuple("depth", answer.a, answer.b, py::none(), py::none(), std::string(name(options.method)), options.optima,
                         answer.question.bits);
+}
+
+PairAnswer union_answer(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, bool bounds,
+                        const py::object& stop) {
+  PairAnswer result;
+  result.a = posed(union_from(a, "A", "a"), pose_a, "a", &result.notes);
+  result.b = posed(union_from(b, "B", "b"), pose_b, "b", &result.notes);
+  warn_of_dents(result.a, "A");
+  warn_of_dents(result.b, "B");
+  result.question.union_bounds = bounds;
+  result.answer = watched(
+      [&](Monitor& monitor) {
+        Question of_call = result.question;
+        of_call.options.monitor = &monitor;
+        return exact_answer(result.a, result.b, of_call);
+      },
+      stop);
+  return result;
 }
 
 }  // namespace
@@ -174,7 +260,6 @@ PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor) {
 }
 
 py::dict predicates(const PredicateCounts& counts) {
-  using py::literals::operator""_a;
   py::dict result;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const TierCounts& tier = counts[i];
@@ -188,7 +273,6 @@ py::dict predicates(const PredicateCounts& counts) {
 
 py::object contact(const Contact* touching) {
   if (!touching) return py::none();
-  using py::literals::operator""_a;
   return py::dict("kind"_a = std::string(name(touching->kind)), "a"_a = py::tuple(py::cast(touching->a)),
                   "b"_a = py::tuple(py::cast(touching->b)));
 }
@@ -205,13 +289,15 @@ void bind_answers(py::module_& module) {
   using py::arg;
   py::class_<PairAnswer>(module, "Answer")
       .def_property_readonly("status", status)
+      .def_property_readonly("complete", [](const PairAnswer& asked) { return asked.answer.complete(); })
       .def_property_readonly("low", [](const PairAnswer& asked) { return asked.answer.low_binary64(); })
       .def_property_readonly("high", [](const PairAnswer& asked) { return asked.answer.high_binary64(); })
       .def_property_readonly("nearest", nearest)
       .def_property_readonly("exact_value", exact_value)
       .def_property_readonly("bounds", bounds)
-      .def_property_readonly("direction", [](const PairAnswer& found) { return unit(direction(found)); })
-      .def_property_readonly("normal", [](const PairAnswer& found) { return integers(direction(found)); })
+      .def_property_readonly("squares", squares)
+      .def_property_readonly("direction", direction)
+      .def_property_readonly("normal", normal)
       .def_property_readonly("translation", [](const PairAnswer& found) { return translation(found, false); })
       .def_property_readonly("exact_translation", [](const PairAnswer& found) { return translation(found, true); })
       .def_property_readonly("witness", [](const PairAnswer& found) { return witness_in_python(found, false); })
@@ -221,6 +307,8 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("method", method)
       .def_property_readonly("flat", flatness)
       .def_property_readonly("contact", contact_in_python)
+      .def_property_readonly("apart", apart)
+      .def_property_readonly("union_bounds", union_bounds)
       .def_property_readonly("counters", counters_in_python)
       .def_property_readonly("notes", notes)
       .def_readonly("dents", &PairAnswer::dents)
@@ -242,6 +330,7 @@ void bind_answers(py::module_& module) {
         return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },
       arg("body"), arg("pose"), arg("bits"));
+  module.def("union_depth", union_answer, arg("a"), arg("b"), arg("pose_a"), arg("pose_b"), arg("bounds"), arg("stop"));
   module.def("check", checked, arg("text"));
 }
 

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long work that Ctrl-C ends, and that leaves Python's lock to others.
+// The answer about two bodies of any kinds, in the words of Python; and long work, which Ctrl-C ends, and which leaves Python's lock to
+// others.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "bindings/python/src/bodies.hpp"
+#include "fathom/answer.hpp"
 #include "fathom/monitor.hpp"
 
 namespace fathom::python {
@@ -75,4 +82,49 @@ auto watched(Work work, py::object stop = py::none()) {
   }
 }
 
+/// Two bodies, and where they are.
+struct Asked {
+  Body a, b;
+  std::optional<files::GivenPose> pose_a = std::nullopt, pose_b = std::nullopt;
+};
+
+/// Its numbers are computed when they are asked for.
+struct PairAnswer {
+  Body a, b;  ///< where they are
+  Question question;
+  Answer answer;
+  std::vector<std::string> notes = {};  ///< on the poses
+  std::string dents = {};               ///< what is said of meshes that are not convex; else empty
+
+  /// Of two polytopes, or if one is another shape, or a union; null else.
+  [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&answer.found); }
+  [[nodiscard]] const SignedDepth* of_shapes() const { return std::get_if<SignedDepth>(&answer.found); }
+  [[nodiscard]] const UnionDepth* of_unions() const { return std::get_if<UnionDepth>(&answer.found); }
+};
+
+/// Of arguments that Python has checked. Throws py::value_error for a method that there is not.
+Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits);
+
+/// Of convex bodies. May be called without Python's lock.
+PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
+
+/// What the predicates were asked, by name.
+py::dict predicates(const PredicateCounts& counts);
+/// A dict of kind, a, b; None if there is none.
+py::object contact(const Contact* contact);
+/// A pair of points, as floats or fractions; None if there is none.
+py::object witness(const std::optional<Witness>& witness, bool exact);
+/// Each component of n / |n|, correctly rounded.
+py::array_t<double> unit(const Vector& n);
+
+/// Answer, depth, width, union_depth, check.
+void bind_answers(py::module_& module);
+/// depths.
+void bind_batches(py::module_& module);
+/// ray, metric, approx, study, judge.
+void bind_questions(py::module_& module);
+
 }  // namespace fathom::python
+
+template <>
+struct pybind11::detail::type_caster<fathom::python::PairAnswer> : fathom::python::MadeCaster<fathom::python::PairAnswer> {};
