@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is an implementation's answer right, and if not, how wrong is it? Unit cubes, the second moved by 0.4.
+// Is an implementation's answer right, and if not, how wrong is it? Unit cubes, the second moved by 0.4;
+// and cylinders of radius 1 side by side, whose axes are 1.8 apart.
 #include <fathom/judge.hpp>
 #include <fathom/numbers.hpp>
+#include <fathom/shape.hpp>
 #include <iostream>
 
 using Cube = std::vector<fathom::Triple>;
@@ -21,6 +23,21 @@ std::vector<fathom::Point> exact(const Cube& cube) {
 void tell(const fathom::Judgement& judgement) {
   std::cout << fathom::name(judgement.verdict) << ": " << judgement.sentence << "\n";
   if (judgement.accuracy) std::cout << "  " << fathom::name(*judgement.accuracy) << "\n";
+}
+
+void about_cylinders() {
+  const fathom::Shape one = fathom::cylinder(1, 1), other = fathom::moved(one, fathom::rigid_pose({1, 0, 0, 0}, {mpq_class(9, 5), 0, 0}));
+  const fathom::ShapeTruth truth = fathom::truth_about(one, other);
+  fathom::Reply reply;
+  reply.overlap = true;
+  for (const double depth : {0.2, 0.25}) {
+    reply.depth = depth;
+    reply.direction = {-1, 0, 0};
+    const fathom::Judgement judgement = fathom::judge(truth, reply);
+    std::cout << fathom::name(judgement.verdict) << ": " << judgement.sentence << "\n";
+    std::cout << "  the truth is known to within " << judgement.signed_depth->high - judgement.signed_depth->low
+              << ", the price of the direction is " << judgement.price->low << "\n";
+  }
 }
 
 int main() {
@@ -45,6 +62,7 @@ int main() {
     std::cout << "  passes " << fathom::passes(judgement.verdict) << ", fails " << fathom::fails(judgement.verdict) << ", too shallow "
               << (judgement.verdict == fathom::verdict_named("too-shallow")) << "; in " << fathom::name(precision) << "\n";
   }
+  about_cylinders();
 }
 
 //> too-deep: too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 1.0392
@@ -53,3 +71,7 @@ int main() {
 //>   passes 1, fails 0, too shallow 0; in binary32
 //> too-shallow: too shallow by 0.01: 0.59 is claimed, the depth is 0.5999999940395355; not separating: 0.01 of overlap is left along its direction; inconsistent: the plane across its direction is at 0.5999999940395355, not at 0.59
 //>   passes 0, fails 1, too shallow 1; in binary32
+//> pass: right: 0.2 is claimed, the depth is 0.2 (correctly rounded)
+//>   the truth is known to within 2.77556e-17, the price of the direction is 0.2
+//> too-deep: too deep by 0.05: 0.25 is claimed, the depth is 0.2; inconsistent: the plane across its direction is at 0.2, not at 0.25
+//>   the truth is known to within 9.66338e-13, the price of the direction is 0.2
