@@ -96,7 +96,7 @@ py::dict study_of_polytopes(Pair pair, std::size_t listed) {
     coincidences[py::str(std::string(coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
   const py::dict a = size_of(found.a), b = size_of(found.b), asked = predicates(found.predicates);
-  return studied({std::move(pair.a), std::move(pair.b), {}, std::move(found.depth)}, coincidences, asked, a, b);
+  return studied({std::move(pair.a), std::move(pair.b), {}, {std::move(found.depth)}}, coincidences, asked, a, b);
 }
 
 py::dict feature(const ShapeFeature& found) {
@@ -122,7 +122,7 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
     coincidences[py::str(std::string(shape_coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
   const py::dict a = size_of(found.a), b = size_of(found.b);
-  return studied({std::move(pair.a), std::move(pair.b), {}, std::move(found.depth)}, coincidences, {}, a, b);
+  return studied({std::move(pair.a), std::move(pair.b), {}, {std::move(found.depth)}}, coincidences, {}, a, b);
 }
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
