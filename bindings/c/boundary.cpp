@@ -15,8 +15,7 @@
 
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/files/pose_text.hpp"
-#include "reference/files/shape_text.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::c {
 namespace {
@@ -70,12 +69,6 @@ files::GivenPose pose_from(const double* numbers) {
     pose[i / 4][i % 4] = exact_value(numbers[i]);
   }
   return {pose};
-}
-
-fathom_body union_of(Pieces pieces) {
-  Body body;
-  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
-  return handle(std::move(body));
 }
 
 const std::vector<Point>& piece_from(const fathom_body* piece, const std::string& name) {
@@ -167,7 +160,7 @@ int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_bod
     require(pieces, "pieces");
     fathom::Pieces points;
     for (std::size_t i = 0; i < count; ++i) points.push_back(piece_from(pieces[i], "piece " + std::to_string(i)));
-    return union_of(std::move(points));
+    return handle(fathom::files::union_of(std::move(points)));
   });
 }
 

@@ -294,12 +294,6 @@ Pieces pieces_from(py::handle from, const std::string& called, const std::string
   return pieces;
 }
 
-Body union_of(Pieces pieces) {
-  Body body;
-  body.pieces = std::make_shared<const Pieces>(std::move(pieces));
-  return body;
-}
-
 Body union_in_files(const std::string& path, const std::string& decimals) {
   Body body = files::read_union(path, decimals_from(decimals));
   warn_of_dents(body, path);
@@ -360,7 +354,7 @@ const GivenPoints& points_of(const Body& body, const char* name) {
 
 Body union_from(py::handle from, const std::string& called, const std::string& name) {
   if (py::isinstance<Body>(from) && from.cast<const Body&>().pieces) return from.cast<Body>();
-  return union_of(pieces_from(from, called, name));
+  return files::union_of(pieces_from(from, called, name));
 }
 
 void warn_of_dents(const Body& body, const std::string& called) {
