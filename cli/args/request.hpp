@@ -1,15 +1,75 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user asked for, as parsed from the command line.
+// What the user asked for of depth --along.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/judge.hpp"
+#include "fathom/point.hpp"
 
 namespace fathom::cli {
+
+struct AlongRequest {
+  std::optional<Point> translation;  ///< set if the depth along a path is asked for: A is moved by parts of it, and by all of it in the end
+  std::uint32_t steps = 32;
+};
+
+// The request of `fathom cases`.
+
+struct CasesRequest {
+  enum class What { family, catalogue, list, from, from_fcl };
+  What what = What::family;
+  std::vector<std::string> families;  ///< as typed: names, or patterns of them; "all"
+  bool shapes = false;                ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
+  bool unions = false;                ///< likewise, those of unions of pieces
+  std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
+  std::optional<unsigned> size;       ///< if not set, the family's usual size
+  std::string fcl;                    ///< the file with the text of FCL's exceptions
+};
+
+// The request of `fathom certify`.
+
+struct CertifyRequest {
+  std::string command_line;              ///< quoted for a shell
+  std::string subject, adapter, replay;  ///< exactly one of these, or list_adapters, is set
+  bool list_adapters = false;
+  std::string claims;            ///< a file of published claims, which are judged instead of a subject; empty: none
+  std::optional<unsigned> jobs;  ///< if not set, as many as there are processors
+  double time_out = 10;          ///< seconds
+  Tolerance tolerance;
+  std::optional<mpq_class> fit;  ///< the size that each case is brought to
+  std::vector<Method> methods;   ///< find every truth and judgement again by these
+  std::string report;
+  bool resume = false, overwrite = false;  ///< of the report that is there
+  bool all_rows = false;                   ///< in the table
+  std::string print_input;                 ///< the id of the case whose lines are printed, as the subject reads them; empty: none
+  std::string harness;                     ///< the user's own program for --shrink; empty: none
+  std::string metamorphic;                 ///< as typed: "all", or a list with commas
+  std::vector<std::string> variants;       ///< the same, as a list
+  std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
+  std::optional<std::size_t> max_errors;
+};
+
+// What the user asked for of study --sweep.
+
+/// The engines of the closest lines, in the order of ClosestLines.
+inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sampled", "naive"};
+
+struct SweepRequest {
+  std::string family;                 ///< empty: no sweep
+  std::vector<unsigned> sizes;        ///< ascending
+  std::vector<ClosestLines> engines;  ///< side by side; empty: the usual one
+};
+
+// What the user asked for, as parsed from the command line.
 
 enum class Command { depth, width, approx, ray, metric, study, stages, explain, cases, certify };
 

@@ -44,4 +44,8 @@ ExitCode run_golden(const std::vector<std::string>& words);
 /// `help`, `man` and `completion`, with the words behind them.
 ExitCode run_help(std::string_view name, const std::vector<std::string>& words);
 
+/// fathom certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a claim is wrong. Throws InputError if the
+/// file cannot be read, OutputError, Interrupted.
+ExitCode judge_claims(const Request& request);
+
 }  // namespace fathom::cli

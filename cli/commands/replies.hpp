@@ -3,7 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/args/request.hpp"
 #include "cli/io/case_stream.hpp"
@@ -11,6 +14,7 @@
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
 #include "reference/files/pose.hpp"
+#include "cli/io/certificate_file.hpp"
 
 namespace fathom::cli {
 
@@ -56,5 +60,31 @@ StreamWork stream_work(const Request& request, const Replies& replies);
 
 /// Prints the replies to the request's inputs. Throws as for_each_case does.
 ExitCode reply_to_inputs(const Request& request, const Replies& replies);
+
+// Files beside the replies: one of a single case, one for each case of a stream.
+
+/// Where the certificates of a run go, or its pictures: a file, or for a stream a folder.
+class FilePlaces {
+ public:
+  FilePlaces(const Request& request, std::string path, std::string what, const std::string& ending)
+      : path_(std::move(path)), what_(std::move(what)) {
+    if (!path_.empty() && is_stream(request)) folder_.emplace(path_, what_, ending);
+  }
+
+  [[nodiscard]] bool wanted() const { return !path_.empty(); }
+  /// Returns the file of a single case; null for a stream, or if nothing is to be written.
+  [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
+    return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_, what_);
+  }
+  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the first gets
+  /// the file.
+  void write_to_folder(const std::string& id, const std::string& text) {
+    if (folder_) CertificateFile(folder_->file(id), what_).write(text);
+  }
+
+ private:
+  std::string path_, what_;
+  std::optional<CertificateFolder> folder_;
+};
 
 }  // namespace fathom::cli

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/io/case_stream.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -18,12 +19,115 @@
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
-#include "cli/io/passage.hpp"
 #include "cli/io/progress.hpp"
 #include "reference/files/cases.hpp"
+#include "fathom/files.hpp"
+#include "kernels/filters/all_extreme.hpp"
+#include "kernels/parallel.hpp"
+#include "reference/polytope/convexity.hpp"
 
 namespace fathom::cli {
 namespace {
+
+constexpr std::size_t worth_a_thread = 2048;  // points
+
+/// What there is to say of the points of a body; empty if all are extreme.
+std::string note_on(char body, const std::vector<Point>& points) {
+  const std::optional<std::size_t> inner = polytope::count_inner_points(points);
+  if (!inner) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  return *inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, *inner, points.size()) : "";
+}
+
+bool may_have_inner_points(const Case& input, bool one_body) {
+  const auto all_extreme = [](const GivenPoints& points) {
+    return points.in_binary64() ? kernels::all_seen_extreme(points.binary64()) : kernels::all_seen_extreme(points.exact());
+  };
+  return !all_extreme(input.a.points) || (!one_body && !all_extreme(input.b.points));
+}
+
+std::optional<std::string> hull_note(const Case& input, bool one_body) {
+  const std::vector<Point>&a = input.a.points, &b = input.b.points;
+  std::vector<std::string> notes(2);
+  kernels::Context context;
+  kernels::run_both(
+      !one_body && a.size() + b.size() >= worth_a_thread, context, [&](kernels::Context&) { notes[0] = note_on('A', a); },
+      [&](kernels::Context&) { notes[1] = one_body ? "" : note_on('B', b); });
+  std::erase(notes, "");
+  if (notes.empty()) return std::nullopt;
+  return fmt::format("{}; the convex hull is taken", fmt::join(notes, "; "));
+}
+
+// A case of a stream on its way from its text to its answer, and between processes.
+
+/// What there is to say of a case beside its answer. The first of a kind is said, later ones are counted.
+enum class NoteKind { field, pose, sizes, dents };
+inline constexpr std::array<std::string_view, 4> later_notes = {"fields that look misspelt", "poses that are no rotations",
+                                                                "bodies of very different sizes", "meshes that are not convex"};
+struct StreamNote {
+  NoteKind kind;
+  std::string text;
+};
+
+/// A case on its way.
+struct Passage {
+  std::size_t number = 0;  ///< of cases before it
+  files::UnreadCase text;
+  std::optional<Working> working;
+  bool answered = false;
+
+  std::string id;
+  CaseReply reply;
+  std::optional<InputError> fault;  ///< in place of the reply
+  ExitCode code = fine;
+  std::optional<std::string> hull_note;  ///< if none was said when it was answered
+  std::vector<StreamNote> notes;
+  bool perhaps_inner = false;
+};
+
+/// What an error says behind file and line.
+std::string message_of(const InputError& error) {
+  const std::string sentence = error.what(), place = InputError(error.file(), error.line(), "").what();
+  return sentence.substr(std::min(place.size(), sentence.size()));
+}
+
+std::string notes_text(const std::vector<StreamNote>& notes) {
+  std::string all;
+  for (const StreamNote& note : notes) {
+    pack(all, std::to_string(static_cast<unsigned>(note.kind)));
+    pack(all, note.text);
+  }
+  return all;
+}
+
+std::vector<StreamNote> notes_of(const std::string& text) {
+  const std::vector<std::string> texts = unpacked(text);
+  std::vector<StreamNote> notes;
+  for (std::size_t i = 0; i + 1 < texts.size(); i += 2) notes.push_back({static_cast<NoteKind>(std::stoul(texts[i])), texts[i + 1]});
+  return notes;
+}
+
+/// Appends what was found about the case to texts that are packed.
+void pack_answer(std::string& all, const Passage& passage) {
+  const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
+  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "", optional(passage.hull_note),
+                                    notes_text(passage.notes)};
+  if (passage.fault) texts.insert(texts.end(), {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
+  else texts.push_back(passage.reply.text);
+  pack(all, packed(texts));
+}
+
+/// Reads that back.
+void take_answer(const std::string& text, Passage& passage) {
+  const std::vector<std::string> texts = unpacked(text);
+  passage.id = texts.at(0);
+  passage.code = static_cast<ExitCode>(std::stoi(texts.at(1)));
+  passage.perhaps_inner = !texts.at(2).empty();
+  if (!texts.at(3).empty()) passage.hull_note = texts[3].substr(1);
+  passage.notes = notes_of(texts.at(4));
+  if (texts.size() > 6) passage.fault = InputError(texts[5], std::stoull(texts.at(6)), texts.at(7));
+  else passage.reply.text = texts.at(5);
+  passage.answered = true;
+}
 
 // A longer text is answered before more is read: so many at once would take much memory, and two threads share the work on large bodies.
 constexpr std::size_t long_text = std::size_t{1} << 20;
@@ -286,6 +390,13 @@ ExitCode Stream::finish() {
 }
 
 }  // namespace
+
+void tell_of_hulls(const Case& input, bool one_body, Progress& progress) {
+  progress.report("looking for dents", -1);
+  const std::optional<std::string> note = hull_note(input, one_body);
+  progress.clear();
+  if (note) talk(*note);
+}
 
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions) {
   const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };

@@ -3,14 +3,25 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "cli/io/output.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/monitor.hpp"
+#include "cli/io/progress.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
+
+struct AskedCase {
+  const Case& input;
+  output::AboutBodies bodies;
+
+  AskedCase(const Case& asked, bool one_body) : input(asked), bodies(output::about_bodies(asked, one_body)) {}
+  operator const Case&() const { return input; }  // NOLINT(google-explicit-constructor): most commands need no more
+};
 
 /// An answer to a case.
 struct CaseReply {
@@ -67,5 +78,9 @@ std::string answer_block(const std::string& block, const std::string& input, con
 /// extreme on standard error, and a count of others at the end. A stream without any case is an error. Throws InputError if the stream
 /// cannot be read, OutputError, Interrupted.
 ExitCode for_each_case(const std::string& input, const StreamWork& work);
+
+/// Notes on standard error how many points of each body are not extreme, as those of a mesh that is not convex: the answer is about the
+/// hull. The note is the same with every method, and needs no hull where all points are seen to be extreme.
+void tell_of_hulls(const Case& input, bool one_body, Progress& progress);
 
 }  // namespace fathom::cli

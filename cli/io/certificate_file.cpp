@@ -12,6 +12,7 @@
 
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
+#include "verify/check/unreadable.hpp"
 #include "verify/digest/sha256.hpp"
 
 namespace fathom::cli {
@@ -69,6 +70,15 @@ std::string certificate_file_name(const std::string& id, const std::string& endi
   if (name.empty()) name = "%";
   if (name.size() + ending.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
   return name + ending;
+}
+
+void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits) try {
+  fathom_check::require_readable(certificate, limits);
+} catch (const fathom_check::Unreadable& refusal) {
+  throw OutputError(fmt::format(
+      "{}: {}. Narrower numbers make it shorter, as --exact-decimals does for short decimals, and so do fewer points or pieces; "
+      "without a certificate the depth is printed",
+      id, refusal.what()));
 }
 
 }  // namespace fathom::cli

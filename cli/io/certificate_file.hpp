@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where certificates and pictures go: a file, or for a stream a folder with one file per case.                   [docs/certificates.md]
+// Files for certificates, pictures and reports, and folders of them; and the limits of the checkers on certificates.
 #pragma once
 
 #include <set>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "reference/files/file_io.hpp"
+#include "verify/check/limits.hpp"
 
 namespace fathom::cli {
 
@@ -42,5 +43,10 @@ class CertificateFolder {
 /// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot. Where the name
 /// would be too long for a file, it is cut, and '~' and the SHA-256 of the id follow. Different ids make different names.
 std::string certificate_file_name(const std::string& id, const std::string& ending = ".cert");
+
+// A proof that no checker would read is none: whoever asked for it is told, and nothing is written. [verify/check/FORMAT.md, section 8]
+
+/// Throws OutputError, which names the limit and what helps, if the certificate of this case passes a limit of all checkers.
+void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits = {});
 
 }  // namespace fathom::cli

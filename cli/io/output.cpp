@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/io/output.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <fmt/format.h>
 #include <string>
+#include <unistd.h>
 
 #include "cli/io/terminal.hpp"
+#include "fathom/files.hpp"
+#include "fathom/monitor.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -60,6 +62,27 @@ void talk(std::string_view text) {
   }
   line = folded(line, seen_columns(STDERR_FILENO), behind_first);
   std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+ExitCode failed(std::string_view sentence, ExitCode code) {
+  talk(sentence);
+  return code;
+}
+
+ExitCode guarded(const std::function<ExitCode()>& run) {
+  try {
+    return run();
+  } catch (const InputError& error) {
+    return failed(error.what(), bad_input);
+  } catch (const Interrupted&) {
+    return failed("interrupted", interrupted);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failed(error.path1().string() + ": " + error.code().message(), bad_input);
+  } catch (const OutputError& error) {
+    return failed(error.what(), internal_error);
+  } catch (const std::exception& error) {
+    return failed(fault_text(error), internal_error);
+  }
 }
 
 }  // namespace fathom::cli

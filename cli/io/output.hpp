@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// stdout is data, stderr is talk.
+// What the process tells its caller: results on standard output, talk on standard error, and an exit code in the end.
 #pragma once
 
+#include <exception>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace fathom::cli {
+
+/// Exit codes; a stream ends with the largest that occurred.
+enum ExitCode : int {
+  fine = 0,
+  judged_wrong = 1,    ///< a verdict failed, a certificate was refused
+  bad_input = 2,       ///< usage; or input malformed, missing, unreadable, empty, a directory
+  internal_error = 3,  ///< a fault of fathom itself, or output cannot be written
+  incomplete = 4,      ///< not every case could be put to the subject
+  interrupted = 130,   ///< Ctrl-C
+};
 
 /// Standard output, or an output file, refused a write: closed, full disk.
 struct OutputError : std::runtime_error {
@@ -29,5 +41,11 @@ std::string fault_text(const std::exception& error);
 
 /// Writes "fathom: `text`" and a newline to standard error. Never fails. Escapes control characters other than line ends.
 void talk(std::string_view text);
+
+/// Says the sentence and returns the code.
+ExitCode failed(std::string_view sentence, ExitCode code);
+
+/// Returns what `run` returns, or says in one sentence what it threw and returns the exit code that goes with it. Does not throw.
+ExitCode guarded(const std::function<ExitCode()>& run);
 
 }  // namespace fathom::cli

@@ -1,22 +1,213 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify,
-// certify, and depth on a stream. What they do not share rank 0 does alone. It is a program of its own so that fathom itself starts without
-// MPI.
+// certify, and depth on a stream. What they do not share rank 0 does alone. Every rank calls the same function with the same words; rank 0
+// alone prints. It is a program of its own so that fathom itself starts without MPI.
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
 #include <cstdlib>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
+#include <vector>
 
 #include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/process.hpp"
-#include "cli/mpi/verbs.hpp"
 #include "kernels/float_environment.hpp"
+#include "cli/args/request.hpp"
+#include "cli/commands/certify.hpp"
+#include "cli/commands/depth.hpp"
+#include "cli/commands/golden.hpp"
+#include "cli/io/packed.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/mpi/ranks.hpp"
+#include "fathom/files.hpp"
+#include "reference/files/case_json.hpp"
+#include "reference/solve/disagreement.hpp"
+#include "verify/golden/release/release.hpp"
+#include "verify/harness/journal.hpp"
 
+namespace fathom::cli {
 namespace {
 
-using namespace fathom::cli;
+/// Threads for each process, unless the user says: the cores of this machine, shared by the processes on it.
+unsigned usual_jobs() {
+  const char* const ours = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+  const unsigned processes = ours ? static_cast<unsigned>(std::max(1, std::atoi(ours))) : 1;
+  return std::max(1U, std::thread::hardware_concurrency() / processes);
+}
+
+// certify: rank 0 reads the cases and writes the reports; every rank has a subject of its own, and examines the cases that it is given.
+
+using harness::Examiner;
+
+// How an answer begins: which error it is, or none.
+constexpr const char *examined = "examined", *subject_failed = "subject", *disagrees = "disagreement", *faulty = "fault";
+
+/// Starts the subject with the first case.
+Handle examiner(const Request& request) {
+  return [&request, asked = std::make_shared<std::optional<Examiner>>()](const std::string& task) {
+    try {
+      if (!*asked) asked->emplace(subject_of(request.certify), examiner_settings(request.certify));
+      const std::vector<std::string> words = unpacked(task);
+      harness::Outcome outcome = (*asked)->examine(parse_case(words.at(0), "case").value(), std::stol(words.at(1)));
+      outcome.fit = 0;  // in its own unit the answer keeps all its digits
+      return packed({examined, harness::outcome_line(outcome), hello_text((*asked)->info())});
+    } catch (const harness::SubjectError& error) {
+      return packed({subject_failed, error.what()});
+    } catch (const harness::Disagreement& error) {
+      return packed({disagrees, error.what(), error.second.name});
+    } catch (const std::logic_error& error) {
+      return packed({faulty, error.what()});
+    }
+  };
+}
+
+/// The outcome in an answer, or the error.
+harness::Outcome outcome_in(const std::string& answer, const Case& pair, long exponent, const std::string& hello) {
+  const std::vector<std::string> words = unpacked(answer);
+  if (words.at(0) == subject_failed) throw harness::SubjectError(words.at(1));
+  if (words.at(0) == disagrees)
+    throw harness::Disagreement(pair, harness::solver_by(solve::second_method(words.at(2)).value()), words.at(1));
+  if (words.at(0) == faulty) throw std::logic_error(words.at(1));
+  if (words.at(2) != hello) throw harness::SubjectError("the subject says something else of itself each time that it is started");
+  harness::Outcome outcome = harness::read_outcome(words.at(1)).value();
+  outcome.fit = exponent;
+  return outcome;
+}
+
+ExitCode certify_by_ranks(const Processes& world, const Request& request) {
+  if (world.rank() > 0) {
+    follow(world, [&request] { return examiner(request); });
+    return fine;
+  }
+  install_signal_handlers();
+  Ranks ranks(world, examiner(request));
+  ExitCode code = internal_error;
+  ranks.serve([&] {
+    const auto examine = [&](const Case& pair, long exponent, const std::string& hello) {
+      return outcome_in(ranks.ask(packed({files::case_json(pair), std::to_string(exponent)}), "case " + pair.id), pair, exponent, hello);
+    };
+    code = certify(request, {ranks.count(), examine});
+  });
+  return code;
+}
+
+// depth on a stream: rank 0 reads the texts of the cases and prints the replies, in order; every rank reads and answers blocks of cases.
+
+ExitCode depth_by_ranks(const Processes& world, const Request& request) {
+  StreamWork work = stream_work(request, exact_replies(request));
+  const Handle answer = [&](const std::string& block) { return answer_block(block, request.inputs[0], work); };
+  if (world.rank() > 0) {
+    follow(world, [&] { return answer; });
+    return fine;
+  }
+  install_signal_handlers();
+  Ranks ranks(world, answer);
+  work.threads = ranks.count();
+  work.elsewhere = [&](const std::string& block, const std::string& name) { return ranks.ask(block, name); };
+  ExitCode code = internal_error;
+  ranks.serve([&] { code = for_each_case(request.inputs[0], work); });
+  return code;
+}
+
+// golden generate and golden verify by shards. All ranks must see the same folder. Each shard is made, or proved, by one process as without
+// MPI, so bytes and verdicts are the same. Rank 0 alone checks the pages of a release.
+
+std::size_t number_in(const std::string& task) {
+  std::size_t number = 0;
+  std::from_chars(task.data(), task.data() + task.size(), number);
+  return number;
+}
+
+golden::GenerateOptions options_of(const GoldenRequest& request, unsigned jobs) {
+  return {request.level, request.seed, request.folder, jobs, {}, {}};
+}
+
+Handle maker(std::shared_ptr<const golden::Generation> generation) {
+  return [generation](const std::string& task) {
+    const std::size_t number = number_in(task);
+    generation->make({&number, 1});
+    return std::string();
+  };
+}
+
+ExitCode generate(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
+  if (world.rank() > 0) {
+    follow(world, [&] { return maker(std::make_shared<golden::Generation>(options_of(request, jobs))); });
+    return fine;
+  }
+  std::shared_ptr<golden::Generation> generation;
+  Ranks ranks(world, [&](const std::string& task) { return maker(generation)(task); });
+  std::size_t made = 0;
+  ranks.serve([&] {
+    generation = std::make_shared<golden::Generation>(options_of(request, jobs));
+    const std::vector<std::size_t> wanted = in_part(generation->unfinished(), request);
+    in_order_by_ranks(
+        ranks, wanted.size(), [&](std::size_t i) { return std::to_string(wanted[i]); },
+        [&](std::size_t i) { return generation->shards()[wanted[i]].name; }, [](std::size_t, const std::string&) { return true; });
+    if (!request.is_part) generation->close();
+    made = wanted.size();
+  });
+  print(fmt::format("{}: {} of {} shards made by {} processes; {}", request.folder, made, generation->shards().size(), world.size(),
+                    request.is_part ? "the part is there" : "the release is complete"));
+  return fine;
+}
+
+/// The records that were proved; then, if the shard is refused, place and reason.
+Handle prover(const GoldenRequest& request, unsigned jobs) {
+  golden::VerifyOptions options;
+  options.methods = request.methods;
+  options.jobs = jobs;
+  return [verifier = std::make_shared<golden::ShardVerifier>(request.folder, options)](const std::string& task) {
+    const golden::ShardResult result = verifier->verify(number_in(task));
+    std::vector<std::string> words = {std::to_string(result.records)};
+    if (result.refusal) words.insert(words.end(), {result.refusal->place, result.refusal->reason});
+    return packed(words);
+  };
+}
+
+golden::ShardResult result_in(const std::string& answer) {
+  const std::vector<std::string> words = unpacked(answer);
+  golden::ShardResult result{number_in(words.at(0)), std::nullopt};
+  if (words.size() > 1) result.refusal = {words.at(1), words.at(2)};
+  return result;
+}
+
+ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+  if (world.rank() > 0) {
+    follow(world, [&] { return prover(request, jobs); });
+    return fine;
+  }
+  Handle own;  // once the release's pages are known to be good
+  Ranks ranks(world, [&](const std::string& task) { return own(task); });
+  ExitCode code = internal_error;
+  ranks.serve([&] {
+    code = verify_golden(request, [&](const std::vector<golden::ShardPlan>& shards, const golden::TakeShard& take) {
+      own = prover(request, jobs);
+      in_order_by_ranks(
+          ranks, shards.size(), [](std::size_t i) { return std::to_string(i); }, [&](std::size_t i) { return shards[i].name; },
+          [&](std::size_t i, const std::string& answer) { return take(i, result_in(answer)); });
+    });
+  });
+  return code;
+}
+
+ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>& words) {
+  return carry_out_golden(words, world.rank() == 0, [&](const GoldenRequest& request) {
+    if (request.what == GoldenRequest::What::exporting) return world.rank() == 0 ? export_golden(request) : fine;
+    const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
+    return request.what == GoldenRequest::What::generate ? generate(world, request, jobs) : verify(world, request, jobs);
+  });
+}
 
 ExitCode run(const Processes& world, int argc, char** argv) {
   if (argc > 1 && std::string_view(argv[1]) == "golden") return golden_by_ranks(world, {argv + 2, argv + argc});
@@ -37,8 +228,10 @@ ExitCode run(const Processes& world, int argc, char** argv) {
 }
 
 }  // namespace
+}  // namespace fathom::cli
 
 int main(int argc, char** argv) {
+  using namespace fathom::cli;
   guard_memory();
   const fathom::kernels::DefaultFloatEnvironment environment;
   hold_standard_streams();

@@ -21,7 +21,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr int tag_task = 1, tag_answer = 2, tag_end = 3;
-constexpr char answered = 'a', failed = 'f';                  // the first letter of an answer
+constexpr char answered = 'a', threw = 'f';                   // the first letter of an answer
 constexpr auto patience = std::chrono::microseconds(100);     // between two looks for messages: MPI's own waiting keeps a core busy
 constexpr auto long_patience = std::chrono::milliseconds(2);  // when nothing has come for a while
 constexpr int ended_from_outside = 128 + SIGTERM;
@@ -83,7 +83,7 @@ std::string Ranks::ask(const std::string& task, const std::string& name) {
   busy_[rank] = &errand;
   changed_.wait(lock, [&] { return errand.done; });
   const std::string text = errand.answer.substr(1);
-  if (errand.answer.front() == failed) throw std::runtime_error(fmt::format("rank {}: {}", rank, text));
+  if (errand.answer.front() == threw) throw std::runtime_error(fmt::format("rank {}: {}", rank, text));
   return text;
 }
 
@@ -166,7 +166,7 @@ void follow(const Processes& processes, const std::function<Handle()>& start) {
       if (!handle) handle = start();
       answer = answered + handle(task);
     } catch (const std::exception& error) {
-      answer = failed + std::string(error.what());
+      answer = threw + std::string(error.what());
     }
     world.send(0, tag_answer, answer);
   }

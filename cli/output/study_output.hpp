@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "fathom/study.hpp"
 #include "reference/text/json.hpp"
 #include "verify/study/study.hpp"
 
@@ -43,5 +44,23 @@ std::string study_json_error(const std::string& id, std::size_t line, const std:
 std::string study_csv_header();
 std::string study_csv_row(const std::string& id, const Study& study);
 std::string study_csv_error(const std::string& id, const std::string& error);
+
+// The words of studies, which tables for people and pages share.
+
+/// "8 vertices, 12 edges, 6 facets"; "1 disc, radius 1/2".
+std::string size_text(const BodySize& size);
+std::string size_text(const ShapeSize& size);
+
+/// "penetrating; depth^2 1/16; 1 optimum"; "penetrating; signed depth 1/2".
+std::string status_text(const Depth& depth);
+std::string status_text(const SignedDepth& depth);
+
+/// "penetrating"; "undecided" if the bounds leave it open.
+std::string_view status_name(const SignedDepth& depth);
+
+/// "axis (0, 0, 1) at (0, 0, 0)".
+std::string feature_text(const ShapeFeature& feature);
+/// "A axis ..., B axis ...".
+std::string involved_text(const ShapeInvolved& involved);
 
 }  // namespace fathom::cli

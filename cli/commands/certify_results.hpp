@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases made small.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "cli/args/request.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
+#include "verify/harness/examiner.hpp"
+#include "verify/harness/journal.hpp"
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/report/expect_fail.hpp"
+#include "verify/harness/report/summary.hpp"
+#include "verify/harness/two_ways.hpp"
+
+namespace fathom::cli {
+
+/// A failing case as the subject saw it.
+struct FailedCase {
+  std::size_t outcome;  ///< index into outcomes()
+  Case seen;
+  Case original;  ///< of a variant, the case that it is a variant of
+};
+
+class Collector {
+ public:
+  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is known.
+  Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
+
+  /// Returns the outcome that an earlier run left in the report, or nullptr. Any thread.
+  [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant, const std::string& digest) const;
+
+  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report already.
+  void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
+  /// The same for a failure that no case caused; `known`: it is in the report already.
+  void take(const harness::Unattributed& unattributed, bool known = false);
+  /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and counts the others.
+  void tell(const std::string& kind, const std::string& sentence);
+  /// Prints how many sentences were only counted; removes the bar.
+  void close();
+  /// Writes the last line of the report and of --json.
+  void complete();
+
+  [[nodiscard]] const std::vector<harness::Outcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const std::vector<FailedCase>& failed() const { return failed_; }
+  [[nodiscard]] const harness::Summary& summary() const { return summary_; }
+  [[nodiscard]] Progress& progress() { return progress_; }
+
+ private:
+  void show_progress();
+
+  const Request& request_;
+  std::optional<std::size_t> expected_;
+  std::optional<harness::Journal> journal_;
+  std::map<std::tuple<std::string, std::string, std::string>, harness::Outcome> known_;
+  std::vector<harness::Outcome> outcomes_;
+  std::vector<FailedCase> failed_;
+  harness::Summary summary_;
+  std::map<std::string, std::size_t> told_;
+  std::size_t cases_ = 0, cases_before_ = 0;  ///< of these: known from an earlier run
+  double worst_ = 0;                          ///< relative error
+  Progress progress_;
+};
+
+// What is written at the end of a run of `fathom certify`, and its exit code.
+
+/// Throws InputError if one of the requested files and folders cannot be written. Makes folders.
+void probe_reports(const CertifyRequest& certify);
+
+/// Returns the list that --write-expect-fail replaces, to keep its comments; an empty one if there is none. Throws InputError.
+harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
+
+/// Names of files, by index of the outcome.
+using CertificateNames = std::map<std::size_t, std::string>;
+/// Writes one for each failing case, if requested. Throws OutputError, InputError, Interrupted.
+CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
+
+/// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is. Throws OutputError, InputError.
+void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
+                   const std::optional<harness::ExpectedFailures::Check>& known, const CertificateNames& certificates,
+                   const std::string& cut_short);
+
+/// Writes the list of known failures, if requested. Throws OutputError, InputError.
+void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found,
+                const harness::ExpectedFailures& earlier);
+
+/// Returns where to find more than in the table: the reports that were written, and the options for the others.
+std::vector<std::string> where_to_look(const CertifyRequest& certify);
+
+/// Returns the exit code by the verdicts alone: fine, judged_wrong, or incomplete if nothing was judged. Prints where run and list
+/// disagree.
+ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::optional<harness::ExpectedFailures::Check>& known);
+
+// fathom certify --shrink: one failing case of each verdict, made small; and one about which fathom itself disagrees.
+
+/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk at each step. Prints the names of the
+/// files, one a line; with --json on standard error. Throws Interrupted, SubjectError, InputError.
+void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found);
+
+/// Reduces a case about which two ways to its truth differ, and writes it to the folder at each step. Says so on standard error. Throws
+/// Interrupted, InputError.
+void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress);
+
+}  // namespace fathom::cli

@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom check [--proved] [--threads N] CERTIFICATES...
+// Hands over to the independent checkers, which have a parser and a command line of their own. The checker that was extracted from the Coq
+// development runs after the C++ checker: it gets each certificate as that one read it and compared it with the user's cases and results,
+// and must accept it too.
+
+#include "cli/io/process.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <vector>
+
+#include "cli/args/help_page.hpp"
+#include "cli/args/threads.hpp"
+#include "cli/args/words.hpp"
+#include "cli/commands/check_page.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/io/in_order.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/terminal.hpp"
+#include "kernels/messages.hpp"
+#include "verify/check/command_line.hpp"
+#include "verify/check/run.hpp"
+#include "verify/harness/process.hpp"
+
+namespace fathom::cli {
+namespace {
+
+inline constexpr const char* proved_program = "fathom-check-proved";
+
+/// Returns the message that the program is missing, and how it is built.
+std::string proved_program_is_missing() {
+  return std::string(proved_program) +
+         " is not here: it is built from proofs/coq, with Coq and OCaml (Debian: coq, libzarith-ocaml-dev, ocaml-findlib)";
+}
+
+class ProvedChecker : public fathom_check::SecondChecker {
+ public:
+  /// `width`: what it accepts must be about the width of a body.
+  explicit ProvedChecker(bool width) : width_(width) {}
+
+  void hand_over(const fathom_check::Certificate& certificate) override;
+  /// Throws std::runtime_error if the program is missing or dies; failed() is true from then on.
+  Opinion opinion(const std::string& name) override;
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  [[nodiscard]] std::string answer(const std::string& name);
+  [[nodiscard]] std::runtime_error failure(const std::string& what);
+
+  bool width_;
+  std::unique_ptr<harness::Process> process_;
+  int format_ = 1;
+  std::string text_;  ///< of the certificate, from its points on
+  std::size_t claim_line_ = 0;
+  bool failed_ = false;
+};
+
+using fathom_check::Body;
+using fathom_check::Certificate;
+using fathom_check::Claim;
+using fathom_check::Outcome;
+using fathom_check::RationalPoint;
+
+/// Certificates in the words of FORMAT.md, section 2, line by line.
+class Text {
+ public:
+  template <class... Fields>
+  void line(const Fields&... fields) {
+    const char* gap = "";
+    ((result_ += gap, add(fields), gap = " "), ...);
+    result_ += '\n';
+  }
+  template <class Items, class Line>
+  void part(const std::string& name, const Items& items, const Line& row, const char* more = "") {
+    announce(name, items.size(), more);
+    for (const auto& item : items) row(item);
+  }
+  void row(const std::vector<fathom_check::Place>& places) {
+    const char* gap = "";
+    for (const fathom_check::Place& place : places) {
+      result_ += gap;
+      add(std::size_t{place.atom});
+      result_ += ' ';
+      add(place.y);
+      gap = " ";
+    }
+    result_ += '\n';
+  }
+  void facets(const fathom_check::Facets& facets) { this->facets(facets, 0, facets.size()); }
+  void facets(const fathom_check::Facets& facets, std::size_t first, std::size_t last) {
+    announce("facets", last - first, "");
+    for (std::size_t f = first; f < last; ++f) {
+      add(facets.ends[f] - facets.begin_of(f));
+      for (std::size_t k = facets.begin_of(f); k < facets.ends[f]; ++k) {
+        result_ += ' ';
+        add(std::size_t{facets.corners[k]});
+      }
+      result_ += '\n';
+    }
+  }
+  void tree(const fathom_check::Nodes& nodes) {
+    announce("tree", nodes.size(), "");
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      result_ += nodes.splits[k] ? "split" : "leaf";
+      for (std::size_t i = nodes.begin_of(k); i < nodes.ends[k]; ++i) result_ += ' ' + std::to_string(nodes.indices[i]);
+      result_ += '\n';
+    }
+  }
+  /// Those of the items from number `first` to `last`.
+  template <class Items, class Line>
+  void range(const std::string& name, const Items& items, std::size_t first, std::size_t last, const Line& row) {
+    announce(name, last - first, "");
+    for (std::size_t k = first; k < last; ++k) row(items[k]);
+  }
+  /// With the footer, which repeats all counts.
+  std::string ended(int format) && {
+    constexpr std::size_t of_format_1 = 5;
+    if (format == 1) counts_.resize(of_format_1);
+    result_ += "end";
+    for (const std::size_t count : counts_) result_ += ' ' + std::to_string(count);
+    return std::move(result_) + '\n';
+  }
+
+ private:
+  void announce(const std::string& name, std::size_t count, const char* more) {
+    line(name, count);
+    result_.insert(result_.size() - 1, more);
+    counts_.push_back(count);
+  }
+
+  void add(const char* word) { result_ += word; }
+  void add(const std::string& word) { result_ += word; }
+  void add(const fathom_check::Integer& n) { result_ += n.value().get_str(); }
+  void add(std::size_t n) { result_ += std::to_string(n); }
+  void add(const fathom_check::Rational& r) { result_ += r.num.value().get_str() + '/' + r.den.value().get_str(); }
+  void add(const RationalPoint& p) {
+    add(p.x);
+    result_ += ' ';
+    add(p.y);
+    result_ += ' ';
+    add(p.z);
+  }
+
+  std::string result_;
+  std::vector<std::size_t> counts_;
+};
+
+void write_claim(Text& text, const Certificate& c) {
+  switch (c.claim) {
+    case Claim::depth: return text.line("claim depth", c.low);
+    case Claim::bounds: return text.line("claim bounds", c.low, c.high);
+    case Claim::touching: return text.line("claim touching");
+    case Claim::disjoint: return text.line("claim disjoint");
+    case Claim::apart: return text.line("claim apart", c.low);
+    case Claim::signed_bounds: return text.line("claim signed_bounds", c.low, c.high);
+  }
+}
+
+void write_body(Text& text, const Body& body, const char* name) {
+  const auto point = [&](const RationalPoint& p) { text.line(p); };
+  const auto atom = [&](const fathom_check::Atom& a) {
+    if (a.size() == 1) text.line("point", a[0]);
+    if (a.size() == 3) text.line("disc", a[0], a[1], a[2]);
+    if (a.size() == 4) text.line("ball", a[0], a[1], a[2], a[3]);
+  };
+  switch (body.core) {
+    case Body::Core::points: text.part(name, body.points.items, point); break;
+    case Body::Core::shape:
+      text.part(std::string("shape_") + name, body.terms, [&](const auto& term) { text.part("term", term, atom); });
+      break;
+    case Body::Core::half_space: text.line(std::string("halfspace_") + name, body.normal, body.offset); break;
+    case Body::Core::pieces: {
+      std::size_t first = 0;
+      text.part(std::string("pieces_") + name, body.pieces, [&](const fathom_check::List& piece) {
+        text.range(name, body.points.items, first, piece.end, point);
+        first = piece.end;
+      });
+      break;
+    }
+  }
+  if (body.radius.num.sign() != 0) text.line(std::string("radius_") + name, body.radius);
+}
+
+void write_proof_of_body(Text& text, const Body& body, const char* name, bool heights) {
+  if (body.core != Body::Core::shape) return;
+  if (heights) return text.part(std::string("heights_") + name, body.heights.items, [&](const auto& height) { text.line(height); });
+  std::vector<std::vector<fathom_check::Place>> points;
+  for (std::size_t k = 0; k < body.inner.items.size(); ++k) {
+    if (k % body.terms.size() == 0) points.emplace_back();
+    points.back().push_back(body.inner.items[k]);
+  }
+  text.part(std::string("inner_") + name, points, [&](const auto& places) { text.row(places); });
+}
+
+/// What stands behind the claim.
+void write_proof_of_unions(Text& text, const Certificate& c) {
+  const fathom_check::UnionParts& parts = c.of_unions;
+  const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
+  const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
+  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  const auto separations = [&](std::size_t list) {
+    const std::size_t first = fathom_check::begin_of(parts.separation_lists, list);
+    text.range("separations", parts.separations.items, first, parts.separation_lists[list].end, vector);
+  };
+  if (c.claim != Claim::depth) {
+    separations(0);
+    text.line("nearest", std::size_t{parts.nearest_a}, std::size_t{parts.nearest_b});
+    text.part("weights_a", c.weights_a.items, weight);
+    text.part("weights_b", c.weights_b.items, weight);
+    return;
+  }
+  std::size_t list = 0, vertex = 0, facet = 0;
+  text.part("optima", parts.optima.items, [&](const RationalPoint& t) {
+    text.line("optimum", t);
+    separations(list++);
+  });
+  text.part("polytopes", parts.polytopes, [&](const fathom_check::InnerPolytope& polytope) {
+    text.line("polytope", std::size_t{polytope.i}, std::size_t{polytope.j});
+    text.range("vertices", c.vertices.items, vertex, polytope.vertices.end, pair);
+    text.facets(c.facets.items, facet, polytope.facets.end);
+    vertex = polytope.vertices.end;
+    facet = polytope.facets.end;
+  });
+  text.tree(parts.tree.items);
+}
+
+/// All but the first line and the id.
+std::string text_of(const Certificate& c) {
+  Text text;
+  const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
+  const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
+  const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  write_body(text, c.a, "a");
+  write_body(text, c.b, "b");
+  write_claim(text, c);
+  if (c.format == 3) {
+    write_proof_of_unions(text, c);
+    return std::move(text).ended(c.format);
+  }
+  text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
+  for (const bool heights : {true, false}) {
+    write_proof_of_body(text, c.a, "a", heights);
+    write_proof_of_body(text, c.b, "b", heights);
+  }
+  if (c.proof == fathom_check::Proof::facets) {
+    text.part("vertices", c.vertices.items, pair);
+    text.facets(c.facets.items);
+  } else if (c.proof == fathom_check::Proof::weights) {
+    text.part("weights_a", c.weights_a.items, weight);
+    text.part("weights_b", c.weights_b.items, weight);
+  }
+  if (c.has_cone) {
+    text.part("lineality", c.lineality.items, vector);
+    text.part("rays", c.rays.items, vector);
+    text.part("differences", c.differences.items, pair);
+  }
+  return std::move(text).ended(c.format);
+}
+
+void ProvedChecker::hand_over(const Certificate& certificate) {
+  text_ = text_of(certificate);
+  claim_line_ = certificate.claim_line;
+  format_ = certificate.format;
+}
+
+std::runtime_error ProvedChecker::failure(const std::string& what) {
+  failed_ = true;
+  return std::runtime_error(what);
+}
+
+std::string ProvedChecker::answer(const std::string& name) {
+  using harness::Process;
+  if (!process_) {
+    look_here_first();
+    process_ = std::make_unique<Process>(std::string("exec ") + proved_program + (width_ ? " --width -" : " -"));
+  }
+  text_.pop_back();  // send() ends the last line
+  process_->send("fathom-certificate " + std::to_string(format_) + "\nid " + name + '\n' + text_);
+  std::string line;
+  if (process_->read_line(line, Process::Clock::time_point::max()) == Process::Got::line) return line;
+  constexpr int no_such_program = 127;  // of a shell
+  const auto ending = process_->ending(Process::Clock::time_point::max());
+  if (ending && !ending->by_signal && ending->number == no_such_program) throw failure(proved_program_is_missing());
+  throw failure(std::string(proved_program) + " " + (ending ? harness::described(*ending) : "is gone"));
+}
+
+fathom_check::SecondChecker::Opinion ProvedChecker::opinion(const std::string& name) {
+  const std::string line = answer(name);
+  const std::string verified = "s VERIFIED ", end = ' ' + name;
+  if (line.starts_with(verified) && line.ends_with(end)) return {Outcome::verified, line};
+  const bool refused = line.starts_with("s REFUSED ");
+  if (!refused && !line.starts_with("s MALFORMED ")) throw failure(std::string(proved_program) + " gives no verdict");
+  const std::string start = line.substr(0, line.find(' ', 2)) + end;
+  const std::size_t reason = line.find(": ", start.size());  // behind a line number of the text that was handed over
+  return {refused ? Outcome::refused : Outcome::malformed,
+          start + ':' + std::to_string(claim_line_) + ": by " + proved_program + " alone" + line.substr(std::min(reason, line.size()))};
+}
+
+// ---- the command ----
+
+struct UsageFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Replaces this process by the checker that was extracted from the Coq development; returns only if there is none, beside this program or
+/// on the path.
+ExitCode become_proved(const std::vector<std::string>& words) {
+  become(proved_program, words);
+  talk(proved_program_is_missing());
+  return internal_error;
+}
+
+/// Compares with cases and results first, which the proved checker cannot read; then it must accept what passes.
+ExitCode compare_and_prove(const std::vector<std::string>& words, bool width) {
+  ProvedChecker proved(width);
+  const int code = fathom_check::command_line(words, "fathom check", &proved);
+  return proved.failed() || !std::cout ? internal_error : static_cast<ExitCode>(code);
+}
+
+/// Lends the checker this program's threads.
+class Threads : public fathom_check::Workers {
+ public:
+  explicit Threads(unsigned threads) : threads_(threads) {}
+  void run(const std::function<std::optional<fathom_check::Piece>()>& next) override {
+    using fathom_check::Piece;
+    const auto next_piece = [&] {
+      std::optional<Piece> piece = next();
+      return piece ? std::make_shared<Piece>(*std::move(piece)) : nullptr;
+    };
+    in_order<Piece>(
+        threads_, next_piece, [](const Piece& piece) { piece.work(); }, [](const Piece& piece) { piece.report(); });
+  }
+
+ private:
+  unsigned threads_;
+};
+
+/// Takes "--threads N" out of the words. Throws UsageFault.
+std::optional<unsigned> take_threads(std::vector<std::string>& words) {
+  const auto option = std::find_if(words.begin(), std::find(words.begin(), words.end(), "--"),
+                                   [](const std::string& word) { return word == "--threads" || word.starts_with("--threads="); });
+  if (option == words.end() || *option == "--") return std::nullopt;
+  const bool joined = *option != "--threads";
+  if (!joined && option + 1 == words.end()) throw UsageFault("--threads expects a number");
+  const std::string text = joined ? option->substr(std::string_view("--threads=").size()) : *(option + 1);
+  words.erase(option, option + (joined ? 1 : 2));
+  const std::optional<unsigned> threads = threads_of(text);
+  if (!threads) throw UsageFault("--threads: " + expected_threads(text));
+  return threads;
+}
+
+/// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to refuse.
+void refuse_misspelt(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const OptionHelp& option : check_page().options) names.insert(names.end(), option.names.begin(), option.names.end());
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    if (words[i] == "--case" || words[i] == "--results") ++i;  // a file may have any name
+    else if (words[i].starts_with("--") && std::find(names.begin(), names.end(), words[i]) == names.end())
+      if (const std::string meant = did_you_mean(words[i], names); !meant.empty())
+        throw UsageFault("unknown option " + kernels::shown(words[i]) + meant);
+  }
+}
+
+ExitCode check(std::vector<std::string> words) {
+  const auto asks_for_help = [&words] {
+    const auto files = std::find(words.begin(), words.end(), "--");
+    return std::any_of(words.begin(), files, [](const std::string& word) { return word == "--help" || word == "-h"; });
+  };
+  if (asks_for_help()) {
+    print(help_text(check_page(), help_columns(STDOUT_FILENO)));
+    return fine;
+  }
+  const std::optional<unsigned> threads = take_threads(words);
+  refuse_misspelt(words);
+  const auto files = std::find(words.begin(), words.end(), "--");
+  const auto has = [&](const char* option) { return std::find(words.begin(), files, option) != files; };
+  const auto proved = std::find(words.begin(), files, "--proved");
+  if (proved == files) {
+    Threads workers(threads.value_or(usual_threads()));
+    const int code = fathom_check::command_line(words, "fathom check", nullptr, &workers);
+    return std::cout ? static_cast<ExitCode>(code) : internal_error;  // fathom-check, which has no code for internal errors, returns 2
+  }
+  if (threads) throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");
+  const bool compares = has("--case") || has("--results") || has("--echo"), width = has("--width");
+  words.erase(proved);
+  return compares ? compare_and_prove(words, width) : become_proved(words);
+}
+
+}  // namespace
+
+ExitCode run_check(std::vector<std::string> words) try { return check(std::move(words)); } catch (const UsageFault& fault) {
+  talk(std::string(fault.what()) + "\nTry: fathom check --help");
+  return bad_input;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies for people: a block for one case, a line for each case of a stream; for programs; for spreadsheets.
+
+#include "cli/output/study_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "cli/io/terminal.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/decimal.hpp"
+#include "reference/output/json_values.hpp"
+#include "cli/output/text_rows.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/number/infinitesimal.hpp"
+#include "kernels/number/surd.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr std::size_t most_monomials = 6;
+constexpr std::size_t most_indices = 12;
+constexpr std::size_t longest_exact = 40;
+constexpr std::size_t decided_column = 52, features_column = 32, none_column = 6;
+
+using Lines = std::vector<std::string>;
+
+std::string count_text(std::uint64_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+/// With the gap to the column before.
+std::string decided_text(const TierCounts& tiers) {
+  Lines parts;
+  for (const auto& [packed, count] : tiers.decided) {
+    if (parts.size() == most_monomials) {
+      parts.emplace_back("...");
+      break;
+    }
+    parts.push_back(fmt::format("{}: {}", monomial_name(packed), count));
+  }
+  return parts.empty() ? "" : fmt::format("  {}", fmt::join(parts, ", "));
+}
+
+void add_predicates(Lines& lines, const PredicateCounts& counts) {
+  bool any = false;
+  lines.push_back(fitted(fmt::format("{:<18}{:>12}{:>10}{:>10}  {}", "predicate", "calls", "exact", "zero", "decided by"), decided_column));
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = counts[i];
+    lines.push_back(fitted(
+        fmt::format("{:<18}{:>12}{:>10}{:>10}{}", spoken(predicate_names[i]), tiers.calls, tiers.exact, tiers.zero, decided_text(tiers)),
+        decided_column));
+    any = any || tiers.zero > 0;
+  }
+  if (any) lines.push_back(fitted("Eij are the infinitesimals that move -A; a, b, c tilt the chart's frame"));
+}
+
+void add_features(Lines& parts, std::string_view body, const std::vector<Feature>& features) {
+  for (const Feature& points : features) {
+    const std::size_t shown = std::min(points.size(), most_indices);
+    parts.push_back(fmt::format("{} {}{}", body, fmt::join(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+                                shown < points.size() ? fmt::format(" ... ({} in all)", points.size()) : ""));
+  }
+}
+
+/// "A 0 1, B 4 5": the input points of each feature.
+std::string points_text(const Involved& involved) {
+  Lines parts;
+  add_features(parts, "A", involved.a);
+  add_features(parts, "B", involved.b);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void add_coincidences(Lines& lines, const Study& study, bool all) {
+  Lines absent;
+  lines.push_back(
+      fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "points of the features" : "points of the first's features"),
+             features_column));
+  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
+    const auto& [count, listed] = study.coincidences[i];
+    if (count == 0) {
+      absent.push_back(spoken(coincidence_names[i]));
+      continue;
+    }
+    lines.push_back(
+        fitted(fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count, listed.empty() ? "" : "  " + points_text(listed.front())),
+               features_column));
+    if (!all) continue;
+    for (std::size_t k = 1; k < listed.size(); ++k)
+      lines.push_back(fitted(fmt::format("{:{}}{}", "", features_column, points_text(listed[k])), features_column));
+  }
+  if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
+}
+
+// Studies as JSON, schema fathom/study/1.
+
+constexpr const char* schema = "fathom/study/1";
+
+Json size_object(const BodySize& size) {
+  return {{"rank", size.rank}, {"vertices", size.vertices}, {"edges", size.edges}, {"facets", size.facets}};
+}
+
+Json points_of(const std::vector<Feature>& features) {
+  Json result = Json::array();
+  for (const Feature& points : features) result.push_back(points);
+  return result;
+}
+
+Json predicates_object(const PredicateCounts& counts) {
+  Json result;
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    Json decided = Json::array();
+    for (const auto& [packed, count] : counts[i].decided) {
+      decided.push_back({{"monomial", kernels::Monomial::unpacked(packed).text()}, {"name", monomial_name(packed)}, {"count", count}});
+    }
+    result[predicate_names[i]] = {
+        {"calls", counts[i].calls}, {"exact", counts[i].exact}, {"zero", counts[i].zero}, {"decided_by", decided}};
+  }
+  return result;
+}
+
+Json coincidences_object(const Study& study) {
+  Json result;
+  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
+    Json listed = Json::array();
+    for (const Involved& involved : study.coincidences[i].listed)
+      listed.push_back({{"a", points_of(involved.a)}, {"b", points_of(involved.b)}});
+    result[coincidence_names[i]] = {{"count", study.coincidences[i].count}, {"listed", listed}};
+  }
+  return result;
+}
+
+// Studies as lines of CSV.
+
+/// Safe for a terminal, and between quotes where it must be.
+std::string field(const std::string& any) {
+  const std::string text = safe_id(any);
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string row(const std::vector<std::string>& fields) { return fmt::format("{}", fmt::join(fields, ",")); }
+
+std::vector<std::string> columns() {
+  std::vector<std::string> names{"id", "status", "squared", "optima"};
+  for (const std::string_view what : coincidence_names) names.emplace_back(what);
+  for (const std::string_view what : predicate_names) {
+    for (const char* tier : {"calls", "exact", "zero"}) names.push_back(fmt::format("{}_{}", what, tier));
+  }
+  names.emplace_back("error");
+  return names;
+}
+
+// Studies of shapes, for people and as JSON.
+
+using Lines = std::vector<std::string>;
+
+// ---- text ----
+
+std::string present_text(const ShapeStudy& study) {
+  Lines parts;
+  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i)
+    if (const std::uint64_t count = study.coincidences[i].count)
+      parts.push_back(fmt::format("{} {}", spoken(shape_coincidence_names[i]), count));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+void add_coincidences(Lines& lines, const ShapeStudy& study, bool all) {
+  Lines absent;
+  constexpr std::size_t column = 32, none_column = 6;
+  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
+  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
+    const auto& [count, listed] = study.coincidences[i];
+    if (count == 0) {
+      absent.push_back(spoken(shape_coincidence_names[i]));
+      continue;
+    }
+    lines.push_back(fitted(
+        fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count, listed.empty() ? "" : "  " + involved_text(listed.front())),
+        column));
+    for (std::size_t k = 1; all && k < listed.size(); ++k)
+      lines.push_back(fitted(fmt::format("{:{}}{}", "", column, involved_text(listed[k])), column));
+  }
+  if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
+}
+
+// ---- JSON ----
+
+Json size_object(const ShapeSize& size) {
+  return {{"half_space", size.half_space ? 1 : 0},
+          {"terms", size.terms},
+          {"points", size.points},
+          {"discs", size.discs},
+          {"balls", size.balls},
+          {"radius", Json::plain(exact_text(size.radius))}};
+}
+
+Json feature_object(const ShapeFeature& feature) {
+  Json result = {{"feature", feature.what}};
+  if (!is_zero(feature.direction)) result["direction"] = output::exact(feature.direction);
+  if (feature.point) result["point"] = output::exact(*feature.point);
+  if (feature.length) result["length"] = output::exact_object(*feature.length);
+  return result;
+}
+
+Json involved_object(const ShapeInvolved& involved) { return {{"a", feature_object(involved.a)}, {"b", feature_object(involved.b)}}; }
+
+Json coincidences_object(const ShapeStudy& study) {
+  Json result;
+  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
+    Json listed = Json::array();
+    for (const ShapeInvolved& involved : study.coincidences[i].listed) listed.push_back(involved_object(involved));
+    result[shape_coincidence_names[i]] = {{"count", study.coincidences[i].count}, {"listed", listed}};
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string size_text(const BodySize& size) {
+  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"), count_text(size.edges, "edge", "edges"),
+                     count_text(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
+}
+
+std::string status_text(const Depth& depth) {
+  std::string result(name(depth.status()));
+  if (depth.status() != Status::penetrating) return result;
+  const std::string squared = exact_text(depth.squared());
+  result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
+  return result + "; " + count_text(depth.optima().size(), "optimum", "optima");
+}
+
+std::string spoken(std::string_view name) {
+  std::string result(name);
+  std::ranges::replace(result, '_', ' ');
+  if (result.ends_with(" of a")) result.back() = 'A';
+  if (result.ends_with(" of b")) result.back() = 'B';
+  return result;
+}
+
+std::string study_block(const Study& study, bool all) {
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + size_text(study.a), body_column),
+              fitted("B  " + size_text(study.b), body_column), ""};
+  add_predicates(lines, study.predicates);
+  lines.emplace_back();
+  add_coincidences(lines, study, all);
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string study_line(const std::string& id, const Study& study) {
+  Lines parts{status_text(study.depth)};
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = study.predicates[i];
+    if (tiers.zero > 0) parts.push_back(fmt::format("{} {} of {} zero", spoken(predicate_names[i]), tiers.zero, tiers.calls));
+  }
+  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
+    if (study.coincidences[i].count > 0) parts.push_back(fmt::format("{} {}", spoken(coincidence_names[i]), study.coincidences[i].count));
+  }
+  return case_line(id, parts);
+}
+
+Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
+
+void add_study(Json& object, const Study& study) {
+  object["status"] = name(study.depth.status());
+  object["squared"] = exact_text(study.depth.squared());
+  object["optima"] = study.depth.optima().size();
+  object["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
+  object["predicates"] = predicates_object(study.predicates);
+  object["coincidences"] = coincidences_object(study);
+}
+
+std::string study_json(const std::string& id, const Study& study) {
+  Json result = study_head(id);
+  add_study(result, study);
+  return result.text();
+}
+
+std::string study_json_error(const std::string& id, std::size_t line, const std::string& error) {
+  return output::error_object(schema, id, line, error);
+}
+
+std::string study_csv_header() { return row(columns()); }
+
+std::string study_csv_row(const std::string& id, const Study& study) {
+  const Depth& depth = study.depth;
+  std::vector<std::string> fields{field(id), std::string(name(depth.status())), exact_text(depth.squared()),
+                                  std::to_string(depth.optima().size())};
+  for (const Coincidences& all : study.coincidences) fields.push_back(std::to_string(all.count));
+  for (const TierCounts& tiers : study.predicates) {
+    for (const std::uint64_t count : {tiers.calls, tiers.exact, tiers.zero}) fields.push_back(std::to_string(count));
+  }
+  fields.emplace_back();  // no error
+  return row(fields);
+}
+
+std::string study_csv_error(const std::string& id, const std::string& error) {
+  std::vector<std::string> fields(columns().size());
+  fields.front() = field(id);
+  fields.back() = field(error);
+  return row(fields);
+}
+
+std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
+
+std::string status_text(const SignedDepth& depth) {
+  const std::string value = depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
+                                          : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
+  return fmt::format("{}; {}", status_name(depth), value);
+}
+
+std::string size_text(const ShapeSize& size) {
+  Lines parts;
+  const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+  };
+  if (size.half_space) parts.emplace_back("a half-space");
+  if (size.terms > 1) add(size.terms, "term", "terms");
+  add(size.points, "point", "points");
+  add(size.discs, "disc", "discs");
+  add(size.balls, "ball", "balls");
+  if (size.radius > 0) parts.push_back("radius " + exact_text(size.radius));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string feature_text(const ShapeFeature& feature) {
+  std::string text(feature.what);
+  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
+  if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
+  if (feature.point) text += " at " + point_text(*feature.point);
+  return text;
+}
+
+std::string involved_text(const ShapeInvolved& involved) {
+  return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
+}
+
+std::string study_block(const ShapeStudy& study, bool all) {
+  Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + size_text(study.a), body_column),
+              fitted("B  " + size_text(study.b), body_column)};
+  if (study.contact) lines.push_back(fitted("contact  " + involved_text(*study.contact), 9));
+  lines.emplace_back();
+  add_coincidences(lines, study, all);
+  if (study.cores) {
+    lines.insert(lines.end(), {"", "cores"});
+    lines.push_back(study_block(*study.cores, all));
+  }
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+std::string study_line(const std::string& id, const ShapeStudy& study) {
+  const std::string present = present_text(study);
+  std::vector<std::string> parts{status_text(study.depth)};
+  if (!present.empty()) parts.push_back(present);
+  return case_line(id, parts);
+}
+
+std::string study_json(const std::string& id, const ShapeStudy& study) {
+  Json result = study_head(id);
+  result["status"] = status_name(study.depth);
+  result["signed_depth"] = output::signed_depth_object(study.depth);
+  result["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
+  result["contact"] = study.contact ? involved_object(*study.contact) : Json();
+  result["coincidences"] = coincidences_object(study);
+  if (study.cores) {
+    Json cores;
+    add_study(cores, *study.cores);
+    result["cores"] = cores;
+  }
+  return result.text();
+}
+
+}  // namespace fathom::cli
