@@ -19,8 +19,6 @@ namespace {
 
 using namespace fathom::cli;
 
-bool parses_itself(std::string_view command) { return std::ranges::find(parsed_elsewhere, command) != std::end(parsed_elsewhere); }
-
 /// Whether it is `fathom certify diff`: a word behind the command where else a stream of cases stands.
 bool compares_reports(int argc, char** argv) {
   return argc > 2 && std::string_view(argv[1]) == "certify" && std::string_view(argv[2]) == "diff";

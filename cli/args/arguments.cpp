@@ -2,34 +2,34 @@
 #include "cli/args/arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <system_error>
 #include <unistd.h>
 
-#include "cli/args/along_arguments.hpp"
-#include "cli/args/approx_arguments.hpp"
-#include "cli/args/cases_arguments.hpp"
-#include "cli/args/certify_arguments.hpp"
 #include "cli/args/help.hpp"
-#include "cli/args/named_files.hpp"
-#include "cli/args/parser.hpp"
-#include "cli/args/parser_words.hpp"
-#include "cli/args/pieces_arguments.hpp"
-#include "cli/args/sweep_arguments.hpp"
 #include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/files/file_io.hpp"
 #include "verify/golden/shards/plan.hpp"
+#include "cli/args/given.hpp"
+#include "cli/args/help_page.hpp"
+#include "cli/args/values.hpp"
+#include "reference/solve/disagreement.hpp"
+#include "verify/harness/variants.hpp"
+#include "verify/judge/policy.hpp"
 
 namespace fathom::cli {
 
 extern const char* const built_commit;  ///< "" if the sources are at none: CMake writes it into a file of its own
 
 namespace {
+
+// ---- words that name no command ----
 
 /// Returns whether the name is that of a mesh. Other names may be streams of cases.
 bool is_mesh_name(const std::string& path) {
@@ -54,16 +54,14 @@ std::string line_with_command(const std::vector<std::string>& words) {
   return fmt::format("; did you mean: fathom {} {}", one_body ? "width" : "depth", shell_line(words));
 }
 
-/// Returns a sentence if the words ask for what CLI11 would call unknown, or "".
-std::string wrong_words(const std::vector<std::string>& words) {
+/// Returns a sentence if the first word is no command, or "".
+std::string wrong_command(const std::vector<std::string>& words) {
   const std::string& command = words[0];
-  const std::vector<std::string> names(commands.begin(), commands.end());
-  const bool known = command.starts_with('-') || std::find(names.begin(), names.end(), command) != names.end();
-  if (known) return missing_value(words);
+  const std::vector<std::string> names = command_names();
+  if (command.starts_with('-') || std::ranges::find(names, command) != names.end()) return "";
   if (const std::string line = is_input(command) ? line_with_command(words) : ""; !line.empty())
     return fmt::format("expected a command, found the input {}{}", kernels::shown(command), line);
-  return fmt::format("unknown command {} (expected {}){}", kernels::shown(command), fmt::join(commands, ", "),
-                     did_you_mean(command, names));
+  return fmt::format("unknown command {} (expected {}){}", kernels::shown(command), fmt::join(names, ", "), did_you_mean(command, names));
 }
 
 Arguments refusal(const std::string& sentence, const std::string& command = "") {
@@ -71,7 +69,7 @@ Arguments refusal(const std::string& sentence, const std::string& command = "") 
 }
 
 Arguments no_command() {
-  return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(commands, ", "), general_examples[0].line));
+  return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(command_names(), ", "), general_examples[0].line));
 }
 
 std::string version_text() {
@@ -79,20 +77,190 @@ std::string version_text() {
   return fmt::format("fathom {}\n{}golden data {}\nlicence GPL-3.0-or-later", FATHOM_VERSION, commit, golden::data_version);
 }
 
-/// The name as the user typed it.
-std::string name(Command command) { return std::string(commands[static_cast<std::size_t>(command)]); }
+// ---- the requests ----
 
-/// Returns what is wrong with the number of inputs, or "".
-std::string wrong_inputs(Request& request, const Texts& texts) {
-  if (request.command == Command::cases) return texts.wrong_cases;
-  if (!request.sweep.family.empty()) return "";
-  if (request.command == Command::certify) return wrong_certify(request.certify, request.inputs);
+/// The engine of this name.
+ClosestLines engine_of(const std::string& name) {
+  return static_cast<ClosestLines>(std::ranges::find(engine_names, name) - engine_names.begin());
+}
+
+template <class Count>
+std::optional<Count> count_of(const Given& given, std::string_view option) {
+  const std::optional<std::string> text = given.value(option);
+  return text ? std::optional(static_cast<Count>(typed_integer(*text).value())) : std::nullopt;
+}
+
+/// A number as certify takes it.
+std::optional<mpq_class> number_of(const Given& given, std::string_view option) {
+  const std::optional<std::string> text = given.value(option);
+  return text ? parse_number(*text, Decimals::exact).value : std::nullopt;
+}
+
+CasesRequest cases_of(const Given& given) {
+  using What = CasesRequest::What;
+  CasesRequest cases;
+  for (const auto& [option, what] : {std::pair("--family", What::family),
+                                     {"--catalogue", What::catalogue},
+                                     {"--list", What::list},
+                                     {"--from", What::from},
+                                     {"--from-fcl", What::from_fcl}})
+    if (given.has(option)) cases.what = what;
+  cases.families = given.words("--family");
+  cases.shapes = given.flag("--shapes");
+  cases.unions = given.flag("--unions");
+  cases.count = count_of<std::uint64_t>(given, "--count").value_or(cases.count);
+  cases.seed = count_of<std::uint64_t>(given, "--seed").value_or(cases.seed);
+  cases.size = count_of<unsigned>(given, "--size");
+  cases.fcl = given.text("--from-fcl");
+  return cases;
+}
+
+CertifyRequest certify_of(const Given& given) {
+  CertifyRequest certify;
+  certify.subject = given.text("--subject");
+  certify.adapter = given.text("--adapter");
+  certify.replay = given.text("--replay");
+  certify.claims = given.text("--claims");
+  certify.list_adapters = given.flag("--list-adapters");
+  if (const auto jobs = given.value("--jobs")) certify.jobs = typed_threads(*jobs);
+  if (const auto time = number_of(given, "--time-out")) certify.time_out = round_binary64(*time, Rounding::ru);
+  certify.tolerance.relative = number_of(given, "--tol-rel").value_or(certify.tolerance.relative);
+  certify.tolerance.absolute = number_of(given, "--tol-abs").value_or(certify.tolerance.absolute);
+  if (const auto ulps = count_of<std::size_t>(given, "--tol-ulps")) certify.tolerance.ulps = *ulps;
+  certify.fit = number_of(given, "--fit");
+  if (const auto policy = given.value("--policy")) certify.tolerance.policy = judging::policy_of(*policy).value();
+  certify.methods = second_methods(given);
+  certify.report = given.text("--report");
+  certify.resume = given.flag("--resume");
+  certify.overwrite = given.flag("--overwrite");
+  certify.all_rows = given.flag("--all-rows");
+  certify.metamorphic = given.text("--metamorphic");
+  if (certify.metamorphic == "all") certify.variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));
+  else if (!certify.metamorphic.empty()) certify.variants = words_of(certify.metamorphic);
+  certify.expect_fail = given.text("--expect-fail");
+  certify.write_expect_fail = given.text("--write-expect-fail");
+  certify.max_errors = count_of<std::size_t>(given, "--max-errors");
+  certify.junit = given.text("--junit");
+  certify.html = given.text("--html");
+  certify.certificates = given.text("--certificates");
+  certify.shrink = given.text("--shrink");
+  certify.harness = given.text("--harness");
+  certify.print_input = given.text("--print-input");
+  return certify;
+}
+
+constexpr const char *usual_sizes = "10..1000", *usual_delta = "1/100";
+
+Request request_of(const Given& given) {
+  Request request;
+  const std::vector<std::string> names = command_names();
+  request.command = static_cast<Command>(std::ranges::find(names, given.command) - names.begin());
+  request.inputs = given.inputs();
+  const std::string method = given.text("--method"), engine = given.text("--closest-lines");
+  if (request.command == Command::certify) request.certify = certify_of(given);
+  if (request.command == Command::cases) request.cases = cases_of(given);
+  if (method == "exact") request.method = Method::exact;
+  if (method == "naive") request.method = Method::naive;
+  request.shallow = method == "shallow";
+  request.sweep.family = given.text("--sweep");
+  if (request.command == Command::study)
+    for (const std::string& name : given.words("--closest-lines")) request.sweep.engines.push_back(engine_of(name));
+  else if (!engine.empty()) request.closest_lines = engine_of(engine);
+  if (!request.sweep.family.empty()) request.sweep.sizes = typed_sizes(given.value("--sizes").value_or(usual_sizes)).value();
+  request.seed = count_of<std::uint64_t>(given, "--seed").value_or(request.seed);
+  request.optima = count_of<std::size_t>(given, "--optima");
+  request.digits = count_of<unsigned>(given, "--digits");
+  request.bits = count_of<unsigned>(given, "--bits");
+  request.exact = given.flag("--exact");
+  request.json = given.flag("--json");
+  request.csv = given.flag("--csv");
+  request.html = request.command == Command::study ? given.text("--html") : "";
+  request.all = given.flag("--all");
+  request.times = given.flag("--times");
+  request.counters = given.flag("--counters");
+  if (const auto threads = given.value("--threads")) request.threads = typed_threads(*threads);
+  request.certificate = given.text("--certificate");
+  request.embed_certificate = given.flag("--embed-certificate");
+  request.svg = given.text("--svg");
+  if (const auto delta = given.value("--delta")) request.delta = typed_number(*delta);
+  else if (request.command == Command::approx) request.delta = typed_number(usual_delta);
+  if (const auto direction = given.value("--direction")) request.direction = typed_vector(*direction);
+  request.ball = given.text("--ball");
+  request.pose_a = given.value("--pose-a");
+  request.pose_b = given.value("--pose-b");
+  request.require_convex = given.flag("--require-convex");
+  request.case_id = given.value("--case");
+  request.page = given.text("--output");
+  if (const auto path = given.value("--along")) request.along.translation = typed_vector(*path);
+  request.along.steps = count_of<std::uint32_t>(given, "--steps").value_or(request.along.steps);
+  request.pieces = given.flag("--pieces");
+  request.decimals = given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64;
+  return request;
+}
+
+// ---- what does not go together: sentences, or "" ----
+
+std::string wrong_cases(const Given& given, const CasesRequest& cases, std::size_t inputs) {
+  using What = CasesRequest::What;
+  const auto wanted = std::ranges::count_if(std::array{"--family", "--catalogue", "--list", "--from", "--from-fcl"},
+                                            [&](const char* option) { return given.has(option); });
+  if (wanted != 1)
+    return fmt::format("cases expects one of --family, --catalogue, --list, --from and --from-fcl, found {}",
+                       wanted == 0 ? "none" : "several");
+  for (const char* option : {"--count", "--seed", "--size"})
+    if (cases.what != What::family && given.has(option)) return fmt::format("{} goes with --family", option);
+  const bool of_many = cases.what == What::catalogue || cases.what == What::list ||
+                       (cases.what == What::family && cases.families == std::vector<std::string>{"all"});
+  for (const auto& [option, asked] : {std::pair("--shapes", cases.shapes), std::pair("--unions", cases.unions)})
+    if (asked && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
+  if (cases.shapes && cases.unions) return "--shapes and --unions are two kinds of bodies: ask for one after the other";
+  for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
+    if (cases.what != What::from && given.has(option)) return fmt::format("{} goes with --from", option);
+  if (inputs == (cases.what == What::from ? 2 : 0)) return "";
+  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs, inputs == 1 ? "" : "s");
+}
+
+std::string wrong_variants(const CertifyRequest& certify) {
+  for (const std::string& word : certify.variants)
+    if (std::ranges::find(harness::variant_names, word) == std::end(harness::variant_names))
+      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", kernels::shown(word),
+                         fmt::join(harness::variant_names, ", "));
+  return "";
+}
+
+std::string wrong_certify(const CertifyRequest& certify, const std::vector<std::string>& inputs) {
+  const auto given = [](const std::string& text) { return text.empty() ? 0U : 1U; };
+  const std::size_t subjects = given(certify.subject) + given(certify.adapter) + given(certify.replay);
+  if (certify.list_adapters)
+    return subjects + inputs.size() == 0 ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
+  if (!certify.claims.empty()) return subjects + inputs.size() == 0 ? "" : "--claims judges a file, and takes no subject and no cases";
+  if (subjects != 1) return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
+  if (inputs.size() != 1)
+    return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
+                       inputs.size(), inputs.size() == 1 ? "" : "s");
+  if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
+  if (certify.overwrite && certify.report.empty()) return "--overwrite replaces a report, and needs --report";
+  if (certify.overwrite && certify.resume) return "--resume goes on with the report that --overwrite replaces: one of them";
+  if (!certify.harness.empty() && certify.shrink.empty()) return "--harness is filled with what --shrink finds, and needs --shrink";
+  if (!certify.print_input.empty() && !certify.replay.empty())
+    return "--print-input shows what a subject reads, and a replay reads nothing";
+  if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
+  if (certify.report == "-") return "--report writes a file; --json writes to standard output";
+  if (!certify.replay.empty() && !certify.metamorphic.empty())
+    return "--metamorphic puts new cases to a subject, and a replay answers none";
+  if (!certify.replay.empty() && !certify.shrink.empty()) return "--shrink puts new cases to a subject, and a replay answers none";
+  return wrong_variants(certify);
+}
+
+std::string wrong_inputs(const Given& given, const Request& request) {
   const std::vector<std::string>& inputs = request.inputs;
+  if (request.command == Command::cases) return wrong_cases(given, request.cases, inputs.size());
+  if (!request.sweep.family.empty()) return "";
+  if (request.command == Command::certify) return wrong_certify(request.certify, inputs);
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
   if (request.command == Command::width)
     return inputs.size() == 1 ? "" : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
-  const std::string expected =
-      name(request.command) + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
+  const std::string expected = given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;
   if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + kernels::shown(inputs[0]);
   if (inputs.size() == 1 && files::is_shape_text(inputs[0])) return expected + "found the single shape " + kernels::shown(inputs[0]);
@@ -100,7 +268,47 @@ std::string wrong_inputs(Request& request, const Texts& texts) {
   return "";
 }
 
-/// Returns what is wrong with a request for a page, or "".
+std::string wrong_pieces(const Given& given, const Request& request) {
+  for (const char* option :
+       {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along", "--steps", "--times", "--csv", "--case", "--threads"})
+    if (given.has(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
+  if (request.inputs.size() != 2) return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
+  return "";
+}
+
+std::string wrong_along(const Given& given, const Request& request) {
+  if (!request.along.translation) {
+    for (const char* option : {"--steps", "--csv"})
+      if (given.has(option)) return fmt::format("{} goes with --along X,Y,Z", option);
+    return "";
+  }
+  for (const char* option : {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"})
+    if (given.has(option)) return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
+  if (request.shallow) return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
+  return "";
+}
+
+std::string wrong_sweep(const Given& given, const Request& request) {
+  if (!given.has("--sweep")) {
+    for (const char* option : {"--sizes", "--closest-lines", "--times", "--svg", "--seed"})
+      if (given.has(option)) return fmt::format("{} goes with --sweep FAMILY", option);
+    return "";
+  }
+  if (!request.inputs.empty()) return "--sweep makes its bodies itself, found " + kernels::shown(request.inputs[0]);
+  for (const char* option :
+       {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
+    if (given.has(option)) return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
+  return "";
+}
+
+/// Of a request for a curve or a chart.
+std::string wrong_picture(const Given& given, const Request& request) {
+  if (request.svg == "-") return "--svg writes a file, found - for standard output";
+  if (request.pieces) return wrong_pieces(given, request);
+  if (request.command == Command::depth) return wrong_along(given, request);
+  return request.command == Command::study ? wrong_sweep(given, request) : "";
+}
+
 std::string wrong_page(const Request& request) {
   if (request.command != Command::explain) return "";
   if (request.page.empty()) return "explain writes a page: expected -o FILE, with the name of an HTML file";
@@ -108,89 +316,68 @@ std::string wrong_page(const Request& request) {
   return "";
 }
 
-/// Returns what does not go together in a request for a curve or a chart, or "".
-std::string wrong_picture(const CLI::App& asked, Request& request) {
-  if (request.svg == "-") return "--svg writes a file, found - for standard output";
-  if (request.pieces) return wrong_pieces(asked, request);
-  if (request.command == Command::depth) return wrong_along(asked, request);
-  return request.command == Command::study ? wrong_sweep(asked, request) : "";
+std::string wrong_approximation(const Request& request, bool asks_exact) {
+  if (request.command == Command::ray && !request.direction) return "ray expects --direction X,Y,Z: where A is to move";
+  if (request.command == Command::metric && request.ball.empty()) return "metric expects --ball Q: a mesh, the unit ball";
+  if (request.command != Command::width || !request.delta) return "";
+  if (asks_exact) return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
+  if (request.counters) return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
+  if (request.bits) return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
+  return "";
 }
 
-/// The request, unless its parts contradict each other.
-Arguments completed(Request request, const Texts& texts) {
-  const std::string command = name(request.command);
-  if (const std::string fault = wrong_inputs(request, texts); !fault.empty()) return refusal(fault, command);
-  if (!texts.wrong_picture.empty()) return refusal(texts.wrong_picture, command);
-  if (!texts.wrong_files.empty()) return refusal(texts.wrong_files, command);
-  if (request.case_id && request.inputs.size() == 2) return refusal("--case chooses a case of a stream, found two bodies", command);
-  if (!texts.closest_lines.empty() && texts.method != "auto" && texts.method != "exact")
-    return refusal("--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + texts.method, command);
-  if (request.embed_certificate && !request.json)
-    return refusal("--embed-certificate adds a field to JSON results, and needs --json", command);
-  if (request.certificate == "-")
-    return refusal("--certificate writes files; --json --embed-certificate writes to standard output", command);
-  if (request.html == "-") return refusal("--html writes a file; standard output has the answers", command);
-  const bool asks_exact =
-      texts.method != "auto" || !texts.closest_lines.empty() || !request.certificate.empty() || request.embed_certificate;
-  if (const std::string fault = wrong_page(request); !fault.empty()) return refusal(fault, command);
-  if (const std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return refusal(fault, command);
-  if (request.exact && request.json) return refusal("--exact is about text: JSON has every number exactly, and rounded beside it", command);
-  if (request.csv && request.json) return refusal("--csv and --json are two forms of one answer: choose one", command);
-  if (request.csv && request.all) return refusal("--all lists coincidences, and cannot be combined with --csv, which counts them", command);
-  request.decimals = texts.exact_decimals ? Decimals::exact : Decimals::binary64;
-  if (texts.method == "exact") request.method = Method::exact;
-  if (texts.method == "naive") request.method = Method::naive;
-  request.shallow = texts.method == "shallow";
-  for (std::size_t i = 0; i < engine_names.size(); ++i)
-    if (texts.closest_lines == engine_names[i]) request.closest_lines = static_cast<ClosestLines>(i);
-  return {std::move(request), "", fine};
-}
-
-/// The page of a command, or of fathom itself.
-HelpPage page_of(Parser& parser, CLI::App* command) {
-  if (command == nullptr) return {general_help, options_of(parser.app), {std::begin(command_table), std::end(command_table)}};
-  const auto help = std::ranges::find(command_table, command->get_name(), &CommandHelp::name);
-  HelpPage page{*help, options_of(*command)};
-  if (help->name == "certify") page.commands = {diff_help}, page.takes_input = true;
-  return page;
+/// The first thing that is wrong with the request, or "".
+std::string wrong_request(const Given& given, const Request& request) {
+  const bool stream = request.inputs.size() == 1 && !request.case_id;  // of width both are possible: it has one output
+  if (std::string fault = wrong_inputs(given, request); !fault.empty()) return fault;
+  if (std::string fault = wrong_picture(given, request); !fault.empty()) return fault;
+  if (std::string fault = wrong_files(given, stream); !fault.empty()) return fault;
+  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
+  const std::string method = given.command == "certify" ? "auto" : given.value("--method").value_or("auto");
+  if (request.closest_lines && method != "auto" && method != "exact")
+    return "--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + method;
+  if (request.embed_certificate && !request.json) return "--embed-certificate adds a field to JSON results, and needs --json";
+  if (request.certificate == "-") return "--certificate writes files; --json --embed-certificate writes to standard output";
+  if (request.html == "-") return "--html writes a file; standard output has the answers";
+  if (std::string fault = wrong_page(request); !fault.empty()) return fault;
+  const bool asks_exact = method != "auto" || request.closest_lines || !request.certificate.empty() || request.embed_certificate;
+  if (std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return fault;
+  if (request.exact && request.json) return "--exact is about text: JSON has every number exactly, and rounded beside it";
+  if (request.csv && request.json) return "--csv and --json are two forms of one answer: choose one";
+  if (request.csv && request.all) return "--all lists coincidences, and cannot be combined with --csv, which counts them";
+  return "";
 }
 
 }  // namespace
 
-std::vector<HelpPage> help_pages() {
-  Parser parser;
-  std::vector<HelpPage> pages = {page_of(parser, nullptr)};
-  for (CLI::App* const command : parser.commands) pages.push_back(page_of(parser, command));
-  return pages;
+std::vector<Method> second_methods(const Given& given) {
+  std::vector<Method> methods;
+  for (const std::string& word : given.words("--method")) {
+    const Method method = solve::second_method(word).value();
+    if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
+  }
+  return methods;
 }
 
 Arguments parse_arguments(int argc, const char* const* argv) {
-  Parser parser;
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (words.empty()) return no_command();
-  if (const std::string fault = wrong_words(words); !fault.empty()) return refusal(fault);
-  try {
-    parser.app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    return {std::nullopt, help_text(page_of(parser, parser.asked()), help_columns(STDOUT_FILENO)), fine};
-  } catch (const CLI::CallForVersion&) {
-    return {std::nullopt, version_text(), fine};
-  } catch (const CLI::ParseError& error) {
-    CLI::App* const asked = parser.asked();
-    return refusal(sentence(error, parser.app, asked) + (asked ? "" : line_with_command(words)), asked ? asked->get_name() : "");
+  if (const std::string fault = wrong_command(words); !fault.empty()) return refusal(fault);
+  if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
+  const Given given = read_words("", common_options(), words);
+  switch (given.kind) {
+    case Given::Kind::help: return {std::nullopt, help_text(page_of(given.command, common_options()), help_columns(STDOUT_FILENO)), fine};
+    case Given::Kind::version: return {std::nullopt, version_text(), fine};
+    case Given::Kind::refused: return refusal(given.fault + (given.command.empty() ? line_with_command(words) : ""), given.command);
+    case Given::Kind::request: break;
   }
-  CLI::App* const asked = parser.asked();
-  if (asked == nullptr) return no_command();
-  Request& request = parser.request;
-  request.command = static_cast<Command>(std::ranges::find(parser.commands, asked) - parser.commands.begin());
+  if (given.command.empty()) return no_command();
+  if (const std::string fault = empty_value(given); !fault.empty()) return refusal(fault, given.command);
+  Request request = request_of(given);
   if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);
   if (!request.html.empty()) request.command_line = command_line(argc, argv);
-  if (const std::string fault = empty_value(*asked); !fault.empty()) return refusal(fault, name(request.command));
-  if (request.command == Command::cases) parser.texts.wrong_cases = wrong_cases(*asked, request.cases, request.inputs);
-  parser.texts.wrong_picture = wrong_picture(*asked, request);
-  const bool stream = request.inputs.size() == 1 && !request.case_id;  // of width both are possible: it has one output
-  parser.texts.wrong_files = wrong_files(*asked, stream);
-  return completed(request, parser.texts);
+  if (const std::string fault = wrong_request(given, request); !fault.empty()) return refusal(fault, given.command);
+  return {std::move(request), "", fine};
 }
 
 }  // namespace fathom::cli

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parses the command line into a request, into help, or into a sentence on what is wrong with it.
+// Makes the request of a command from what was given, or help, or a sentence on what is wrong.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cli/args/help_page.hpp"
+#include "cli/args/given.hpp"
 #include "cli/args/request.hpp"
 #include "cli/io/output.hpp"
 
@@ -20,10 +20,10 @@ struct Arguments {
   ExitCode code = fine;
 };
 
-/// The pages of help: of fathom, and of the commands whose arguments are parsed here.
-std::vector<HelpPage> help_pages();
-
 /// Never throws, whatever the user typed.
 Arguments parse_arguments(int argc, const char* const* argv);
+
+/// The methods behind --method of a command that computes its answers in two ways: each once, in the order of the words.
+std::vector<Method> second_methods(const Given& given);
 
 }  // namespace fathom::cli

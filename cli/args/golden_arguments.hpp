@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "cli/args/help_page.hpp"
+#include "cli/args/given.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/depth.hpp"
 #include "verify/golden/export/export.hpp"
@@ -37,8 +39,8 @@ struct GoldenArguments {
   ExitCode code = fine;
 };
 
-/// The pages of help: of the command, then of its tasks.
-std::vector<HelpPage> golden_pages();
+/// "i/n" with 1 <= i <= n, or nullopt.
+std::optional<std::pair<std::size_t, std::size_t>> typed_part(std::string_view text);
 
 /// Never throws, whatever the user typed.
 GoldenArguments parse_golden(const std::vector<std::string>& words);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of `fathom certify diff --help`.
+// The words of --help, of the man pages and of completion: the table of commands. Their options are in options.hpp. Every example is run by
+// a test, on the files in examples/data.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <iterator>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/args/help_page.hpp"
 
@@ -30,11 +33,6 @@ inline constexpr std::string_view diff_notes[] = {
     "told "
     "apart by their ids. Errors are in parts of the largest coordinate of a pair.",
 };
-
-inline constexpr CommandHelp diff_help = {
-    "certify diff", "What changed between two reports.", "fathom certify diff [OPTIONS] OLD NEW", diff_examples, diff_exits, diff_notes};
-
-// The words of `fathom golden --help` and of its tasks, like those of the other commands.
 
 inline constexpr Example golden_examples[] = {
     {"fathom golden generate --level L0 --out data", "cases with their exact answers, rounded answers and proofs, in the folder data"},
@@ -84,20 +82,6 @@ inline constexpr std::string_view golden_notes[] = {
     "A release is a folder of zstd files, shard by shard: records as JSON Lines, certificates; of polytopes CSV too. "
     "Its NOTES.md explains every field. The data is in the public domain (CC0-1.0).",
 };
-
-/// The command, then its tasks.
-inline constexpr CommandHelp golden_table[] = {
-    {"golden", "Golden test data: make a release, prove one, or export some of it.", "fathom golden generate|verify|export [OPTIONS]",
-     golden_examples, golden_exits, golden_notes},
-    {"golden generate", "Make a release, or go on with one.", "fathom golden generate --level LEVEL --out DIR [OPTIONS]", generate_examples,
-     golden_exits, golden_notes},
-    {"golden verify", "Prove a release, or refuse it.", "fathom golden verify DIR [OPTIONS]", verify_examples, golden_exits, golden_notes},
-    {"golden export", "Write some of a release, or cases of one's own, as one file for other tests.",
-     "fathom golden export --format FORMAT DIR|CASES [OPTIONS]", export_examples, golden_exits, golden_notes},
-};
-
-// The words of --help, of the man pages and of completion: the table of commands. The options come from the parser. Every example is run by
-// a test, on the files in examples/data.
 
 inline constexpr Example general_examples[] = {
     {"fathom depth a.off b.stl", "how deep do two bodies overlap? exactly, with the shortest way out"},
@@ -275,7 +259,7 @@ inline constexpr std::string_view check_notes[] = {
 inline constexpr CommandHelp general_help = {
     "", "Exact penetration depth of two convex polytopes.", "fathom COMMAND [OPTIONS] INPUT...", general_examples, all_exits, usual_notes};
 
-/// In the order of the general help: first the commands that `Command` lists.
+/// In the order of the general help, each with its tasks behind it. First the commands that `Command` lists.
 inline constexpr CommandHelp command_table[] = {
     {"depth", "Exact penetration depth of two bodies.", "fathom depth [OPTIONS] A B | CASES.jsonl | -", depth_examples, usual_exits,
      usual_notes},
@@ -298,21 +282,38 @@ inline constexpr CommandHelp command_table[] = {
     {"certify", "Where another implementation is wrong, case by case.",
      "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | - | diff OLD NEW", certify_examples,
      certify_exits, usual_notes},
+    {"certify diff", "What changed between two reports.", "fathom certify diff [OPTIONS] OLD NEW", diff_examples, diff_exits, diff_notes},
     {"check", "Check certificates, independently.", "fathom check [OPTIONS] FILE...", check_examples, check_exits, check_notes},
-    golden_table[0],
+    {"golden", "Golden test data: make a release, prove one, or export some of it.", "fathom golden generate|verify|export [OPTIONS]",
+     golden_examples, golden_exits, golden_notes},
+    {"golden generate", "Make a release, or go on with one.", "fathom golden generate --level LEVEL --out DIR [OPTIONS]", generate_examples,
+     golden_exits, golden_notes},
+    {"golden verify", "Prove a release, or refuse it.", "fathom golden verify DIR [OPTIONS]", verify_examples, golden_exits, golden_notes},
+    {"golden export", "Write some of a release, or cases of one's own, as one file for other tests.",
+     "fathom golden export --format FORMAT DIR|CASES [OPTIONS]", export_examples, golden_exits, golden_notes},
     {"help", "Help for a command.", "fathom help [COMMAND]", help_examples, usual_exits},
     {"man", "The manual page of a command, for man.", "fathom man [COMMAND] | --all DIR", man_examples, usual_exits},
     {"completion", "Completion of commands and options for a shell.", "fathom completion bash|zsh|fish", completion_examples, usual_exits},
 };
 
-/// The names of the commands.
-inline constexpr auto commands = [] {
-  std::array<std::string_view, std::size(command_table)> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = command_table[i].name;
-  return names;
-}();
+/// The name of the command that this one is a task of: "golden" of "golden verify"; "" of others.
+constexpr std::string_view parent(const CommandHelp& command) {
+  const std::size_t space = command.name.rfind(' ');
+  return space == command.name.npos ? "" : command.name.substr(0, space);
+}
 
-/// Commands with command lines of their own.
-inline constexpr std::string_view parsed_elsewhere[] = {"check", "golden", "help", "man", "completion"};
+/// Commands that take their words themselves, and those of their tasks.
+constexpr bool parses_itself(std::string_view command) {
+  constexpr std::string_view names[] = {"check", "golden", "help", "man", "completion"};
+  return std::ranges::find(names, command) != std::end(names);
+}
+
+/// The names of the commands that are no tasks.
+inline std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const CommandHelp& command : command_table)
+    if (parent(command).empty()) names.emplace_back(command.name);
+  return names;
+}
 
 }  // namespace fathom::cli

@@ -6,7 +6,10 @@
 
 #include <algorithm>
 
+#include "cli/args/help.hpp"
+#include "cli/args/values.hpp"
 #include "cli/io/terminal.hpp"
+#include "verify/check/command_line.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -78,6 +81,13 @@ void add_options(Lines& lines, const HelpPage& page, std::size_t columns) {
     add_explained(lines, last_word(command), command.summary, margin + longest + margin, columns);
 }
 
+OptionHelp help_of(const Option& option) {
+  OptionHelp help{words_of(option.names), option.value, option.meaning, option.values.words};
+  for (std::string& name : help.names) name = name.substr(0, name.find('{'));
+  if (option.required) help.meaning += "; required";
+  return help;
+}
+
 std::string exits_text(std::span<const ExitMeaning> exits) {
   Lines parts;
   for (const ExitMeaning& exit : exits) parts.push_back(fmt::format("{} {}", exit.code, exit.meaning));
@@ -90,6 +100,27 @@ std::string full_name(const CommandHelp& command) { return command.name.empty() 
 
 std::string option_title(const OptionHelp& option) {
   return fmt::format("{}{}{}", fmt::join(option.names, ", "), option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
+}
+
+HelpPage page_of(std::string_view command, std::span<const Option> table) {
+  const auto found = std::ranges::find(command_table, command, &CommandHelp::name);
+  HelpPage page{found == std::end(command_table) ? general_help : *found, {}};
+  if (command == "check") {  // the checker has a parser of its own, and says what it takes
+    for (const auto& [name, value, meaning] : fathom_check::option_texts) {
+      page.options.push_back({{std::string(name)}, std::string(value), std::string(meaning)});
+      if (name == "--help") page.options.back().names.insert(page.options.back().names.begin(), "-h");
+    }
+  } else {
+    page.options.push_back({{"-h", "--help"}, "", "print help"});
+  }
+  if (command.empty())
+    page.options.push_back({{"-V", "--version"}, "", "the version, with the commit, that of the golden data, and the licence"});
+  for (const Option& option : table)
+    if (option.belongs_to(command) && !option.is_input()) page.options.push_back(help_of(option));
+  for (const CommandHelp& other : command_table)
+    if (parent(other) == command) page.commands.push_back(other);
+  page.takes_input = command == "certify";
+  return page;
 }
 
 std::string help_text(const HelpPage& page, std::size_t columns) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/args/options.hpp"
+
 namespace fathom::cli {
 
 /// A line for a shell, and what it is good for.
@@ -37,9 +39,7 @@ struct OptionHelp {
   std::vector<std::string> choices = {};  ///< the values, if they are few
 };
 
-inline constexpr const char* help_meaning = "print help";
-
-/// A page: what is written by hand, with the options of the parser.
+/// A page: what is written by hand, with the options of the table.
 struct HelpPage {
   CommandHelp command;
   std::vector<OptionHelp> options;
@@ -55,6 +55,9 @@ inline std::string_view last_word(const CommandHelp& command) { return command.n
 
 /// "-m, --method NAME"; "--metamorphic[=LIST]".
 std::string option_title(const OptionHelp& option);
+
+/// The page of a command, or of fathom itself, whose name is "".
+HelpPage page_of(std::string_view command, std::span<const Option> table);
 
 /// Returns the page in lines of at most `columns` characters, examples first, without the last newline.
 std::string help_text(const HelpPage& page, std::size_t columns);

@@ -60,9 +60,6 @@ struct CertifyRequest {
 
 // What the user asked for of study --sweep.
 
-/// The engines of the closest lines, in the order of ClosestLines.
-inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sampled", "naive"};
-
 struct SweepRequest {
   std::string family;                 ///< empty: no sweep
   std::vector<unsigned> sizes;        ///< ascending

@@ -1,4 +1,6 @@
-// SPDX-License-Identifier: GPL-3.0-or-later// The cases, each id once; the run over them; what becomes of it stands in certify_results.cpp.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
+// The cases, each id once, and the run over them; what becomes of its findings stands in certify_results.cpp.
 
 #include <algorithm>
 #include <atomic>

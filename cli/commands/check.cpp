@@ -17,9 +17,7 @@
 #include <vector>
 
 #include "cli/args/help_page.hpp"
-#include "cli/args/threads.hpp"
 #include "cli/args/words.hpp"
-#include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
@@ -28,6 +26,7 @@
 #include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"
 #include "verify/harness/process.hpp"
+#include "cli/args/values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -351,15 +350,16 @@ std::optional<unsigned> take_threads(std::vector<std::string>& words) {
   if (!joined && option + 1 == words.end()) throw UsageFault("--threads expects a number");
   const std::string text = joined ? option->substr(std::string_view("--threads=").size()) : *(option + 1);
   words.erase(option, option + (joined ? 1 : 2));
-  const std::optional<unsigned> threads = threads_of(text);
-  if (!threads) throw UsageFault("--threads: " + expected_threads(text));
+  const std::optional<unsigned> threads = typed_threads(text);
+  if (!threads) throw UsageFault("--threads: " + wrong_threads(text));
   return threads;
 }
 
 /// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to refuse.
 void refuse_misspelt(const std::vector<std::string>& words) {
   std::vector<std::string> names;
-  for (const OptionHelp& option : check_page().options) names.insert(names.end(), option.names.begin(), option.names.end());
+  for (const OptionHelp& option : page_of("check", common_options()).options)
+    names.insert(names.end(), option.names.begin(), option.names.end());
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     if (words[i] == "--case" || words[i] == "--results") ++i;  // a file may have any name
     else if (words[i].starts_with("--") && std::find(names.begin(), names.end(), words[i]) == names.end())
@@ -374,7 +374,7 @@ ExitCode check(std::vector<std::string> words) {
     return std::any_of(words.begin(), files, [](const std::string& word) { return word == "--help" || word == "-h"; });
   };
   if (asks_for_help()) {
-    print(help_text(check_page(), help_columns(STDOUT_FILENO)));
+    print(help_text(page_of("check", common_options()), help_columns(STDOUT_FILENO)));
     return fine;
   }
   const std::optional<unsigned> threads = take_threads(words);

@@ -10,13 +10,9 @@
 #include <unistd.h>
 #include <utility>
 
-#include "cli/args/arguments.hpp"
-#include "cli/args/diff_arguments.hpp"
-#include "cli/args/golden_arguments.hpp"
 #include "cli/args/help.hpp"
 #include "cli/args/words.hpp"
 #include "cli/commands/adapters.hpp"
-#include "cli/commands/check_page.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/family_names.hpp"
 #include "cli/io/output.hpp"
@@ -25,18 +21,13 @@
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "verify/families/families.hpp"
+#include "cli/args/help_page.hpp"
+#include "cli/args/options.hpp"
 
 namespace fathom::cli {
 namespace {
 
 using Pages = std::vector<HelpPage>;
-
-/// A page of this file's commands.
-HelpPage page_of_help(const CommandHelp& command) {
-  HelpPage page{command, {{{"-h", "--help"}, "", help_meaning}}};
-  if (command.name == "man") page.options.push_back({{"--all"}, "DIR", "write every page as a file into the folder, made if need be"});
-  return page;
-}
 
 /// Adds the values of options that the parser does not know, as fathom-depth has it too.
 void add_values(HelpPage& page) {
@@ -55,16 +46,10 @@ void add_values(HelpPage& page) {
 
 /// Every page: that of fathom first, then the commands in the order of the table, each with its tasks behind it.
 Pages all_pages() {
-  Pages parsed = help_pages(), pages = {parsed.front()};
-  for (const CommandHelp& command : command_table) {
-    const auto page = std::ranges::find(parsed, command.name, [](const HelpPage& p) { return p.command.name; });
-    if (page != parsed.end()) pages.push_back(*page);
-    if (command.name == "certify") pages.push_back(diff_page_of_help());
-    if (page != parsed.end()) continue;
-    if (command.name == "check") pages.push_back(check_page());
-    else if (command.name != "golden") pages.push_back(page_of_help(command));
-    else std::ranges::copy(golden_pages(), std::back_inserter(pages));
-  }
+  std::vector<Option> table(common_options().begin(), common_options().end());
+  std::ranges::copy(golden_options(), std::back_inserter(table));
+  Pages pages = {page_of("", table)};
+  for (const CommandHelp& command : command_table) pages.push_back(page_of(command.name, table));
   std::ranges::for_each(pages, add_values);
   return pages;
 }
@@ -84,7 +69,8 @@ std::string unknown_command(const Pages& pages, const std::string& words) {
   std::vector<std::string> names;
   for (const HelpPage& page : pages)
     if (!page.command.name.empty()) names.emplace_back(page.command.name);
-  return fmt::format("unknown command {} (expected {}){}", kernels::shown(words), fmt::join(commands, ", "), did_you_mean(words, names));
+  return fmt::format("unknown command {} (expected {}){}", kernels::shown(words), fmt::join(command_names(), ", "),
+                     did_you_mean(words, names));
 }
 
 std::string man_text(const Pages& pages, const HelpPage& page) {

@@ -28,6 +28,7 @@
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
+#include "cli/args/values.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/args/named_files.hpp"
+// Which files of a command line stand in the way of each other: decided before any is opened.
+
+#include "fathom/files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,18 +15,15 @@
 #include <utility>
 #include <vector>
 
-#include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/file_io.hpp"
+#include "cli/args/given.hpp"
 
 namespace fathom::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<const char*, 7> groups = {"read",         "read list", "journal", "written",
-                                               "written list", "placed",    "folder"};  // by FileUse
 
 /// A file that is there, by its device and number; or the place where one is to be.
 class FilePlace {
@@ -81,19 +80,6 @@ struct NamedFile {
   [[nodiscard]] bool is_read() const { return use == FileUse::read || use == FileUse::read_list; }
 };
 
-FileUse use_of(const CLI::Option& option) {
-  for (std::size_t i = 0; i < groups.size(); ++i)
-    if (option.get_group() == groups[i]) return static_cast<FileUse>(i);
-  return FileUse::read;
-}
-
-bool names_one(const CLI::Option& option) {
-  if (!option.nonpositional()) return true;
-  for (const char* const group : groups)
-    if (option.get_group() == group) return true;
-  return false;
-}
-
 /// The files of a folder of pieces, which are read too.
 std::vector<std::string> files_in(const std::string& folder) {
   try {
@@ -103,13 +89,14 @@ std::vector<std::string> files_in(const std::string& folder) {
   }
 }
 
-std::vector<NamedFile> files_of(const CLI::App& asked) {
+std::vector<NamedFile> files_of(const Given& given) {
   std::vector<NamedFile> found;
-  for (const CLI::Option* const option : asked.get_options()) {
-    if (!names_one(*option)) continue;
-    for (std::string value : option->results()) {
-      const FileUse use = use_of(*option);
-      const std::string name = option->nonpositional() ? option->get_name() : "";
+  for (const GivenOption& option : given.options) {
+    const bool is_input = option.option->is_input();
+    if (!is_input && option.option->use == FileUse::none) continue;
+    const FileUse use = is_input ? FileUse::read : option.option->use;
+    const std::string name = is_input ? "" : option.name;
+    for (std::string value : option.values) {
       if (name.starts_with("--pose")) {
         if (!value.starts_with('@')) continue;
         value.erase(0, 1);
@@ -141,10 +128,8 @@ bool replaces_a_body(const NamedFile& writes) {
 
 }  // namespace
 
-CLI::Option* names_file(CLI::Option* option, FileUse use) { return option->group(groups.at(static_cast<std::size_t>(use))); }
-
-std::string wrong_files(const CLI::App& asked, bool stream) {
-  const std::vector<NamedFile> files = files_of(asked);
+std::string wrong_files(const Given& given, bool stream) {
+  const std::vector<NamedFile> files = files_of(given);
   for (std::size_t i = 0; i < files.size(); ++i) {
     const NamedFile& writes = files[i];
     if (writes.is_read()) continue;

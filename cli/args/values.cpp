@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "fathom/signed_depth.hpp"
+#include "kernels/printable.hpp"
+#include "reference/approximate/grid/directions.hpp"
+#include "reference/solve/disagreement.hpp"
+#include "verify/judge/policy.hpp"
+
+namespace fathom::cli {
+namespace {
+
+constexpr unsigned largest_size = 1'000'000, most_threads = 1024;
+
+std::string unless(bool good, std::string_view expected, const std::string& text) {
+  return good ? "" : fmt::format("expected {}, found {}", expected, kernels::shown(text));
+}
+
+std::optional<unsigned> typed_size(std::string_view text) {
+  const std::optional<std::uint64_t> size = typed_integer(text, 1, largest_size);
+  return size ? std::optional(static_cast<unsigned>(*size)) : std::nullopt;
+}
+
+std::optional<std::vector<unsigned>> typed_range(std::string_view low_text, std::string_view high_text) {
+  const std::optional<unsigned> low = typed_size(low_text), high = typed_size(high_text);
+  if (!low || !high || *low > *high) return std::nullopt;
+  std::vector<unsigned> sizes{*low};
+  for (unsigned decade = 1; decade <= largest_size; decade *= 10)
+    for (const unsigned factor : {1U, 2U, 5U})
+      if (factor * decade > *low && factor * decade < *high) sizes.push_back(factor * decade);
+  if (*high > *low) sizes.push_back(*high);
+  return sizes;
+}
+
+/// A number as certify takes it: without blanks around it.
+std::optional<mpq_class> bare_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
+
+}  // namespace
+
+std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low, std::uint64_t high) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc() && end == text.data() + text.size() && value >= low && value <= high;
+  return good ? std::optional(value) : std::nullopt;
+}
+
+std::optional<mpq_class> typed_number(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(' '), end = text.find_last_not_of(' ');
+  if (begin == text.npos) return std::nullopt;
+  return parse_number(text.substr(begin, end - begin + 1), Decimals::exact).value;
+}
+
+std::optional<Point> typed_vector(std::string_view text) {
+  const std::size_t first = text.find(','), second = first == text.npos ? first : text.find(',', first + 1);
+  if (second == text.npos) return std::nullopt;
+  const auto x = typed_number(text.substr(0, first)), y = typed_number(text.substr(first + 1, second - first - 1)),
+             z = typed_number(text.substr(second + 1));
+  if (!x || !y || !z || (*x == 0 && *y == 0 && *z == 0)) return std::nullopt;
+  return Point{*x, *y, *z};
+}
+
+std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
+  if (const std::size_t dots = text.find(".."); dots != text.npos) return typed_range(text.substr(0, dots), text.substr(dots + 2));
+  std::vector<unsigned> sizes;
+  for (const std::string& word : words_of(text)) {
+    const std::optional<unsigned> size = typed_size(word);
+    if (!size || (!sizes.empty() && *size <= sizes.back())) return std::nullopt;
+    sizes.push_back(*size);
+  }
+  return sizes;
+}
+
+std::optional<unsigned> typed_threads(std::string_view text) {
+  const std::optional<std::uint64_t> threads = typed_integer(text, 1, most_threads);
+  return threads ? std::optional(static_cast<unsigned>(*threads)) : std::nullopt;
+}
+
+std::vector<std::string> words_of(std::string_view list) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    words.emplace_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high) {
+  const std::string highest = high == UINT64_MAX ? "2^64 - 1" : std::to_string(high);
+  return unless(typed_integer(text, low, high).has_value(), fmt::format("an integer from {} to {}", low, highest), text);
+}
+
+std::string wrong_count(const std::string& text) { return unless(typed_integer(text).has_value(), "a number of at least 0", text); }
+std::string wrong_optima(const std::string& text) { return unless(typed_integer(text, 1).has_value(), "an integer from 1 on", text); }
+std::string wrong_threads(const std::string& text) { return wrong_integer(text, 1, most_threads); }
+std::string wrong_digits(const std::string& text) { return wrong_integer(text, 1, most_root_digits); }
+std::string wrong_bits(const std::string& text) { return wrong_integer(text, 1, most_bound_bits); }
+
+std::string wrong_delta(const std::string& text) {
+  const auto value = typed_number(text);
+  return unless(value && *value >= approximate::least_delta, "a positive number such as 1/100, 1e-9 or more", text);
+}
+
+std::string wrong_vector(const std::string& text) {
+  return unless(typed_vector(text).has_value(), "three numbers such as 1,0,-1/2, not all zero", text);
+}
+
+std::string wrong_sizes(const std::string& text) {
+  const std::string expected =
+      fmt::format("a range such as 10..10000, or sizes from small to large such as 10,20,50, of 1 to {}", largest_size);
+  return unless(typed_sizes(text).has_value(), expected, text);
+}
+
+std::string wrong_time(const std::string& text) {
+  const auto time = bare_number(text);
+  return unless(time && *time > 0, "a number of seconds above 0", text);
+}
+
+std::string wrong_tolerance(const std::string& text) {
+  const auto value = bare_number(text);
+  return unless(value && *value >= 0, "a number of at least 0, such as 1e-6 or 1/1000", text);
+}
+
+std::string wrong_fit(const std::string& text) {
+  const auto size = bare_number(text);
+  return unless(size && *size > 0, "a number above 0, such as 64", text);
+}
+
+std::string wrong_policy(const std::string& text) {
+  return unless(judging::policy_of(text).has_value(), "declared, minimum, separating or within=P%, such as within=5%", text);
+}
+
+std::string wrong_second_method(const std::string& text) { return unless(solve::second_method(text).has_value(), "exact or naive", text); }
+
+}  // namespace fathom::cli

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The values behind options: what a text means, and what is wrong with it. Numbers are meant as typed: decimals are exact, integers are
+// plain digits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
+#include "fathom/point.hpp"
+
+namespace fathom::cli {
+
+/// The engines of the closest lines, in the order of ClosestLines.
+inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sampled", "naive"};
+
+// What a text means, or nullopt if it means nothing of the kind.
+
+std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
+std::optional<mpq_class> typed_number(std::string_view text);
+/// Three numbers with commas between them, not all zero.
+std::optional<Point> typed_vector(std::string_view text);
+/// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of ten between them.
+std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
+/// A number of threads.
+std::optional<unsigned> typed_threads(std::string_view text);
+/// "a,b" as "a" and "b".
+std::vector<std::string> words_of(std::string_view list);
+
+// What is wrong with a value, as a sentence, or "".
+
+template <std::uint64_t low, std::uint64_t high>
+std::string wrong_integer(const std::string& text);
+std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
+std::string wrong_count(const std::string& text);
+std::string wrong_optima(const std::string& text);
+std::string wrong_threads(const std::string& text);
+std::string wrong_digits(const std::string& text);
+std::string wrong_bits(const std::string& text);
+std::string wrong_delta(const std::string& text);
+std::string wrong_vector(const std::string& text);
+std::string wrong_sizes(const std::string& text);
+std::string wrong_time(const std::string& text);
+std::string wrong_tolerance(const std::string& text);
+std::string wrong_fit(const std::string& text);
+std::string wrong_policy(const std::string& text);
+std::string wrong_second_method(const std::string& text);
+
+template <std::uint64_t low, std::uint64_t high>
+std::string wrong_integer(const std::string& text) {
+  return wrong_integer(text, low, high);
+}
+
+}  // namespace fathom::cli
