@@ -172,7 +172,7 @@ std::string present_text(const ShapeStudy& study) {
 
 void add_coincidences(Lines& lines, const ShapeStudy& study, bool all) {
   Lines absent;
-  constexpr std::size_t column = 32, none_column = 6;
+  constexpr std::size_t column = 32;
   lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
   for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
