@@ -16,8 +16,8 @@
 
 #include "bindings/c/boundary.hpp"
 #include "fathom/numbers.hpp"
-#include "verify/judge/any_bodies.hpp"
 #include "verify/judge/fields.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::c {
 namespace {

@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/args/arguments.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <system_error>
-#include <unistd.h>
 
+#include "cli/args/given.hpp"
 #include "cli/args/help.hpp"
+#include "cli/args/help_page.hpp"
+#include "cli/args/values.hpp"
 #include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/shape_names.hpp"
 #include "reference/files/file_io.hpp"
-#include "verify/golden/shards/plan.hpp"
-#include "cli/args/given.hpp"
-#include "cli/args/help_page.hpp"
-#include "cli/args/values.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/solve/disagreement.hpp"
+#include "verify/golden/shards/plan.hpp"
 #include "verify/harness/variants.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::cli {
 

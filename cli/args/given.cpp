@@ -15,7 +15,7 @@
 #include "cli/args/help_page.hpp"
 #include "cli/args/values.hpp"
 #include "cli/args/words.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

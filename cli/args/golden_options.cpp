@@ -10,8 +10,7 @@
 #include "cli/args/golden_arguments.hpp"
 #include "cli/args/options.hpp"
 #include "cli/args/values.hpp"
-#include "kernels/near_miss.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cli/args/values.hpp"
 #include "verify/harness/variants.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -7,10 +7,10 @@
 #include <charconv>
 
 #include "fathom/signed_depth.hpp"
-#include "kernels/printable.hpp"
-#include "reference/approximate/grid/directions.hpp"
+#include "kernels/messages.hpp"
+#include "reference/approximate/directions.hpp"
 #include "reference/solve/disagreement.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -2,10 +2,13 @@
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
 // The cases, each id once, and the run over them; what becomes of its findings stands in certify_results.cpp.
 
+#include "cli/commands/certify.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <fmt/format.h>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -19,22 +22,19 @@
 #include <vector>
 
 #include "cli/commands/adapters.hpp"
-#include "cli/commands/certify.hpp"
 #include "cli/commands/certify_results.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/io/case_input.hpp"
+#include "cli/io/case_stream.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
-#include "kernels/messages.hpp"
-#include "verify/harness/examiner.hpp"
-#include "verify/harness/replay.hpp"
-#include "verify/harness/runner.hpp"
-#include "verify/harness/two_ways.hpp"
-#include "cli/io/case_input.hpp"
-#include "cli/io/case_stream.hpp"
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
-#include "verify/harness/piece_pairs.hpp"
+#include "kernels/messages.hpp"
+#include "verify/harness/examiner.hpp"
+#include "verify/harness/seen_case.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -19,14 +19,13 @@
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/judged_bodies.hpp"
-#include "verify/harness/proof.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/junit.hpp"
-#include "verify/harness/report/markup.hpp"
+#include "verify/harness/report/text.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/shrink.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
+#include "verify/harness/two_ways.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::cli {

@@ -12,11 +12,11 @@
 #include "cli/io/terminal.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/decimal.hpp"
-#include "reference/output/json_values.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/infinitesimal.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {

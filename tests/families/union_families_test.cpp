@@ -11,7 +11,7 @@
 #include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
 #include "verify/golden/shards/plan.hpp"
-#include "verify/harness/random_cases.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::families {
 namespace {

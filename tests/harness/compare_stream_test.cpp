@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/compare_stream.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include "fathom/numbers.hpp"
 #include "verify/families/families.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/random_cases.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 namespace {

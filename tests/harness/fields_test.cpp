@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "verify/harness/protocol.hpp"
-#include "verify/harness/report/html_parts.hpp"
+#include "verify/harness/report/html.hpp"
 #include "verify/harness/report_fields.hpp"
 
 namespace fathom::harness {

@@ -4,7 +4,6 @@
 
 #include "tests/harness/fake_subject.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which of the answers about pairs of pieces is the one about the unions, and what becomes of those that are none.
-#include "verify/harness/piece_pairs.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "tests/unions/pieces.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -11,8 +11,6 @@
 #include <thread>
 #include <utility>
 
-#include "verify/harness/spawn.hpp"
-
 namespace fathom::harness {
 namespace {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many threads, each case once; exceptions end the run where they should, and nowhere else.
-#include "verify/harness/runner.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "verify/harness/examiner.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {

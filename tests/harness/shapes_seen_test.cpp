@@ -11,9 +11,9 @@
 #include "verify/families/families.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
-#include "verify/harness/proof.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/two_ways.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::harness {

@@ -13,9 +13,8 @@
 #include "tests/harness/fake_subject.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/shrink/simplify.hpp"
-#include "verify/harness/shrink/size.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
+#include "verify/harness/shrink/search.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::harness {

@@ -11,7 +11,7 @@
 #include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
 #include "verify/families/families.hpp"
-#include "verify/harness/shrink/snippet.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands in a snippet. That they compile, and show the wrong number again: snippet_heavy_test.cpp.
-#include "verify/harness/shrink/snippet.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "fathom/numbers.hpp"
 #include "tests/harness/snippet_cases.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 
 namespace fathom::harness {
 namespace {

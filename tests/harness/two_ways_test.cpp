@@ -11,7 +11,6 @@
 #include "verify/check/unreadable.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/journal.hpp"
-#include "verify/harness/proof.hpp"
 #include "verify/harness/protocol.hpp"
 
 namespace fathom::harness {

@@ -10,7 +10,7 @@
 #include "tests/harness/fake_subject.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -8,7 +8,7 @@
 #include "fathom/judge.hpp"
 #include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::judging {
 namespace {

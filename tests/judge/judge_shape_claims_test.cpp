@@ -9,7 +9,7 @@
 #include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
 #include "tests/judge/shape_pairs.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -8,7 +8,7 @@
 #include "fathom/numbers.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/judge/allowance.hpp"
-#include "verify/judge/scaled.hpp"
+#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The ray that starts from a certificate, against the ray through hulls and hierarchies.
-#include "verify/judge/way_out.hpp"
-
 #include <gtest/gtest.h>
 
 #include "fathom/approximate.hpp"
 #include "tests/support/prepared.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -12,8 +12,7 @@
 
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "verify/harness/compare_stream.hpp"
-#include "verify/harness/random_cases.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::nightly {
 namespace {

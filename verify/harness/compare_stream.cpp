@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers are handed out in ascending order, and whoever has one finishes it. So once all are done, every case below the least number with
 // a difference has been compared.
-#include "verify/harness/compare_stream.hpp"
-
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -14,7 +14,7 @@
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/judge/scaled.hpp"
+#include "verify/judge/claim.hpp"
 
 namespace fathom::harness {
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/counts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "fathom/numbers.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/examiner.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -10,8 +11,6 @@
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/judged_bodies.hpp"
-#include "verify/harness/piece_pairs.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {

@@ -10,10 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/harness/counts.hpp"
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/report/tally.hpp"
-#include "verify/harness/run_info.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/judged_bodies.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom::harness {

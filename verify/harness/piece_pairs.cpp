@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/piece_pairs.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +12,7 @@
 
 #include "fathom/numbers.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/judged_bodies.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 

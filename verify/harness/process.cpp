@@ -14,8 +14,6 @@
 #include <cstring>
 #include <utility>
 
-#include "verify/harness/spawn.hpp"
-
 namespace fathom::harness {
 namespace {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/proof.hpp"
-
 #include <fmt/format.h>
 
 #include <optional>
@@ -11,6 +9,7 @@
 #include "reference/files/shape_names.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/random_cases.hpp"
-
 #include <optional>
 #include <utility>
 
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 

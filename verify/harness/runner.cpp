@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/runner.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <mutex>
@@ -11,6 +9,7 @@
 #include "fathom/shape.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/examiner.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/measures.hpp"

@@ -18,10 +18,9 @@
 #include "reference/solve/disagreement.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
-#include "verify/harness/judged_bodies.hpp"
-#include "verify/harness/proof.hpp"
-#include "verify/judge/any_bodies.hpp"
+#include "verify/harness/two_ways.hpp"
 #include "verify/judge/measures.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/spawn.hpp"
-
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
@@ -15,6 +13,8 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+
+#include "verify/harness/process.hpp"
 
 namespace fathom::harness {
 namespace {

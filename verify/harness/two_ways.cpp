@@ -13,10 +13,9 @@
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
 #include "reference/solve/disagreement.hpp"
-#include "verify/harness/proof.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/shrink.hpp"
-#include "verify/harness/shrink/write_shrunk.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
-#include "verify/judge/scaled.hpp"
+#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

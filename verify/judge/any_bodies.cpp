@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/any_bodies.hpp"
-
 #include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "reference/files/shape_names.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::judging {
 

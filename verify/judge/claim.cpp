@@ -6,7 +6,6 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
-#include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/policy.hpp"
-
 #include <fmt/format.h>
 
 #include "fathom/numbers.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/scaled.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

@@ -14,7 +14,6 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/shapes/core.hpp"
-#include "verify/judge/way_out.hpp"
 
 namespace fathom::judging {
 

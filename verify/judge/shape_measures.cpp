@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of shapes: every length lies between two rationals, and a yes holds for all that lies between them. Exact signed depths are enclosed as
 // closely as is asked for; if rational, they are known.                                                      [proofs/judge.md]
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
@@ -13,8 +14,8 @@
 #include "kernels/vector.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
-#include "verify/judge/scaled.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom::judging {

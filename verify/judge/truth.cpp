@@ -11,7 +11,6 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/scaled.hpp"
 
 namespace fathom::judging {
 namespace {

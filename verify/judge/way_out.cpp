@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A triangle of points of P that the ray passes through: either its plane supports P, and there the ray leaves P; or a point of P lies
 // beyond it, the ray runs on through the tetrahedron of the four, and leaves it through another triangle.
-#include "verify/judge/way_out.hpp"
-
 #include <array>
 #include <cstddef>
 
 #include "kernels/number/rational.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
 namespace {

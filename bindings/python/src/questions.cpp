@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other questions about two bodies, and the judge.
-#include <optional>
 #include <pybind11/stl.h>
+
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -11,9 +12,9 @@
 #include "fathom/judge.hpp"
 #include "fathom/study.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/judge/any_bodies.hpp"
 #include "verify/judge/fields.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/judge/truth.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::python {
 namespace {

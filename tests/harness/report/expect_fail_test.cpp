@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The strict list of known failures: every way in which run and list can disagree is found, and a written list agrees with its run.
-#include "verify/harness/report/expect_fail.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -12,6 +10,7 @@
 
 #include "fathom/files.hpp"
 #include "tests/harness/report/outcomes.hpp"
+#include "verify/harness/report/junit.hpp"
 
 namespace fathom::harness {
 namespace {

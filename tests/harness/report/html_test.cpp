@@ -18,7 +18,6 @@
 #include "tests/harness/report/well_formed.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/solids.hpp"
-#include "verify/harness/report/picture.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of a run: counts, errors, what has a column, and how wide it gets.
-#include "verify/harness/report/summary.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <sstream>
 
 #include "tests/harness/report/outcomes.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

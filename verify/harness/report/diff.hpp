@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/harness/report/report_file.hpp"
-#include "verify/harness/report/tally.hpp"
+#include "verify/harness/journal.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "verify/harness/report/diff.hpp"
-#include "verify/harness/report/html_parts.hpp"
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/text.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {

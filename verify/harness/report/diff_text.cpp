@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "verify/harness/report/diff.hpp"
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

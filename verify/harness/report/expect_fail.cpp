@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/expect_fail.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -10,8 +9,8 @@
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/junit.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

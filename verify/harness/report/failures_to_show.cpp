@@ -4,7 +4,7 @@
 #include <set>
 
 #include "verify/harness/report/html.hpp"
-#include "verify/harness/report/worst.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

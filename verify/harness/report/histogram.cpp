@@ -7,8 +7,8 @@
 #include <map>
 #include <optional>
 
-#include "verify/harness/report/html_parts.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

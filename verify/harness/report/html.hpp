@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/run_info.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

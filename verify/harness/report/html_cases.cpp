@@ -6,10 +6,9 @@
 #include <map>
 #include <tuple>
 
-#include "verify/harness/report/html_parts.hpp"
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
-#include "verify/harness/report/worst.hpp"
+#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/text.hpp"
+#include "verify/harness/tally.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {

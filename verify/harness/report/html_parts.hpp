@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "verify/harness/report/html.hpp"
-#include "verify/harness/report/tally.hpp"
+#include "verify/harness/tally.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {

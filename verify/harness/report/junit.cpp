@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -14,8 +14,7 @@
 #include <string>
 
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/report/expect_fail.hpp"
-#include "verify/harness/run_info.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/markup.hpp"
-
 #include <fmt/format.h>
+
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/picture.hpp"
-
 #include <exception>
 
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/harness/report/html.hpp"
 #include "verify/judge/claim.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/view.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/subject_text.hpp"
-
 #include <fmt/format.h>
 
 #include "fathom/numbers.hpp"
-#include "verify/judge/policy.hpp"
+#include "verify/harness/report/text.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::harness {
 

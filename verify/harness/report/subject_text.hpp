@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "verify/harness/outcome.hpp"
-#include "verify/harness/report/tally.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/summary.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "verify/harness/report/markup.hpp"
-#include "verify/harness/report/subject_text.hpp"
-#include "verify/harness/report/worst.hpp"
+#include "verify/harness/report/text.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/harness/report/tally.hpp"
-#include "verify/harness/run_info.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/tally.hpp"
+#include "verify/harness/tally.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <functional>
 #include <utility>
 
-#include "verify/harness/report/markup.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {

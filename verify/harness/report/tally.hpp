@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/harness/counts.hpp"
 #include "verify/harness/outcome.hpp"
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

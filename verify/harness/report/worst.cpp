@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/report/worst.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string_view>
 #include <tuple>
+
+#include "verify/harness/tally.hpp"
 
 namespace fathom::harness {
 

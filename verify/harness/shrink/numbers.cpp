@@ -5,7 +5,7 @@
 
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/shrink/passes.hpp"
-#include "verify/harness/shrink/simplify.hpp"
+#include "verify/harness/shrink/search.hpp"
 
 namespace fathom::harness {
 namespace {

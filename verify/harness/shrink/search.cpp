@@ -10,8 +10,8 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/proof.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {
 namespace {

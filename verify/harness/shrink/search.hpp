@@ -6,7 +6,6 @@
 #include <string>
 
 #include "verify/harness/shrink/shrink.hpp"
-#include "verify/harness/shrink/size.hpp"
 
 namespace fathom::harness {
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/shrink/simplify.hpp"
-
 #include <algorithm>
 
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/shrink/size.hpp"
+#include "verify/harness/shrink/search.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/shrink/size.hpp"
-
 #include <bit>
 #include <cstdlib>
 
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/shrink/search.hpp"
 
 namespace fathom::harness {
 namespace {

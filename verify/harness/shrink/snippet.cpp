@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/shrink/snippet.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -14,10 +12,10 @@
 #include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/judged_bodies.hpp"
 #include "verify/harness/protocol.hpp"
-#include "verify/harness/report/subject_text.hpp"
+#include "verify/harness/report/text.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/snippet_programs.hpp"
 #include "verify/harness/variants.hpp"
 

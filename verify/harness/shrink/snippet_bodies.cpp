@@ -8,7 +8,7 @@
 
 #include "fathom/numbers.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/harness/shrink/snippet.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 
 namespace fathom::harness {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/shrink/write_shrunk.hpp"
-
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,7 +6,7 @@
 
 #include "reference/files/case_json.hpp"
 #include "reference/files/file_io.hpp"
-#include "verify/harness/shrink/snippet.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
 
 namespace fathom::harness {
 namespace {
