@@ -6,7 +6,6 @@
 #include <gmpxx.h>
 
 #include <cstdint>
-#include <type_traits>
 
 #include "fathom/point.hpp"
 
@@ -97,9 +96,12 @@ inline Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y 
 inline Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 inline Point operator-(const Point& p) { return {-p.x, -p.y, -p.z}; }
 inline Point operator*(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
-/// For rationals alone: an int or an mpz_class times a vector is a vector.
-template <class NT>
-requires std::is_same_v<NT, mpq_class> Point operator*(const NT& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+/// For rationals and their expressions alone: an int or an mpz_class times a vector is a vector.
+template <class Expression>
+Point operator*(const __gmp_expr<mpq_t, Expression>& factor, const Vector& v) {
+  const mpq_class s(factor);
+  return {s * v.x, s * v.y, s * v.z};
+}
 
 inline mpq_class dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 inline mpq_class dot(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
