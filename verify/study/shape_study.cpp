@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What two shapes have in common, decided in rationals and square roots. Every search compares all features of one body with all of the
 // other; polytopes have many faces, which are found by their normals where only parallel ones matter.
+
 #include <algorithm>
 #include <map>
 #include <utility>

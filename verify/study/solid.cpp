@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "verify/study/solid.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "fathom/signed_depth.hpp"
@@ -9,8 +11,233 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::studies {
+
+void RootSum::add(const mpq_class& factor, const mpq_class& square) {
+  if (factor == 0 || square == 0) return;
+  for (Part& part : parts_) {
+    if (const auto ratio = kernels::rational_root(square / part.square)) {
+      part.factor += factor * *ratio;
+      return;
+    }
+  }
+  parts_.push_back({square, factor});
+}
+
+void RootSum::add(const RootSum& sum, const mpq_class& times) {
+  for (const Part& part : sum.parts_) add(times * part.factor, part.square);
+}
+
+bool RootSum::is_zero() const {
+  return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.factor == 0; });
+}
+
+Vector primitive_along(const RationalVector& v) { return fathom::primitive_along(Point{v.x, v.y, v.z}); }
+
+bool parallel(const RootVector& u, const RootVector& v) {
+  const RationalVector rr = cross(u.rational, v.rational), ri = cross(u.rational, v.irrational), ir = cross(u.irrational, v.rational),
+                       ii = cross(u.irrational, v.irrational);
+  for (const auto axis : {&RationalVector::x, &RationalVector::y, &RationalVector::z}) {
+    RootSum component;
+    component.add(rr.*axis);
+    component.add(ri.*axis, v.square);
+    component.add(ir.*axis, u.square);
+    component.add(ii.*axis, u.square * v.square);
+    if (!component.is_zero()) return false;
+  }
+  return true;
+}
+
+// ---- faces ----
+
+// An atom c + M y reaches <n,c> + |M^T n|: as a whole if M^T n = 0, else in the one point c + M s/|s|, s = M^T n.
+
+namespace {
+
+/// The part of an atom that is farthest in a direction.
+struct Farthest {
+  const Atom* atom;
+  Surd height;
+  std::vector<mpq_class> slopes;  ///< s
+
+  Farthest(const Atom& of, const RationalVector& n) : atom(&of), height{dot(n, rational(of.center)), 0} {
+    for (const Point& axis : of.axes) {
+      slopes.push_back(dot(n, rational(axis)));
+      height.root += slopes.back() * slopes.back();
+    }
+  }
+  [[nodiscard]] bool whole() const { return height.root == 0; }
+
+  /// Its one point, or the centre of the whole.
+  [[nodiscard]] RootVector place() const {
+    RootVector result{rational(atom->center), {}, height.root};
+    for (std::size_t k = 0; k < slopes.size() && !whole(); ++k)
+      result.irrational = result.irrational + scaled(slopes[k] / height.root, rational(atom->axes[k]));
+    return result;
+  }
+};
+
+// Points that reach one height have one root, or rational ones: c1 + sqrt(q1) = c2 + sqrt(q2) in rationals c and q, of which one root is
+// irrational, has q1 = q2.
+RootVector between(const RootVector& p, const RootVector& q) {
+  if (p.square == q.square) return {q.rational - p.rational, q.irrational - p.irrational, p.square};
+  const auto plain = [](const RootVector& v) {
+    return v.square == 0 ? v.rational : v.rational + scaled(*kernels::rational_root(v.square), v.irrational);
+  };
+  return {plain(q) - plain(p), {}, 0};
+}
+
+void add_spanning(SupportFace& face, const RootVector& v) {
+  const RootVector one_x{{1, 0, 0}, {}, 0}, one_y{{0, 1, 0}, {}, 0};
+  if (parallel(v, one_x) && parallel(v, one_y)) return;  // 0
+  if (face.spanning.size() < 2 && std::none_of(face.spanning.begin(), face.spanning.end(), [&](const auto& u) { return parallel(u, v); }))
+    face.spanning.push_back(v);
+}
+
+Corner corner_of(const Term& term, const std::vector<Farthest>& tight) {
+  Corner sharpest = Corner::smooth;
+  for (const Farthest& part : tight) {
+    if (part.whole()) {
+      const bool pointed = std::all_of(term.atoms.begin(), term.atoms.end(), [](const Atom& atom) { return atom.axes.empty(); });
+      return pointed ? Corner::vertex : Corner::apex;
+    }
+    if (part.atom->axes.size() == 2) sharpest = Corner::rim;
+  }
+  return sharpest;
+}
+
+void add_term(SupportFace& face, const Term& term, const RationalVector& n) {
+  std::vector<Farthest> tight;
+  for (const Atom& atom : term.atoms) {
+    Farthest part(atom, n);
+    const int order = tight.empty() ? 1 : compare(part.height, tight.front().height);
+    if (order < 0) continue;
+    if (order > 0) tight.clear();
+    tight.push_back(std::move(part));
+  }
+  face.height.add(tight.front().height.rational);
+  face.height.add(1, tight.front().height.root);
+  const RootVector first = tight.front().place();
+  for (const Farthest& part : tight) {
+    add_spanning(face, between(first, part.place()));
+    if (part.whole())
+      for (const Point& axis : part.atom->axes) add_spanning(face, {rational(axis), {}, 0});
+    face.of_points = face.of_points && part.atom->axes.empty();
+  }
+  face.corner = std::max(face.corner, corner_of(term, tight));
+}
+
+}  // namespace
+
+SupportFace support_face(std::span<const Term> terms, const Vector& direction) {
+  SupportFace face;
+  for (const Term& term : terms) add_term(face, term, rational(direction));
+  return face;
+}
+
+// ---- revolution ----
+
+// An atom is one of revolution about a line in direction d if its centre is on the line, and M M^T = x I + y d d^T.
+
+namespace {
+
+RationalVector times(const Gram& s, const RationalVector& v) { return {dot(s[0], v), dot(s[1], v), dot(s[2], v)}; }
+
+/// Whether S maps d to a multiple of itself, and all vectors orthogonal to d to the same multiple of themselves.
+bool turns_about(const Gram& s, const RationalVector& d) {
+  const RationalVector image = times(s, d);
+  if (!is_zero(cross(image, d))) return false;
+  const RationalVector e = d.x != 0 || d.y != 0 ? RationalVector{-d.y, d.x, 0} : RationalVector{1, 0, 0}, f = cross(d, e);
+  const RationalVector of_e = times(s, e), of_f = times(s, f);
+  return is_zero(cross(of_e, e)) && is_zero(cross(of_f, f)) && dot(of_e, e) * dot(f, f) == dot(of_f, f) * dot(e, e);
+}
+
+bool is_multiple_of_unit(const Gram& s) { return turns_about(s, {1, 0, 0}) && turns_about(s, {0, 1, 0}); }
+
+/// The one direction about which an ellipsoid or disc might be of revolution: that of M M^T - x I = y d d^T. It is not checked.
+std::optional<RationalVector> direction_of(const Gram& s) {
+  const mpq_class &xy = s[0].y, &xz = s[0].z, &yz = s[1].z;
+  const int entries = (xy != 0 ? 1 : 0) + (xz != 0 ? 1 : 0) + (yz != 0 ? 1 : 0);
+  if (entries == 3) return RationalVector{xy * xz, xy * yz, xz * yz};
+  if (entries == 2) return std::nullopt;
+  if (xy != 0) return RationalVector{s[0].x - s[2].z, xy, 0};
+  if (xz != 0) return RationalVector{s[0].x - s[1].y, 0, xz};
+  if (yz != 0) return RationalVector{0, s[1].y - s[0].x, yz};
+  if (s[0].x == s[1].y) return RationalVector{0, 0, 1};
+  if (s[0].x == s[2].z) return RationalVector{0, 1, 0};
+  if (s[1].y == s[2].z) return RationalVector{1, 0, 0};
+  return std::nullopt;
+}
+
+/// What a term says about the axis of a sum.
+struct TermAxis {
+  bool possible = true;
+  RationalVector point;
+  std::optional<RationalVector> direction;  ///< nullopt: every one, it is a ball or a point
+};
+
+TermAxis axis_of_term(const Term& term) {
+  TermAxis axis{true, rational(term.atoms.front().center), std::nullopt};
+  for (const Atom& atom : term.atoms)
+    if (const RationalVector d = rational(atom.center) - axis.point; !is_zero(d) && !axis.direction) axis.direction = d;
+  for (const Atom& atom : term.atoms) {
+    const Gram s = gram_of(atom);
+    if (axis.direction || is_multiple_of_unit(s)) continue;
+    axis.direction = direction_of(s);
+    if (!axis.direction) return {false, {}, {}};
+  }
+  if (!axis.direction) return axis;
+  axis.possible = std::all_of(term.atoms.begin(), term.atoms.end(), [&](const Atom& atom) {
+    return is_zero(cross(RationalVector(rational(atom.center) - axis.point), *axis.direction)) &&
+           turns_about(gram_of(atom), *axis.direction);
+  });
+  return axis;
+}
+
+}  // namespace
+
+Gram gram_of(const Atom& atom) {
+  Gram s;
+  for (const Point& p : atom.axes) {
+    const RationalVector m = rational(p);
+    s[0] = s[0] + scaled(m.x, m);
+    s[1] = s[1] + scaled(m.y, m);
+    s[2] = s[2] + scaled(m.z, m);
+  }
+  return s;
+}
+
+std::optional<mpq_class> round_square(const Atom& atom) {
+  if (atom.axes.empty()) return std::nullopt;
+  const mpq_class square = dot(rational(atom.axes[0]), rational(atom.axes[0]));
+  for (std::size_t i = 0; i < atom.axes.size(); ++i) {
+    if (dot(rational(atom.axes[i]), rational(atom.axes[i])) != square) return std::nullopt;
+    for (std::size_t j = 0; j < i; ++j)
+      if (dot(rational(atom.axes[i]), rational(atom.axes[j])) != 0) return std::nullopt;
+  }
+  return square;
+}
+
+std::optional<Line> axis_of(std::span<const Term> terms) {
+  RationalVector point;
+  std::optional<RationalVector> direction;
+  for (const Term& term : terms) {
+    const TermAxis axis = axis_of_term(term);
+    if (!axis.possible) return std::nullopt;
+    if (axis.direction && direction && !is_zero(cross(*axis.direction, *direction))) return std::nullopt;
+    if (axis.direction) direction = axis.direction;
+    point = point + axis.point;
+  }
+  if (!direction) return std::nullopt;
+  return Line{point, primitive_along(*direction)};
+}
+
+// ---- solids ----
+
 namespace {
 
 using Directions = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a shape.
-// Output  what of it can coincide with something of another one: its centre, axis, radii, flat faces, generators. All in rationals and
-//         square roots of such.
+// Sums of square roots of rationals, and vectors of such numbers: is it zero? Roots of numbers whose ratio is the square of a rational are
+// multiples of one another, and others are linearly independent over the rationals: so a sum is zero if and only if the factors of each
+// class add up to zero.                                                                                       [proofs/shapes.md, "Study"]
 #pragma once
 
+#include <array>
+#include <gmpxx.h>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -11,8 +13,66 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::studies {
+
+class RootSum {
+ public:
+  /// Adds factor * sqrt(square), square >= 0.
+  void add(const mpq_class& factor, const mpq_class& square = 1);
+  /// Adds times * the sum.
+  void add(const RootSum& sum, const mpq_class& times = 1);
+  [[nodiscard]] bool is_zero() const;
+
+ private:
+  struct Part {
+    mpq_class square, factor;  ///< square > 0; the ratio of no two is a square
+  };
+  std::vector<Part> parts_;
+};
+
+using RationalVector = Vec3<mpq_class>;
+
+inline RationalVector rational(const Point& p) { return {p.x, p.y, p.z}; }
+inline RationalVector rational(const Vector& v) { return {v.x, v.y, v.z}; }
+inline RationalVector scaled(const mpq_class& s, const RationalVector& v) { return {s * v.x, s * v.y, s * v.z}; }
+
+/// The primitive integer vector along a vector other than 0.
+Vector primitive_along(const RationalVector& v);
+
+/// rational + sqrt(square) irrational.
+struct RootVector {
+  RationalVector rational, irrational;
+  mpq_class square;
+};
+
+/// Whether one of them is a multiple of the other; so is 0.
+bool parallel(const RootVector& u, const RootVector& v);
+
+// ---- faces ----
+
+// Input   a sum of terms, and a direction.
+// Output  the face of the sum in that direction, the set of its points that are farthest there: its dimension, and what it is.
+
+/// What the atoms of a face of dimension 0 are; the later one wins in a sum.
+enum class Corner { vertex, apex, rim, smooth };
+
+struct SupportFace {
+  RootSum height;                    ///< the support: the greatest <n,x>
+  std::vector<RootVector> spanning;  ///< independent vectors of differences of its points: as many as its dimension, at most two
+  Corner corner = Corner::vertex;    ///< of dimension 0: what it is
+  bool of_points = true;             ///< only atoms that are points reach it
+};
+
+/// `direction` is not 0; every term has an atom.
+SupportFace support_face(std::span<const Term> terms, const Vector& direction);
+
+// ---- solids ----
+
+// Input   a shape.
+// Output  what of it can coincide with something of another one: its centre, axis, radii, flat faces, generators. All in rationals and
+//         square roots of such.
 
 struct Line {
   RationalVector point;
@@ -53,5 +113,21 @@ Solid solid_of(const Shape& shape);
 
 /// What the face of the body in this direction is called: "vertex", "apex", "rim point", "smooth point", "edge", "generator", "face".
 std::string_view word_of(const Solid& solid, const SupportFace& face);
+
+// ---- revolution ----
+
+// Input   a sum of terms.
+// Output  the line about which it is a body of revolution.
+
+/// M M^T of an atom c + M y, row by row: two atoms about one centre are equal as sets if and only if these are.
+using Gram = std::array<RationalVector, 3>;
+Gram gram_of(const Atom& atom);
+
+/// The square of the radius of a circular disc or a round ball. Returns nullopt for other atoms, points among them.
+std::optional<mpq_class> round_square(const Atom& atom);
+
+/// The axis of revolution. Returns nullopt if there is none, or if there are several, as of a ball. Finds every axis of a sum whose terms
+/// are bodies of revolution one by one.
+std::optional<Line> axis_of(std::span<const Term> terms);
 
 }  // namespace fathom::studies
