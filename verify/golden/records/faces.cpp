@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A face lies in a plane with normal n. Dropping a coordinate in which n is not 0 maps it one-to-one into a coordinate plane, and there a
 // monotone chain finds the corners.
+
 #include "verify/golden/records/faces.hpp"
 
 #include <algorithm>

@@ -1,13 +1,260 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "verify/golden/records/facts.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/number/rounding.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "verify/golden/records/faces.hpp"
 
 namespace fathom::golden {
+
+// ---- flags ----
+
+namespace {
+
+/// A body's measures.
+struct BodyLook {
+  std::vector<Vector> distinct;  ///< its points, each once, in lexicographic order
+  polytope::Polytope hull;
+  std::vector<Vector> edges;    ///< primitive directions with a positive first component that is not 0, sorted
+  std::vector<Vector> normals;  ///< of facets, outward, sorted
+  mpq_class shortest, longest;  ///< sides of the axis-parallel bounding box
+
+  BodyLook(const std::vector<Vector>& points, const mpz_class& denominator);
+};
+
+/// A record with the hulls and measures of its bodies.
+struct Look {
+  const HullStatement& truth;
+  Integers integers;
+  BodyLook a, b;
+  mpz_class greatest, least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
+
+  Look(const HullPair& hulls, const HullStatement& found);
+
+  [[nodiscard]] const mpq_class& extent() const { return a.longest < b.longest ? b.longest : a.longest; }
+};
+
+void sort_uniquely(std::vector<Vector>& vectors) {
+  std::ranges::sort(vectors, lexicographically_less);
+  vectors.erase(std::unique(vectors.begin(), vectors.end()), vectors.end());
+}
+
+/// v or -v, whichever comes later in lexicographic order.
+Vector without_sense(Vector v) {
+  const int sign = v.x != 0 ? sgn(v.x) : v.y != 0 ? sgn(v.y) : sgn(v.z);
+  return sign < 0 ? -v : v;
+}
+
+BodyLook::BodyLook(const std::vector<Vector>& points, const mpz_class& denominator)
+    : distinct(points), hull(polytope::convex_hull(points)) {
+  sort_uniquely(distinct);
+  for (const polytope::Edge& edge : hull.edges)
+    edges.push_back(without_sense(primitive(hull.vertices[edge.to] - hull.vertices[edge.from])));
+  for (const polytope::Facet& facet : hull.facets) normals.push_back(facet.normal);
+  sort_uniquely(edges);
+  sort_uniquely(normals);
+  const mpz_class Vector::*const axes[] = {&Vector::x, &Vector::y, &Vector::z};
+  std::vector<mpz_class> sides;
+  for (const auto axis : axes) {
+    const auto [low, high] =
+        std::ranges::minmax_element(hull.vertices, {}, [axis](const Vector& v) -> const mpz_class& { return v.*axis; });
+    sides.emplace_back((*high).*axis - (*low).*axis);
+  }
+  shortest = kernels::ratio(*std::ranges::min_element(sides), denominator);
+  longest = kernels::ratio(*std::ranges::max_element(sides), denominator);
+}
+
+Look::Look(const HullPair& hulls, const HullStatement& found)
+    : truth(found),
+      integers(integers_of(hulls.a.points, hulls.b.points)),
+      a(integers.a, integers.denominator),
+      b(integers.b, integers.denominator) {
+  for (const std::vector<Vector>* points : {&integers.a, &integers.b}) {
+    for (const Vector& p : *points) {
+      for (const mpz_class* c : {&p.x, &p.y, &p.z}) {
+        if (*c == 0) continue;
+        const mpz_class size = abs(*c);
+        if (size > greatest) greatest = size;
+        if (least == 0 || size < least) least = size;
+      }
+    }
+  }
+}
+
+/// Whether two sorted lists share a vector.
+bool meet(const std::vector<Vector>& u, const std::vector<Vector>& v) {
+  auto i = u.begin(), j = v.begin();
+  while (i != u.end() && j != v.end()) {
+    if (lexicographically_less(*i, *j)) ++i;
+    else if (lexicographically_less(*j, *i)) ++j;
+    else return true;
+  }
+  return false;
+}
+
+mpq_class power_of_two(long exponent) {
+  mpq_class result = 1;
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+mpq_class magnitude(const mpz_class& n, const Look& look) { return kernels::ratio(n, look.integers.denominator); }
+
+bool penetrating(const Look& look) { return look.truth.answer.status() == Status::penetrating; }
+
+bool flat_difference(const Look& look) {
+  std::vector<Vector> directions{{0, 0, 0}};
+  for (const std::vector<Vector>* points : {&look.integers.a, &look.integers.b}) {
+    for (const Vector& p : *points) directions.push_back(p - points->front());
+  }
+  return polytope::affine_rank(directions) < 3;
+}
+
+bool near_tie(const Look& look) { return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + power_of_two(-20)); }
+
+bool degenerate_contact(const Look& look) {
+  return std::ranges::any_of(look.truth.answer.optima(), [](const Optimum& optimum) {
+    const ContactKind kind = optimum.contact.kind;
+    return kind == ContactKind::facet_edge || kind == ContactKind::edge_facet || kind == ContactKind::facet_facet;
+  });
+}
+
+bool duplicate_points(const Look& look) {
+  return look.a.distinct.size() < look.integers.a.size() || look.b.distinct.size() < look.integers.b.size();
+}
+
+bool redundant_points(const Look& look) {
+  return look.a.hull.vertices.size() < look.a.distinct.size() || look.b.hull.vertices.size() < look.b.distinct.size();
+}
+
+bool identical_bodies(const Look& look) {
+  std::vector<Vector> a = look.a.hull.vertices, b = look.b.hull.vertices;
+  std::ranges::sort(a, lexicographically_less);
+  std::ranges::sort(b, lexicographically_less);
+  return a == b;
+}
+
+bool polygonal(const polytope::Polytope& hull) {
+  return hull.rank == 3 && std::ranges::any_of(hull.facets, [](const polytope::Facet& facet) { return facet.end - facet.begin > 3; });
+}
+
+bool opposite_normals(const Look& look) {
+  std::vector<Vector> turned;
+  for (const Vector& n : look.a.normals) turned.push_back(-n);
+  std::ranges::reverse(turned);  // sorted again
+  return meet(turned, look.b.normals);
+}
+
+bool offset(const Look& look) { return magnitude(look.greatest, look) > power_of_two(20) * look.extent(); }
+
+/// Whether a squared length is below (2^-20 of the larger extent)^2.
+bool short_length(const mpq_class& squared, const Look& look) { return squared < look.extent() * look.extent() * power_of_two(-40); }
+
+bool deep(const Look& look) {
+  const mpq_class& side = std::min(look.a.shortest, look.b.shortest);
+  return penetrating(look) && 4 * look.truth.answer.squared() >= side * side && side > 0;
+}
+
+using Modes = std::array<double, 3> Rounded::*;
+
+// On correctly rounded values: rd and ru agree exactly for numbers of the format, and rd tells on which side of one of its numbers the
+// exact value lies.
+template <Modes Format>
+bool depth_in_format(const Look& look) {
+  return penetrating(look) && (look.truth.depth.*Format)[1] == (look.truth.depth.*Format)[2];
+}
+
+template <Modes Format>
+bool depth_outside(const Look& look) {
+  const double normal = Format == &Rounded::binary64 ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
+  return penetrating(look) && ((look.truth.depth.*Format)[1] < normal || std::isinf((look.truth.depth.*Format)[0]));
+}
+
+/// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.
+mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
+  const long length = static_cast<long>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_den_mpz_t(), 2));
+  const long shift = bits + 1 - length / 2;
+  const mpq_class scaled = q * power_of_two(2 * shift);
+  const mpz_class square = scaled.get_num() / scaled.get_den();
+  mpz_class root = sqrt(square);
+  root >>= mpz_sizeinbase(root.get_mpz_t(), 2) - static_cast<std::size_t>(bits);
+  return root;
+}
+
+/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of two, and is not a number of the format.
+template <Modes Format, long Precision>
+bool hard_rounding(const Look& look) {
+  constexpr long beyond = 19;
+  if (!penetrating(look) || depth_in_format<Format>(look) || depth_outside<Format>(look)) return false;
+  mpz_class tail = leading_bits_of_root(look.truth.answer.squared(), Precision + 1 + beyond);
+  mpz_fdiv_r_2exp(tail.get_mpz_t(), tail.get_mpz_t(), beyond);
+  return tail == 0 || tail == (1 << beyond) - 1;
+}
+
+struct Flag {
+  std::string_view name;
+  bool (*holds)(const Look& look);
+};
+
+constexpr Modes f64 = &Rounded::binary64, f32 = &Rounded::binary32;
+
+const Flag table[] = {
+    {"flat_a", [](const Look& look) { return look.truth.answer.flat_a; }},
+    {"flat_b", [](const Look& look) { return look.truth.answer.flat_b; }},
+    {"flat_difference", flat_difference},
+    {"ties", [](const Look& look) { return look.truth.answer.optima().size() > 1; }},
+    {"near_tie", near_tie},
+    {"all_tie", [](const Look& look) { return penetrating(look) && !look.truth.gap; }},
+    {"degenerate_contact", degenerate_contact},
+    {"duplicate_points", duplicate_points},
+    {"redundant_points", redundant_points},
+    {"polygonal_facets", [](const Look& look) { return polygonal(look.a.hull) || polygonal(look.b.hull); }},
+    {"shared_points", [](const Look& look) { return meet(look.a.distinct, look.b.distinct); }},
+    {"identical_bodies", identical_bodies},
+    {"parallel_edges", [](const Look& look) { return meet(look.a.edges, look.b.edges); }},
+    {"equal_normals", [](const Look& look) { return meet(look.a.normals, look.b.normals); }},
+    {"opposite_normals", opposite_normals},
+    {"huge_coordinates", [](const Look& look) { return magnitude(look.greatest, look) >= power_of_two(128); }},
+    {"tiny_coordinates", [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
+    {"uneven_coordinates", [](const Look& look) { return look.greatest > look.least * mpz_class(power_of_two(53)); }},
+    {"offset_coordinates", offset},
+    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.truth.answer.squared(), look); }},
+    {"deep_penetration", deep},
+    {"thin_clearance",
+     [](const Look& look) { return look.truth.answer.distance() && short_length(look.truth.answer.distance()->squared, look); }},
+    {"depth_in_binary64", depth_in_format<f64>},
+    {"depth_in_binary32", depth_in_format<f32>},
+    {"depth_outside_binary64", depth_outside<f64>},
+    {"depth_outside_binary32", depth_outside<f32>},
+    {"hard_rounding_binary64", hard_rounding<f64, 53>},
+    {"hard_rounding_binary32", hard_rounding<f32, 24>},
+};
+
+}  // namespace
+
+std::vector<std::string_view> flag_names() {
+  std::vector<std::string_view> names;
+  for (const Flag& flag : table) names.push_back(flag.name);
+  return names;
+}
+
+std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth) {
+  const Look look(hulls, truth);
+  std::vector<std::string_view> result;
+  for (const Flag& flag : table) {
+    if (flag.holds(look)) result.push_back(flag.name);
+  }
+  return result;
+}
 
 // ---- numbers ----
 

@@ -55,7 +55,7 @@ struct HullStatement {
   /// Of each optimum; else of the direction, and if disjoint of the distance's translation.
   std::vector<RoundedVector> units, translations;
 
-  std::vector<std::string_view> flags;  ///< in the order of flags.hpp
+  std::vector<std::string_view> flags;  ///< in the order of flag_names()
 };
 
 struct ShapeStatement {
@@ -117,5 +117,15 @@ std::string csv_header();
 /// Returns the record as CSV with hex floats, for programs that read neither JSON nor rationals, with a line feed; empty unless it is of
 /// polytopes and all of its points are binary64.
 std::string csv_row(const Facts& facts);
+
+// ---- flags ----
+
+// Flags: words for what is special about a record of polytopes. NOTES.md says what each means; all are decided exactly.
+
+/// Returns all flags, in the order in which a record lists them.
+std::vector<std::string_view> flag_names();
+
+/// Returns the flags that hold. Everything in `truth` but the flags must be set.
+std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth);
 
 }  // namespace fathom::golden

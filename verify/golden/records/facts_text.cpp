@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The texts of facts.hpp: a line of JSON, and a row of CSV.
+
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rounding.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/golden/records/facts.hpp"
-#include "verify/golden/records/json_text.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::golden {
+
 namespace {
+
+using text::JsonStream;
 
 // ---- numbers, lengths, vectors ----
 
@@ -21,7 +27,7 @@ constexpr std::size_t nearest = 0, down = 1, up = 2;
 
 /// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}. put(out, values of one format, mode) writes a value.
 template <class Put>
-void in_both_formats(JsonText& out, Put put) {
+void in_both_formats(JsonStream& out, Put put) {
   const auto in_every_mode = [&](std::string_view name, std::array<double, 3> Rounded::*format) {
     out.key(name).open('{');
     for (std::size_t mode = 0; mode < mode_names.size(); ++mode) {
@@ -34,11 +40,11 @@ void in_both_formats(JsonText& out, Put put) {
   in_every_mode("f32", &Rounded::binary32);
 }
 
-void write_modes(JsonText& out, const Rounded& value) {
+void write_modes(JsonStream& out, const Rounded& value) {
   in_both_formats(out, [&](auto format, std::size_t mode) { out.hex((value.*format)[mode]); });
 }
 
-void write_rounded(JsonText& out, std::string_view key, const RoundedVector& vector) {
+void write_rounded(JsonStream& out, std::string_view key, const RoundedVector& vector) {
   out.key(key).open('{');
   in_both_formats(out, [&](auto format, std::size_t mode) {
     out.open('[');
@@ -49,24 +55,24 @@ void write_rounded(JsonText& out, std::string_view key, const RoundedVector& vec
 }
 
 /// The members of an object that tells a length.
-void write_length(JsonText& out, const mpq_class& squared, const Rounded& root) {
+void write_length(JsonStream& out, const mpq_class& squared, const Rounded& root) {
   out.key("squared").exact(squared);
   write_modes(out, root);
 }
 
-void write_direction(JsonText& out, const Vector& n, const RoundedVector& unit) {
+void write_direction(JsonStream& out, const Vector& n, const RoundedVector& unit) {
   out.key("direction").exact(n);
   write_rounded(out, "unit", unit);
 }
 
-void write_translation(JsonText& out, const Point& t, const RoundedVector& rounded) {
+void write_translation(JsonStream& out, const Point& t, const RoundedVector& rounded) {
   out.key("translation").exact(t);
   write_rounded(out, "rounded", rounded);
 }
 
 /// sign sqrt(root) + plus.
-void write_surd(JsonText& out, std::string_view key, const Surd& value) {
-  out.key(key).open('{').key("sign").number(sgn(value.root));
+void write_surd(JsonStream& out, std::string_view key, const Surd& value) {
+  out.key(key).open('{').key("sign").integer(sgn(value.root));
   out.key("root").exact(mpq_class(abs(value.root))).key("plus").exact(value.rational).close('}');
 }
 
@@ -75,7 +81,7 @@ void write_surd(JsonText& out, std::string_view key, const Surd& value) {
 /// Numbers of bodies: hexadecimal floats if all of the record's are binary64, else exact.
 class BodyText {
  public:
-  BodyText(JsonText& out, bool hexadecimal) : out_(out), hexadecimal_(hexadecimal) {}
+  BodyText(JsonStream& out, bool hexadecimal) : out_(out), hexadecimal_(hexadecimal) {}
 
   void write(const Body& body) {
     out_.open('{').key("vertices").open('[');
@@ -99,10 +105,10 @@ class BodyText {
 
   void write(const families::NamedBody& body) {
     const files::ShapeName& shape = *files::named_shape(body.shape).shape;
-    out_.open('{').key("shape").text(body.shape);
+    out_.open('{').key("shape").plain(body.shape);
     for (const files::NumberField& field : shape.numbers) numbers(body, field.name);
     if (shape.part == files::ShapePart::axis)
-      out_.key("axis").text(std::array{"x", "y", "z"}.at(static_cast<std::size_t>(body.fields.axis)));
+      out_.key("axis").plain(std::array{"x", "y", "z"}.at(static_cast<std::size_t>(body.fields.axis)));
     if (shape.part == files::ShapePart::vertices) vertices(body.fields.vertices);
     if (shape.part == files::ShapePart::terms) {
       out_.key("terms").open('[');
@@ -140,49 +146,43 @@ class BodyText {
     out_.close(']');
   }
 
-  JsonText& out_;
+  JsonStream& out_;
   bool hexadecimal_;
 };
 
-void write_known(JsonText&, const HullPair&) {}
+void write_known(JsonStream&, const HullPair&) {}
 
-void write_known(JsonText& out, const families::NamedPair& shapes) {
+void write_known(JsonStream& out, const families::NamedPair& shapes) {
   if (shapes.known) write_surd(out, "signed_depth", shapes.known->signed_depth);
 }
 
-void write_known(JsonText& out, const Unions& unions) {
+void write_known(JsonStream& out, const Unions& unions) {
   if (!unions.known) return;
   const auto& [status, squared, optima] = *unions.known;
-  out.key("known").open('{').key("status").text(name(status)).key("squared").exact(squared);
-  out.key("optima").number(static_cast<std::int64_t>(optima)).close('}');
+  out.key("known").open('{').key("status").plain(name(status)).key("squared").exact(squared);
+  out.key("optima").integer(optima).close('}');
 }
 
 // ---- what is expected: the members of that object ----
 
-void write_flat(JsonText& out, bool flat_a, bool flat_b) {
+void write_flat(JsonStream& out, bool flat_a, bool flat_b) {
   out.key("flat").open('[');
-  if (flat_a) out.text("a");
-  if (flat_b) out.text("b");
+  if (flat_a) out.plain("a");
+  if (flat_b) out.plain("b");
   out.close(']');
 }
 
-void write_depth(JsonText& out, Status status, const mpq_class& squared, const Rounded& root) {
-  out.key("status").text(name(status)).key("depth").open('{');
+void write_depth(JsonStream& out, Status status, const mpq_class& squared, const Rounded& root) {
+  out.key("status").plain(name(status)).key("depth").open('{');
   write_length(out, squared, root);
   out.close('}');
 }
 
-void write_indices(JsonText& out, std::string_view key, const std::vector<std::uint32_t>& indices) {
-  out.key(key).open('[');
-  for (const std::uint32_t i : indices) out.number(i);
-  out.close(']');
-}
-
-void write_witness(JsonText& out, const Witness& witness) {
+void write_witness(JsonStream& out, const Witness& witness) {
   out.key("witness").open('{').key("a").exact(witness.a).key("b").exact(witness.b).close('}');
 }
 
-void write_gap(JsonText& out, const HullStatement& truth) {
+void write_gap(JsonStream& out, const HullStatement& truth) {
   out.key("gap");
   if (!truth.gap) {
     out.null();
@@ -192,7 +192,7 @@ void write_gap(JsonText& out, const HullStatement& truth) {
   out.open('{').key("squared").exact(*truth.gap).key("relative").hex(round_binary64(relative, Rounding::rn)).close('}');
 }
 
-void write_expected(JsonText& out, const HullStatement& truth, const RecordBodies&) {
+void write_expected(JsonStream& out, const HullStatement& truth, const RecordBodies&) {
   const Depth& answer = truth.answer;
   write_depth(out, answer.status(), answer.squared(), truth.depth);
   write_flat(out, answer.flat_a, answer.flat_b);
@@ -203,9 +203,9 @@ void write_expected(JsonText& out, const HullStatement& truth, const RecordBodie
     out.open('{');
     write_direction(out, optima[i].direction, truth.units[i]);
     write_translation(out, optima[i].translation(), truth.translations[i]);
-    out.key("contact").open('{').key("kind").text(name(contact.kind));
-    write_indices(out, "a", contact.a);
-    write_indices(out, "b", contact.b);
+    out.key("contact").open('{').key("kind").plain(name(contact.kind));
+    out.key("a").array_of(contact.a);
+    out.key("b").array_of(contact.b);
     out.close('}').close('}');
   }
   out.close(']');
@@ -229,7 +229,7 @@ std::string_view status_of(const ShapeStatement& truth) {
   return name(low > 0 ? Status::penetrating : low < 0 ? Status::disjoint : Status::touching);
 }
 
-void write_value(JsonText& out, const ShapeStatement& truth) {
+void write_value(JsonStream& out, const ShapeStatement& truth) {
   const auto write_ends = [&out](const Rounded& low, const Rounded& high) {
     out.key("low").hex(low.binary64[down]).key("high").hex(high.binary64[up]);
   };
@@ -247,9 +247,9 @@ void write_value(JsonText& out, const ShapeStatement& truth) {
   out.close('}');
 }
 
-void write_cone(JsonText& out, const OptimalCone& cone) {
+void write_cone(JsonStream& out, const OptimalCone& cone) {
   constexpr std::array<std::string_view, 4> names{"none", "line", "plane", "all"};
-  out.key("optimal_cone").open('{').key("lineality").text(names.at(static_cast<std::size_t>(cone.lineality))).key("axis");
+  out.key("optimal_cone").open('{').key("lineality").plain(names.at(static_cast<std::size_t>(cone.lineality))).key("axis");
   if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) out.exact(cone.axis);
   else out.null();
   out.key("rays").open('[');
@@ -257,9 +257,9 @@ void write_cone(JsonText& out, const OptimalCone& cone) {
   out.close(']').close('}');
 }
 
-void write_expected(JsonText& out, const ShapeStatement& truth, const RecordBodies& bodies) {
+void write_expected(JsonStream& out, const ShapeStatement& truth, const RecordBodies& bodies) {
   const auto& shapes = std::get<families::NamedPair>(bodies);
-  out.key("status").text(status_of(truth));
+  out.key("status").plain(status_of(truth));
   write_value(out, truth);
   write_flat(out, is_flat(families::shape_of(shapes.a)), is_flat(families::shape_of(shapes.b)));
   write_direction(out, truth.direction, rounded_unit(truth.direction));
@@ -273,7 +273,7 @@ void write_expected(JsonText& out, const ShapeStatement& truth, const RecordBodi
   if (truth.cone) write_cone(out, *truth.cone);
 }
 
-void write_expected(JsonText& out, const UnionStatement& truth, const RecordBodies&) {
+void write_expected(JsonStream& out, const UnionStatement& truth, const RecordBodies&) {
   write_depth(out, truth.status, truth.squared, rounded_root(truth.squared));
   out.key("optima").open('[');
   for (const Point& t : truth.optima) {
@@ -285,7 +285,7 @@ void write_expected(JsonText& out, const UnionStatement& truth, const RecordBodi
   if (!truth.gap) return;
   out.key("distance").open('{');
   write_length(out, truth.gap->squared, rounded_root(truth.gap->squared));
-  out.key("pieces").open('[').number(truth.gap->a).number(truth.gap->b).close(']');
+  out.key("pieces").open('[').integer(truth.gap->a).integer(truth.gap->b).close(']');
   write_translation(out, truth.gap->translation, rounded_point(truth.gap->translation));
   out.close('}');
 }
@@ -295,32 +295,32 @@ void write_expected(JsonText& out, const UnionStatement& truth, const RecordBodi
 std::string line_of(const Facts& facts) {
   constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"};
   const auto& [recipe, made, in_binary64, in_binary32, truth, sha256] = facts;
-  JsonText out;
-  out.open('{').key("schema").text("fathom/case/1").key("golden").text(schemas.at(truth.index())).key("id").text(made.id);
-  out.key("source").open('{').key("kind").text(name_of(recipe.source)).key("name").text(recipe.name);
-  if (from_family(recipe.source)) out.key("size").number(recipe.size).key("seed").text(std::to_string(recipe.seed));
-  out.key("form").text(name_of(made.form));
+  JsonStream out;
+  out.open('{').key("schema").plain("fathom/case/1").key("golden").plain(schemas.at(truth.index())).key("id").plain(made.id);
+  out.key("source").open('{').key("kind").plain(name_of(recipe.source)).key("name").plain(recipe.name);
+  if (from_family(recipe.source)) out.key("size").integer(recipe.size).key("seed").plain(std::to_string(recipe.seed));
+  out.key("form").plain(name_of(made.form));
   std::visit([&out](const auto& bodies) { write_known(out, bodies); }, made.bodies);
-  out.close('}').key("formats").open('[').text("exact");
-  if (in_binary64) out.text("binary64");
-  if (in_binary32) out.text("binary32");
+  out.close('}').key("formats").open('[').plain("exact");
+  if (in_binary64) out.plain("binary64");
+  if (in_binary32) out.plain("binary32");
   out.close(']');
   if (const auto* const hulls = std::get_if<HullStatement>(&truth)) {
     out.key("flags").open('[');
-    for (const std::string_view flag : hulls->flags) out.text(flag);
+    for (const std::string_view flag : hulls->flags) out.plain(flag);
     out.close(']');
   }
-  BodyText text(out, in_binary64);
-  const auto write_bodies = [&out, &text](const auto& bodies) {
+  BodyText body_text(out, in_binary64);
+  const auto write_bodies = [&out, &body_text](const auto& bodies) {
     out.key("a");
-    text.write(bodies.a);
+    body_text.write(bodies.a);
     out.key("b");
-    text.write(bodies.b);
+    body_text.write(bodies.b);
   };
   std::visit(write_bodies, made.bodies);
   out.key("expected").open('{');
   std::visit([&out, &facts](const auto& says) { write_expected(out, says, facts.made.bodies); }, truth);
-  out.close('}').key("certificate").open('{').key("sha256").text(sha256).close('}').close('}');
+  out.close('}').key("certificate").open('{').key("sha256").plain(sha256).close('}').close('}');
   return out.take();
 }
 

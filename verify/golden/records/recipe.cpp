@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "verify/golden/records/recipe.hpp"
 
 #include <algorithm>
@@ -61,9 +62,11 @@ KnownUnion known_of_hulls(const Case& unions) {
 RecordBodies base_bodies(const Recipe& recipe) {
   const kernels::DefaultFloatEnvironment environment;
   const std::string_view name = recipe.name;
+  const families::Family* const family = from_family(recipe.source) ? families::find_family(name) : nullptr;
+  const bool found = family != nullptr && family->kind() == kind_of(recipe.source);
   switch (recipe.source) {
     case Source::family:
-      if (const auto* family = families::find_family(name)) return hulls_of(family->make(recipe.seed, recipe.size));
+      if (found) return hulls_of(family->make(recipe.seed, recipe.size));
       break;
     case Source::catalogue:
       if (const auto* entry = families::find_catalogue_entry(name)) return hulls_of(entry->pair);
@@ -72,14 +75,14 @@ RecordBodies base_bodies(const Recipe& recipe) {
       if (const Case* const real = find_real_case(name)) return hulls_of(*real);
       break;
     case Source::shape_family:
-      if (const auto* family = families::find_shape_family(name)) return family->make(recipe.seed, recipe.size).pair;
+      if (found) return family->make_shapes(recipe.seed, recipe.size).pair;
       break;
     case Source::shape_catalogue:
       for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
         if (entry.shapes.id == name) return entry.shapes.pair;
       break;
     case Source::union_family:
-      if (const auto* family = families::find_union_family(name)) {
+      if (found) {
         const Case made = family->make(recipe.seed, recipe.size);
         return name.starts_with("cut_") ? unions_of(made, known_of_hulls(made)) : unions_of(made);
       }

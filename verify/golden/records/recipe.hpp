@@ -3,9 +3,8 @@
 // every machine.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <cstdint>
+#include <gmpxx.h>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,7 +13,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
-#include "verify/families/shape_pairs.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::golden {
 
@@ -29,8 +28,7 @@ enum class Source {
   union_catalogue   ///< an entry of the catalogue of these
 };
 
-/// What the bodies are: which alternative of RecordBodies.
-enum class Kind { polytopes, shapes, unions };
+using families::Kind;  ///< which alternative of RecordBodies the bodies are
 
 constexpr Kind kind_of(Source source) {
   switch (source) {

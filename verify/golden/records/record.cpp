@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "verify/golden/records/record.hpp"
 
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
+#include "kernels/printable.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/facts.hpp"
@@ -78,6 +83,150 @@ std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace
     records.push_back(record_of(recipe, std::move(made), monitor, workspace));
   }
   return records;
+}
+
+// ---- reading ----
+
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string& text(const Json& value, const char* what) {
+  if (!value.is_string()) throw NotARecord(std::string("expected ") + what + " as text, found " + value.type_name());
+  return value.get_ref<const std::string&>();
+}
+
+mpq_class number(const Json& value) {
+  ParsedNumber parsed = parse_number(text(value, "an exact number"), Decimals::exact);
+  if (!parsed.value) throw NotARecord(parsed.error);
+  return *std::move(parsed.value);
+}
+
+Point point(const Json& value) {
+  if (!value.is_array() || value.size() != 3) throw NotARecord("expected three coordinates, found something else");
+  return {number(value[0]), number(value[1]), number(value[2])};
+}
+
+Body body(const Json& value) {
+  const Json& vertices = value.at("vertices");
+  if (!vertices.is_array() || vertices.empty()) throw NotARecord("expected at least one point, found none");
+  Body result;
+  for (const Json& vertex : vertices) result.points.push_back(point(vertex));
+  return result;
+}
+
+template <class Unsigned>
+Unsigned unsigned_number(const std::string& digits) {
+  Unsigned value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) throw NotARecord("expected a natural number, found '" + digits + "'");
+  return value;
+}
+
+template <class Value, std::size_t N>
+Value named(const std::array<Value, N>& values, const std::string& name) {
+  for (const Value value : values) {
+    if (name_of(value) == name) return value;
+  }
+  throw NotARecord("expected a word of the schema, found '" + name + "'");
+}
+
+void read_source(const Json& source, Claimed& claimed) {
+  Recipe& recipe = claimed.recipe;
+  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
+                                   Source::union_family, Source::union_catalogue},
+                        text(source.at("kind"), "a kind"));
+  recipe.name = text(source.at("name"), "a name");
+  if (from_family(recipe.source)) {
+    recipe.size = unsigned_number<unsigned>(source.at("size").dump());
+    recipe.seed = unsigned_number<std::uint64_t>(text(source.at("seed"), "a seed"));
+  }
+  claimed.form = named(std::array{Form::given, Form::binary64, Form::binary32}, text(source.at("form"), "a form"));
+}
+
+std::optional<Witness> read_witness(const Json& expected) {
+  const Json& holder = expected.contains("distance") ? expected.at("distance") : expected;
+  if (!holder.contains("witness")) return std::nullopt;
+  const Json& witness = holder.at("witness");
+  return Witness{point(witness.at("a")), point(witness.at("b"))};
+}
+
+/// Returns what `take` finds in the line.
+template <class Take>
+auto read(std::string_view line, Take take) {
+  try {
+    return take(Json::parse(line));
+  } catch (const Json::exception& error) {
+    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
+  }
+}
+
+std::string path_in_words(const std::string& pointer) {
+  std::string result;
+  for (const char c : pointer) {
+    if (c != '/') result += c;
+    else if (!result.empty()) result += '.';
+  }
+  return result.empty() ? "the line" : result;
+}
+
+std::string shortened(const std::string& value) {
+  constexpr std::size_t most = 80;
+  return value.size() <= most ? value : value.substr(0, most) + "...";
+}
+
+}  // namespace
+
+Claimed read_record(std::string_view line) {
+  return read(line, [](const Json& record) {
+    Claimed claimed;
+    read_source(record.at("source"), claimed);
+    claimed.id = text(record.at("id"), "an id");
+    if (kind_of(claimed.recipe.source) == Kind::polytopes) {
+      claimed.hulls = {body(record.at("a")), body(record.at("b"))};
+      claimed.witness = read_witness(record.at("expected"));
+    }
+    claimed.certificate_sha256 = text(record.at("certificate").at("sha256"), "a sum");
+    return claimed;
+  });
+}
+
+std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
+  return read(line, [](const Json& record) -> std::pair<Surd, Surd> {
+    const Json& value = record.at("expected").at("signed_depth");
+    if (value.contains("bounds")) return {{number(value.at("bounds").at(0)), 0}, {number(value.at("bounds").at(1)), 0}};
+    const Json& exact = value.at("exact");
+    const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact.at("sign").get<int>()};
+    return {surd, surd};
+  });
+}
+
+std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line) {
+  return read(line, [](const Json& record) -> std::pair<std::uint32_t, std::uint32_t> {
+    const Json& pieces = record.at("expected").at("distance").at("pieces");
+    return {pieces.at(0).get<std::uint32_t>(), pieces.at(1).get<std::uint32_t>()};
+  });
+}
+
+std::string first_difference(std::string_view expected, std::string_view found) {
+  const Json right = Json::parse(expected, nullptr, false), given = Json::parse(found, nullptr, false);
+  const Json steps = Json::diff(right, given);
+  if (steps.empty()) return "expected each field once, in the order and form in which records are written, found another text";
+  const std::string pointer = steps[0].at("path").get<std::string>();
+  const Json::json_pointer at(pointer);
+  const auto shown = [&at](const Json& record) { return record.contains(at) ? shortened(record.at(at).dump()) : std::string("nothing"); };
+  return path_in_words(pointer) + ": expected " + shown(right) + ", found " + shown(given);
+}
+
+std::string_view id_in(std::string_view line) {
+  for (const std::string_view kind : {"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"}) {
+    const std::string before = R"({"schema":"fathom/case/1","golden":")" + std::string(kind) + R"(","id":")";
+    if (!line.starts_with(before)) continue;
+    line.remove_prefix(before.size());
+    const std::size_t end = line.find('"');
+    return end == std::string_view::npos ? "" : line.substr(0, end);
+  }
+  return "";
 }
 
 }  // namespace fathom::golden

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "verify/golden/release/real_cases.hpp"
 
 #include <algorithm>

@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "fathom/depth.hpp"
 #include "verify/golden/shards/plan.hpp"
 #include "verify/golden/shards/shard.hpp"
+#include "fathom/monitor.hpp"
 
 namespace fathom::golden {
 
@@ -92,5 +95,99 @@ void open_release(const std::filesystem::path& folder);
 
 /// Writes the fixed pages, dataset.json, CONTENT_SHA256SUMS and, last, SHA256SUMS. All shards must be there. Throws FileError.
 void close_release(const std::filesystem::path& folder, Level level, std::uint64_t seed, const std::vector<ShardPlan>& shards);
+
+// ---- generation ----
+
+// Input   a level, a seed, a folder.
+// Output  the release in that folder, or the requested part of its shards. Complete shards in it are kept, so a run
+//         that was interrupted or killed goes on where it stopped. The bytes do not depend on the number of threads or processes.
+
+/// Progress, in base cases.
+struct Done {
+  std::size_t recipes = 0, of = 0;
+  std::string shard;  ///< the one being written
+};
+
+struct GenerateOptions {
+  Level level = Level::L0;
+  std::uint64_t seed = 1;
+  std::filesystem::path folder;
+  unsigned jobs = 0;                        ///< threads; 0: as many as there are cores
+  Monitor* monitor = nullptr;               ///< asked from all threads whether to stop
+  std::function<void(const Done&)> report;  ///< called from one thread at a time
+};
+
+class Generation {
+ public:
+  /// Reads the folder, or makes it. Throws FolderError if it holds anything else than this release, FileError.
+  explicit Generation(GenerateOptions options);
+
+  [[nodiscard]] const std::vector<ShardPlan>& shards() const { return shards_; }
+  /// Returns the numbers of the shards that are absent or damaged, ascending. Reads the files. Throws as the constructor does.
+  [[nodiscard]] std::vector<std::size_t> unfinished() const;
+  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record does not hold against its proof. Shards
+  /// that were finished before stay; of the others nothing does.
+  void make(std::span<const std::size_t> numbers) const;
+  /// Writes the pages that complete the release. Throws FolderError if a shard is missing, FileError.
+  void close() const;
+
+ private:
+  GenerateOptions options_;
+  std::vector<ShardPlan> shards_;
+};
+
+// ---- verification ----
+
+// Input   the folder of a release, not trusted.
+// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked, and by
+//         whom it is said to have been computed again.
+
+/// What was found in one shard.
+struct ShardResult {
+  std::size_t records = 0;  ///< that were proved
+  std::optional<Refusal> refusal;
+};
+
+/// Takes the result of the shard of that number, in order. Returns whether it wants more.
+using TakeShard = std::function<bool(std::size_t shard, ShardResult result)>;
+
+struct VerifyOptions {
+  std::vector<Method> methods;                                      ///< compute every record again by each of these, beside its proof
+  unsigned jobs = 0;                                                ///< threads; 0: as many as there are cores
+  Monitor* monitor = nullptr;                                       ///< asked from all threads whether to stop
+  std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
+  /// If set, it has the shards proved, by ShardVerifier, and passes on the results: all of `shards`, or those before the first refusal.
+  std::function<void(const std::vector<ShardPlan>& shards, const TakeShard& take)> elsewhere;
+};
+
+struct Verified {
+  Level level = Level::L0;
+  std::string version;
+  std::uint64_t seed = 0;
+  std::size_t shards = 0, records = 0;
+  std::vector<Refusal> refusals;  ///< empty if accepted; otherwise every bad name, checksum and page, then the first bad record
+};
+
+/// Throws FileError if the folder itself cannot be read, Interrupted.
+Verified verify(const std::filesystem::path& folder, const VerifyOptions& options = {});
+
+/// Proves single shards of a release, whose pages somebody else checks.
+class ShardVerifier {
+ public:
+  /// Throws FileError if the folder is not a release.
+  ShardVerifier(std::filesystem::path folder, VerifyOptions options);
+  /// Throws Interrupted.
+  [[nodiscard]] ShardResult verify(std::size_t shard) const;
+
+ private:
+  std::filesystem::path folder_;
+  VerifyOptions options_;
+  Dataset dataset_;
+  std::vector<ShardPlan> shards_;
+};
+
+/// Writes the page that says by which methods the release was computed again. Call it after verify accepted the folder with these methods.
+/// Throws FileError.
+void state_agreement(const std::filesystem::path& folder, const Verified& verified, const std::vector<Method>& methods);
 
 }  // namespace fathom::golden

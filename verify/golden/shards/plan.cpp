@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families take turns, so that every file has cases of each and all files take about equally long.
+
 #include "verify/golden/shards/plan.hpp"
 
 #include <algorithm>
@@ -71,20 +72,14 @@ struct Habit {
   bool seeded = true;  ///< whether the seed matters
 };
 
-Case made(const families::Family& family, std::uint64_t seed, unsigned size) { return family.make(seed, size); }
-Case made(const families::ShapeFamily& family, std::uint64_t seed, unsigned size) { return family.make(seed, size).read(); }
-
-Case made(const families::UnionFamily& family, std::uint64_t seed, unsigned size) { return family.make(seed, size); }
-
 bool same_pieces(const Body& p, const Body& q) { return p.pieces && q.pieces ? *p.pieces == *q.pieces : p.pieces == q.pieces; }
 bool same_body(const Body& p, const Body& q) { return p.points == q.points && p.shape == q.shape && same_pieces(p, q); }
 bool same_bodies(const Case& p, const Case& q) { return same_body(p.a, q.a) && same_body(p.b, q.b); }
 
-template <class AnyFamily>
-Habit habit_of(Source source, const AnyFamily& family) {
+Habit habit_of(Source source, const families::Family& family) {
   Habit habit{source, family.name, family.usual_size};
-  const Case case_of_5 = made(family, 1, 5);
-  const auto differs = [&](std::uint64_t seed, unsigned size) { return !same_bodies(case_of_5, made(family, seed, size)); };
+  const Case case_of_5 = family.make(1, 5);
+  const auto differs = [&](std::uint64_t seed, unsigned size) { return !same_bodies(case_of_5, family.make(seed, size)); };
   habit.seeded = differs(2, 5) || differs(3, 5);
   habit.sized = differs(1, 23) && differs(1, 12);
   return habit;
@@ -93,19 +88,11 @@ Habit habit_of(Source source, const AnyFamily& family) {
 using Habits = std::vector<Habit>;
 
 Habits habits(Kind kind) {
+  constexpr std::array sources{Source::family, Source::shape_family, Source::union_family};
   Habits result;
-  switch (kind) {
-    case Kind::polytopes:
-      for (const families::Family& family : families::families())
-        if (family.name != "catalogue") result.push_back(habit_of(Source::family, family));  // its entries are all there by name
-      break;
-    case Kind::shapes:
-      for (const families::ShapeFamily& family : families::shape_families()) result.push_back(habit_of(Source::shape_family, family));
-      break;
-    case Kind::unions:
-      for (const families::UnionFamily& family : families::union_families()) result.push_back(habit_of(Source::union_family, family));
-      break;
-  }
+  for (const families::Family& family : families::families(kind))
+    if (family.name != "catalogue")  // its entries are all there by name
+      result.push_back(habit_of(sources.at(static_cast<std::size_t>(kind)), family));
   return result;
 }
 
