@@ -104,14 +104,29 @@ TEST(Solids, HaveTheirVerticesAndFacets) {
 
 TEST(Families, NamesAreUniqueAndPlain) {
   std::set<std::string_view> names;
-  for (const Family& family : fathom::families::families()) {
+  for (const Family& family : all_families()) {
     EXPECT_TRUE(names.insert(family.name).second) << family.name;
     EXPECT_TRUE(std::regex_match(std::string(family.name), std::regex("[a-z0-9_]+"))) << family.name;
     EXPECT_FALSE(family.description.empty()) << family.name;
-    ASSERT_NE(find_family(family.name), nullptr);
-    EXPECT_EQ(find_family(family.name)->name, family.name);
+    EXPECT_EQ(find_family(family.name), &family);
   }
   EXPECT_EQ(find_family("no_such_family"), nullptr);
+  EXPECT_FALSE(names.contains("all"));
+}
+
+TEST(Families, EachIsOfTheKindThatItIsListedAmong) {
+  std::size_t listed = 0;
+  for (const Kind kind : {Kind::polytopes, Kind::shapes, Kind::unions})
+    for (const Family& family : fathom::families::families(kind)) {
+      EXPECT_EQ(family.kind(), kind) << family.name;
+      EXPECT_EQ(&family, &all_families()[listed++]);
+      const Case pair = family.make(1, 5);
+      for (const Body* body : {&pair.a, &pair.b}) {
+        EXPECT_EQ(body->shape != nullptr, kind == Kind::shapes) << family.name;
+        EXPECT_EQ(body->pieces != nullptr, kind == Kind::unions) << family.name;
+      }
+    }
+  EXPECT_EQ(listed, all_families().size());
 }
 
 TEST(Families, EverySizeAndSeedGivesACase) {

@@ -7,9 +7,9 @@
 #include <fnmatch.h>
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "cli/commands/command.hpp"
@@ -71,29 +71,24 @@ void print_case(const families::ShapeCase& shapes, Source source, const std::str
   print(files::case_json({shapes.id, files::body_json(pair.a), files::body_json(pair.b), std::move(source), comment}));
 }
 
-template <class Family>
-void print_case_of(const Family& family, std::uint64_t seed, const CasesRequest& request) {
+void print_case_of(const families::Family& family, std::uint64_t seed, const CasesRequest& request) {
   const unsigned size = request.size.value_or(family.usual_size);
-  print_case(family.make(seed, size),
-             {{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}}, "");
+  Source source{{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}};
+  if (family.kind() == families::Kind::shapes) print_case(family.make_shapes(seed, size), std::move(source), "");
+  else print_case(family.make(seed, size), std::move(source), "");
 }
 
-using AnyFamily = std::variant<const families::Family*, const families::ShapeFamily*, const families::UnionFamily*>;
-
-std::string_view name_of(const AnyFamily& family) {
-  return std::visit([](const auto* one) -> std::string_view { return one->name; }, family);
+families::Kind asked_kind(const CasesRequest& request) {
+  return request.shapes ? families::Kind::shapes : request.unions ? families::Kind::unions : families::Kind::polytopes;
 }
 
-template <class Families>
-void add_all(std::vector<AnyFamily>& to, const Families& all) {
-  for (const auto& family : all) to.push_back(&family);
-}
+using FamilyList = std::vector<const families::Family*>;
 
 /// The families of a name or a pattern.
-std::vector<AnyFamily> families_like(const std::string& pattern, const std::vector<AnyFamily>& all) {
-  std::vector<AnyFamily> result;
-  for (const AnyFamily& family : all)
-    if (::fnmatch(pattern.c_str(), std::string(name_of(family)).c_str(), 0) == 0) result.push_back(family);
+FamilyList families_like(const std::string& pattern) {
+  FamilyList result;
+  for (const families::Family& family : families::all_families())
+    if (::fnmatch(pattern.c_str(), std::string(family.name).c_str(), 0) == 0) result.push_back(&family);
   if (result.empty())
     throw InputError(
         "--family", 0,
@@ -104,28 +99,22 @@ std::vector<AnyFamily> families_like(const std::string& pattern, const std::vect
 }
 
 /// Those that were asked for, each once.
-std::vector<AnyFamily> asked_families(const CasesRequest& request) {
-  std::vector<AnyFamily> all, result;
+FamilyList asked_families(const CasesRequest& request) {
+  FamilyList result;
   if (request.families == std::vector<std::string>{std::string(every_family)}) {
-    if (request.shapes) add_all(result, families::shape_families());
-    else if (request.unions) add_all(result, families::union_families());
-    else add_all(result, families::families());
+    for (const families::Family& family : families::families(asked_kind(request))) result.push_back(&family);
     return result;
   }
-  add_all(all, families::families());
-  add_all(all, families::shape_families());
-  add_all(all, families::union_families());
   for (const std::string& pattern : request.families)
-    for (const AnyFamily& family : families_like(pattern, all))
+    for (const families::Family* family : families_like(pattern))
       if (std::ranges::find(result, family) == result.end()) result.push_back(family);
   return result;
 }
 
 /// Each family in turn with the first seed, then each with the second, until there are enough.
 ExitCode print_families(const CasesRequest& request) {
-  const std::vector<AnyFamily> asked = asked_families(request);
-  for (std::uint64_t i = 0; i < request.count; ++i)
-    std::visit([&](const auto* family) { print_case_of(*family, request.seed + i / asked.size(), request); }, asked[i % asked.size()]);
+  const FamilyList asked = asked_families(request);
+  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(*asked[i % asked.size()], request.seed + i / asked.size(), request);
   return fine;
 }
 
@@ -144,11 +133,10 @@ ExitCode print_catalogue(const CasesRequest& request) {
   return fine;
 }
 
-template <class Families>
-ExitCode print_list(const Families& all) {
+ExitCode print_list(std::span<const families::Family> all) {
   std::size_t column = 0;
-  for (const auto& family : all) column = std::max(column, family.name.size());
-  for (const auto& family : all) print(fitted(fmt::format("{:<{}}  {}", family.name, column, family.description), column + 2));
+  for (const families::Family& family : all) column = std::max(column, family.name.size());
+  for (const families::Family& family : all) print(fitted(fmt::format("{:<{}}  {}", family.name, column, family.description), column + 2));
   return fine;
 }
 
@@ -172,9 +160,7 @@ ExitCode run_cases(const Request& request) {
   switch (request.cases.what) {
     case CasesRequest::What::family: return print_families(request.cases);
     case CasesRequest::What::catalogue: return print_catalogue(request.cases);
-    case CasesRequest::What::list:
-      if (request.cases.shapes) return print_list(families::shape_families());
-      return request.cases.unions ? print_list(families::union_families()) : print_list(families::families());
+    case CasesRequest::What::list: return print_list(families::families(asked_kind(request.cases)));
     case CasesRequest::What::from: return print_meshes(request);
     case CasesRequest::What::from_fcl: return print_fcl_cases(request.cases.fcl);
   }

@@ -15,9 +15,7 @@ constexpr std::size_t suggestions = 3, longest_name = 60;
 
 std::vector<std::string_view> family_names() {
   std::vector<std::string_view> names;
-  for (const families::Family& family : families::families()) names.push_back(family.name);
-  for (const families::ShapeFamily& family : families::shape_families()) names.push_back(family.name);
-  for (const families::UnionFamily& family : families::union_families()) names.push_back(family.name);
+  for (const families::Family& family : families::all_families()) names.push_back(family.name);
   return names;
 }
 

@@ -174,11 +174,12 @@ constexpr int most_runs = 3;
 constexpr std::size_t behind_size = 9;  // spaces before the further lines of a row, on a narrow terminal
 
 const families::Family& family_named(const std::string& name) {
-  if (const families::Family* family = families::find_family(name)) return *family;
-  if (families::find_shape_family(name) != nullptr)
-    throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose shapes are not", kernels::shown(name)));
-  if (families::find_union_family(name) != nullptr)
-    throw InputError("--sweep", 0, fmt::format("expected a family of polytopes, found {}, whose unions are not", kernels::shown(name)));
+  if (const families::Family* family = families::find_family(name)) {
+    if (family->kind() == families::Kind::polytopes) return *family;
+    throw InputError("--sweep", 0,
+                     fmt::format("expected a family of polytopes, found {}, whose {} are not", kernels::shown(name),
+                                 family->kind() == families::Kind::shapes ? "shapes" : "unions"));
+  }
   std::vector<std::string_view> of_polytopes;
   for (const families::Family& family : families::families()) of_polytopes.push_back(family.name);
   throw InputError("--sweep", 0,

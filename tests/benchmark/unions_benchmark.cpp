@@ -2,14 +2,13 @@
 // Unions of convex pieces, by family and number of pieces: the processor time of the answer, of answer and certificate, and of the check;
 // the bytes of certificates; the pairs of pieces that the search looked at closely, and the cells that it split. Of pairs that penetrate,
 // the median, what nine of ten are below, and the most. `memory`: the most that the process has used so far.
-#include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
 #include <algorithm>
+#include <benchmark/benchmark.h>
 #include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
+#include <sys/resource.h>
 #include <vector>
 
 #include "fathom/certificate.hpp"
@@ -98,7 +97,7 @@ void add_row(const std::string& name, std::uint64_t cases, Make make) {
 }
 
 void add_family(const char* family, unsigned pieces, std::uint64_t cases) {
-  const families::UnionFamily& maker = *families::find_union_family(family);
+  const families::Family& maker = *families::find_family(family);
   add_row(std::string(family) + "/" + std::to_string(pieces), cases, [&maker, pieces](std::uint64_t seed) {
     const Case pair = maker.make(seed, pieces);
     return families::UnionPair{*pair.a.pieces, *pair.b.pieces};

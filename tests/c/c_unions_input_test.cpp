@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of convex pieces for C: what is refused, what is absent, and searches that are stopped.
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstdint>
+#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -45,7 +44,7 @@ void expect_bounds_alone(const AnswerHandle& answer, double depth) {
 }
 
 TEST(CUnions, CanBeStoppedAtAnyTime) {
-  const Case made = families::find_union_family("clusters")->make(1, 4);
+  const Case made = families::find_family("clusters")->make(1, 4);
   const BodyHandle a = union_of(pieces_of(made.a)), b = union_of(pieces_of(made.b));
   const double depth = root_binary64(union_depth(pieces_of(made.a), pieces_of(made.b)).squared());
   Patience patience;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of convex pieces for C: what the C++ interface gives.
+#include <cfenv>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
-
-#include <cfenv>
 #include <set>
 #include <string>
 #include <thread>
@@ -93,7 +92,7 @@ void expect_json(const std::string& json, const std::string& id, const UnionDept
 
 TEST(CUnions, EqualTheCppInterface) {
   std::set<Status> statuses;
-  for (const families::UnionFamily& family : families::union_families()) {
+  for (const families::Family& family : families::families(families::Kind::unions)) {
     for (const unsigned seed : {1U, 2U}) {
       const Case made = family.make(seed, 3);
       const Pieces a = pieces_of(made.a), b = pieces_of(made.b);

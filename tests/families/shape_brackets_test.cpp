@@ -47,7 +47,7 @@ mpq_class squared_distance(const Segment& s, const Segment& t) {
 TEST(RandomShapes, SpheresAndCapsulesHaveTheDistanceOfTheirSegments) {
   for (const char* name : {"spheres", "capsules", "sphere_capsule", "inverse_sphere_sphere", "inverse_cap_cap", "inverse_side_side"})
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      const ShapeCase shapes = find_shape_family(name)->make(seed, 1);
+      const ShapeCase shapes = find_family(name)->make_shapes(seed, 1);
       const Shape a = shape_of(shapes.pair.a), b = shape_of(shapes.pair.b);
       const SignedDepth depth = signed_depth(a, b);
       ASSERT_TRUE(depth.exact()) << shapes.id;
@@ -130,10 +130,10 @@ int compare_with_high(const SignedDepth& depth, const Surd& value) {
 }
 
 TEST(RandomShapes, LieBetweenPolytopesInsideAndOutside) {
-  for (const ShapeFamily& family : shape_families()) {
+  for (const Family& family : fathom::families::families(Kind::shapes)) {
     if (family.name == "sums") continue;  // sums of two solids have too many points
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
-      const ShapeCase shapes = family.make(seed, 8);
+      const ShapeCase shapes = family.make_shapes(seed, 8);
       if (shapes.pair.a.shape == "sum" || shapes.pair.b.shape == "sum") continue;
       const Shape a = shape_of(shapes.pair.a), b = shape_of(shapes.pair.b);
       const SignedDepth depth = signed_depth(a, b);

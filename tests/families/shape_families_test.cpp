@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families of shapes: the same on every machine, in doubles where they say so, and for nobody who takes polytopes.
-#include <gtest/gtest.h>
-
+// Families of shapes: the same on every machine, and in doubles where they say so.
 #include <functional>
+#include <gtest/gtest.h>
 #include <map>
-#include <regex>
 #include <set>
 #include <string>
 
 #include "fathom/signed_depth.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/shards/plan.hpp"
-#include "verify/harness/two_ways.hpp"
 
 namespace fathom::families {
 namespace {
@@ -45,51 +41,25 @@ std::uint64_t hash(const ShapeCase& shapes) {
   return value;
 }
 
-TEST(ShapeFamilies, NamesAreUniqueAndPlainAndThoseOfNoPolytopes) {
-  std::set<std::string_view> names;
-  for (const ShapeFamily& family : shape_families()) {
-    EXPECT_TRUE(names.insert(family.name).second) << family.name;
-    EXPECT_TRUE(std::regex_match(std::string(family.name), std::regex("[a-z0-9_]+"))) << family.name;
-    EXPECT_FALSE(family.description.empty()) << family.name;
-    EXPECT_EQ(find_shape_family(family.name), &family);
-    EXPECT_EQ(find_family(family.name), nullptr) << family.name;
-  }
-  EXPECT_EQ(find_shape_family("random_ball"), nullptr);
-  EXPECT_FALSE(names.contains("all"));
-}
-
-TEST(ShapeFamilies, WhoTakesPolytopesGetsNone) {
-  for (const Family& family : fathom::families::families()) {
-    const Case pair = family.make(1, 5);
-    EXPECT_FALSE(pair.a.shape || pair.b.shape) << family.name;
-  }
-  for (std::uint64_t number = 0; number < 2 * fathom::families::families().size(); ++number) {
-    const Case pair = harness::random_case(7, number);
-    EXPECT_FALSE(pair.a.shape || pair.b.shape) << pair.id;
-  }
-  for (const golden::ShardPlan& shard : golden::plan(golden::Level::L1, 1))
-    for (const golden::Recipe& recipe : shard.recipes()) EXPECT_EQ(find_shape_family(recipe.name), nullptr) << recipe.name;
-}
-
 TEST(ShapeFamilies, PosedHullsDifferInTheirPosesAlone) {
-  const ShapeFamily& family = *find_shape_family("hulls_posed");
-  const NamedPair first = family.make(1, 7).pair, second = family.make(2, 7).pair;
+  const Family& family = *find_family("hulls_posed");
+  const NamedPair first = family.make_shapes(1, 7).pair, second = family.make_shapes(2, 7).pair;
   for (const auto body : {&NamedPair::a, &NamedPair::b}) {
     EXPECT_EQ((first.*body).shape, "hull");
     EXPECT_EQ((first.*body).fields.vertices, (second.*body).fields.vertices);
     EXPECT_FALSE((first.*body).turn == (second.*body).turn && (first.*body).place == (second.*body).place);
   }
   EXPECT_NE(first.a.fields.vertices, first.b.fields.vertices);
-  EXPECT_NE(first.a.fields.vertices, family.make(1, 8).pair.a.fields.vertices);
+  EXPECT_NE(first.a.fields.vertices, family.make_shapes(1, 8).pair.a.fields.vertices);
 }
 
 TEST(ShapeFamilies, SameSeedSameCaseOtherSeedOtherCase) {
-  for (const ShapeFamily& family : shape_families()) {
+  for (const Family& family : fathom::families::families(Kind::shapes)) {
     std::set<std::uint64_t> hashes;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
-      const ShapeCase shapes = family.make(seed, 5);
+      const ShapeCase shapes = family.make_shapes(seed, 5);
       EXPECT_EQ(shapes.id, std::string(family.name) + "-n5-s" + std::to_string(seed));
-      EXPECT_EQ(hash(shapes), hash(family.make(seed, 5))) << shapes.id;
+      EXPECT_EQ(hash(shapes), hash(family.make_shapes(seed, 5))) << shapes.id;
       hashes.insert(hash(shapes));
     }
     EXPECT_EQ(hashes.size(), 8U) << family.name;
@@ -99,21 +69,21 @@ TEST(ShapeFamilies, SameSeedSameCaseOtherSeedOtherCase) {
 /// Published cases must stay what they are.
 TEST(ShapeFamilies, CasesNeverChange) {
   std::uint64_t all = 0;
-  for (const ShapeFamily& family : shape_families()) all = all * 31 + hash(family.make(2, 10));
+  for (const Family& family : fathom::families::families(Kind::shapes)) all = all * 31 + hash(family.make_shapes(2, 10));
   EXPECT_EQ(all, 993028135343414840U) << "some family changed";
 }
 
 TEST(ShapeFamilies, HullsHaveTheirSize) {
   for (const unsigned size : {0U, 3U, 4U, 25U})
-    EXPECT_EQ(find_shape_family("capsule_hull")->make(1, size).pair.b.fields.vertices.size(), std::max(4U, size));
+    EXPECT_EQ(find_family("capsule_hull")->make_shapes(1, size).pair.b.fields.vertices.size(), std::max(4U, size));
 }
 
 TEST(ShapeFamilies, NumbersAreBinary64UnlessConstructed) {
-  for (const ShapeFamily& family : shape_families()) {
-    EXPECT_EQ(family.make(1, 8).pair.known.has_value(), is_inverse(family.name)) << family.name;
+  for (const Family& family : fathom::families::families(Kind::shapes)) {
+    EXPECT_EQ(family.make_shapes(1, 8).pair.known.has_value(), is_inverse(family.name)) << family.name;
     if (is_inverse(family.name)) continue;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const ShapeCase shapes = family.make(seed, 8);
+      const ShapeCase shapes = family.make_shapes(seed, 8);
       for (const NamedBody* body : {&shapes.pair.a, &shapes.pair.b})
         each_number(*body, [&shapes](const mpq_class& x) { EXPECT_EQ(mpq_class(x.get_d()), x) << shapes.id; });
     }
@@ -132,11 +102,11 @@ std::optional<Situation> situation_of(const SignedDepth& depth) {
 }
 
 TEST(ShapeFamilies, EverySituationOccurs) {
-  for (const ShapeFamily& family : shape_families()) {
+  for (const Family& family : fathom::families::families(Kind::shapes)) {
     if (is_inverse(family.name)) continue;
     std::map<Situation, int> seen;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
-      const Case pair = family.make(seed, 8).read();
+      const Case pair = family.make(seed, 8);
       const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
       if (const auto situation = situation_of(signed_depth(shape(pair.a), shape(pair.b)))) ++seen[*situation];
     }

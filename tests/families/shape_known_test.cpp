@@ -58,11 +58,11 @@ void expect_known(const SignedDepth& depth, const Surd& known, const std::string
 
 TEST(InverseShapes, HaveTheSignedDepthThatWasChosen) {
   std::size_t exact = 0, all = 0;
-  for (const ShapeFamily& family : shape_families()) {
+  for (const Family& family : fathom::families::families(Kind::shapes)) {
     if (!family.name.starts_with("inverse_")) continue;
     std::set<int> seen;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
-      const ShapeCase shapes = family.make(seed, family.usual_size);
+      const ShapeCase shapes = family.make_shapes(seed, family.usual_size);
       const Shape a = shape_of(shapes.pair.a), b = shape_of(shapes.pair.b);
       const Surd& known = shapes.pair.known->signed_depth;
       const Point& u = *shapes.pair.known->direction;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/shards/plan.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <map>
 #include <set>
 
@@ -78,7 +77,7 @@ TEST(Plan, LevelsOfShapesAreAChainOfTheirOwn) {
     EXPECT_FALSE(ids.contains(id_of(recipe))) << id_of(recipe);
   }
   for (const Recipe& recipe : recipes(p0)) (recipe.source == Source::shape_family ? families : others).insert(recipe.name);
-  EXPECT_EQ(families.size(), families::shape_families().size());
+  EXPECT_EQ(families.size(), families::families(families::Kind::shapes).size());
   EXPECT_EQ(others.size(), families::shape_catalogue().size());
   EXPECT_GT(recipes(p0).size(), 400u);
   EXPECT_LT(recipes(p0).size(), 800u);
@@ -97,7 +96,7 @@ TEST(Plan, TheLevelOfUnionsStandsAlone) {
     EXPECT_TRUE(ids.insert(id_of(recipe)).second) << id_of(recipe);
     (recipe.source == Source::union_family ? families : others).insert(recipe.name);
   }
-  EXPECT_EQ(families.size(), families::union_families().size());
+  EXPECT_EQ(families.size(), families::families(families::Kind::unions).size());
   EXPECT_EQ(others.size(), families::union_catalogue().size());
   EXPECT_GT(recipes(u0).size(), 100u);
   EXPECT_LT(recipes(u0).size(), 200u);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <set>
 
 #include "fathom/numbers.hpp"
@@ -90,7 +89,7 @@ void expect_a_function(Case (*make)(std::uint64_t seed, std::uint64_t number), c
 }
 
 TEST(RandomCase, IsAFunctionOfSeedAndNumber) { expect_a_function(random_case, families::families()); }
-TEST(RandomUnions, IsAFunctionOfSeedAndNumber) { expect_a_function(random_unions, families::union_families()); }
+TEST(RandomUnions, IsAFunctionOfSeedAndNumber) { expect_a_function(random_unions, families::families(families::Kind::unions)); }
 
 }  // namespace
 }  // namespace fathom::harness

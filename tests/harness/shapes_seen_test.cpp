@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which shapes a subject is given, how it is given them, and that it is judged on what it was given.
 #include <gtest/gtest.h>
-
 #include <set>
 #include <string>
 
@@ -125,8 +124,8 @@ TEST(ShapesSeen, AsWordsOnTheWire) {
 TEST(ShapesSeen, AgainAsTheyAreAndWithADigestOfTheirOwn) {
   for (const Precision precision : {Precision::binary32, Precision::binary64}) {
     std::set<std::string> digests;
-    for (const families::ShapeFamily& family : families::shape_families()) {
-      const Case pair = family.make(3, family.usual_size).read();
+    for (const families::Family& family : families::families(families::Kind::shapes)) {
+      const Case pair = family.make(3, family.usual_size);
       const std::optional<Case> seen = as_seen(pair, precision, every_word());
       ASSERT_TRUE(seen) << family.name;
       const Case again = *as_seen(*seen, precision, every_word());
@@ -134,7 +133,7 @@ TEST(ShapesSeen, AgainAsTheyAreAndWithADigestOfTheirOwn) {
       EXPECT_EQ(digest_of(again), digest_of(*seen));
       digests.insert(digest_of(*seen));
     }
-    EXPECT_EQ(digests.size(), families::shape_families().size());
+    EXPECT_EQ(digests.size(), families::families(families::Kind::shapes).size());
   }
 }
 
@@ -168,8 +167,8 @@ bool overlapping(const SignedDepth& x, const SignedDepth& y, const mpq_class& fa
 
 TEST(ShapesSeen, VariantsAreTheSameProblem) {
   std::set<std::string> made;
-  for (const families::ShapeFamily& family : families::shape_families()) {
-    const std::optional<Case> seen = as_seen(family.make(5, family.usual_size).read(), Precision::binary32, every_word());
+  for (const families::Family& family : families::families(families::Kind::shapes)) {
+    const std::optional<Case> seen = as_seen(family.make(5, family.usual_size), Precision::binary32, every_word());
     ASSERT_TRUE(seen);
     const ShapeTruth truth = truth_about(files::shape_of(seen->a), files::shape_of(seen->b));
     for (const Variant& variant : variants(*seen, Precision::binary32, all_variants)) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every snippet compiles against the library that is installed; some are run, and show the wrong number again.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
@@ -97,7 +96,7 @@ TEST_F(Snippets, CompileForASubjectThatRounds) {
 TEST_F(Snippets, CompileForShapes) {
   for (const char* name : {"capsule_hull", "tapered_capsule_box", "cylinder_capsule", "cone_cylinder", "frusta", "ellipsoid_box", "sums",
                            "rounded_boxes", "shapes_halfspace"}) {
-    const Case pair = families::find_shape_family(name)->make(1, 8).read();
+    const Case pair = families::find_family(name)->make(1, 8);
     Outcome outcome;
     outcome.id = pair.id;
     Reply& reply = outcome.reply.emplace();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they leave open; and that shapes that are
 // polytopes are judged as polytopes are.
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <stdexcept>
 
 #include "fathom/judge.hpp"
@@ -207,7 +206,7 @@ TEST(JudgeShapes, ClaimsInsideTheBoundsAreNeitherTooDeepNorTooShallow) {
 }
 
 ShapeTruth of_family(const char* family, std::uint64_t seed) {
-  const families::NamedPair pair = families::find_shape_family(family)->make(seed, 8).pair;
+  const families::NamedPair pair = families::find_family(family)->make_shapes(seed, 8).pair;
   return truth_about(files::shape_of(pair.a), files::shape_of(pair.b));
 }
 
@@ -296,9 +295,9 @@ Reply right_reply(const ShapeTruth& truth) {
 
 TEST(JudgeShapes, OfAllFamiliesRightAnswersPassAndScaledOnesFail) {
   std::size_t penetrating = 0, enclosed = 0;
-  for (const families::ShapeFamily& family : families::shape_families())
+  for (const families::Family& family : families::families(families::Kind::shapes))
     for (const std::uint64_t seed : {1, 2}) {
-      const families::NamedPair pair = family.make(seed, family.usual_size).pair;
+      const families::NamedPair pair = family.make_shapes(seed, family.usual_size).pair;
       const ShapeTruth truth = truth_about(files::shape_of(pair.a), files::shape_of(pair.b));
       const Reply reply = right_reply(truth);
       const Judgement right = judge(truth, reply, {}, Precision::binary64, {mpq_class(1, 1'000'000), mpq_class(1, 1'000'000'000), 8});

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of shapes: sampled outlines and the contact.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
@@ -59,8 +58,8 @@ TEST(Shapes, FacetsLookOutward) {
 }
 
 TEST(Shapes, DepthIsThatOfSignedDepth) {
-  for (const families::ShapeFamily& family : families::shape_families()) {
-    const Case input = family.make(1, family.usual_size).read();
+  for (const families::Family& family : families::families(families::Kind::shapes)) {
+    const Case input = family.make(1, family.usual_size);
     const Shape a = files::shape_of(input.a), b = files::shape_of(input.b);
     const Stages stages = stages_of(input.a, input.b);
     const SignedDepth depth = signed_depth(a, b);

@@ -65,7 +65,7 @@ UnionDepth expect_twins(const Pieces& a, const Pieces& b) {
 
 TEST(FixedIntegersOfUnions, TakeTheStepsOfMpzOnEveryFamily) {
   std::size_t penetrating = 0, fits = 0, others = 0;
-  for (const families::UnionFamily& family : families::union_families()) {
+  for (const families::Family& family : families::families(families::Kind::unions)) {
     for (std::uint64_t seed = 1; seed <= 18; ++seed) {
       const Case input = family.make(seed, 2 + static_cast<unsigned>(seed % 3));
       SCOPED_TRACE(input.id);

@@ -8,7 +8,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/convex_hull_3.h>
 #include <gtest/gtest.h>
-
 #include <optional>
 #include <random>
 #include <set>
@@ -137,7 +136,7 @@ TEST(UnionNef, RandomBoxesAndHulls) {
 
 TEST(UnionNef, TheFamilies) {
   Seen seen;
-  for (const families::UnionFamily& family : families::union_families()) {
+  for (const families::Family& family : families::families(families::Kind::unions)) {
     if (family.name == "clusters") continue;  // hulls of 20 points each take CGAL long
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
       const Case pair = family.make(seed, 2);

@@ -17,10 +17,10 @@
 namespace fathom::unions {
 namespace {
 
-using families::UnionFamily;
+using families::Family;
 using Places = std::set<std::tuple<mpq_class, mpq_class, mpq_class>>;
 
-bool is_cut(const UnionFamily& family) { return family.name.starts_with("cut_"); }
+bool is_cut(const Family& family) { return family.name.starts_with("cut_"); }
 
 /// Each pair of pieces, by the method for two convex bodies; those with a plane between them along an axis are not asked.
 bool overlap(const Pieces& a, const Pieces& b) {
@@ -47,7 +47,7 @@ Places reversed(const Places& all) {
 /// Runs `test` on some cases of each family.
 template <class Test>
 void for_each_case(std::uint64_t seeds, unsigned size, Test test) {
-  for (const UnionFamily& family : families::union_families())
+  for (const Family& family : families::families(families::Kind::unions))
     for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {
       const Case pair = family.make(seed, std::min(size, family.usual_size));
       SCOPED_TRACE(pair.id);
@@ -57,7 +57,7 @@ void for_each_case(std::uint64_t seeds, unsigned size, Test test) {
 
 TEST(UnionTorture, ConvexBodiesAreWhatTheyWereBeforeTheyWereCut) {
   std::size_t penetrating = 0, cases = 0;
-  for (const UnionFamily& family : families::union_families()) {
+  for (const Family& family : families::families(families::Kind::unions)) {
     for (std::uint64_t seed = 200; is_cut(family) && seed < 240; ++seed) {
       const Case pair = family.make(seed, 2 + static_cast<unsigned>(seed % 7));
       SCOPED_TRACE(pair.id);
@@ -155,7 +155,7 @@ TEST(UnionTorture, TheCheckerAcceptsEveryProof) {
     }
     ++proofs;
   });
-  EXPECT_EQ(proofs, 8 * families::union_families().size());
+  EXPECT_EQ(proofs, 8 * families::families(families::Kind::unions).size());
 }
 
 }  // namespace

@@ -1,11 +1,106 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Bodies whose Gaussian diagrams are bundles of arcs, and pairs of them whose bundles cross like a grid.
+
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
 
 namespace fathom::families {
+
+// ---- fans ----
+
+namespace {
+
+/// numerator / denominator, rounded to an integer; denominator > 0.
+mpz_class rounded(const mpz_class& numerator, const mpz_class& denominator) {
+  const mpz_class twice = 2 * numerator + denominator, divisor = 2 * denominator;
+  mpz_class result;
+  mpz_fdiv_q(result.get_mpz_t(), twice.get_mpz_t(), divisor.get_mpz_t());
+  return result;
+}
+
+mpz_class rounded(const mpq_class& value) { return rounded(value.get_num(), value.get_den()); }
+
+/// numerator / denominator * 2^-scale, rounded to a multiple of 2^-bits; bits <= scale.
+mpq_class on_grid(const mpz_class& numerator, const mpz_class& denominator, long scale, long bits) {
+  return times_power_of_two(mpq_class(rounded(numerator, mpz_class(denominator << static_cast<mp_bitcnt_t>(scale - bits)))), -bits);
+}
+
+/// Neighbouring slopes differ by width / count at least, and edges are as long as that: rounded edges turn in the right direction if the
+/// grid is a few times finer than the square of it.
+long grid_bits(std::size_t count, const mpq_class& width, long least) {
+  const mpq_class steps = mpq_class(count) / width;
+  const mpz_class square = rounded(mpq_class(steps * steps));
+  return std::max<long>(least, static_cast<long>(mpz_sizeinbase(square.get_mpz_t(), 2)) + 2);
+}
+
+}  // namespace
+
+Body fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
+  Body body;
+  body.points.reserve(chain.size() + 2);
+  for (const ChainPoint& p : chain) body.points.push_back({0, p.along, p.height});
+  body.points.push_back({side, 0, mpq_class(-below)});
+  body.points.push_back({mpq_class(-side), 0, mpq_class(-below)});
+  return body;
+}
+
+Body opposing_fan(const Chain& chain, const mpq_class& side, const mpq_class& below) {
+  Body body = fan(chain, side, below);
+  for (Point& p : body.points.edit()) p = {p.y, p.x, mpq_class(-p.z)};
+  return body;
+}
+
+Bodies crossed(const Chain& a, const Chain& b, const mpq_class& side, const mpq_class& below, const Point& top) {
+  return {opposing_fan(a, side, below), translated(fan(b, side, below), top)};
+}
+
+std::vector<mpz_class> spread_slopes(Random& random, unsigned count, const mpq_class& width) {
+  const mpz_class half = rounded(times_power_of_two(width, slope_bits));
+  std::vector<mpz_class> slopes;
+  slopes.reserve(count);
+  constexpr long part_bits = 20;
+  for (unsigned i = 0; i < count; ++i) {
+    // From the middle of the part: -half + 2 half (i + share) / count, with the share between 1/4 and 3/4.
+    const std::int64_t share = random.between(std::int64_t{1} << (part_bits - 2), std::int64_t{3} << (part_bits - 2));
+    const mpz_class place = (mpz_class(i) << part_bits) + share;
+    slopes.push_back(mpz_class(2 * half * place / (mpz_class(count) << part_bits) - half));
+  }
+  return slopes;
+}
+
+Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach,
+                    long least_bits) {
+  // Support values at the slopes, as multiples of 2^-scale; the outline's coefficients are rounded to 2^-slope_bits.
+  constexpr long scale = 5 * slope_bits;
+  const mpz_class quadratic = rounded(times_power_of_two(outline.quadratic, slope_bits - 1));
+  const mpz_class quartic = rounded(times_power_of_two(outline.quartic, slope_bits));
+  const auto support = [&](const mpz_class& x) {
+    const mpz_class square = x * x;
+    return mpz_class(((quadratic * square) << (2 * slope_bits)) + quartic * square * square);
+  };
+  const long bits = grid_bits(slopes.size(), width, least_bits);
+  const auto cut_off = [&](const mpz_class& x, const mpq_class& at) {
+    const mpq_class height = support(x) - times_power_of_two(mpq_class(x * at), scale - slope_bits);
+    return ChainPoint{at, on_grid(height.get_num(), height.get_den(), scale, bits)};
+  };
+  Chain chain{cut_off(slopes.front(), mpq_class(-reach))};
+  chain.reserve(slopes.size() + 1);
+  mpz_class g = support(slopes.front());
+  for (std::size_t i = 0; i + 1 < slopes.size(); ++i) {
+    const mpz_class &x = slopes[i], &y = slopes[i + 1];
+    const mpz_class h = support(y), gap = y - x;
+    chain.push_back({on_grid(mpz_class(h - g), gap, scale - slope_bits, bits), on_grid(mpz_class(g * y - h * x), gap, scale, bits)});
+    g = h;
+  }
+  chain.push_back(cut_off(slopes.back(), reach));
+  return chain;
+}
+
+// ---- bundles across each other ----
 
 namespace {
 
@@ -178,6 +273,101 @@ Bodies crossed_bands(Random& random, unsigned n) {
   const Point shift = random_shift(random, 1);
   bodies.b = translated(bodies.b, {mpq_class(shift.x / 2), mpq_class(shift.y / 2), mpq_class(shift.z / 2)});
   return bodies;
+}
+
+// ---- bundles with ties ----
+
+namespace {
+
+/// Five times the body, turned about the z-axis by the angle with the sine 4/5: exact, and the arcs of fans are neither upright nor level.
+Body askew(const Body& body) {
+  Body result;
+  result.points.reserve(body.points.size());
+  for (const Point& p : body.points)
+    result.points.push_back({mpq_class(3 * p.x - 4 * p.y), mpq_class(4 * p.x + 3 * p.y), mpq_class(5 * p.z)});
+  return result;
+}
+
+/// The chains reach out to 2 along their tangents, where P is farther from O than 1 in every direction but the patch's.
+Bodies tie_patch(Random& random, unsigned n, const mpq_class& width, long least_bits = 50) {
+  const Outline outline{mpq_class(1 - width * width / 4), ratio(-1, 8)};
+  const Chain a = tangent_chain(outline, spread_slopes(random, n, width), width, 2, least_bits);
+  const Chain b = tangent_chain(outline, spread_slopes(random, n, width), width, 2, least_bits);
+  const Bodies bodies = crossed(a, b, 2, 4, {0, 0, 1});
+  return {askew(bodies.a), askew(bodies.b)};
+}
+
+unsigned edges_of(unsigned n) { return std::max(3U, n); }
+
+}  // namespace
+
+Bodies crossed_ties(Random& random, unsigned n) { return tie_patch(random, edges_of(n), ratio(1, 32)); }
+
+Bodies crossed_shrinking_ties(Random& random, unsigned n) {
+  const unsigned edges = edges_of(n);
+  const mpz_class square = (mpz_class(1) << (2 * slope_bits)) / (2 * edges);
+  return tie_patch(random, edges, times_power_of_two(mpq_class(sqrt(square)), -slope_bits));
+}
+
+Bodies crossed_vanishing_ties(Random& random, unsigned n) {
+  const unsigned edges = edges_of(n);
+  return tie_patch(random, edges, ratio(1, edges));
+}
+
+Bodies crossed_noisy_ties(Random& random, unsigned n) {
+  const unsigned edges = edges_of(n);
+  const long bits = random.between(50, 90);
+  return tie_patch(random, edges, ratio(1, edges), bits);
+}
+
+// ---- fillets ----
+
+namespace {
+
+/// The corners of the rounded edge's cross-section, in units of 1/256: abscissa across the chain, and height. The arc of a chain edge is
+/// cut where the slope across the chain is 1 and -1.
+constexpr std::pair<int, int> cross_section[] = {{-1, -1}, {0, 0}, {1, -1}};
+constexpr long unit_bits = 8;
+
+/// The bar over the chain in the yz-plane.
+Body bar(const Chain& chain) {
+  Body body = fan({}, 1, 4);
+  body.points.reserve(3 * chain.size() + 2);
+  for (const auto& [across, height] : cross_section) {
+    const mpq_class x = times_power_of_two(across, -unit_bits), z = times_power_of_two(height, -unit_bits);
+    for (const ChainPoint& p : chain) body.points.push_back({x, p.along, mpq_class(p.height + z)});
+  }
+  return body;
+}
+
+/// Turned about the z-axis, and stretched by the square root of 10 across it: the y-axis goes to (x, y, 0).
+Body laid_along(const Body& body, int x, int y) {
+  Body result;
+  result.points.reserve(body.points.size());
+  for (const Point& p : body.points) result.points.push_back({mpq_class(y * p.x + x * p.y), mpq_class(y * p.y - x * p.x), p.z});
+  return result;
+}
+
+Body upside_down(Body body) {
+  for (Point& p : body.points.edit()) p.z = -p.z;
+  return body;
+}
+
+/// The height falls off along the bar as that of a parabola with the curvature 1/5 does, in its stretched unit; the bisectors of (3, 1) and
+/// (1, 3) meet this as curvatures of 4/5 and 16/5.
+Chain arc(Random& random, unsigned edges, const mpq_class& quartic) {
+  const mpq_class width = 2;
+  return tangent_chain({ratio(1, 5), quartic}, spread_slopes(random, edges, width), width, ratio(1, 2));
+}
+
+}  // namespace
+
+Bodies crossed_fillets(Random& random, unsigned n) {
+  const unsigned edges = std::max(2U, (n + 1) / 2);
+  const Body a = bar(arc(random, edges, ratio(-1, 1024))), b = bar(arc(random, edges, ratio(1, 1024)));
+  Point top = random_shift(random, 1);
+  top = {times_power_of_two(top.x, -16), times_power_of_two(top.y, -16), 1};
+  return {upside_down(laid_along(a, 3, 1)), translated(laid_along(b, 1, 3), top)};
 }
 
 }  // namespace fathom::families

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "fathom/files.hpp"
+#include "verify/families/solids.hpp"
 
 namespace fathom::families {
 
@@ -47,5 +48,26 @@ std::span<const DegradationName> degradations();
 /// Returns `generic`, degraded in this way, with the id "<id>-<name>". The result is the same on every machine. If there is a choice of
 /// features to coincide, the seed makes it. A body that lacks the feature (a point has no edge) stays as it is. Bodies must not be empty.
 Case degrade(const Case& generic, Degradation way, std::uint64_t seed);
+
+// Almost degenerate pairs: a degenerate pair whose points are each moved by at most 2^-k.                           [docs/golden.md]
+
+/// Moves every point of both bodies by its own displacement: three random multiples of 2^-(k+20), each at most 2^-k in size. As k grows,
+/// the pair tends to `degenerate`, but all coincidences are gone: parallel edges, coplanar points, ties, touching, flatness.
+/// Exact, and the same on every machine. The id is "<id>-k<k>-s<seed>".
+Case approach(const Case& degenerate, unsigned k, std::uint64_t seed);
+
+// The catalogue, the degradations and the approach to them, as families.
+
+/// An entry of the catalogue; the size is ignored.
+Bodies from_catalogue(Random& random, unsigned n);
+
+/// An entry of the catalogue with at most 16 points a body, each point moved by at most 2^-k, 4 <= k <= 200; the size is ignored.
+Bodies approaching_catalogue(Random& random, unsigned n);
+
+/// random_sphere with at least 4 points, degraded in this way.
+Bodies degraded(Degradation way, Random& random, unsigned n);
+
+/// A pair of spheres of points, degraded in a random way, then each point moved by at most 2^-k, 4 <= k <= 200.
+Bodies approaching_degraded(Random& random, unsigned n);
 
 }  // namespace fathom::families

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The table of families: one row, one sentence, one generator each.
+
 #include "verify/families/families.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
+#include <utility>
 
+#include "reference/files/piece_files.hpp"
 #include "verify/families/degrade.hpp"
 #include "verify/families/polytope_pairs.hpp"
+#include "verify/families/shape_pairs.hpp"
 
 namespace fathom::families {
-
 namespace {
 
 template <FeatureKind A, FeatureKind B>
@@ -41,7 +46,32 @@ Bodies rounding(Random& random, unsigned n) {
   return rounding_boundary(Format, random, n);
 }
 
+template <ShapeKind A, ShapeKind B>
+NamedPair pair(Random& random, unsigned n) {
+  return random_pair(A, B, random, n);
+}
+
+NamedPair with_plane(Random& random, unsigned n) {
+  const ShapeKind kind = random_kind(random);
+  return random_pair_with_plane(kind, random, n);
+}
+
+template <NamedPair (*Pair)(ShapeKind, ShapeKind, Random&, unsigned)>
+NamedPair of_any_kinds(Random& random, unsigned n) {
+  const ShapeKind a = random_kind(random), b = random_kind(random);
+  return Pair(a, b, random, n);
+}
+
+template <MakeMeetingBody First, MakeMeetingBody Second>
+NamedPair of_contacts(Random& random, unsigned /*n*/) {
+  return meeting(First, Second, random);
+}
+
+constexpr unsigned corners = 8;
+using enum ShapeKind;
+
 constexpr Family table[] = {
+    // ==== polytopes ====
     // Random bodies.
     {"random_ball", "points in a ball; B shifted by up to 1 along each axis", 20, random_ball},
     {"random_sphere", "points near a sphere, all extreme; B shifted by up to 1 along each axis", 20, random_sphere},
@@ -193,7 +223,88 @@ constexpr Family table[] = {
     {"hair_overlap", "one optimum of any kind; depth 2^-k of the size, k up to 200", 10, hair_overlap},
     {"hair_gap", "any two features apart by 2^-k of the size, k up to 200", 10, hair_gap},
     {"stretched", "needles, plates and planks with extents in a ratio of up to 10^9", 20, stretched},
+    // ==== shapes ====
+    // Random pairs in doubles: deep, shallow, apart, touching.
+    {"spheres", "two spheres", corners, pair<sphere, sphere>},
+    {"capsules", "two capsules", corners, pair<capsule, capsule>},
+    {"sphere_capsule", "a sphere against a capsule", corners, pair<sphere, capsule>},
+    {"capsule_box", "a capsule against a box", corners, pair<capsule, box>},
+    {"capsule_hull", "a capsule against a hull", corners, pair<capsule, hull>},
+    {"hulls_posed", "two hulls, the same two in every case of a size, in poses by quaternions", corners, prepared_hulls},
+    {"rounded_boxes", "two boxes with margins", corners, pair<rounded_box, rounded_box>},
+    {"rounded_hulls", "two hulls with margins", corners, pair<rounded_hull, rounded_hull>},
+    {"rounded_triangle_sphere", "a triangle with a margin against a sphere", corners, pair<rounded_triangle, sphere>},
+    {"tapered_capsules", "two hulls of two balls", corners, pair<tapered_capsule, tapered_capsule>},
+    {"tapered_capsule_box", "a hull of two balls against a box", corners, pair<tapered_capsule, box>},
+    {"cylinders", "two cylinders", corners, pair<cylinder, cylinder>},
+    {"cylinder_box", "a cylinder against a box", corners, pair<cylinder, box>},
+    {"cylinder_capsule", "a cylinder against a capsule", corners, pair<cylinder, capsule>},
+    {"rounded_cylinders", "two cylinders with margins", corners, pair<rounded_cylinder, rounded_cylinder>},
+    {"cones", "two cones", corners, pair<cone, cone>},
+    {"cone_box", "a cone against a box", corners, pair<cone, box>},
+    {"cone_cylinder", "a cone against a cylinder", corners, pair<cone, cylinder>},
+    {"frusta", "two cones that are cut off", corners, pair<frustum, frustum>},
+    {"ellipsoids", "two ellipsoids", corners, pair<ellipsoid, ellipsoid>},
+    {"ellipsoid_box", "an ellipsoid against a box", corners, pair<ellipsoid, box>},
+    {"ellipsoid_hull", "an ellipsoid against a hull", corners, pair<ellipsoid, hull>},
+    {"sums", "sums of two shapes", corners, pair<ShapeKind::sum, ShapeKind::sum>},
+    {"shapes_halfspace", "a shape of any kind against a half-space", corners, with_plane},
+    {"shapes_mixed", "shapes of any two kinds", corners, of_any_kinds<random_pair>},
+    {"shapes_stretched", "shapes of any two kinds, each length up to 256 times larger or smaller", corners, of_any_kinds<stretched_pair>},
+    // By inverse construction: first the contact and the signed depth, then the bodies, in exact rational poses.
+    {"inverse_sphere_sphere", "two spheres", corners, of_contacts<sphere_cap, sphere_cap>},
+    {"inverse_cap_cap", "the ends of two capsules", corners, of_contacts<capsule_cap, capsule_cap>},
+    {"inverse_side_side", "the sides of two capsules: their segments are edge to edge", corners, of_contacts<capsule_side, capsule_side>},
+    {"inverse_side_face", "a capsule lies on a box", corners, of_contacts<capsule_side, box_face>},
+    {"inverse_tapered_sides", "generators of two hulls of two balls", corners, of_contacts<tapered_side, tapered_side>},
+    {"inverse_end_faces", "the end faces of two cylinders, in parallel planes", corners, of_contacts<cylinder_face, cylinder_face>},
+    {"inverse_face_on_face", "a cylinder stands on a box", corners, of_contacts<cylinder_face, box_face>},
+    {"inverse_barrels", "two cylinders lie across each other", corners, of_contacts<cylinder_barrel, cylinder_barrel>},
+    {"inverse_barrel_on_face", "a cylinder lies on a box", corners, of_contacts<cylinder_barrel, box_face>},
+    {"inverse_rim_on_face", "the rim of a cylinder on a box", corners, of_contacts<cylinder_rim, box_face>},
+    {"inverse_rim_on_barrel", "the rim of a cylinder on the barrel of another", corners, of_contacts<cylinder_rim, cylinder_barrel>},
+    {"inverse_rims", "the rims of two cylinders: they touch or are apart", corners, of_contacts<cylinder_rim, cylinder_rim>},
+    {"inverse_apex_on_face", "the apex of a cone on a box", corners, of_contacts<cone_apex, box_face>},
+    {"inverse_apexes", "the apexes of two cones: they touch or are apart", corners, of_contacts<cone_apex, cone_apex>},
+    {"inverse_generators", "generators of two cones across each other", corners, of_contacts<cone_generator, cone_generator>},
+    {"inverse_generator_on_base", "a cone lies on the base of another", corners, of_contacts<cone_generator, cone_base>},
+    {"inverse_vertex_on_cap", "the corner of a box on a sphere", corners, of_contacts<box_vertex, sphere_cap>},
+    {"inverse_edge_on_barrel", "the edge of a box across a cylinder", corners, of_contacts<box_edge, cylinder_barrel>},
+    {"inverse_poles", "the poles of two ellipsoids", corners, of_contacts<ellipsoid_pole, ellipsoid_pole>},
+    {"inverse_rounded_edges", "edges of two boxes with margins across each other", corners,
+     of_contacts<rounded_box_edge, rounded_box_edge>},
+    {"inverse_plane", "any contact with a half-space", corners, of_contacts<any_side, plane>},
+    {"inverse_shapes", "any two contacts", corners, of_contacts<any_side, any_side>},
+    // ==== unions ====
+    // Random pieces: deep, touching, apart.
+    {"clusters", "hulls of 20 points each, one beside the last", 5, clusters},
+    {"clusters_on_lattice", "hulls of points of a coarse lattice: coplanar facets abound", 4, lattice_clusters},
+    {"clusters_apart", "clusters with a plane between them", 5, clusters_apart},
+    {"box_unions", "boxes with corners on a coarse lattice: ties and seams abound", 5, box_unions},
+    {"box_unions_touching", "the same, with a plane between them that both touch", 5, box_unions_touching},
+    // Convex bodies in pieces that abut exactly: the depth is that of the whole.
+    {"cut_cones", "cut into cones over the facets", 10, cut_cones},
+    {"cut_slabs", "cut by parallel planes, at times the same ones for both", 6, cut_slabs},
+    {"cut_planes", "cut by random planes", 8, cut_planes},
+    {"cut_grids", "boxes cut into cubes or boxes, on one lattice", 8, cut_grids},
+    {"cut_repeated", "cut by random planes, with pieces twice, the whole among them, in random order", 6, cut_repeated},
+    {"cut_same", "one body twice, cut in the same way or in two", 8, cut_same},
+    {"cut_and_whole", "one is cut, the other is a single piece", 8, cut_and_whole},
+    // Bodies that hold on to each other.
+    {"combs", "two combs, teeth towards each other", 4, combs},
+    {"keys", "a key in a keyhole, its bits between the wards of the lock", 2, keys},
+    {"slots", "a plate beside one of the slots of its own width", 3, slots},
+    {"slots_narrow", "the same with slots that are narrower by 2^-16: no plate fits", 3, slots_narrow},
+    {"rings_linked", "two rings of wedges, one through the other: at times with room", 12, rings_linked},
+    {"ring_and_rod", "a square rod through a ring: at times with room", 12, ring_and_rod},
 };
+
+constexpr std::span<const Family> of_kind(Kind kind) {
+  const auto begin = std::ranges::find(table, kind, &Family::kind);
+  const auto end = std::find_if(begin, std::end(table), [kind](const Family& family) { return family.kind() != kind; });
+  return {begin, end};
+}
+static_assert(of_kind(Kind::polytopes).size() + of_kind(Kind::shapes).size() + of_kind(Kind::unions).size() == std::size(table));
 
 /// FNV-1a; gives every family its own stream of random numbers.
 std::uint64_t hash(std::string_view text) {
@@ -202,25 +313,39 @@ std::uint64_t hash(std::string_view text) {
   return value;
 }
 
-}  // namespace
-
-Case Family::make(std::uint64_t seed, unsigned size) const {
-  Random random = stream_of(name, seed);
-  Bodies bodies = build(random, std::max(1u, size));
-  return {case_id(name, size, seed), std::move(bodies.a), std::move(bodies.b)};
-}
-
-std::span<const Family> families() { return table; }
-
-const Family* find_family(std::string_view name) {
-  const auto found = std::ranges::find(table, name, &Family::name);
-  return found == std::end(table) ? nullptr : &*found;
-}
-
+/// The stream of random numbers of a family's case, and the case's id.
 Random stream_of(std::string_view family, std::uint64_t seed) { return Random(hash(family) ^ Random(seed).next()); }
 
 std::string case_id(std::string_view family, unsigned size, std::uint64_t seed) {
   return std::string(family) + "-n" + std::to_string(size) + "-s" + std::to_string(seed);
+}
+
+}  // namespace
+
+Case Family::make(std::uint64_t seed, unsigned size) const {
+  if (kind() == Kind::shapes) return make_shapes(seed, size).read();
+  Random random = stream_of(name, seed);
+  const std::string id = case_id(name, size, seed);
+  if (kind() == Kind::polytopes) {
+    Bodies bodies = std::get<0>(build)(random, std::max(1u, size));
+    return {id, std::move(bodies.a), std::move(bodies.b)};
+  }
+  UnionPair unions = std::get<2>(build)(random, size);
+  return {id, files::union_of(std::move(unions.a)), files::union_of(std::move(unions.b))};
+}
+
+ShapeCase Family::make_shapes(std::uint64_t seed, unsigned size) const {
+  Random random = stream_of(name, seed);
+  return {case_id(name, size, seed), std::get<1>(build)(random, size)};
+}
+
+std::span<const Family> families(Kind kind) { return of_kind(kind); }
+
+std::span<const Family> all_families() { return table; }
+
+const Family* find_family(std::string_view name) {
+  const auto found = std::ranges::find(table, name, &Family::name);
+  return found == std::end(table) ? nullptr : &*found;
 }
 
 }  // namespace fathom::families

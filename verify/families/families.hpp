@@ -1,36 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All families of polytopes by name; those of other shapes are in shape_families.hpp. A case is given by its family, its size and its seed,
-// and is the same on every machine.
+// All families by name, of polytopes, of shapes and of unions of convex pieces. A case is given by its family, its size and its seed, and
+// is the same on every machine.
 #pragma once
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
+#include <variant>
 
 #include "verify/families/solids.hpp"
+#include "fathom/files.hpp"
+#include "verify/families/shape_pairs.hpp"
+#include "verify/families/union_pairs.hpp"
 
 namespace fathom::families {
+
+/// What the bodies of a case are.
+enum class Kind { polytopes, shapes, unions };
 
 struct Family {
   std::string_view name;         ///< letters, digits and underscores
   std::string_view description;  ///< one line
   unsigned usual_size;           ///< the default
-  Bodies (*build)(Random& random, unsigned size);
+  /// In the order of Kind.
+  std::variant<Bodies (*)(Random&, unsigned), NamedPair (*)(Random&, unsigned), UnionPair (*)(Random&, unsigned)> build;
 
-  /// The case "<name>-n<size>-s<seed>". `size` is about the number of points of each body; families of fixed shape ignore it, and
-  /// others raise it to the least that their shape needs. Never throws; every body has at least one point.
+  [[nodiscard]] constexpr Kind kind() const { return static_cast<Kind>(build.index()); }
+
+  /// The case "<name>-n<size>-s<seed>". `size` is about the number of points of each polytope or hull, or of pieces of each union; families
+  /// of fixed shape ignore it, and others raise it to the least that their shape needs. Never throws. Every polytope has at least one
+  /// point; every union has pieces, all of them with interiors.
   [[nodiscard]] Case make(std::uint64_t seed, unsigned size) const;
+
+  /// The same case of a family of shapes, by their names and with what is known of the answer. Throws std::bad_variant_access if the family
+  /// is none.
+  [[nodiscard]] ShapeCase make_shapes(std::uint64_t seed, unsigned size) const;
 };
 
-/// Sorted into groups, not by name. Names are unique.
-std::span<const Family> families();
+/// The families of one kind, sorted into groups, not by name. Of the families of unions "cut_..." both unions are convex.
+std::span<const Family> families(Kind kind = Kind::polytopes);
 
-/// Returns null if no family has that name.
+/// Those of all kinds, in the order of Kind. Names are unique.
+std::span<const Family> all_families();
+
+/// Returns the family, of whatever kind, or null if none has that name.
 const Family* find_family(std::string_view name);
-
-/// The stream of random numbers of a family's case, and the case's id.
-Random stream_of(std::string_view family, std::uint64_t seed);
-std::string case_id(std::string_view family, unsigned size, std::uint64_t seed);
 
 }  // namespace fathom::families

@@ -2,9 +2,8 @@
 // Reproducible randomness. Nothing from <random>: its distributions differ between libraries.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <cstdint>
+#include <gmpxx.h>
 
 #include "kernels/number/rational.hpp"
 
@@ -54,6 +53,12 @@ inline mpq_class times_power_of_two(const mpq_class& value, long exponent) {
 inline mpq_class random_dyadic(Random& random, std::int64_t low, std::int64_t high, unsigned bits) {
   return times_power_of_two(mpq_class(random.between(low * (std::int64_t{1} << bits), high * (std::int64_t{1} << bits))),
                             -static_cast<long>(bits));
+}
+
+/// A member of a list that is not empty, each with the same probability.
+template <class List>
+const auto& any_of(const List& list, Random& random) {
+  return list[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(list.size()) - 1))];
 }
 
 }  // namespace fathom::families

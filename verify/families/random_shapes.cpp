@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lowest point of A and a highest point of B in some direction are found, nearly where roots are irrational, and B is moved so that they
 // lie in line. Along coordinate axes the points are exact for bodies turned by symmetries of the cube: those pairs touch exactly.
+
 #include <algorithm>
 #include <array>
 #include <iterator>

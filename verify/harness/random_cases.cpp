@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "verify/families/families.hpp"
@@ -12,8 +13,7 @@ namespace fathom::harness {
 namespace {
 
 /// Of these families, whose cases have a size and a seed of their own.
-template <class Families>
-Case random_of(const Families& families, std::uint64_t seed, std::uint64_t number, unsigned least, unsigned most) {
+Case random_of(std::span<const families::Family> families, std::uint64_t seed, std::uint64_t number, unsigned least, unsigned most) {
   families::Random random(families::Random(seed).next() + number);
   const auto size = static_cast<unsigned>(random.between(least, most));
   const std::uint64_t of_family = random.next();
@@ -34,7 +34,7 @@ Case random_case(std::uint64_t seed, std::uint64_t number) {
 }
 
 Case random_unions(std::uint64_t seed, std::uint64_t number) {
-  return random_of(families::union_families(), seed, number, 1, most_random_pieces);
+  return random_of(families::families(families::Kind::unions), seed, number, 1, most_random_pieces);
 }
 
 }  // namespace fathom::harness

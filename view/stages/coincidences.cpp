@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the study for what coincides, and which monomials of the perturbation decide it. Part of parts.hpp.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <fmt/format.h>
 #include <map>
 #include <stdexcept>
 

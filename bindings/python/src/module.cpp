@@ -65,29 +65,16 @@ py::str next_line(golden::ZstdReader& reader) {
 
 // ---- families ----
 
-/// Calls visit(family) for each of polytopes, shapes and unions.
-template <class Visit>
-void for_each_family(Visit visit) {
-  for (const families::Family& family : families::families()) visit(family);
-  for (const families::ShapeFamily& family : families::shape_families()) visit(family);
-  for (const families::UnionFamily& family : families::union_families()) visit(family);
-}
-
-Case case_of(Case made) { return made; }
-Case case_of(const families::ShapeCase& made) { return made.read(); }
-
 /// The case that `fathom cases` prints; None if there is no such family.
 py::object family_case(const std::string& name, std::uint64_t seed, const std::optional<unsigned>& size) {
-  std::optional<Case> found;
-  for_each_family([&](const auto& family) {
-    if (family.name == name) found = case_of(family.make(seed, size.value_or(family.usual_size)));
-  });
-  return found ? py::object(in_python(*std::move(found))) : py::object(py::none());
+  const families::Family* const family = families::find_family(name);
+  if (family == nullptr) return py::none();
+  return py::object(in_python(family->make(seed, size.value_or(family->usual_size))));
 }
 
 std::vector<std::string> family_names() {
   std::vector<std::string> names;
-  for_each_family([&](const auto& family) { names.emplace_back(family.name); });
+  for (const families::Family& family : families::all_families()) names.emplace_back(family.name);
   return names;
 }
 
