@@ -122,7 +122,7 @@ TEST(Families, EachIsOfTheKindThatItIsListedAmong) {
       EXPECT_EQ(&family, &all_families()[listed++]);
       const Case pair = family.make(1, 5);
       for (const Body* body : {&pair.a, &pair.b}) {
-        EXPECT_EQ(body->shape != nullptr, kind == Kind::shapes) << family.name;
+        EXPECT_EQ(body->shape.has_value(), kind == Kind::shapes) << family.name;
         EXPECT_EQ(body->pieces != nullptr, kind == Kind::unions) << family.name;
       }
     }

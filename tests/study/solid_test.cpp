@@ -54,7 +54,7 @@ RootSum height(const Solid& solid, const Vector& u) { return support_face(solid.
 bool mirrored(const Solid& solid, const RationalVector& c, const Vector& u) {
   RootSum difference = height(solid, u);
   difference.add(height(solid, -u), -1);
-  difference.add(-2 * dot(c, rational(u)));
+  difference.add(-2 * dot(c, rational_vector(u)));
   return difference.is_zero();
 }
 
@@ -72,9 +72,9 @@ bool turns(const Solid& solid, const Line& axis, const Vector& u, const mpz_clas
   const Vector v = turned(axis.direction, w, u);
   EXPECT_EQ(dot(v, v), length * length * dot(u, u));
   RootSum difference = height(solid, v);
-  difference.add(-dot(axis.point, rational(v)));
+  difference.add(-dot(axis.point, rational_vector(v)));
   difference.add(height(solid, u), -length);
-  difference.add(length * dot(axis.point, rational(u)));
+  difference.add(length * dot(axis.point, rational_vector(u)));
   return difference.is_zero();
 }
 

@@ -28,7 +28,9 @@ ShapeFeature face(const FlatFace& face) { return {"face", face.normal, std::null
 ShapeFeature radius(const Surd& length) { return {"radius", {}, std::nullopt, length}; }
 
 bool are_parallel(const Vector& u, const Vector& v) { return is_zero(cross(u, v)); }
-bool on(const Line& line, const RationalVector& p) { return is_zero(cross(RationalVector(p - line.point), rational(line.direction))); }
+bool on(const Line& line, const RationalVector& p) {
+  return is_zero(cross(RationalVector(p - line.point), rational_vector(line.direction)));
+}
 
 /// The bodies, and what is found about them.
 class Search {
@@ -72,7 +74,7 @@ class Search {
       return;
     }
     if (dot(p.direction, q.direction) == 0) both(Kind::orthogonal_axes);
-    if (dot(RationalVector(q.point - p.point), rational(cross(p.direction, q.direction))) == 0) both(Kind::intersecting_axes);
+    if (dot(RationalVector(q.point - p.point), rational_vector(cross(p.direction, q.direction))) == 0) both(Kind::intersecting_axes);
   }
 
   void find_radii() {
@@ -129,13 +131,13 @@ class Search {
   void find_tangent_cones() {
     std::vector<RationalVector> generators;
     for (const Solid* solid : {&a_, &b_})
-      for (const Generators& side : solid->sides) generators.push_back(rational(side.axis.direction));
+      for (const Generators& side : solid->sides) generators.push_back(rational_vector(side.axis.direction));
     for (const RationalVector& p : a_.apexes)
       for (const RationalVector& q : b_.apexes) generators.push_back(q - p);
     for (const RationalVector& g : generators) {
       for (const Solid* solid : {&a_, &b_}) {
         if (!solid->axis) continue;
-        const RationalVector n = cross(g, cross(rational(solid->axis->direction), g));
+        const RationalVector n = cross(g, cross(rational_vector(solid->axis->direction), g));
         if (is_zero(n)) continue;
         if (add_if_tangent(primitive_along(n)) || add_if_tangent(-primitive_along(n))) return;
       }
@@ -155,7 +157,7 @@ class Search {
 
   /// Whether the cylinders about parallel axes touch along a line, from outside or from inside.
   static bool are_tangent(const Generators& s, const Generators& t) {
-    const RationalVector d = rational(s.axis.direction), c = cross(RationalVector(t.axis.point - s.axis.point), d);
+    const RationalVector d = rational_vector(s.axis.direction), c = cross(RationalVector(t.axis.point - s.axis.point), d);
     if (is_zero(c)) return false;
     const mpq_class square = dot(c, c) / dot(d, d);
     for (const auto& [of_s, of_t] : {std::pair(1, 1), std::pair(1, -1), std::pair(-1, 1)}) {

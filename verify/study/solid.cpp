@@ -64,9 +64,9 @@ struct Farthest {
   Surd height;
   std::vector<mpq_class> slopes;  ///< s
 
-  Farthest(const Atom& of, const RationalVector& n) : atom(&of), height{dot(n, rational(of.center)), 0} {
+  Farthest(const Atom& of, const RationalVector& n) : atom(&of), height{dot(n, rational_vector(of.center)), 0} {
     for (const Point& axis : of.axes) {
-      slopes.push_back(dot(n, rational(axis)));
+      slopes.push_back(dot(n, rational_vector(axis)));
       height.root += slopes.back() * slopes.back();
     }
   }
@@ -74,9 +74,9 @@ struct Farthest {
 
   /// Its one point, or the centre of the whole.
   [[nodiscard]] RootVector place() const {
-    RootVector result{rational(atom->center), {}, height.root};
+    RootVector result{rational_vector(atom->center), {}, height.root};
     for (std::size_t k = 0; k < slopes.size() && !whole(); ++k)
-      result.irrational = result.irrational + scaled(slopes[k] / height.root, rational(atom->axes[k]));
+      result.irrational = result.irrational + scaled(slopes[k] / height.root, rational_vector(atom->axes[k]));
     return result;
   }
 };
@@ -125,7 +125,7 @@ void add_term(SupportFace& face, const Term& term, const RationalVector& n) {
   for (const Farthest& part : tight) {
     add_spanning(face, between(first, part.place()));
     if (part.whole())
-      for (const Point& axis : part.atom->axes) add_spanning(face, {rational(axis), {}, 0});
+      for (const Point& axis : part.atom->axes) add_spanning(face, {rational_vector(axis), {}, 0});
     face.of_points = face.of_points && part.atom->axes.empty();
   }
   face.corner = std::max(face.corner, corner_of(term, tight));
@@ -135,7 +135,7 @@ void add_term(SupportFace& face, const Term& term, const RationalVector& n) {
 
 SupportFace support_face(std::span<const Term> terms, const Vector& direction) {
   SupportFace face;
-  for (const Term& term : terms) add_term(face, term, rational(direction));
+  for (const Term& term : terms) add_term(face, term, rational_vector(direction));
   return face;
 }
 
@@ -181,9 +181,9 @@ struct TermAxis {
 };
 
 TermAxis axis_of_term(const Term& term) {
-  TermAxis axis{true, rational(term.atoms.front().center), std::nullopt};
+  TermAxis axis{true, rational_vector(term.atoms.front().center), std::nullopt};
   for (const Atom& atom : term.atoms)
-    if (const RationalVector d = rational(atom.center) - axis.point; !is_zero(d) && !axis.direction) axis.direction = d;
+    if (const RationalVector d = rational_vector(atom.center) - axis.point; !is_zero(d) && !axis.direction) axis.direction = d;
   for (const Atom& atom : term.atoms) {
     const Gram s = gram_of(atom);
     if (axis.direction || is_multiple_of_unit(s)) continue;
@@ -192,7 +192,7 @@ TermAxis axis_of_term(const Term& term) {
   }
   if (!axis.direction) return axis;
   axis.possible = std::all_of(term.atoms.begin(), term.atoms.end(), [&](const Atom& atom) {
-    return is_zero(cross(RationalVector(rational(atom.center) - axis.point), *axis.direction)) &&
+    return is_zero(cross(RationalVector(rational_vector(atom.center) - axis.point), *axis.direction)) &&
            turns_about(gram_of(atom), *axis.direction);
   });
   return axis;
@@ -203,7 +203,7 @@ TermAxis axis_of_term(const Term& term) {
 Gram gram_of(const Atom& atom) {
   Gram s;
   for (const Point& p : atom.axes) {
-    const RationalVector m = rational(p);
+    const RationalVector m = rational_vector(p);
     s[0] = s[0] + scaled(m.x, m);
     s[1] = s[1] + scaled(m.y, m);
     s[2] = s[2] + scaled(m.z, m);
@@ -213,11 +213,11 @@ Gram gram_of(const Atom& atom) {
 
 std::optional<mpq_class> round_square(const Atom& atom) {
   if (atom.axes.empty()) return std::nullopt;
-  const mpq_class square = dot(rational(atom.axes[0]), rational(atom.axes[0]));
+  const mpq_class square = dot(rational_vector(atom.axes[0]), rational_vector(atom.axes[0]));
   for (std::size_t i = 0; i < atom.axes.size(); ++i) {
-    if (dot(rational(atom.axes[i]), rational(atom.axes[i])) != square) return std::nullopt;
+    if (dot(rational_vector(atom.axes[i]), rational_vector(atom.axes[i])) != square) return std::nullopt;
     for (std::size_t j = 0; j < i; ++j)
-      if (dot(rational(atom.axes[i]), rational(atom.axes[j])) != 0) return std::nullopt;
+      if (dot(rational_vector(atom.axes[i]), rational_vector(atom.axes[j])) != 0) return std::nullopt;
   }
   return square;
 }
@@ -276,9 +276,9 @@ struct Candidates {
     for (const Atom& atom : term.atoms) {
       if (atom.axes.empty()) continue;
       for (std::size_t k = 1; k < atom.axes.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j) add_both(cross(rational(atom.axes[j]), rational(atom.axes[k])));
+        for (std::size_t j = 0; j < k; ++j) add_both(cross(rational_vector(atom.axes[j]), rational_vector(atom.axes[k])));
       for (const Atom& other : term.atoms) {
-        const RationalVector d = rational(other.center) - rational(atom.center);
+        const RationalVector d = rational_vector(other.center) - rational_vector(atom.center);
         if (other.axes == atom.axes && !is_zero(d)) lines.insert(primitive_along(d));
       }
     }
@@ -287,10 +287,10 @@ struct Candidates {
 
 void find_faces(Solid& solid) {
   if (const HalfSpace* half = solid.half_space()) {
-    const Vector n = primitive_along(rational(half->normal));
-    const RationalVector m = rational(half->normal);
+    const Vector n = primitive_along(rational_vector(half->normal));
+    const RationalVector m = rational_vector(half->normal);
     FlatFace face{n, {}};
-    face.height.add(dot(rational(n), m) / dot(m, m) * half->offset);
+    face.height.add(dot(rational_vector(n), m) / dot(m, m) * half->offset);
     face.height.add(solid.shape.radius, dot(n, n));
     solid.faces.push_back(std::move(face));
     return;
@@ -299,7 +299,7 @@ void find_faces(Solid& solid) {
   for (const Term& term : solid.terms()) all.add(term);
   if (solid.terms().size() > 1 && all.lines.size() <= most_line_directions)
     for (const Vector& u : all.lines)
-      for (const Vector& v : all.lines) all.add_both(rational(cross(u, v)));
+      for (const Vector& v : all.lines) all.add_both(rational_vector(cross(u, v)));
   for (const Vector& n : all.normals) {
     SupportFace face = support_face(solid.terms(), n);
     if (face.spanning.size() < 2) continue;
@@ -320,11 +320,11 @@ std::optional<RationalVector> centre_of(const Term& term) {
     if (std::none_of(atoms.begin(), atoms.end(), [&](const Atom* p) { return p->center == atom.center && same_form(*p, atom); }))
       atoms.push_back(&atom);
   RationalVector sum;
-  for (const Atom* atom : atoms) sum = sum + rational(atom->center);
+  for (const Atom* atom : atoms) sum = sum + rational_vector(atom->center);
   const RationalVector centre = scaled(mpq_class(1, static_cast<unsigned long>(atoms.size())), sum);
   const auto mirrored = [&](const Atom* p) {
-    const RationalVector image = scaled(2, centre) - rational(p->center);
-    return std::any_of(atoms.begin(), atoms.end(), [&](const Atom* q) { return rational(q->center) == image && same_form(*p, *q); });
+    const RationalVector image = scaled(2, centre) - rational_vector(p->center);
+    return std::any_of(atoms.begin(), atoms.end(), [&](const Atom* q) { return rational_vector(q->center) == image && same_form(*p, *q); });
   };
   return std::all_of(atoms.begin(), atoms.end(), mirrored) ? std::optional(centre) : std::nullopt;
 }
@@ -358,7 +358,7 @@ void find_sides(Solid& solid) {
   if (solid.half_space() != nullptr || solid.terms().size() > 1) return;
   const std::vector<Atom>& atoms = solid.terms().front().atoms;
   const auto line = [](const Atom& p, const Atom& q) {
-    return Line{rational(p.center), primitive_along(rational(q.center) - rational(p.center))};
+    return Line{rational_vector(p.center), primitive_along(rational_vector(q.center) - rational_vector(p.center))};
   };
   if (solid.is_polytope && atoms.size() == 2 && solid.shape.radius > 0) {
     solid.sides.push_back({line(atoms[0], atoms[1]), Surd{solid.shape.radius, 0}});
@@ -370,8 +370,8 @@ void find_sides(Solid& solid) {
       if (atoms[i].center == atoms[j].center) continue;
       Generators side{line(atoms[i], atoms[j]), std::nullopt};
       const std::optional<mpq_class> square = round_square(atoms[i]);
-      const RationalVector normal = cross(rational(atoms[i].axes[0]), rational(atoms[i].axes[1]));
-      if (square && is_zero(cross(normal, rational(side.axis.direction)))) side.radius = Surd{solid.shape.radius, *square};
+      const RationalVector normal = cross(rational_vector(atoms[i].axes[0]), rational_vector(atoms[i].axes[1]));
+      if (square && is_zero(cross(normal, rational_vector(side.axis.direction)))) side.radius = Surd{solid.shape.radius, *square};
       solid.sides.push_back(std::move(side));
     }
   }
@@ -379,10 +379,10 @@ void find_sides(Solid& solid) {
 
 /// The factor, other than 1, between the axes of two discs, if there is one.
 std::optional<mpq_class> factor_between(const Atom& p, const Atom& q) {
-  const RationalVector u = rational(p.axes[0]), v = rational(q.axes[0]);
+  const RationalVector u = rational_vector(p.axes[0]), v = rational_vector(q.axes[0]);
   const mpq_class factor = dot(u, v) / dot(u, u);
   for (std::size_t k = 0; k < 2; ++k)
-    if (scaled(factor, rational(p.axes[k])) != rational(q.axes[k])) return std::nullopt;
+    if (scaled(factor, rational_vector(p.axes[k])) != rational_vector(q.axes[k])) return std::nullopt;
   return factor == 1 ? std::nullopt : std::optional(factor);
 }
 
@@ -390,11 +390,12 @@ void find_apexes(Solid& solid) {
   if (solid.half_space() != nullptr || solid.terms().size() > 1 || solid.is_polytope) return;
   const std::vector<Atom>& atoms = solid.terms().front().atoms;
   for (const Atom& p : atoms) {
-    if (p.axes.empty()) solid.apexes.push_back(rational(p.center));
+    if (p.axes.empty()) solid.apexes.push_back(rational_vector(p.center));
     for (const Atom& q : atoms) {
       if (&p >= &q || p.axes.size() != 2 || q.axes.size() != 2) continue;
       if (const std::optional<mpq_class> factor = factor_between(p, q))
-        solid.apexes.push_back(rational(p.center) + scaled(1 / (1 - *factor), rational(q.center) - rational(p.center)));
+        solid.apexes.push_back(rational_vector(p.center) +
+                               scaled(1 / (1 - *factor), rational_vector(q.center) - rational_vector(p.center)));
     }
   }
 }

@@ -34,8 +34,8 @@ class RootSum {
 
 using RationalVector = Vec3<mpq_class>;
 
-inline RationalVector rational(const Point& p) { return {p.x, p.y, p.z}; }
-inline RationalVector rational(const Vector& v) { return {v.x, v.y, v.z}; }
+inline RationalVector rational_vector(const Point& p) { return {p.x, p.y, p.z}; }
+inline RationalVector rational_vector(const Vector& v) { return {v.x, v.y, v.z}; }
 inline RationalVector scaled(const mpq_class& s, const RationalVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 /// The primitive integer vector along a vector other than 0.
