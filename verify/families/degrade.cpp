@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/point_algebra.hpp"
-#include "reference/polytope/placed_pair.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/polytope_pairs.hpp"

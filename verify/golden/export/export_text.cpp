@@ -9,7 +9,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"

@@ -11,8 +11,8 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
-#include "kernels/number/ratio.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"

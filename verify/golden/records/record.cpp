@@ -11,7 +11,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/facts.hpp"
