@@ -14,14 +14,14 @@
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
-#include "reference/rounded/coordinates.hpp"
-#include "verify/check/unreadable.hpp"
-#include "reference/output/answer_json.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/output/answer_json.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "verify/check/cases.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
+#include "verify/check/unreadable.hpp"
 
 namespace fathom::c {
 namespace {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings/python/src/answers.hpp"
+
+#include <pybind11/stl.h>
+
 #include <memory>
 #include <optional>
-#include <pybind11/stl.h>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "bindings/python/src/answers.hpp"
+#include "bindings/python/src/bodies.hpp"
+#include "bindings/python/src/numbers.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/study.hpp"
 #include "kernels/context.hpp"
@@ -15,8 +19,6 @@
 #include "reference/shapes/body_notes.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
-#include "bindings/python/src/bodies.hpp"
-#include "bindings/python/src/numbers.hpp"
 
 namespace fathom::python {
 namespace {

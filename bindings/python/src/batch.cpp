@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many pairs on several threads.
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <exception>
 #include <optional>
-#include <pybind11/stl.h>
 #include <string>
 #include <thread>
 #include <utility>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings/python/src/bodies.hpp"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <memory>
 #include <mutex>
-#include <pybind11/stl.h>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,12 +13,12 @@
 
 #include "bindings/python/src/numbers.hpp"
 #include "fathom/files.hpp"
+#include "fathom/shape.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
-#include "fathom/shape.hpp"
-#include "reference/files/piece_files.hpp"
 
 namespace fathom::python {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other questions about two bodies, and the judge.
-#include <pybind11/stl.h>
-
 #include <optional>
+#include <pybind11/stl.h>
 #include <string>
 #include <utility>
 
