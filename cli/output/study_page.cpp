@@ -271,6 +271,7 @@ std::string predicates_heading(const Study& study) {
   return "<h3>What the perturbation decided</h3>\n" + predicates_part(study.predicates);
 }
 
+/// What the page says of one case, without its name. `anchor` begins the ids of its elements.
 std::string study_section(const Case& pair, const Study& study, const std::string& anchor) {
   Marks marks(anchor);
   const std::string table = coincidences_part(anchor, rows_of(study, &marks), counts_of(study, coincidence_names));

@@ -48,8 +48,4 @@ class StudyPage {
   std::string sections_;
 };
 
-/// What the page says of one case, without its name. `anchor` begins the ids of its elements.
-std::string study_section(const Case& pair, const Study& study, const std::string& anchor);
-std::string study_section(const Case& pair, const ShapeStudy& study, const std::string& anchor);
-
 }  // namespace fathom::cli
