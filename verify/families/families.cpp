@@ -3,6 +3,8 @@
 
 #include "verify/families/families.hpp"
 
+#include <memory>
+
 #include <algorithm>
 #include <iterator>
 #include <string>

@@ -2,6 +2,13 @@
 // Named solids with rational vertices, and exact placements of bodies.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fathom/files.hpp"
+#include "verify/families/random.hpp"
+
 namespace fathom::families {
 
 /// The two bodies of a case that has no name yet.
