@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "reference/depth/naive.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "kernels/filters/support.hpp"
-#include "reference/depth/naive.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "kernels/float_environment.hpp"

@@ -3,6 +3,8 @@
 // one only, and every two neighbours meet convexly, is the boundary of a convex body: seen from O
 // it covers the sphere once, so it is star-shaped, and what is convex at every edge is convex
 // (Mehlhorn et al., Checking geometric programs or verification of geometric structures, 1999).
+#include "reference/polytope/convexity.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 #include <unordered_map>
@@ -11,7 +13,6 @@
 
 #include "kernels/filters/plane.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/polytope/convexity.hpp"
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"

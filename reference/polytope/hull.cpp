@@ -2,6 +2,7 @@
 // The hull of points of any rank: duplicates out, rank found exactly, then one method for each
 // rank. Of a solid, coplanar triangles are united, corners where fewer than three facets meet are
 // dropped, the rest is numbered canonically.
+#include "reference/polytope/hull.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +10,6 @@
 #include <tuple>
 #include <utility>
 
-#include "reference/polytope/hull.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/polytope/polytope.hpp"
 
