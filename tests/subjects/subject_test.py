@@ -85,7 +85,7 @@ class Hello(Conversation):
             self.assertEqual(hello["library"], PROGRAM.removesuffix("64"))
             self.assertRegex(hello["version"], r"\d\.\d")
             self.assertEqual(hello["precision"], "binary32" if PROGRAM == "bullet" else "binary64")
-            self.assertEqual(set(hello["conventions"]), {"touching", "depth", "moves", "unit"})
+            self.assertEqual(set(hello["conventions"]), {"touching", "depth", "moves", "unit", "claims"})
             self.assertEqual(set(hello["capabilities"]), {"faces", "shapes"})
             self.assertIs(hello["capabilities"]["faces"], PROGRAM in ("fcl", "ode"))
             self.assertTrue(hello["settings"])

@@ -47,8 +47,8 @@ struct Making {
 
 struct Placed {
   Placed(const Body& body, const Making& making) {
-    if (body.shape) make_shape(body, making);
-    else make_hull(body, making);
+    if (body.shape.empty()) make_hull(body, making);
+    else make_shape(body, making);
   }
   std::unique_ptr<btConvexShape> shape;
   btTransform at;
@@ -72,23 +72,24 @@ struct Placed {
   /// GJK and EPA see a core and a ball around it, whose radius is the margin: that of the case, or else the mode's. A sphere or capsule is
   /// nothing but margin.
   void make_shape(const Body& body, const Making& making) {
-    const subject::Shape& given = *body.shape;
-    const std::array<Vector, 3>& rows = given.pose.rows;
-    const btVector3 x = vector(rows[0]), y = vector(rows[1]), z = vector(rows[2]);
-    at = btTransform({x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]}, vector(given.pose.translation));
-    const btScalar radius = scalar(given.radius), length = scalar(2 * given.half_length);
-    if (given.name == "sphere" || given.name == "capsule") {
-      if (given.margin > 0) throw subject::Unsupported("a margin around a " + given.name + ", which is nothing but margin in Bullet");
-      if (given.name == "sphere") shape = std::make_unique<btSphereShape>(radius);
-      else shape = std::make_unique<btCapsuleShapeZ>(radius, length);
+    const btVector3 x = vector(body.rotation[0]), y = vector(body.rotation[1]), z = vector(body.rotation[2]);
+    at = btTransform({x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]}, vector(body.translation));
+    const auto number = [&body](const char* name) { return subject::number(body, name); };
+    const auto length = [&number] { return scalar(2 * number("half_length")); };
+    if (subject::is(body, "sphere") || subject::is(body, "capsule")) {
+      if (body.margin > 0) throw subject::Unsupported("a margin around a " + body.shape + ", which is nothing but margin in Bullet");
+      if (subject::is(body, "sphere")) shape = std::make_unique<btSphereShape>(scalar(number("radius")));
+      else shape = std::make_unique<btCapsuleShapeZ>(scalar(number("radius")), length());
       return;
     }
-    if (given.name == "box") return make_around_core<btBoxShape>(given.half, making, given.margin);
-    if (given.name == "cylinder")
-      return make_around_core<btCylinderShapeZ>({given.radius, given.radius, given.half_length}, making, given.margin);
-    if (given.name == "hull") shape = hull(body.vertices, {});
-    else shape = std::make_unique<btConeShapeZ>(radius, length);
-    grow(making.margin, given.margin);
+    if (subject::is(body, "box")) return make_around_core<btBoxShape>(subject::triple(body, "half"), making, body.margin);
+    if (subject::is(body, "cylinder")) {
+      const double radius = number("radius");
+      return make_around_core<btCylinderShapeZ>({radius, radius, number("half_length")}, making, body.margin);
+    }
+    if (subject::is(body, "hull")) shape = hull(body.vertices, {});
+    else shape = std::make_unique<btConeShapeZ>(scalar(number("radius")), length());
+    grow(making.margin, body.margin);
   }
 
   /// Bullet counts the margin of these inside their lengths: the core would be smaller than the case's, and the edges round.

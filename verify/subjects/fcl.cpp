@@ -36,32 +36,36 @@ std::unique_ptr<fcl::CollisionGeometryd> convex(const Body& body) {
 }
 
 /// FCL's lengths are full ones, its shapes along z about their centre; a cone's apex is above.
-std::unique_ptr<fcl::CollisionGeometryd> primitive(const subject::Shape& shape) {
-  const double length = 2 * shape.half_length;
-  const auto& [x, y, z] = shape.half;
-  const auto& [a, b, c] = shape.radii;
-  if (shape.name == "sphere") return std::make_unique<fcl::Sphered>(shape.radius);
-  if (shape.name == "capsule") return std::make_unique<fcl::Capsuled>(shape.radius, length);
-  if (shape.name == "box") return std::make_unique<fcl::Boxd>(2 * x, 2 * y, 2 * z);
-  if (shape.name == "cylinder") return std::make_unique<fcl::Cylinderd>(shape.radius, length);
-  if (shape.name == "cone") return std::make_unique<fcl::Coned>(shape.radius, length);
-  if (shape.name == "ellipsoid") return std::make_unique<fcl::Ellipsoidd>(a, b, c);
-  return std::make_unique<fcl::Halfspaced>(fcl::Vector3d(shape.normal.data()), shape.offset);
+std::unique_ptr<fcl::CollisionGeometryd> primitive(const Body& body) {
+  const auto number = [&body](const char* name) { return subject::number(body, name); };
+  if (subject::is(body, "sphere")) return std::make_unique<fcl::Sphered>(number("radius"));
+  if (subject::is(body, "box")) {
+    const auto& [x, y, z] = subject::triple(body, "half");
+    return std::make_unique<fcl::Boxd>(2 * x, 2 * y, 2 * z);
+  }
+  if (subject::is(body, "ellipsoid")) {
+    const auto& [a, b, c] = subject::triple(body, "radii");
+    return std::make_unique<fcl::Ellipsoidd>(a, b, c);
+  }
+  if (subject::is(body, "halfspace"))
+    return std::make_unique<fcl::Halfspaced>(fcl::Vector3d(subject::triple(body, "normal").data()), number("offset"));
+  const double radius = number("radius"), length = 2 * number("half_length");
+  if (subject::is(body, "capsule")) return std::make_unique<fcl::Capsuled>(radius, length);
+  if (subject::is(body, "cylinder")) return std::make_unique<fcl::Cylinderd>(radius, length);
+  return std::make_unique<fcl::Coned>(radius, length);
 }
 
-fcl::Transform3d placing(const subject::Pose& pose) {
+fcl::Transform3d placing(const Body& body) {
   fcl::Transform3d at = fcl::Transform3d::Identity();
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) at.linear()(i, j) = pose.rows[i][j];
-    at.translation()[i] = pose.translation[i];
+    for (int j = 0; j < 3; ++j) at.linear()(i, j) = body.rotation[i][j];
+    at.translation()[i] = body.translation[i];
   }
   return at;
 }
 
 struct Placed {
-  explicit Placed(const Body& body)
-      : geometry(body.shape ? primitive(*body.shape) : convex(subject::hull(body))),
-        at(body.shape ? placing(body.shape->pose) : fcl::Transform3d::Identity()) {}
+  explicit Placed(const Body& body) : geometry(body.shape.empty() ? convex(subject::hull(body)) : primitive(body)), at(placing(body)) {}
   std::unique_ptr<fcl::CollisionGeometryd> geometry;
   fcl::Transform3d at;
 };
@@ -83,13 +87,13 @@ subject::Solver signed_distance(Settings& settings) {
   };
 }
 
-bool is_halfspace(const Body& body) { return body.shape && body.shape->name == "halfspace"; }
+bool is_halfspace(const Body& body) { return subject::is(body, "halfspace"); }
 
 /// Whether FCL answers the pair by a formula of its own, with either solver.
 bool has_formula(const Body& a, const Body& b) {
   if (is_halfspace(a) || is_halfspace(b)) return true;
-  if (!a.shape || !b.shape) return false;
-  const auto& [first, second] = std::minmax(a.shape->name, b.shape->name);
+  if (a.shape.empty() || b.shape.empty()) return false;
+  const auto& [first, second] = std::minmax(a.shape, b.shape);
   return (first == "box" && second == "box") || (second == "sphere" && first != "cone" && first != "ellipsoid");
 }
 

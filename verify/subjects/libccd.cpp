@@ -40,28 +40,28 @@ Vector ball(double radius, const Vector& u) {
 /// Of a disc across z about O.
 Vector disc(double radius, const Vector& u) { return ball(radius, {u[0], u[1], 0}); }
 
-Vector sphere(const Body& body, const Vector& u) { return ball(body.shape->radius, u); }
+Vector sphere(const Body& body, const Vector& u) { return ball(subject::number(body, "radius"), u); }
 
 Vector capsule(const Body& body, const Vector& u) {
-  Vector v = ball(body.shape->radius, u);
-  v[2] += std::copysign(body.shape->half_length, u[2]);
+  Vector v = ball(subject::number(body, "radius"), u);
+  v[2] += std::copysign(subject::number(body, "half_length"), u[2]);
   return v;
 }
 
 Vector box(const Body& body, const Vector& u) {
-  const Vector& half = body.shape->half;
+  const Vector& half = subject::triple(body, "half");
   return {std::copysign(half[0], u[0]), std::copysign(half[1], u[1]), std::copysign(half[2], u[2])};
 }
 
 Vector cylinder(const Body& body, const Vector& u) {
-  Vector v = disc(body.shape->radius, u);
-  v[2] = std::copysign(body.shape->half_length, u[2]);
+  Vector v = disc(subject::number(body, "radius"), u);
+  v[2] = std::copysign(subject::number(body, "half_length"), u[2]);
   return v;
 }
 
 /// The apex, above, or a point of the rim.
 Vector cone(const Body& body, const Vector& u) {
-  const double radius = body.shape->radius, half_length = body.shape->half_length;
+  const double radius = subject::number(body, "radius"), half_length = subject::number(body, "half_length");
   if (2 * half_length * u[2] > radius * std::hypot(u[0], u[1])) return {0, 0, half_length};
   Vector v = disc(radius, u);
   v[2] = -half_length;
@@ -69,7 +69,7 @@ Vector cone(const Body& body, const Vector& u) {
 }
 
 Vector ellipsoid(const Body& body, const Vector& u) {
-  const Vector& r = body.shape->radii;
+  const Vector& r = subject::triple(body, "radii");
   Vector v = ball(1, {r[0] * u[0], r[1] * u[1], r[2] * u[2]});
   for (int i = 0; i < 3; ++i) v[i] *= r[i];
   return v;
@@ -83,27 +83,25 @@ const std::map<std::string, Support>& supports() {
 
 struct Object {
   explicit Object(const Body& given) : body(given) {
-    if (!body.shape) {
+    if (body.shape.empty()) {
       centre = subject::mean(body.vertices);
       return;
     }
-    pose = body.shape->pose;
-    centre = pose.translation;
-    farthest = supports().at(body.shape->name);
+    centre = body.translation;
+    farthest = supports().at(body.shape);
   }
   const Body& body;
-  subject::Pose pose{};  ///< of vertices none
   Vector centre{};
   Support farthest = hull;
 };
 
 void support(const void* object, const ccd_vec3_t* along, ccd_vec3_t* farthest) {
   const Object& of = *static_cast<const Object*>(object);
-  const bool placed = of.body.shape.has_value();
-  Vector v = of.farthest(of.body, placed ? of.pose.turned_back(plain(*along)) : plain(*along));
+  const bool placed = !of.body.shape.empty();
+  Vector v = of.farthest(of.body, placed ? subject::turned_back(of.body, plain(*along)) : plain(*along));
   if (placed) {
-    v = of.pose.turned(v);
-    for (int i = 0; i < 3; ++i) v[i] += of.pose.translation[i];
+    v = subject::turned(of.body, v);
+    for (int i = 0; i < 3; ++i) v[i] += of.body.translation[i];
   }
   ccdVec3Set(farthest, v[0], v[1], v[2]);
 }

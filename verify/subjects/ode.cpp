@@ -14,35 +14,35 @@ using subject::Body, subject::Vector;
 Vector plain(const dVector3& v) { return {v[0], v[1], v[2]}; }
 
 /// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is where its normal and offset say.
-dGeomID primitive(const subject::Shape& shape) {
-  const subject::Pose& pose = shape.pose;
-  const double length = 2 * shape.half_length;
-  const auto& [x, y, z] = shape.half;
-  if (shape.name == "halfspace") {
-    const Vector normal = pose.turned(shape.normal);
-    double offset = shape.offset;
-    for (int i = 0; i < 3; ++i) offset += normal[i] * pose.translation[i];
+dGeomID primitive(const Body& body) {
+  const auto number = [&body](const char* name) { return subject::number(body, name); };
+  if (subject::is(body, "halfspace")) {
+    const Vector normal = subject::turned(body, subject::triple(body, "normal"));
+    double offset = number("offset");
+    for (int i = 0; i < 3; ++i) offset += normal[i] * body.translation[i];
     return dCreatePlane(nullptr, normal[0], normal[1], normal[2], offset);
   }
-  const dGeomID id = shape.name == "sphere"    ? dCreateSphere(nullptr, shape.radius)
-                     : shape.name == "capsule" ? dCreateCapsule(nullptr, shape.radius, length)
-                     : shape.name == "box"     ? dCreateBox(nullptr, 2 * x, 2 * y, 2 * z)
-                                               : dCreateCylinder(nullptr, shape.radius, length);
-  const dMatrix3 rotation = {pose.rows[0][0], pose.rows[0][1], pose.rows[0][2], 0, pose.rows[1][0], pose.rows[1][1], pose.rows[1][2], 0,
-                             pose.rows[2][0], pose.rows[2][1], pose.rows[2][2], 0};
+  dGeomID id = nullptr;
+  if (subject::is(body, "sphere")) id = dCreateSphere(nullptr, number("radius"));
+  if (subject::is(body, "capsule")) id = dCreateCapsule(nullptr, number("radius"), 2 * number("half_length"));
+  if (subject::is(body, "cylinder")) id = dCreateCylinder(nullptr, number("radius"), 2 * number("half_length"));
+  if (subject::is(body, "box")) {
+    const auto& [x, y, z] = subject::triple(body, "half");
+    id = dCreateBox(nullptr, 2 * x, 2 * y, 2 * z);
+  }
+  const fathom_subject::Matrix& r = body.rotation;
+  const dMatrix3 rotation = {r[0][0], r[0][1], r[0][2], 0, r[1][0], r[1][1], r[1][2], 0, r[2][0], r[2][1], r[2][2], 0};
   dGeomSetRotation(id, rotation);
-  dGeomSetPosition(id, pose.translation[0], pose.translation[1], pose.translation[2]);
+  dGeomSetPosition(id, body.translation[0], body.translation[1], body.translation[2]);
   return id;
 }
-
-bool is_halfspace(const Body& body) { return body.shape && body.shape->name == "halfspace"; }
 
 /// A primitive, or a convex geom about the mean of its vertices, which ODE takes for an inner point. ODE keeps the pointers.
 class Geom {
  public:
   explicit Geom(const Body& body) {
-    if (body.shape) id_ = primitive(*body.shape);
-    else make_convex(subject::hull(body));
+    if (body.shape.empty()) make_convex(subject::hull(body));
+    else id_ = primitive(body);
   }
   Geom(const Geom&) = delete;
   Geom& operator=(const Geom&) = delete;
@@ -95,7 +95,7 @@ subject::Solver collide(subject::Settings& settings) {
   const bool tells_positions = settings.count("positions", 0) != 0;
   settings.note("centre", "mean of the vertices");
   return [contacts, tells_positions](const Body& a, const Body& b) {
-    if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: ODE collides no planes");
+    if (subject::is(a, "halfspace") && subject::is(b, "halfspace")) throw subject::Unsupported("two half-spaces: ODE collides no planes");
     const Geom one(a), two(b);
     std::vector<dContactGeom> found(contacts);
     const int count = dCollide(one.id(), two.id(), static_cast<int>(contacts), found.data(), sizeof(dContactGeom));

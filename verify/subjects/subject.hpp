@@ -1,88 +1,169 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the adapters share: the protocol fathom/subject/1 on the standard streams, and settings from the command line. An adapter adds one
-// function per way of asking its library. Nothing of fathom is included: the programs stand alone.                [verify/PROTOCOL.md]
+// What the adapters add to the kit that users copy: several ways of asking one library, and settings
+// from the command line. Nothing of fathom is included: the programs stand alone.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fathom_subject.hpp>
 #include <functional>
+#include <iostream>
+#include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace subject {
 
-using Vector = std::array<double, 3>;
+using fathom_subject::Body, fathom_subject::Reply, fathom_subject::Unsupported, fathom_subject::Vector;
+using Solver = fathom_subject::Solve;
 
-/// A rotation and then a translation. In binary64, whatever the subject's numbers are.
-struct Pose {
-  std::array<Vector, 3> rows{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  Vector translation{};
+// ---- bodies ----
 
-  [[nodiscard]] Vector turned(const Vector& v) const;
-  [[nodiscard]] Vector turned_back(const Vector& v) const;
-};
+inline bool is(const Body& body, const char* shape) { return body.shape == shape; }
+inline double number(const Body& body, const char* name) { return body.number.at(name); }
+inline const Vector& triple(const Body& body, const char* name) { return body.triple.at(name); }
 
-/// A shape as cases name it. What its name does not have is 0.
-struct Shape {
-  std::string name;  ///< "sphere", "capsule", "box", "cylinder", "cone", "ellipsoid", "halfspace" or "hull"
-  double radius = 0, half_length = 0, offset = 0;
-  Vector half{}, radii{}, normal{};
-  double margin = 0;  ///< the radius of a ball that is added around it
-  Pose pose{};        ///< of the shape along z: an axis x or y is a part of the rotation
-};
+/// The direction of a shape's frame in the world, and back.
+inline Vector turned(const Body& body, const Vector& v) {
+  Vector w{};
+  for (std::size_t i = 0; i < 3; ++i) w[i] = body.rotation[i][0] * v[0] + body.rotation[i][1] * v[1] + body.rotation[i][2] * v[2];
+  return w;
+}
+inline Vector turned_back(const Body& body, const Vector& v) {
+  Vector w{};
+  for (std::size_t i = 0; i < 3; ++i) w[i] = body.rotation[0][i] * v[0] + body.rotation[1][i] * v[1] + body.rotation[2][i] * v[2];
+  return w;
+}
 
-struct Body {
-  std::vector<Vector> vertices;           ///< of a shape: those of a hull, in its own frame
-  std::vector<std::vector<int>> faces{};  ///< counter-clockwise from outside; empty where the body is flat or the mode asks for none
-  std::optional<Shape> shape{};
-};
+/// Divided before it is summed: no sum of finite numbers overflows.
+inline Vector mean(const std::vector<Vector>& points) {
+  Vector mean{};
+  for (const Vector& point : points)
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += point[i] / static_cast<double>(points.size());
+  return mean;
+}
 
-/// One point of a manifold: of both bodies, and how deep they overlap there.
-struct Contact {
-  Vector position{};
-  double depth = 0;
-};
+/// The body without the vertices that lie in no face: a hull, as libraries of faces take it. Throws
+/// Unsupported for a body without faces.
+inline Body hull(const Body& body) {
+  if (body.faces.empty()) throw Unsupported("a flat body: the library's convex bodies are made of faces");
+  constexpr int unused = -1;
+  std::vector<int> names(body.vertices.size(), unused);
+  for (const std::vector<int>& face : body.faces)
+    for (const int i : face) names[i] = 0;
+  Body hull;
+  hull.faces = body.faces;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == unused) continue;
+    names[i] = static_cast<int>(hull.vertices.size());
+    hull.vertices.push_back(body.vertices[i]);
+  }
+  for (std::vector<int>& face : hull.faces)
+    for (int& i : face) i = names[i];
+  return hull;
+}
 
-/// What the library answered, in its own numbers and under the conventions of the mode.
-struct Reply {
-  bool overlap = false;
-  std::optional<double> depth{};
-  std::optional<double> distance{};  ///< of bodies that are apart; direction and witness are then those of the gap
-  std::optional<Vector> direction{};
-  std::optional<std::array<Vector, 2>> witness{};  ///< on A and on B
-  std::vector<Contact> contacts{};                 ///< of the one direction; the largest of their depths is `depth`
-};
+// ---- settings ----
 
-/// Thrown for a pair that the library does not take. Any other exception is an answer that the library failed to give.
-struct Unsupported : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// The library's parameters: each has the library's own default unless key=value was given. The hello lists all of them.
+/// The library's parameters: each has the library's own default unless key=value was given. The hello
+/// lists all of them.
 class Settings {
  public:
   /// Throws std::invalid_argument for a word that is not key=value, or a key that comes twice.
-  explicit Settings(const std::vector<std::string>& words);
-  /// The value in force. Throws std::invalid_argument for a value that is not a number (for `count`: no whole number; the largest, which
-  /// stands for none, is listed and may be given as "no limit").
-  double number(const std::string& key, double usual);
-  unsigned long count(const std::string& key, unsigned long usual);
+  explicit Settings(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+      const std::size_t sign = word.find('=');
+      if (sign == 0 || sign == std::string::npos) throw std::invalid_argument("expected KEY=VALUE, found " + word);
+      if (!given_.emplace(word.substr(0, sign), word.substr(sign + 1)).second) throw std::invalid_argument(word + " sets a key again");
+    }
+  }
+
+  /// The value in force. Throws std::invalid_argument for a value that is not a number.
+  double number(const std::string& key, double usual) {
+    const auto text = taken(key);
+    const double value = text ? read<double>(key, *text, "a number") : usual;
+    note(key, shortest(value));
+    return value;
+  }
+
+  /// The same of a whole number. The largest, which stands for none, is listed and may be given as "no limit".
+  unsigned long count(const std::string& key, unsigned long usual) {
+    constexpr unsigned long endless = std::numeric_limits<unsigned long>::max();
+    constexpr const char* no_limit = "no limit";
+    unsigned long value = usual;
+    if (const auto text = taken(key)) value = *text == no_limit ? endless : read<unsigned long>(key, *text, "a whole number");
+    note(key, value == endless ? no_limit : std::to_string(value));
+    return value;
+  }
+
   /// x:y:z, if it was given; else nullopt, and `usual` says in the list what is taken then.
-  std::optional<Vector> vector(const std::string& key, const std::string& usual);
+  std::optional<Vector> vector(const std::string& key, const std::string& usual) {
+    const auto text = taken(key);
+    note(key, text.value_or(usual));
+    if (!text) return std::nullopt;
+    Vector v{};
+    std::istringstream from(*text);
+    char colon = ':', second = ':';
+    if (!(from >> v[0] >> colon >> v[1] >> second >> v[2]) || colon != ':' || second != ':' || from.peek() != EOF)
+      throw std::invalid_argument(key + " expects three numbers x:y:z, found " + *text);
+    return v;
+  }
+
   /// Lists what cannot be changed.
-  void note(const std::string& key, const std::string& text);
+  void note(const std::string& key, const std::string& text) { told_[key] = text; }
+
   /// Throws std::invalid_argument when a key was given that nothing asked for.
-  void check_all_used() const;
-  const std::map<std::string, std::string>& in_force() const { return told_; }
+  void check_all_used() const {
+    if (given_.empty()) return;
+    std::string keys;
+    for (const auto& [key, value] : told_) keys += " " + key;
+    throw std::invalid_argument(given_.begin()->first + " is no setting of this mode; it has" + (keys.empty() ? " none" : keys));
+  }
+  [[nodiscard]] const std::map<std::string, std::string>& in_force() const { return told_; }
 
  private:
-  std::optional<std::string> taken(const std::string& key);
+  std::optional<std::string> taken(const std::string& key) {
+    const auto found = given_.find(key);
+    if (found == given_.end()) return std::nullopt;
+    std::string value = found->second;
+    given_.erase(found);
+    return value;
+  }
+
+  template <class Number>
+  static Number read(const std::string& key, const std::string& text, const char* expected) {
+    Number value{};
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value);
+    bool good = error == std::errc() && rest == end;
+    if constexpr (std::is_floating_point_v<Number>) good = good && std::isfinite(value);
+    if (!good) throw std::invalid_argument(key + " expects " + expected + ", found " + text);
+    return value;
+  }
+
+  /// The fewest digits that read back as the number.
+  static std::string shortest(double value) {
+    constexpr int least = 15, most = 17;
+    char text[32];
+    for (int digits = least; digits <= most; ++digits) {
+      std::snprintf(text, sizeof text, "%.*g", digits, value);
+      if (std::strtod(text, nullptr) == value) break;
+    }
+    const std::string result = text;
+    return result.find_first_of(".e") == std::string::npos ? result + ".0" : result;
+  }
+
   std::map<std::string, std::string> given_, told_;
 };
 
-using Solver = std::function<Reply(const Body& a, const Body& b)>;
+// ---- programs ----
 
 /// One way of asking the library.
 struct Mode {
@@ -91,7 +172,7 @@ struct Mode {
   std::string depth = "positive";     ///< the sign of the depth of bodies that overlap: "positive" or "negative"
   std::string moves = "a";            ///< the body that |depth| * direction moves apart
   bool faces = false;                 ///< whether it needs faces
-  std::vector<std::string> shapes{};  ///< the names of the shapes that it takes, and "margin" if any of them may have one
+  std::vector<std::string> shapes{};  ///< that it takes by name, and "margin" if any of them may have one
   std::function<Solver(Settings&)> make;
 };
 
@@ -100,14 +181,61 @@ struct Program {
   std::vector<Mode> modes;
 };
 
-/// Divided before it is summed: no sum of finite numbers overflows.
-Vector mean(const std::vector<Vector>& points);
+inline bool is_rotation(const fathom_subject::Matrix& rows) {
+  constexpr double tolerance = 4e-6;  // entries that are off by 1e-6 change a product of two rows by 2 sqrt(3) as much
+  const auto& [u, v, w] = rows;
+  double determinant = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    determinant += u[i] * (v[j] * w[k] - v[k] * w[j]);
+    for (std::size_t l = 0; l < 3; ++l) {
+      const Vector &p = rows[i], &q = rows[l];
+      const double product = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+      if (!(std::abs(product - (i == l ? 1 : 0)) <= tolerance)) return false;
+    }
+  }
+  return determinant > 0;
+}
 
-/// The body without the vertices that lie in no face: a hull, as libraries of faces take it. Throws Unsupported for a body without faces.
-Body hull(const Body& body);
+/// Throws Unsupported for a shape or a margin that the mode does not declare, and for a pose that is no rotation.
+inline void check_taken(const Body& body, const Mode& mode) {
+  if (body.shape.empty()) return;
+  const auto takes = [&mode](const std::string& word) { return std::ranges::count(mode.shapes, word) > 0; };
+  if (body.shape == "margin" || !takes(body.shape)) throw Unsupported("a " + body.shape + ", which " + mode.name + " has not");
+  if (body.margin > 0 && !takes("margin")) throw Unsupported("a margin, which " + mode.name + " has not");
+  if (!is_rotation(body.rotation)) throw Unsupported("a pose that is no rotation");
+}
 
-/// Speaks the protocol until "stop" or the end of the input. What the library prints on its standard output goes to the standard error.
-/// Returns the exit code: 0, or 2 for wrong arguments or a line that is not of the protocol (reported on the standard error).
-int run(const Program& program, int argc, char** argv);
+/// Answers cases in the mode that the command line names. Returns the exit code: 0, or 2 for wrong arguments or
+/// a line that is not of the protocol, which is reported on the standard error.
+inline int run(const Program& program, int argc, char** argv) {
+  try {
+    std::string modes;
+    for (const Mode& mode : program.modes) modes += (modes.empty() ? "" : " | ") + mode.argument;
+    if (argc < 2) throw std::invalid_argument("usage: " + modes + "   [KEY=VALUE...]");
+    const auto mode = std::ranges::find(program.modes, argv[1], &Mode::argument);
+    if (mode == program.modes.end()) throw std::invalid_argument("expected " + modes + ", found " + argv[1]);
+    Settings settings({argv + 2, argv + argc});
+    const Solver solve = mode->make(settings);
+    settings.check_all_used();
+    fathom_subject::Subject subject{mode->name, program.version, program.precision};
+    subject.depth = mode->depth;
+    subject.moves = mode->moves;
+    subject.faces = mode->faces;
+    subject.shapes = mode->shapes;
+    subject.settings = settings.in_force();
+    subject.library = program.library;
+    subject.axis = 'z';
+    subject.timed = false;
+    return fathom_subject::run(subject, [&](const Body& a, const Body& b) {
+      check_taken(a, *mode);
+      check_taken(b, *mode);
+      return solve(a, b);
+    });
+  } catch (const std::exception& reason) {
+    std::cerr << (argc > 0 ? argv[0] : "subject") << ": " << reason.what() << std::endl;
+    return 2;
+  }
+}
 
 }  // namespace subject

@@ -99,7 +99,8 @@ struct Subject {
   std::string answers = {};                          ///< the precision of answers, if `precision` is that of points alone
   std::map<std::string, double> rounding = {};       ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
   std::string claims = "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
-  char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as the case has them
+  char axis = 0;      ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as the case has them
+  bool timed = true;  ///< whether answers say how many microseconds they took
 };
 
 namespace details {
@@ -222,15 +223,18 @@ inline std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// JSON has no NaN and no infinities: they go as texts.
+/// The fewest digits that read back as the number. JSON has no NaN and no infinities: they go as texts.
 inline std::string number(double x) {
   if (std::isnan(x)) return "\"nan\"";
   if (std::isinf(x)) return x < 0 ? "\"-inf\"" : "\"inf\"";
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << x;
-  return text.str();
+  for (int digits = std::numeric_limits<double>::digits10;; ++digits) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(digits);
+    text << x;
+    const std::string written = text.str();
+    if (digits == std::numeric_limits<double>::max_digits10 || JsonReader(written).read().number == x) return written;
+  }
 }
 
 inline std::string vector(const Vector& v) { return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']'; }
@@ -260,6 +264,7 @@ std::array<double, n> numbers(const Json& from) {
 inline Matrix rotation_of(const std::array<double, 4>& q) {
   double largest = 0;
   for (const double c : q) largest = std::fmax(largest, std::fabs(c));
+  if (!(largest > 0)) throw std::invalid_argument("a quaternion of zeros");
   const double w = q[0] / largest, x = q[1] / largest, y = q[2] / largest, z = q[3] / largest, s = 2 / (w * w + x * x + y * y + z * z);
   return {{{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
            {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)},
@@ -292,9 +297,47 @@ inline void turn(Body& body, char axis) {
   body.quaternion = {0.5 * w - s * (x + y + z), 0.5 * x + s * (w + y - z), 0.5 * y + s * (w + z - x), 0.5 * z + s * (w + x - y)};
 }
 
+/// Throws for a shape that lacks its fields, or has others than it can have. Of shapes that are not listed here nothing is known.
+inline void check_shape(const Body& body, bool has_pose) {
+  static const std::map<std::string, std::vector<std::string>> fields{{"sphere", {"radius"}},
+                                                                      {"capsule", {"radius", "half_length"}},
+                                                                      {"box", {"half"}},
+                                                                      {"cylinder", {"radius", "half_length"}},
+                                                                      {"ellipsoid", {"radii"}},
+                                                                      {"cone", {"radius", "half_length"}},
+                                                                      {"halfspace", {"normal", "offset"}},
+                                                                      {"hull", {"vertices"}}};
+  const auto found = fields.find(body.shape);
+  if (found == fields.end()) return;
+  const auto demand = [&body](bool good, const std::string& name) {
+    if (!good) throw std::invalid_argument("a " + body.shape + " needs a " + name + ", and one that can be");
+  };
+  demand(has_pose, "pose");
+  for (const std::string& name : found->second) {
+    if (name == "vertices") {
+      demand(!body.vertices.empty(), name);
+    } else if (const auto number = body.number.find(name); number != body.number.end()) {
+      demand(name == "offset" || number->second > 0, name);
+    } else {
+      const auto triple = body.triple.find(name);
+      demand(triple != body.triple.end(), name);
+      const auto is_positive = [](double x) { return x > 0; };
+      const bool all = std::all_of(triple->second.begin(), triple->second.end(), is_positive);
+      demand(name == "normal" ? triple->second != Vector{} : all, name);
+    }
+  }
+}
+
+inline void check_faces(const Body& body) {
+  const int vertices = static_cast<int>(body.vertices.size());
+  for (const std::vector<int>& face : body.faces)
+    if (face.size() < 3 || std::any_of(face.begin(), face.end(), [vertices](int i) { return i < 0 || i >= vertices; }))
+      throw std::invalid_argument("a face needs three vertices of its body, or more");
+}
+
 inline Body body_of(const Json& from, char axis = 0) {
   Body body;
-  bool has_axis = false;
+  bool has_axis = false, has_pose = false;
   for (const auto& [name, value] : from.members) {
     if (name == "pieces") {
       for (const Json& piece : value.items) body.pieces.push_back(body_of(piece).vertices);
@@ -308,12 +351,15 @@ inline Body body_of(const Json& from, char axis = 0) {
     } else if (name == "shape") {
       body.shape = value.text;
     } else if (name == "axis") {
-      body.axis = value.text.empty() ? 'z' : value.text[0];
+      if (value.text != "x" && value.text != "y" && value.text != "z") throw std::invalid_argument("an axis is x, y or z");
+      body.axis = value.text[0];
       has_axis = true;
     } else if (name == "margin") {
-      body.margin = value.number.value_or(0);
+      if (!value.number || !(*value.number >= 0)) throw std::invalid_argument("a margin is a number, not below 0");
+      body.margin = *value.number;
     } else if (name == "pose") {
       place(value, body);
+      has_pose = true;
     } else if (value.number) {
       body.number[name] = *value.number;
     } else if (value.items.size() == 3) {
@@ -321,6 +367,8 @@ inline Body body_of(const Json& from, char axis = 0) {
     }
   }
   if (body.shape.empty() && body.vertices.empty() && body.pieces.empty()) throw std::invalid_argument("a body without vertices");
+  check_faces(body);
+  check_shape(body, has_pose);
   if (has_axis && axis) turn(body, axis);
   return body;
 }
@@ -372,7 +420,8 @@ inline std::string reply_to(const Json& message, const Subject& subject, const S
     const auto start = std::chrono::steady_clock::now();
     const Reply reply = solve(a, b);
     const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - start;
-    said = answer(reply) + ",\"microseconds\":" + number(reply.microseconds.value_or(spent.count()));
+    said = answer(reply);
+    if (subject.timed) said += ",\"microseconds\":" + number(reply.microseconds.value_or(spent.count()));
   } catch (const Unsupported& why) {
     said = "\"unsupported\":" + quoted(reason(why.what()));
   } catch (const std::exception& why) {
@@ -395,6 +444,8 @@ inline void serve(const Subject& subject, const Solve& solve) {
       const Json message = JsonReader(line).read();
       const std::string& type = message.at("type").text;
       if (type == "stop") return;
+      if (type == "hello" && message.at("protocol").text != "fathom/subject/1")
+        throw std::invalid_argument("this subject speaks fathom/subject/1, not " + message.at("protocol").text);
       if (type == "hello") text = hello(subject);
       else if (type == "run") text = reply_to(message, subject, solve);
       else throw std::invalid_argument("a message that is no hello, run or stop");
