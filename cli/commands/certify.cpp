@@ -4,11 +4,10 @@
 
 #include "cli/commands/certify.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <fmt/format.h>
 #include <functional>
 #include <istream>
 #include <memory>

@@ -3,9 +3,8 @@
 // Python, and what Python and C take. That each member of a struct has its row, and each number its member in C, the compiler asks.
 #include "verify/judge/fields.hpp"
 
-#include <gtest/gtest.h>
-
 #include <fstream>
+#include <gtest/gtest.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>

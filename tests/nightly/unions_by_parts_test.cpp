@@ -2,9 +2,8 @@
 // The second way for unions: it finds known answers, takes each of its ways, and says what is wrong with a wrong first way.
 #include "tests/nightly/unions_by_parts.hpp"
 
-#include <gtest/gtest.h>
-
 #include <array>
+#include <gtest/gtest.h>
 #include <memory>
 #include <stdexcept>
 

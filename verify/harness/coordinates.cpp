@@ -8,6 +8,17 @@
 #include "fathom/numbers.hpp"
 
 namespace fathom::harness {
+namespace {
+
+/// The plain name, without a margin of 0.
+void make_plain(files::NamedBody& words) {
+  words.shape = files::named_shape(words.shape).shape->name;
+  const auto margin = words.fields.numbers.find("margin");
+  if (margin != words.fields.numbers.end() && margin->second.front() == 0) words.fields.numbers.erase(margin);
+  for (files::NamedBody& term : words.terms) make_plain(term);
+}
+
+}  // namespace
 
 long exponent_of(const mpq_class& value) {
   const long guess =
@@ -39,18 +50,6 @@ void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&
     for (mpq_class& value : normal->second) use(value);
   for (files::NamedBody& term : words.terms) for_each_slope(term, use);
 }
-
-namespace {
-
-/// The plain name, without a margin of 0.
-void make_plain(files::NamedBody& words) {
-  words.shape = files::named_shape(words.shape).shape->name;
-  const auto margin = words.fields.numbers.find("margin");
-  if (margin != words.fields.numbers.end() && margin->second.front() == 0) words.fields.numbers.erase(margin);
-  for (files::NamedBody& term : words.terms) make_plain(term);
-}
-
-}  // namespace
 
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
   for (auto& [name, values] : words.fields.numbers)

@@ -2,9 +2,8 @@
 // Coordinates as numbers of the subject's format: exact.
 #pragma once
 
-#include <gmpxx.h>
-
 #include <functional>
+#include <gmpxx.h>
 #include <memory>
 #include <optional>
 #include <utility>

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One subject: starts its process, asks it, judges its answers, and starts it again after a crash, a hang or a stray line.
-//                                                                                                     [verify/PROTOCOL.md]
+// One subject, alive or as it once replied, and many cases put to several of them at once.        [verify/PROTOCOL.md; docs/certify.md]
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "fathom/files.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/process.hpp"
 #include "verify/harness/protocol.hpp"
@@ -39,7 +42,8 @@ struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// For the thread that made it. A failure is blamed on a case only if a fresh process fails on the same case again; otherwise
+/// Starts the subject's process, asks it, judges its answers, and starts it again after a crash, a hang or a stray line. For the thread
+/// that made it. A failure is blamed on a case only if a fresh process fails on the same case again; otherwise
 /// settings.unattributed hears of it.
 class Examiner {
  public:
@@ -107,5 +111,74 @@ class Examiner {
   std::uint64_t starts_ = 0, asked_ = 0;  // asked: runs that this process was sent
   int unread_ = 0;                        // number of processes in a row that ended before they read anything
 };
+
+// ---- replies that a subject gave earlier ----
+
+/// The file has no reply to a case.
+struct NoReply : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Replies by the ids of their cases, from a file: an optional hello, then replies in any order.                    [verify/PROTOCOL.md]
+class Replay {
+ public:
+  /// Reads a file; "-" is standard input. Without a hello the subject is "replay" in binary64, with the default conventions. Throws
+  /// InputError if the file cannot be read, its hello is wrong, or it holds no reply.
+  static Replay read(const std::string& given);
+
+  [[nodiscard]] const SubjectInfo& info() const { return info_; }
+  /// A sentence with file and line for each line that is not a reply.
+  [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
+
+  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage. Of
+  /// unions without a reply of their own, the replies to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and
+  /// Interrupted. Any thread may call it.
+  [[nodiscard]] Outcome examine(const Case& pair, long exponent, const Judging& judging) const;
+
+  /// The ids of replies to what was not asked, sorted.
+  [[nodiscard]] std::vector<std::string> unasked(const std::function<bool(const std::string&)>& is_asked) const;
+
+ private:
+  Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer) const;
+  void take(std::string_view line, const std::string& path, std::size_t number);
+
+  SubjectInfo info_;
+  std::map<std::string, std::vector<SubjectAnswer>> answers_;
+  std::vector<InputError> faults_;
+};
+
+// ---- many cases through several examiners at once ----
+
+/// What one thread works with.
+struct Worker {
+  ExamineInUnit examine;
+  std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
+};
+
+/// Where a run gets its work and where its results go. No two threads call these at once, except `known`, and the workers, each of which
+/// stays in one thread.
+struct RunPlan {
+  unsigned jobs = 1;
+  std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
+  NumberFormat format = {};
+  std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
+  std::set<std::string> shapes = {};  ///< that the subject takes by name
+  Tolerance tolerance = {};
+
+  std::function<std::optional<Case>()> next;  ///< returns nullopt after the last one
+  std::function<Worker()> worker;             ///< called once in each thread
+  /// The outcome that an earlier run found, or null.
+  std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
+  /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the case.
+  std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
+  /// Hears of a case without an outcome, and of what its examiner threw. Rethrows that to end the run.
+  std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
+  /// A variant that has no exact form.
+  std::function<void(const Case& pair, const std::string& sentence)> left_out;
+};
+
+/// Works until there is no next case; the calling thread is one of the workers. The first exception of any callback ends all workers
+/// once they have finished their cases, and is rethrown.
+void run(const RunPlan& plan);
 
 }  // namespace fathom::harness

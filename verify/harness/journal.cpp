@@ -2,8 +2,13 @@
 #include "verify/harness/journal.hpp"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -45,6 +50,61 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
     kept = newline + 1;
   }
   return kept;
+}
+
+using Json = nlohmann::json;
+
+constexpr int digits_of_binary32 = 24, digits_of_binary64 = 53;
+
+/// Returns the type of a line of a report; empty if it is none.
+std::string type_of(const Json& line) {
+  if (!line.is_object() || line.value("schema", Json()) != "fathom/verdict/1" || !line.contains("type")) return "";
+  return line["type"].is_string() ? line["type"].get<std::string>() : "";
+}
+
+void flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& fields) {
+  if (!json.is_object()) {
+    fields[path] = json.is_string() ? json.get<std::string>() : json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return;
+  }
+  for (const auto& [name, value] : json.items()) flatten(value, path.empty() ? name : path + '.' + name, fields);
+}
+
+/// Of the points.
+bool header_says_binary32(const std::map<std::string, std::string>& header) {
+  for (const char* field : {"subject.precision", "subject.precision.points"})
+    if (const auto found = header.find(field); found != header.end() && found->second == name(Precision::binary32)) return true;
+  return false;
+}
+
+void take_header(const Json& header, ReportFile& report) {
+  Json lasting = header;
+  for (const char* name : {"schema", "type", "command"}) lasting.erase(name);
+  for (const char* name : {"type", "protocol"})
+    if (lasting.contains("subject") && lasting["subject"].is_object()) lasting["subject"].erase(name);
+  flatten(lasting, "", report.header);
+  const bool is_binary32 = header_says_binary32(report.header);
+  report.unit_roundoff = std::ldexp(1, -(is_binary32 ? digits_of_binary32 : digits_of_binary64));
+}
+
+/// Takes one line behind the header. Returns false if it is none of a report.
+bool take_line(std::string_view text, ReportFile& report) {
+  report.whole = false;
+  if (std::optional<Outcome> outcome = read_outcome(text)) report.outcomes.push_back(*std::move(outcome));
+  else if (read_unattributed(text)) ++report.unattributed;
+  else if (type_of(Json::parse(text, nullptr, false)) == "summary") report.whole = true;
+  else return false;
+  return true;
+}
+
+/// Leaves the last line of each id.
+void drop_repeated(ReportFile& report) {
+  std::set<std::pair<std::string, std::string>> seen;
+  std::vector<Outcome> kept;
+  for (auto outcome = report.outcomes.rbegin(); outcome != report.outcomes.rend(); ++outcome)
+    if (seen.emplace(outcome->id, outcome->variant).second) kept.push_back(std::move(*outcome));
+  report.repeated = report.outcomes.size() - kept.size();
+  report.outcomes.assign(std::move_iterator(kept.rbegin()), std::move_iterator(kept.rend()));
 }
 
 }  // namespace
@@ -89,6 +149,38 @@ Journal Journal::resume(const std::string& path, const std::string& header, cons
 void Journal::add(const std::string& line) {
   if (const int code = files::write_all(file_, line + '\n'); code != 0)
     throw JournalError(path_ + ": cannot be written: " + std::strerror(code));
+}
+
+std::string ReportFile::title() const {
+  const auto field = [this](const char* name) {
+    const auto found = header.find(name);
+    return found == header.end() ? std::string() : found->second;
+  };
+  const std::string version = field("subject.version");
+  return fmt::format("{}{}{}, fathom {}", field("subject.name"), version.empty() ? "" : " ", version, field("fathom"));
+}
+
+ReportFile read_report(const std::string& path) {
+  ReportFile report;
+  report.path = path;
+  const std::string text = files::read_file(path);
+  std::size_t number = 0;
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+    end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = std::string_view(text).substr(begin, end - begin);
+    ++number;
+    if (number == 1) {
+      const Json header = Json::parse(line, nullptr, false);
+      if (type_of(header) != "header")
+        throw InputError(path, 1, "expected the header of a report, schema fathom/verdict/1, found " + kernels::shown(line));
+      take_header(header, report);
+    } else if (!take_line(line, report) && end < text.size()) {
+      throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + kernels::shown(line));
+    }
+  }
+  if (number == 0) throw InputError(path, 0, "it is empty: expected a report, schema fathom/verdict/1");
+  drop_repeated(report);
+  return report;
 }
 
 }  // namespace fathom::harness

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/seen_case.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 #include <tuple>
 #include <utility>
 #include <variant>
@@ -21,9 +27,33 @@
 #include "verify/harness/two_ways.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/truth.hpp"
+#include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::harness {
 namespace {
+
+Body grown(const Body& body, const mpq_class& radius) {
+  if (radius == 0) return body;
+  Body result;
+  result.shape = with_margin(files::shape_of(body), radius);
+  return result;
+}
+
+Body used(const Body& body, const std::optional<std::vector<Triple>>& hull, long exponent) {
+  return hull ? Body{scaled(GivenPoints(*hull), -exponent)} : body;
+}
+
+mpq_class squared_way(const Body& from, const Body& to) {
+  const auto coordinates = [](const Point& p) { return std::tie(p.x, p.y, p.z); };
+  const auto less = [&](const Point& p, const Point& q) { return coordinates(p) < coordinates(q); };
+  const std::set<Point, decltype(less)> there(to.points.begin(), to.points.end(), less);
+  mpq_class result = 0;
+  for (const Point& p : from.points)
+    if (!there.contains(p)) result = std::max(result, judging::squared_distance(p, to.points.exact()));
+  return result;
+}
 
 class Fnv1a {
  public:
@@ -118,7 +148,161 @@ std::vector<std::string> missing(const Reply& reply, const std::set<std::string>
   return result;
 }
 
+/// Stops the library when `stop` says so; it may be empty.
+class StopWhen final : public Monitor {
+ public:
+  explicit StopWhen(const std::function<bool()>& stop) : stop_(stop) {}
+  void report(std::string_view, double) override {}
+  [[nodiscard]] bool stopped() override { return stop_ && stop_(); }
+
+ private:
+  const std::function<bool()>& stop_;
+};
+
+/// `radii`: those that the subject added, which shapes in `seen` have.
+Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
+                          const NumberFormat& format, const Judging& judging) {
+  StopWhen stopping(judging.stop);
+  Options options;
+  options.monitor = &stopping;
+  options.workspace = judging.workspace;
+  judging::AnyTruth truth = judging::truth_of(seen.a, seen.b, options);
+  if (auto* const shapes = std::get_if<ShapeTruth>(&truth)) std::tie(shapes->added_a, shapes->added_b) = radii;
+  const auto judged = [&](const judging::AnyTruth& by) {
+    return judging::judged(by, reply, info.conventions, format, judging.tolerance, &stopping);
+  };
+  const Truth* const points = std::get_if<Truth>(&truth);
+  if (!points) {
+    const auto* const shapes = std::get_if<ShapeTruth>(&truth);
+    if (!judging.second.empty())
+      static_cast<void>(shapes ? accepted_certificate(seen.id, *shapes, &stopping)
+                               : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
+    return judged(truth);
+  }
+  Judgement judgement = judged(truth);
+  for (const Solver& solver : judging.second) {
+    const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
+    const auto refuse = [&](const std::string& where) {
+      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
+    };
+    if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
+    if (const auto where = difference(judgement, judged(again))) refuse(*where);
+  }
+  return judgement;
+}
+
+/// A reply about a pair of pieces.
+struct Told {
+  std::uint32_t a, b;
+  SubjectAnswer answer;
+  Case pair;
+
+  [[nodiscard]] const Reply& reply() const { return std::get<Reply>(answer.said); }
+};
+
+/// How much a reply weighs: the depth, or minus the distance; what is not finite weighs most. nullopt without a number.
+std::optional<double> weight(const Reply& reply, const Conventions& conventions) {
+  const double* const length = judging::length_of(reply);
+  if (!length) return std::nullopt;
+  if (!std::isfinite(*length)) return std::numeric_limits<double>::infinity();
+  const bool negative = !reply.overlap || conventions.depth == Conventions::Sign::negative;
+  return negative ? -*length : *length;
+}
+
+/// The reply that is the answer about the unions, of those that claim an overlap, or of all if none does: the first of the greatest weight.
+const Told& deepest(const std::vector<Told>& all, const Conventions& conventions) {
+  const bool overlap = std::ranges::any_of(all, [](const Told& told) { return told.reply().overlap; });
+  const Told* best = nullptr;
+  std::optional<double> most;
+  for (const Told& told : all) {
+    if (told.reply().overlap != overlap) continue;
+    const std::optional<double> other = weight(told.reply(), conventions);
+    if (best && (!other || (most && *other <= *most))) continue;
+    best = &told;
+    most = other;
+  }
+  return *best;
+}
+
+bool all_have_distances(const std::vector<Told>& all) {
+  return std::ranges::all_of(all, [](const Told& told) { return told.reply().distance.has_value(); });
+}
+
+std::string of_pair(std::uint32_t a, std::uint32_t b, const std::string& detail) {
+  return fmt::format("piece {} of A, piece {} of B: {}", a, b, detail);
+}
+
+/// The sum, if each answer says it.
+std::optional<double> microseconds_of(const std::vector<Told>& all) {
+  double sum = 0;
+  for (const Told& told : all) {
+    if (!told.answer.microseconds) return std::nullopt;
+    sum += *told.answer.microseconds;
+  }
+  return sum;
+}
+
+void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info, const Judging& judging) {
+  const Told& chosen = deepest(all, info.conventions);
+  SubjectAnswer whole{{}, chosen.reply(), microseconds_of(all)};
+  for (const Told& told : all)
+    if (whole.remark.empty()) whole.remark = told.answer.remark;
+  Reply& reply = std::get<Reply>(whole.said);
+  const bool bare = !reply.overlap && !all_have_distances(all);
+  if (bare) reply = Reply{};
+  SubjectInfo lenient = info;  // each reply is held to its promises
+  lenient.promises.clear();
+  judge_answer(outcome, seen, whole, lenient, judging);
+  Outcome query = outcome_for(chosen.pair, outcome.fit);
+  judge_answer(query, chosen.pair, {{}, chosen.reply()}, info, judging);
+  outcome.pieces = {all.size(), {chosen.a, chosen.b}, std::move(*query.judgement)};
+  for (const Told& told : all) {
+    const bool is_held = std::ranges::find(outcome.judgement->findings, Verdict::inconsistent) != outcome.judgement->findings.end();
+    if (!is_held) hold_to_promises(*outcome.judgement, told.reply(), info.promises);
+  }
+  outcome.verdict = outcome.judgement->verdict;
+}
+
 }  // namespace
+
+mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
+  const std::string word = body.words ? std::string(files::named_shape(body.words->shape).shape->name) : vertices_word;
+  for (const std::string& name : {word, std::string()})
+    if (const auto found = info.rounding.find(name); found != info.rounding.end()) return found->second;
+  return 0;
+}
+
+std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent) {
+  return {scaled(rounding_radius(seen.a, info), -exponent), scaled(rounding_radius(seen.b, info), -exponent)};
+}
+
+bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
+
+Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
+  if (info.rounding.empty() || seen.a.pieces) return seen;
+  const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
+  return {seen.id, grown(seen.a, of_a), grown(seen.b, of_b)};
+}
+
+void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
+  const auto demand = [](const Body& body, bool told, const char* name) {
+    if (told && body.words) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent as a shape", name));
+    if (told && body.pieces) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent in pieces", name));
+  };
+  demand(seen.a, answer.hull_a.has_value(), "a");
+  demand(seen.b, answer.hull_b.has_value(), "b");
+}
+
+Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent) {
+  return {seen.id, used(seen.a, answer.hull_a, exponent), used(seen.b, answer.hull_b, exponent)};
+}
+
+mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& answer) {
+  mpq_class result = 0;
+  if (answer.hull_a) result = squared_way(from.a, to.a);
+  if (answer.hull_b) result = std::max(result, squared_way(from.b, to.b));
+  return result;
+}
 
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes, std::string* why) {
   std::string reason;
@@ -173,59 +357,12 @@ Outcome outcome_for(const Case& seen, long exponent) {
   return outcome;
 }
 
-/// Stops the library when `stop` says so; it may be empty.
-class StopWhen final : public Monitor {
- public:
-  explicit StopWhen(const std::function<bool()>& stop) : stop_(stop) {}
-  void report(std::string_view, double) override {}
-  [[nodiscard]] bool stopped() override { return stop_ && stop_(); }
-
- private:
-  const std::function<bool()>& stop_;
-};
-
 Outcome declined(const Case& pair, const std::string& why) {
   Outcome outcome = outcome_for(pair);
   outcome.verdict = Verdict::unsupported;
   outcome.detail = why;
   return outcome;
 }
-
-namespace {
-
-/// `radii`: those that the subject added, which shapes in `seen` have.
-Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
-                          const NumberFormat& format, const Judging& judging) {
-  StopWhen stopping(judging.stop);
-  Options options;
-  options.monitor = &stopping;
-  options.workspace = judging.workspace;
-  judging::AnyTruth truth = judging::truth_of(seen.a, seen.b, options);
-  if (auto* const shapes = std::get_if<ShapeTruth>(&truth)) std::tie(shapes->added_a, shapes->added_b) = radii;
-  const auto judged = [&](const judging::AnyTruth& by) {
-    return judging::judged(by, reply, info.conventions, format, judging.tolerance, &stopping);
-  };
-  const Truth* const points = std::get_if<Truth>(&truth);
-  if (!points) {
-    const auto* const shapes = std::get_if<ShapeTruth>(&truth);
-    if (!judging.second.empty())
-      static_cast<void>(shapes ? accepted_certificate(seen.id, *shapes, &stopping)
-                               : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
-    return judged(truth);
-  }
-  Judgement judgement = judged(truth);
-  for (const Solver& solver : judging.second) {
-    const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
-    const auto refuse = [&](const std::string& where) {
-      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
-    };
-    if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
-    if (const auto where = difference(judgement, judged(again))) refuse(*where);
-  }
-  return judgement;
-}
-
-}  // namespace
 
 void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
   const std::vector<std::string> lacking = missing(reply, promises);
@@ -266,6 +403,66 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;
+}
+
+std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) { return fmt::format("{}[{},{}]", id, a, b); }
+
+std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent) {
+  constexpr unsigned long fewest_numbers = 1000;  // of the format, over the length of the bodies
+  if (has_union(seen))
+    return rounds_pieces(info) ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known" : "";
+  const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
+  const mpq_class radii = of_a + of_b;
+  if (radii == 0) return "";
+  const mpq_class extent = sizes_of(seen).extent, step = judging::ulp_at_root(radii * radii, in_unit(info.format, exponent));
+  if (extent == 0 || fewest_numbers * step <= extent) return "";
+  return fmt::format("the subject rounds bodies by radii of {:.3g}, beside which numbers of {} do not tell bodies as long as {:.3g}",
+                     round_binary64(radii), name(info.format.answers), round_binary64(extent));
+}
+
+bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info) { return has_union(seen) && !info.shapes.contains(pieces_word); }
+
+bool is_pair_of(std::string_view text, const Case& pair) {
+  if (!has_union(pair) || !text.starts_with(pair.id + '[')) return false;
+  const auto count = [](const Body& body) { return body.pieces ? body.pieces->size() : 1; };
+  const char* const end = text.data() + text.size();
+  std::uint32_t a = 0, b = 0;
+  const auto [comma, fault] = std::from_chars(text.data() + pair.id.size() + 1, end, a);
+  if (fault != std::errc() || comma == end) return false;
+  if (std::from_chars(comma + 1, end, b).ec != std::errc()) return false;
+  return a < count(pair.a) && b < count(pair.b) && text == pair_id(pair.id, a, b);
+}
+
+Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging, const AskPair& ask) {
+  const Pieces a = pieces_of(seen.a), b = pieces_of(seen.b);
+  Outcome outcome = outcome_for(seen, exponent);
+  std::vector<Told> all;
+  std::string declined_why;
+  for (std::uint32_t i = 0; i < a.size(); ++i) {
+    for (std::uint32_t j = 0; j < b.size(); ++j) {
+      const Case pair{pair_id(seen.id, i, j), Body{a[i]}, Body{b[j]}};
+      std::optional<SubjectAnswer> answer;
+      const Outcome asked = ask(pair, answer);
+      outcome.seconds += asked.seconds;
+      if (!answer || std::holds_alternative<Failed>(answer->said)) {
+        outcome.verdict = answer ? Verdict::failed : asked.verdict;
+        outcome.detail = of_pair(i, j, answer ? std::get<Failed>(answer->said).why : asked.detail);
+        return outcome;
+      }
+      if (const auto* unsupported = std::get_if<Unsupported>(&answer->said)) {
+        if (declined_why.empty()) declined_why = of_pair(i, j, unsupported->why);
+        continue;
+      }
+      all.push_back({i, j, *std::move(answer), pair});
+    }
+  }
+  if (!declined_why.empty()) {
+    outcome.verdict = Verdict::unsupported;
+    outcome.detail = declined_why;
+    return outcome;
+  }
+  judge_pairs(outcome, seen, all, info, judging);
+  return outcome;
 }
 
 }  // namespace fathom::harness

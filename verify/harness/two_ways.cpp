@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/two_ways.hpp"
 
-#include <fmt/format.h>
-
 #include <cstddef>
+#include <exception>
+#include <fmt/format.h>
 #include <memory>
+#include <mutex>
 #include <new>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
@@ -16,9 +22,28 @@
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/shrink.hpp"
+#include "fathom/certificate.hpp"
+#include "reference/files/shape_names.hpp"
+#include "verify/check/check.hpp"
+#include "verify/check/unreadable.hpp"
+#include "verify/families/families.hpp"
+#include "verify/families/random.hpp"
 
 namespace fathom::harness {
 namespace {
+
+/// As the checker writes it.
+std::string surd_text(const Surd& value) {
+  return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)), exact_text(value.rational));
+}
+
+/// What the checker finds. Throws fathom_check::Unreadable if none would read the text, std::logic_error if it refuses the proof.
+fathom_check::Verdict acceptance(const std::string& id, const std::string& text) {
+  fathom_check::require_readable(text);
+  fathom_check::Verdict verdict = fathom_check::verify(text);
+  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  return verdict;
+}
 
 constexpr Verdict differs = Verdict::inconsistent;  // what `shrink` is to find again
 
@@ -99,7 +124,115 @@ void drop_pieces(KeptDifference& kept, const std::string& directory, const Solve
     }
 }
 
+/// Of these families, whose cases have a size and a seed of their own.
+Case random_of(std::span<const families::Family> families, std::uint64_t seed, std::uint64_t number, unsigned least, unsigned most) {
+  families::Random random(families::Random(seed).next() + number);
+  const auto size = static_cast<unsigned>(random.between(least, most));
+  const std::uint64_t of_family = random.next();
+  Case pair = families[number % families.size()].make(of_family, size);
+  const std::int64_t form = random.between(0, 2);
+  if (form == 0) return pair;
+  const Precision precision = form == 1 ? Precision::binary64 : Precision::binary32;
+  std::optional<Case> rounded = as_seen(pair, precision);
+  if (!rounded) return pair;
+  rounded->id += precision == Precision::binary64 ? ".b64" : ".b32";
+  return *std::move(rounded);
+}
+
+/// Numbers are handed out in ascending order, and whoever has one finishes it. So once all are done, every case below the least number with
+/// a difference has been compared.
+class Comparer {
+ public:
+  Comparer(const StreamPlan& plan, const Solver& x, const Solver& y) : plan_(&plan), x_(&x), y_(&y), next_(plan.from) {}
+
+  void work() {
+    try {
+      while (const std::optional<std::uint64_t> number = take()) {
+        Case pair = plan_->make(*number);
+        std::optional<std::string> sentence = difference(pair, *x_, *y_);
+        const std::lock_guard lock(mutex_);
+        if (sentence && (!first_ || *number < first_->number)) first_ = {*number, std::move(pair), *std::move(sentence)};
+        ++done_;
+        if (plan_->report) plan_->report(done_);
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+    }
+  }
+
+  StreamResult result() {
+    if (error_) std::rethrow_exception(error_);
+    return {first_ ? first_->number : next_, std::move(first_)};
+  }
+
+ private:
+  std::optional<std::uint64_t> take() {
+    const std::lock_guard lock(mutex_);
+    const bool ended = plan_->count && next_ - plan_->from >= *plan_->count;
+    if (ended || first_ || error_ || (plan_->stop && plan_->stop())) return std::nullopt;
+    return next_++;
+  }
+
+  const StreamPlan* plan_;
+  const Solver *x_, *y_;
+  std::mutex mutex_;
+  std::uint64_t next_, done_ = 0;
+  std::optional<StreamDifference> first_;
+  std::exception_ptr error_;
+};
+
 }  // namespace
+
+std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor) {
+  std::string text = certificate_text(pair.a.points, pair.b.points, answer, pair.id, monitor);
+  const fathom_check::Verdict verdict = acceptance(pair.id, text);
+  const Distance* const apart = answer.distance();
+  const bool same = apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
+  if (!same || verdict.status != name(answer.status()) || verdict.optima != answer.optima().size())
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
+  return text;
+}
+
+std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor) {
+  std::string text = certificate_text(truth.a, truth.b, truth.depth, id, ShapeFormat::richest, monitor);
+  const fathom_check::Verdict verdict = acceptance(id, text);
+  const Bounds* const bounds = truth.depth.bounds();
+  const bool same = bounds ? verdict.at_least == exact_text(bounds->low) && verdict.at_most == exact_text(bounds->high)
+                           : verdict.signed_depth == surd_text(*truth.depth.exact());
+  const std::optional<Status> status = truth.depth.status();
+  if (!same || verdict.status != (status ? name(*status) : "undecided"))
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", id));
+  return text;
+}
+
+std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor) {
+  const UnionDepth& depth = truth.depth;
+  std::string text = certificate_text(truth.a, truth.b, depth, id, monitor);
+  const fathom_check::Verdict verdict = acceptance(id, text);
+  const bool same = depth.apart ? verdict.distance_squared == exact_text(depth.apart->distance.squared)
+                                : verdict.depth_squared == exact_text(depth.squared());
+  const std::size_t optima = depth.status == Status::penetrating ? depth.optima.size() : 0;
+  if (!same || verdict.status != name(depth.status) || verdict.optima != optima)
+    throw std::logic_error(fmt::format("the certificate of {} proves another answer", id));
+  return text;
+}
+
+std::string accepted_certificate(const Case& pair, Monitor* monitor) {
+  if (pair.a.pieces || pair.b.pieces) {
+    UnionOptions options;
+    options.monitor = monitor;
+    return accepted_certificate(pair.id, truth_about(pieces_of(pair.a), pieces_of(pair.b), options), monitor);
+  }
+  if (pair.a.shape || pair.b.shape) {
+    SignedDepthOptions options;
+    options.cores.monitor = monitor;
+    return accepted_certificate(pair.id, truth_about(files::shape_of(pair.a), files::shape_of(pair.b), options), monitor);
+  }
+  Options options;
+  options.monitor = monitor;
+  return accepted_certificate(pair, penetration_depth(pair.a.points, pair.b.points, options), monitor);
+}
 
 Solver solver_by(Method method) {
   const auto depth = [method](const Case& pair, Monitor* monitor) {
@@ -148,6 +281,23 @@ KeptDifference keep_difference(const std::string& directory, const Case& pair, c
   settings.certify = false;  // the truth itself is in doubt
   if (as_seen(pair, settings.precision)) shrink(pair, differs, examine, better, stop, settings);
   return kept;
+}
+
+Case random_case(std::uint64_t seed, std::uint64_t number) {
+  return random_of(families::families(), seed, number, least_random_size, most_random_size);
+}
+
+Case random_unions(std::uint64_t seed, std::uint64_t number) {
+  return random_of(families::families(families::Kind::unions), seed, number, 1, most_random_pieces);
+}
+
+StreamResult compare_stream(const StreamPlan& plan, const Solver& x, const Solver& y) {
+  Comparer comparer(plan, x, y);
+  std::vector<std::thread> others;
+  for (unsigned i = 1; i < plan.jobs; ++i) others.emplace_back([&comparer] { comparer.work(); });
+  comparer.work();
+  for (std::thread& other : others) other.join();
+  return comparer.result();
 }
 
 }  // namespace fathom::harness

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a case, and two ways to find its answer that share as little as possible.
-// Output  where they differ; and if they do, a smaller case on which they still do.
+// Answers found again: by a proof of the truth that the checker accepts, or by a second way that shares as little as possible with the
+// first; on one case or on a stream of them, and made smaller where two ways differ.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -11,8 +12,22 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
+#include "fathom/judge.hpp"
 
 namespace fathom::harness {
+
+/// Returns the text of the certificate of an answer, which the independent checker has accepted as a proof of that very answer: of its
+/// status, its depth or distance, and how many optima it has. Throws std::logic_error if the checker refuses it or finds another answer
+/// proved, fathom_check::Unreadable if the text passes a limit of checkers, and Interrupted.
+std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
+/// The same for shapes: of the signed depth, or of its bounds.
+std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
+/// The same for unions: of the status, the depth and how many optima it has, or the distance.
+std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor = nullptr);
+/// The truth about a case, solved anew, and accepted.
+std::string accepted_certificate(const Case& pair, Monitor* monitor);
+
+// ---- two ways ----
 
 /// What two ways must find alike about unions.
 struct UnionsFound {
@@ -60,5 +75,44 @@ struct KeptDifference {
 /// `sentence` is the difference. `stop` ends the search early. Throws InputError if the file cannot be written.
 KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence, const Solver& x,
                                const Solver& y, const std::function<bool()>& stop = {});
+
+// ---- an endless stream of cases of all families, each given by the stream's seed and its number alone ----
+
+inline constexpr unsigned least_random_size = 4, most_random_size = 40;
+
+/// Returns case `number` of the stream: the families take turns, size and seed are random. About two in three have their points rounded,
+/// to binary64 or to binary32, unless a coordinate overflows that; ".b64" or ".b32" behind the id says so. The same on every machine.
+Case random_case(std::uint64_t seed, std::uint64_t number);
+
+inline constexpr unsigned most_random_pieces = 5;
+
+/// The same of unions of convex pieces: sizes are from 1 to most_random_pieces.
+Case random_unions(std::uint64_t seed, std::uint64_t number);
+
+// ---- two ways on a stream ----
+
+struct StreamPlan {
+  std::function<Case(std::uint64_t)> make;         ///< called from all threads
+  std::uint64_t from = 0;                          ///< the first number
+  std::optional<std::uint64_t> count;              ///< of cases; without end unless given
+  unsigned jobs = 1;                               ///< threads; the caller's is one of them
+  std::function<bool()> stop;                      ///< asked before each case: true ends the stream; from one thread at a time
+  std::function<void(std::uint64_t done)> report;  ///< called after each case, from one thread at a time; may be empty
+};
+
+struct StreamDifference {
+  std::uint64_t number;
+  Case pair;
+  std::string sentence;
+};
+
+struct StreamResult {
+  std::uint64_t end = 0;                  ///< on the cases from `from` to before `end` the ways agree
+  std::optional<StreamDifference> first;  ///< on case `end` they differ
+};
+
+/// Compares case after case until the stream ends, is stopped, or a difference is found. The result does not depend on the number of
+/// threads, except on how far a stopped stream came. Throws what the ways throw that is no answer, as std::bad_alloc.
+StreamResult compare_stream(const StreamPlan& plan, const Solver& x, const Solver& y);
 
 }  // namespace fathom::harness

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every symmetry keeps the points exact, or it is not applied: so the depth of a variant is known from that of the case, by the law.
+
 #include "verify/harness/variants.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
+#include "fathom/numbers.hpp"
 #include "verify/families/random.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
+#include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -138,6 +144,129 @@ std::optional<Variant> made(std::string_view name, const Case& as_seen, const Nu
   return variant;  // once more
 }
 
+// Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) - sqrt(q) > t is decided without a root.
+
+std::string short_text(double value) { return fmt::format("{:.6g}", value); }
+
+/// The square root of a signed square, rounded.
+double signed_root(const mpq_class& square) {
+  const double root = root_binary64(abs(square), Rounding::rn);
+  return square < 0 ? -root : root;
+}
+
+/// Whether two lengths, given by their signed squares, differ by more than the square root of `allowed`.
+bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
+  const mpq_class rest = abs(p) + abs(q) - allowed, product = 4 * abs(p) * abs(q);
+  if ((p < 0) == (q < 0) || p == 0 || q == 0) return rest > 0 && rest * rest > product;  // |p| + |q| - allowed > 2 sqrt(pq)
+  return rest > 0 || rest * rest < product;                                              // the lengths add up
+}
+
+/// The depth, or the distance, that the answer is about; of shapes the most that it may be, here less the radii that the subject added, if
+/// that is the smaller one.
+mpq_class squared_length(const Reply& reply, const Judgement& judgement, const mpq_class& radii) {
+  const bool far = !reply.overlap && reply.distance;
+  if (!judgement.signed_depth) return far ? judgement.distance_squared : judgement.depth_squared;
+  const double high = far ? -judgement.signed_depth->low : judgement.signed_depth->high;
+  const mpq_class most = std::isfinite(high) && high > 0 ? exact_value(high) : mpq_class(0);
+  const mpq_class length = std::min(most, far ? mpq_class(most + radii) : mpq_class(abs(most - radii)));
+  return length * length;
+}
+
+/// Whether all of x differs from all of y / 2^exponent by more than the square root of `allowed`.
+bool differ(const Between& x, const Between& y, long exponent, const mpq_class& allowed) {
+  for (const double end : {x.low, x.high, y.low, y.high})
+    if (!std::isfinite(end)) return false;
+  const mpq_class gap = std::max(mpq_class(exact_value(x.low) - scaled(exact_value(y.high), -exponent)),
+                                 mpq_class(scaled(exact_value(y.low), -exponent) - exact_value(x.high)));
+  return gap > 0 && gap * gap > allowed;
+}
+
+/// Both answers, the variant's in the units of the original.
+class Comparison {
+ public:
+  Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
+      : original_(original), variant_(variant), made_(made) {
+    if (!original.judgement) return;
+    const auto length_less = [&](const mpq_class& radii) { return squared_length(*original.reply, *original.judgement, radii); };
+    allow(tolerance, length_less(0), length_less(original.radii));
+  }
+
+  /// What differs; empty if nothing differs by more than the tolerance.
+  [[nodiscard]] std::string difference() const {
+    if (!original_.reply || !original_.judgement || original_.verdict == Verdict::nan)
+      return fmt::format("the case itself ends in {}, {} of it does not", name(original_.verdict), of_variant());
+    if (original_.reply->overlap != variant_.reply->overlap && fails(original_.verdict))
+      return fmt::format("overlap is {} of the case itself, and {} of {}", original_.reply->overlap ? "claimed" : "denied",
+                         variant_.reply->overlap ? "claimed" : "denied", of_variant());
+    if (original_.judgement->longer || variant_.judgement->longer) return "";  // by the policy two answers may be right
+    if (std::string text = of_lengths(); !text.empty()) return text;
+    return of_prices();
+  }
+
+ private:
+  [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
+
+  /// Sets what is allowed: the larger of the tolerance and what rounding may change in both answers.
+  void allow(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& less_radii) {
+    const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
+    const judging::Sizes there = sizes_of(made_.seen);
+    const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
+    const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.format, tolerance.ulps);
+    const judging::Slack slack_there = judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
+    const auto allowed = [&](mpq_class judging::Slack::*const residual) {
+      const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
+      return judging::Allowance(tolerance.relative, less_radii, std::max(absolute, both)).squared();
+    };
+    allowed_depth_ = allowed(&judging::Slack::depth);
+    allowed_price_ = allowed(&judging::Slack::direction);
+  }
+
+  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says are apart and the other not, the depth:
+  /// 0.
+  [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
+    if (!reply.overlap && !both_apart()) return mpq_class(0);
+    const double* const length = judging::length_of(reply);
+    if (!length || !std::isfinite(*length)) return std::nullopt;
+    return scaled(exact_value(*length), -exponent - made_.format.exponent);
+  }
+
+  [[nodiscard]] bool both_apart() const { return !original_.reply->overlap && !variant_.reply->overlap; }
+
+  [[nodiscard]] std::string of_lengths() const {
+    const std::optional<mpq_class> here = claimed(*original_.reply, 0), there = claimed(*variant_.reply, made_.exponent);
+    if (!here || !there) return "";
+    const mpq_class difference = abs(*here - *there);
+    if (difference * difference <= allowed_depth_) return "";
+    std::string text = fmt::format("the {} of the case and of {} differ by {}: {} and {}", both_apart() ? "distances" : "depths",
+                                   of_variant(), short_text(round_binary64(difference, Rounding::rn)),
+                                   short_text(round_binary64(*here, Rounding::rn)), short_text(round_binary64(*there, Rounding::rn)));
+    if (const auto [p, q] = prices(); p && q && *p != *q)
+      text += fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
+    return text;
+  }
+
+  [[nodiscard]] std::string of_prices() const {
+    const std::optional<Between>&x = original_.judgement->price, &y = variant_.judgement->price;
+    if (x && y && differ(*x, *y, made_.exponent, allowed_price_))
+      return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(x->low),
+                         short_text(std::ldexp(y->low, static_cast<int>(-made_.exponent))));
+    const auto [p, q] = prices();
+    if (!p || !q || !differ(*p, *q, allowed_price_)) return "";
+    return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(signed_root(*p)),
+                       short_text(signed_root(*q)));
+  }
+
+  [[nodiscard]] std::pair<std::optional<mpq_class>, std::optional<mpq_class>> prices() const {
+    std::optional<mpq_class> there = variant_.judgement->price_squared;
+    if (there) there = scaled(*there, -2 * made_.exponent);
+    return {original_.judgement->price_squared, there};
+  }
+
+  const Outcome &original_, &variant_;
+  const Variant& made_;
+  mpq_class allowed_depth_, allowed_price_;  ///< squared
+};
+
 }  // namespace
 
 std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, std::span<const std::string> names,
@@ -163,6 +292,18 @@ Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat fo
     const std::vector<Variant> found = variants(pair, in_unit(format, exponent), names);
     return found.empty() ? original : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance);
   };
+}
+
+Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance) {
+  Outcome result = variant;
+  result.variant = made.name;
+  if (!passes(variant.verdict) || !variant.reply || !variant.judgement || original.verdict == Verdict::unsupported) return result;
+  const std::string difference = Comparison(original, variant, made, tolerance).difference();
+  if (difference.empty()) return result;
+  result.verdict = result.judgement->verdict = Verdict::not_invariant;
+  result.judgement->findings.push_back(Verdict::not_invariant);
+  result.judgement->sentence = difference + (made.exponent == 0 ? "" : ", scaled back");
+  return result;
 }
 
 }  // namespace fathom::harness

@@ -97,12 +97,3 @@ Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const m
 }
 
 }  // namespace fathom::judging
-
-namespace fathom {
-
-std::string_view name(Accuracy accuracy) {
-  constexpr std::string_view names[] = {"correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance"};
-  return names[static_cast<std::size_t>(accuracy)];
-}
-
-}  // namespace fathom

@@ -8,10 +8,17 @@
 #include <optional>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::judging {
+
+/// Lengths in another unit, exactly: value * 2^exponent.
+mpq_class scaled(const mpq_class& value, long exponent);
+
+/// The points with all coordinates times 2^exponent; in binary64 if they were and are.
+GivenPoints scaled(const GivenPoints& points, long exponent);
 
 struct Claim {
   bool overlap = false;

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/judge/exact_measures.hpp"
+// Polytopes and unions of them, measured: every length is a rational or a root, and every comparison exact.      [proofs/judge.md]
 
 #include <fmt/format.h>
+#include <gmpxx.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational_interval.hpp"
+#include "kernels/point_algebra.hpp"
+#include "verify/judge/allowance.hpp"
+#include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
@@ -14,7 +22,64 @@ namespace {
 
 double root(const mpq_class& squared) { return root_binary64(squared, Rounding::rn); }
 
-}  // namespace
+/// What both have in common: all questions but those about directions.
+class ExactMeasures : public Measures {
+ public:
+  [[nodiscard]] std::optional<Status> status() const override { return status_; }
+  bool is_deep() override { return !allowed_.classification.negligible(depth_); }
+  bool is_far() override { return !distance_ || !allowed_.classification.negligible(*distance_); }
+  bool claims_depth(const mpq_class& d) override { return allowed_.classification.above(d, 0); }
+  bool is_negative(const mpq_class& d) override { return allowed_.depth.below(d, 0); }
+  bool too_long(const mpq_class& d) override { return allowed_.depth.above(d, squared_); }
+  bool too_short(const mpq_class& d) override { return allowed_.depth.below(d, squared_); }
+  bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
+  bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
+  bool is_contact_off_a() override { return contact_a_ && !allowed_.witness.negligible(*contact_a_); }
+  bool is_contact_off_b() override { return contact_b_ && !allowed_.witness.negligible(*contact_b_); }
+  bool is_off_length(const mpq_class& difference) override { return !allowed_.depth.negligible(difference * difference); }
+  bool misses(const Surd& squared_gap) override { return !allowed_.gap.negligible(squared_gap); }
+  Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, squared_, rounding_unit(), format_); }
+
+  void measure(const Claim& claim, Judgement& result) final;
+
+  [[nodiscard]] std::string depth() const override;
+  [[nodiscard]] std::string distance() const override;
+  [[nodiscard]] std::string length() const override;
+  [[nodiscard]] double off_by(const mpq_class& d) const override;
+  [[nodiscard]] double away_a() const override;
+  [[nodiscard]] double away_b() const override;
+  [[nodiscard]] double contact_away_a() const override;
+  [[nodiscard]] double contact_away_b() const override;
+
+ protected:
+  /// The squares of depth and distance; there is none of bodies that are not disjoint, or where it is not known. `tolerance` outlives it.
+  ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance, const NumberFormat& format,
+                const Tolerance& tolerance);
+
+  /// The squared distance of a point from A, or from B; 0 on the body.
+  [[nodiscard]] virtual mpq_class squared_distance_a(const Point& point) const = 0;
+  [[nodiscard]] virtual mpq_class squared_distance_b(const Point& point) const = 0;
+  /// Writes the residuals of a direction, if there is one.
+  virtual void measure_direction(const Claim& claim, Judgement& result) = 0;
+
+  [[nodiscard]] const Allowance& of_direction() const { return allowed_.direction; }
+  [[nodiscard]] const mpq_class& depth_squared() const { return depth_; }
+
+ private:
+  [[nodiscard]] mpq_class rounding_unit() const;  ///< u R
+  void ask_for_distance(const mpq_class& squared);
+  void measure_length(const mpq_class& d, Judgement& result) const;
+
+  Sizes sizes_;
+  Status status_;
+  mpq_class depth_;                    // squared
+  std::optional<mpq_class> distance_;  // squared
+  NumberFormat format_;
+  const Tolerance& tolerance_;
+  mpq_class squared_;  // of the length in question
+  Allowances allowed_;
+  std::optional<mpq_class> away_a_, away_b_, contact_a_, contact_b_;
+};
 
 ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance, const NumberFormat& format,
                              const Tolerance& tolerance)
@@ -70,6 +135,199 @@ void ExactMeasures::measure_length(const mpq_class& d, Judgement& result) const 
     result.error_relative = kernels::nearest_binary64({-1, d * abs(d) / s});
   }
   if (sgn(u_r) > 0) result.error_u_r = kernels::nearest_binary64({d / u_r, -s / (u_r * u_r)});
+}
+
+// ---- polytopes ----
+
+std::optional<mpq_class> distance_of(const Depth& depth) {
+  return depth.distance() ? std::optional(depth.distance()->squared) : std::nullopt;
+}
+
+/// Directions are judged by the plane across them and the way along them.
+class PolytopeMeasures final : public ExactMeasures {
+ public:
+  PolytopeMeasures(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance)
+      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status(), truth.depth.squared(), distance_of(truth.depth), format, tolerance),
+        truth_(truth),
+        scene_(truth) {}
+
+  bool is_inconsistent(const Vector& u, const mpq_class& d) override {
+    return of_direction().off(d, price_ && way_ == u ? *price_ : scene_.price(u));
+  }
+  bool is_dearer(const Vector& u, const mpq_class& times) override { return scene_.price(u) > times * times * depth_squared(); }
+  bool is_not_separating(const Vector& u, const mpq_class& d) override {
+    return status() == Status::penetrating && of_direction().below(d, travel(u));
+  }
+
+  [[nodiscard]] std::string left(const mpq_class& d) const override {
+    return fmt::format("{:.4g} of overlap is left along its direction", std::abs(kernels::nearest_binary64({-d, travel_})));
+  }
+  [[nodiscard]] std::string across(const std::string& claimed) const override {
+    return fmt::format("the plane across its direction is at {}, not at {}", kernels::nearest_binary64({0, *price_}), claimed);
+  }
+  [[nodiscard]] std::string gap(const std::string& claimed) const override {
+    if (sgn(*price_) > 0) return "no plane across its direction separates the bodies";
+    return fmt::format("the gap across its direction is {}, not {}", root(-*price_), claimed);
+  }
+
+ private:
+  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override { return squared_distance(point, truth_.a.exact()); }
+  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override { return squared_distance(point, truth_.b.exact()); }
+
+  void measure_direction(const Claim& claim, Judgement& result) override {
+    if (!claim.direction) return;
+    result.travel_squared = travel(*claim.direction);
+    price_ = result.price_squared = scene_.price(*claim.direction);
+    const bool overlap = claim.overlap && status() == Status::penetrating;
+    if (overlap) result.dearer = kernels::nearest_binary64({-1, *price_ / depth_squared()});
+    if (!claim.length) return;
+    result.inconsistency = kernels::nearest_binary64({claim.way(), -*price_});
+    const Surd left{-claim.way(), *result.travel_squared};
+    if (overlap && sign(left) > 0) result.overlap_left = kernels::nearest_binary64(left);
+  }
+
+  const mpq_class& travel(const Vector& u) {
+    if (!way_ || *way_ != u) {
+      travel_ = scene_.travel(u);
+      price_.reset();
+      way_ = u;
+    }
+    return travel_;
+  }
+
+  const Truth& truth_;
+  Scene scene_;
+  std::optional<mpq_class> price_;
+  std::optional<Vector> way_;  // whose travel is known, and maybe whose price
+  mpq_class travel_;
+};
+
+// ---- unions ----
+
+constexpr unsigned first_bits = 80, last_bits = 640;  // of the root in a translation
+
+Pieces moved(const Pieces& pieces, const mpq_class& factor, const Vector& u) {
+  const Point t = factor * u;
+  Pieces result = pieces;
+  for (std::vector<Point>& piece : result)
+    for (Point& p : piece) p = p + t;
+  return result;
+}
+
+/// The root of a square less `off`, or more; correctly rounded if that makes no difference.
+double least_root(const mpq_class& squared, const mpq_class& off) {
+  const double low = kernels::nearest_binary64({-off, squared});
+  if (low == kernels::nearest_binary64({off, squared})) return low;
+  const mpq_class root = kernels::enclosed({0, squared}, last_bits).low - off;
+  return sgn(root) > 0 ? round_binary64(root, Rounding::rd) : 0;
+}
+
+std::optional<mpq_class> distance_of(const UnionDepth& depth) {
+  return depth.apart ? std::optional(depth.apart->distance.squared) : std::nullopt;
+}
+
+/// How the bodies lie after a translation.
+struct Left {
+  mpq_class depth, distance;  ///< squared, where A has moved by a rational vector
+  mpq_class off;              ///< no less than the length by which that differs from the translation in question
+};
+
+/// A translation is judged by what it leaves, the signed depth of A + t and B, which is found by one more search. t is a root times a
+/// direction, and is known to as many bits as a question needs.
+class UnionMeasures final : public ExactMeasures {
+ public:
+  UnionMeasures(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor)
+      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status, truth.depth.squared(), distance_of(truth.depth), format, tolerance),
+        truth_(truth),
+        monitor_(monitor) {}
+
+  bool is_inconsistent(const Vector& u, const mpq_class& d) override { return leaves(u, d, &Left::distance) || leaves(u, d, &Left::depth); }
+  bool is_dearer(const Vector&, const mpq_class& times) override { return claimed_ * claimed_ > times * times * depth_squared(); }
+  bool is_not_separating(const Vector& u, const mpq_class& d) override {
+    return status() == Status::penetrating && leaves(u, d, &Left::depth);
+  }
+  [[nodiscard]] bool is_one_question() const override { return true; }
+
+  [[nodiscard]] std::string times(const mpq_class& d) const override {
+    return sgn(d) > 0 ? fmt::format(", {:.4g} times as much", root_binary64(depth_squared() / (d * d), Rounding::rn)) : "";
+  }
+  [[nodiscard]] std::string left(const mpq_class&) const override {
+    return fmt::format("{:.4g} of overlap is left after its translation", least_root(told_.depth, told_.off));
+  }
+  [[nodiscard]] std::string across(const std::string&) const override { return what_is_left(); }
+  [[nodiscard]] std::string gap(const std::string&) const override { return what_is_left(); }
+
+ private:
+  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override { return squared_distance(point, truth_.a); }
+  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override { return squared_distance(point, truth_.b); }
+
+  void measure_direction(const Claim& claim, Judgement& result) override {
+    if (claim.length) claimed_ = *claim.length;
+    if (status() == Status::penetrating) result.bounds = truth_.depth.bounds;
+    if (status() == Status::penetrating && claim.overlap && sgn(claimed_) > 0)
+      result.deeper_squared = depth_squared() / (claimed_ * claimed_);
+    if (!claim.direction || !claim.length) return;
+    claimed_way_ = *claim.direction;
+    const Left& left = after(*claim.direction, claim.way(), first_bits);
+    const double overlap = least_root(left.depth, left.off), gap = least_root(left.distance, left.off);
+    result.inconsistency = overlap > 0 ? -overlap : gap;
+    if (claim.overlap && status() == Status::penetrating && overlap > 0) result.overlap_left = overlap;
+  }
+
+  /// Whether so much of the depth, or of the distance, is left that it is more than tol.
+  bool leaves(const Vector& u, const mpq_class& way, const mpq_class Left::*what) {
+    for (unsigned bits = first_bits;; bits *= 2) {
+      const Left& left = after(u, way, bits);
+      if (u == claimed_way_) told_ = left;
+      if (of_direction().below(left.off, left.*what)) return true;
+      if (!of_direction().below(-left.off, left.*what)) return false;
+      if (bits >= last_bits) return false;
+    }
+  }
+
+  const Left& after(const Vector& u, const mpq_class& way, unsigned bits) {
+    if (u == moved_along_ && way == moved_by_ && bits <= moved_bits_) return left_;
+    const kernels::RationalInterval length = kernels::enclosed({0, mpq_class(dot(u, u))}, bits);
+    const mpq_class factor = way / length.high;
+    const Pieces a = moved(truth_.a, factor, u);
+    UnionOptions options;
+    options.monitor = monitor_;
+    options.bounds = false;
+    const UnionDepth depth = union_depth(a, truth_.b, options);
+    if (!depth.complete) throw Interrupted();
+    left_ = {depth.squared(), distance_of(depth).value_or(0), abs(factor) * (length.high - length.low)};
+    moved_along_ = u;
+    moved_by_ = way;
+    moved_bits_ = length.low == length.high ? last_bits : bits;
+    return left_;
+  }
+
+  [[nodiscard]] std::string what_is_left() const {
+    const double overlap = least_root(told_.depth, told_.off);
+    return overlap > 0 ? fmt::format("{:.4g} of overlap is left after its translation", overlap)
+                       : fmt::format("its translation leaves a gap of {:.4g}", least_root(told_.distance, told_.off));
+  }
+
+  const UnionTruth& truth_;
+  Monitor* monitor_;
+  mpq_class claimed_;            // length
+  Vector claimed_way_{0, 0, 0};  // direction
+  Left told_;                    // what the claim leaves, its length mended
+  // The translation that was looked at last, by a direction and a length along it, and what it leaves:
+  Vector moved_along_{0, 0, 0};
+  mpq_class moved_by_;
+  unsigned moved_bits_ = 0;
+  Left left_;
+};
+
+}  // namespace
+
+std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance) {
+  return std::make_unique<PolytopeMeasures>(truth, format, tolerance);
+}
+
+std::unique_ptr<Measures> measures_of(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor) {
+  return std::make_unique<UnionMeasures>(truth, format, tolerance, monitor);
 }
 
 }  // namespace fathom::judging

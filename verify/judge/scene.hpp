@@ -3,13 +3,14 @@
 #pragma once
 
 #include <gmpxx.h>
-
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "fathom/depth.hpp"
 
 namespace fathom {
 
@@ -49,6 +50,11 @@ class Scene {
   polytope::PlacedPair placed_;
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };
+
+/// Where the ray from O along u leaves P = B (+) (-A), by a polytope Q inside P from a certificate of the depth: no hulls are needed. Its
+/// twin is directional_depth. Returns the greatest f with f u in P, in units of the lattice: exact. Returns nullopt after `patience`
+/// support queries; only rays through edges and corners may need many. u is not zero. [proofs/judge.md]
+std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
 
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Of shapes: every length lies between two rationals, and a yes holds for all that lies between them. Exact signed depths are enclosed as
 // closely as is asked for; if rational, they are known.                                                      [proofs/judge.md]
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points that the subject saw, and the exact answer for them.
+// The bodies that the subject saw, and the exact answer for them.
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,8 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/truth.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -40,7 +44,6 @@ GivenPoints points_of(const std::vector<Triple>& body, const NumberFormat& forma
 }
 
 }  // namespace
-
 }  // namespace fathom::judging
 
 namespace fathom {
@@ -80,3 +83,41 @@ Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, cons
 }
 
 }  // namespace fathom
+
+namespace fathom::judging {
+
+std::optional<Body> body_seen(const Body& body, const NumberFormat& format) {
+  if (body.shape) return body;
+  if (!body.pieces) {
+    std::optional<GivenPoints> points = seen(body.points, format);
+    return points ? std::optional(Body{*std::move(points)}) : std::nullopt;
+  }
+  Pieces pieces;
+  for (const std::vector<Point>& piece : *body.pieces) {
+    const std::optional<GivenPoints> points = seen(GivenPoints(piece), format);
+    if (!points) return std::nullopt;
+    pieces.push_back(points->exact());
+  }
+  Body result;
+  result.pieces = std::make_shared<const Pieces>(std::move(pieces));
+  return result;
+}
+
+AnyTruth truth_of(const Body& a, const Body& b, const Options& options) {
+  if (a.pieces || b.pieces) return truth_about(pieces_of(a), pieces_of(b), UnionOptions{.monitor = options.monitor});
+  if (a.shape || b.shape) return truth_about(files::shape_of(a), files::shape_of(b), SignedDepthOptions{.cores = options});
+  return truth_about(a.points, b.points, options);
+}
+
+Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                 const Tolerance& tolerance, Monitor* monitor) {
+  return std::visit(
+      [&](const auto& known) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(known)>, UnionTruth>)
+          return judge(known, reply, conventions, format, tolerance, monitor);
+        else return judge(known, reply, conventions, format, tolerance);
+      },
+      truth);
+}
+
+}  // namespace fathom::judging

@@ -1,17 +1,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/report/junit.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
-
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "fathom/numbers.hpp"
 #include "verify/harness/report/text.hpp"
+#include "fathom/files.hpp"
+#include "kernels/messages.hpp"
+#include "reference/files/file_io.hpp"
 
 namespace fathom::harness {
 namespace {
+
+constexpr std::string_view blanks = " \t";
+
+int hex_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+bool speaks_for_itself(char c) { return static_cast<unsigned char>(c) > 0x20 && c != 0x7f && c != '%' && c != '~'; }
+
+std::string escaped(std::string_view text) {
+  if (text.empty()) return "%";
+  std::string result;
+  for (const char c : text)
+    result +=
+        speaks_for_itself(c) && !(c == '#' && result.empty()) ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+  return result;
+}
+
+/// Returns nullopt if a '%' is not followed by two digits, or if a character is there that must be escaped.
+std::optional<std::string> unescaped(std::string_view text) {
+  if (text == "%") return "";
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (speaks_for_itself(text[i])) {
+      result += text[i];
+      continue;
+    }
+    if (text[i] != '%' || i + 2 >= text.size()) return std::nullopt;
+    const int high = hex_value(text[i + 1]), low = hex_value(text[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    result += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return result;
+}
+
+std::string key_of(std::string_view id, std::string_view variant) {
+  return variant.empty() ? escaped(id) : fmt::format("{}~{}", escaped(id), escaped(variant));
+}
+
+/// Returns the key in canonical escaping, however a user escaped it, or nullopt if it is not a key.
+std::optional<std::string> canonical_key(std::string_view text) {
+  const std::size_t tilde = text.find('~');
+  const auto id = unescaped(text.substr(0, tilde));
+  if (tilde == std::string_view::npos) return id ? std::optional(key_of(*id, "")) : std::nullopt;
+  const auto variant = unescaped(text.substr(tilde + 1));
+  if (!id || !variant) return std::nullopt;
+  return key_of(*id, *variant);
+}
+
+/// The next word, taken off the front of the text; empty at the end and before a comment.
+std::string_view next_word(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  if (text.starts_with('#')) text = {};
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// Without the ends of lines, "\n" or "\r\n".
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+constexpr std::string_view opening = "# Known failures of ", purpose = ", for fathom certify --expect-fail.";
+
+/// Whether we wrote it over a list.
+bool is_opening(std::string_view line) { return line.starts_with(opening) && line.find(purpose) != std::string_view::npos; }
 
 struct Suite {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
@@ -78,6 +159,113 @@ std::string suite_xml(const std::string& name, const Suite& suite, const std::st
 }
 
 }  // namespace
+
+std::string failure_key(const Outcome& outcome) { return key_of(outcome.id, outcome.variant); }
+std::string failure_line(const Outcome& outcome) { return fmt::format("{} {}", name(outcome.verdict), failure_key(outcome)); }
+
+ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(files::read_file(path), path); }
+
+std::string ExpectedFailures::Entry::text() const { return fmt::format("{} {}", fathom::name(verdict), key); }
+
+std::optional<ExpectedFailures::Entry> ExpectedFailures::entry_in(std::string_view words, const std::string& name, std::size_t line) {
+  const std::string_view first = next_word(words);
+  if (first.empty()) return std::nullopt;
+  const std::optional<Verdict> verdict = verdict_named(first);
+  if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + kernels::shown(first));
+  if (!fails(*verdict)) throw InputError(name, line, kernels::shown(first) + " is no failure");
+  const std::string_view second = next_word(words);
+  if (second.empty()) throw InputError(name, line, "expected the id of a case after " + kernels::shown(first));
+  const std::optional<std::string> key = canonical_key(second);
+  if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + kernels::shown(second));
+  if (const std::string_view more = next_word(words); !more.empty())
+    throw InputError(name, line,
+                     "expected nothing but a comment after the id, found " + kernels::shown(more) + "; a blank in an id is %20");
+  return Entry{*verdict, *key, line};
+}
+
+ExpectedFailures ExpectedFailures::parse(const std::string& text, const std::string& name) {
+  ExpectedFailures result;
+  result.name_ = name;
+  result.text_ = text;
+  std::size_t number = 0;
+  for (const std::string_view line : lines_of(text))
+    if (std::optional<Entry> entry = entry_in(line, name, ++number)) result.entries_.push_back(*std::move(entry));
+  return result;
+}
+
+ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcomes) const {
+  struct Met {
+    std::vector<Entry> listed;
+    std::vector<Verdict> got;
+  };
+  std::map<std::string, Met> cases;
+  for (const Entry& entry : entries_) cases[entry.key].listed.push_back(entry);
+  for (const Outcome& outcome : outcomes) cases[failure_key(outcome)].got.push_back(outcome.verdict);
+
+  Check result;
+  for (auto& [key, met] : cases) {
+    std::ranges::sort(met.got);  // failures first, so that a listed one is held against another failure before a pass
+    std::erase_if(met.listed, [&result, &got = met.got](const Entry& entry) {
+      const auto same = std::ranges::find(got, entry.verdict);
+      if (same == got.end()) return false;
+      result.allowed.insert(entry.text());
+      got.erase(same);
+      return true;
+    });
+    settle(key, met.listed, met.got, result);
+  }
+  return result;
+}
+
+void ExpectedFailures::settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got,
+                              Check& result) const {
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const std::string place = fmt::format("{}:{}: {} is listed as {}", name_, listed[i].line, key, fathom::name(listed[i].verdict));
+    if (i >= got.size()) {
+      ++result.unmet;
+      result.unmet_lines.push_back(listed[i].text());
+      result.surprises.push_back(place + ", but no such case was run");
+    } else if (passes(got[i])) {
+      ++result.fixed;
+      result.fixed_keys.insert(key);
+      result.surprises.push_back(place + ", but passes now: strike it off the list");
+    } else {
+      ++result.changed;
+      result.surprises.push_back(fmt::format("{}, but is {} now", place, fathom::name(got[i])));
+    }
+  }
+  for (std::size_t i = listed.size(); i < got.size(); ++i) {
+    if (!fails(got[i])) continue;
+    ++result.unlisted;
+    result.surprises.push_back(fmt::format("{} is {}, and is not listed", key, fathom::name(got[i])));
+  }
+}
+
+std::string ExpectedFailures::renewed(std::multiset<std::string>& failing) const {
+  std::string result;
+  std::size_t number = 0;
+  auto entry = entries_.begin();
+  for (const std::string_view line : lines_of(text_)) {
+    if (++number == 1 && is_opening(line)) continue;
+    if (entry != entries_.end() && entry->line == number) {
+      const auto found = failing.find((entry++)->text());
+      if (found == failing.end()) continue;
+      failing.erase(found);
+    }
+    result.append(line) += '\n';
+  }
+  return result;
+}
+
+std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before) {
+  std::multiset<std::string> failing;
+  for (const Outcome& outcome : outcomes)
+    if (fails(outcome.verdict)) failing.insert(failure_line(outcome));
+  std::string result = fmt::format("{}{}{} A line: verdict, id, perhaps a comment.\n", opening, ascii(title(subject)), purpose);
+  result += before.renewed(failing);
+  for (const std::string& line : failing) result += line + "\n";
+  return result;
+}
 
 std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known,
                       const RunInfo& from) {

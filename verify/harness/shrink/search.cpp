@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/shrink/search.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
 #include <fmt/format.h>
-
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +17,27 @@
 
 namespace fathom::harness {
 namespace {
+
+constexpr std::size_t small_bits = 10;
+
+std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+
+std::size_t parts_of(const files::NamedBody& words) {
+  std::size_t parts = words.fields.vertices.size() + words.fields.numbers.size() + (words.matrix ? 1 : 0);
+  for (const files::NamedBody& term : words.terms) parts += 1 + parts_of(term);
+  return parts;
+}
+
+std::size_t parts_of(const Body& body) { return body.words ? parts_of(*body.words) : body.points.size(); }
+
+constexpr long ladder[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 44};
+
+/// `value` / 2^bits towards 0.
+mpz_class cut(const mpz_class& value, unsigned bits) {
+  mpz_class result;
+  mpz_tdiv_q_2exp(result.get_mpz_t(), value.get_mpz_t(), bits);
+  return result;
+}
 
 constexpr std::size_t usual_tries = 4000, slow_tries = 100;
 
@@ -49,6 +72,54 @@ std::string proved(const Case& pair, const Outcome& outcome) {
 }
 
 }  // namespace
+
+std::size_t cost(const mpq_class& value) {
+  if (value == 0) return 0;
+  if (value.get_den() == 1 && bits(value.get_num()) <= small_bits) return bits(value.get_num());
+  const std::size_t odd = bits(value.get_num()) - mpz_scan1(value.get_num_mpz_t(), 0);
+  return small_bits + odd + static_cast<std::size_t>(std::bit_width(static_cast<unsigned long>(std::labs(exponent_of(value)))));
+}
+
+Size size_of(const Case& pair) {
+  Size size{parts_of(pair.a) + parts_of(pair.b), 0, 0};
+  for_each_number(pair, [&](const mpq_class& value) {
+    size.bits += cost(value);
+    size.signs += value < 0 ? 1 : 0;
+  });
+  return size;
+}
+
+mpz_class nearest_integer(const mpq_class& value) {
+  mpz_class result;
+  const mpz_class numerator = 2 * value.get_num() + value.get_den(), denominator = 2 * value.get_den();
+  mpz_fdiv_q(result.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+  return result;
+}
+
+mpq_class to_multiple(const mpq_class& value, long exponent) {
+  return scaled(mpq_class(nearest_integer(scaled(value, -exponent))), exponent);
+}
+
+mpq_class to_bits(const mpq_class& value, long bits) {
+  return value == 0 ? value : to_multiple(value, exponent_of(value) + 1 - std::max(bits, 1L));
+}
+
+std::vector<mpq_class> simpler(const mpq_class& value) {
+  if (value == 0) return {};
+  std::vector<mpq_class> result = {0, sgn(value), nearest_integer(value)};
+  if (value < 0) result.push_back(-value);
+  for (const long bits : ladder) result.push_back(to_bits(value, bits));
+  if (value.get_den() == 1) {
+    for (const unsigned bits : {1U, 2U, 4U, 8U}) result.emplace_back(cut(value.get_num(), bits));
+    result.emplace_back(value - sgn(value));
+  }
+  const auto worse = [&, own = cost(value)](const mpq_class& other) {
+    const std::size_t price = cost(other);
+    return price > own || (price == own && (other >= 0) == (value >= 0));
+  };
+  std::erase_if(result, worse);
+  return result;
+}
 
 Search::Search(Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better,
                const std::function<bool()>& stop, const ShrinkSettings& settings)

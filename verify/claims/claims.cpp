@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/irrational.hpp"
+#include "reference/files/shape_names.hpp"
+#include "verify/claims/claims.hpp"
+#include "kernels/messages.hpp"
+
+namespace fathom::claims {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t readable = 40;  // what a message shows of a text
+
+/// The numbers of the claim with their digits, by their places: "/claim/depth", "/claim/direction/0". The JSON value has them as doubles.
+class Tokens : public nlohmann::json_sax<Json> {
+ public:
+  explicit Tokens(const std::string& text) { Json::sax_parse(text, this); }
+  [[nodiscard]] const std::string& at(const std::string& place) const { return tokens_.at(place); }
+
+  bool null() override { return next(); }
+  bool boolean(bool) override { return next(); }
+  bool string(std::string&) override { return next(); }
+  bool binary(binary_t&) override { return next(); }
+  bool number_integer(number_integer_t value) override { return keep(std::to_string(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return keep(std::to_string(value)); }
+  bool number_float(number_float_t, const std::string& text) override { return keep(text); }
+  bool start_object(std::size_t) override { return enter(false); }
+  bool start_array(std::size_t) override { return enter(true); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
+  bool key(std::string& name) override {
+    levels_.back().key = name;
+    return true;
+  }
+  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
+
+ private:
+  struct Level {
+    bool is_array;
+    std::size_t index;
+    std::string key;
+  };
+
+  bool keep(std::string token) {
+    if (!levels_.empty() && levels_.front().key == "claim") {
+      Json::json_pointer place;
+      for (const Level& level : levels_) place /= level.is_array ? std::to_string(level.index) : level.key;
+      tokens_[place.to_string()] = std::move(token);
+    }
+    return next();
+  }
+  bool next() {
+    if (!levels_.empty()) ++levels_.back().index;
+    return true;
+  }
+  bool enter(bool is_array) {
+    levels_.push_back({is_array, 0, {}});
+    return true;
+  }
+  bool leave() {
+    levels_.pop_back();
+    return next();
+  }
+
+  std::vector<Level> levels_;
+  std::map<std::string, std::string> tokens_;
+};
+
+/// Thrown and caught here: what is wrong with a field of the claim.
+struct Fault {
+  std::string sentence;
+};
+
+WrittenNumber written(const std::string& token, const std::string& field) {
+  ParsedNumber parsed = parse_number(token, Decimals::exact);
+  if (!parsed.value) throw Fault{"claim." + field + ": " + parsed.error};
+  const std::size_t exponent_at = token.find_first_of("eE"), point = token.find('.');
+  const std::size_t mantissa = std::min(exponent_at, token.size());
+  long places = point == std::string::npos ? 0 : static_cast<long>(mantissa - point - 1);
+  if (exponent_at != std::string::npos) places -= std::stol(token.substr(exponent_at + 1));
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(places)));
+  return {token, *std::move(parsed.value), places >= 0 ? mpq_class(1, power) : mpq_class(power)};
+}
+
+Point axis(int i) { return {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0}; }
+
+// "x", "-x", "+-x" are one line; "axis" is any of the three.
+void read_direction(const Json& direction, const Tokens& tokens, PublishedClaim& claim) {
+  if (direction.is_string()) {
+    const std::string& text = claim.line_text = direction.get<std::string>();
+    if (text == "axis") claim.lines = {axis(0), axis(1), axis(2)};
+    for (const int i : {0, 1, 2})
+      if (!text.empty() && text.back() == "xyz"[i] && text.find_first_not_of("+-") == text.size() - 1) claim.lines = {axis(i)};
+  } else if (direction.is_array() && direction.size() == 3 && std::ranges::all_of(direction, &Json::is_number)) {
+    const auto component = [&](std::size_t i) { return exact_value(direction[i].get<double>()); };
+    const auto token = [&](int i) { return tokens.at("/claim/direction/" + std::to_string(i)); };
+    claim.line_text = "[" + token(0) + "," + token(1) + "," + token(2) + "]";
+    if (const Point line{component(0), component(1), component(2)}; line != Point{}) claim.lines = {line};
+  }
+  if (claim.lines.empty()) {
+    const std::string found = direction.is_string() ? direction.get<std::string>() : direction.dump();
+    throw Fault{"claim.direction: expected three numbers, an axis, or 'axis', found " + kernels::printable(found, readable)};
+  }
+}
+
+void read_statements(const Json& stated, const Tokens& tokens, PublishedClaim& claim) {
+  if (!stated.is_object()) throw Fault{"claim: expected an object, found " + kernels::printable(stated.dump(), readable)};
+  if (stated.contains("status") && stated["status"].is_string()) claim.status = status_named(stated["status"].get<std::string>());
+  const auto length = [&](const std::string& field) -> std::optional<WrittenNumber> {
+    if (!stated.contains(field)) return std::nullopt;
+    if (!stated[field].is_number())
+      throw Fault{"claim." + field + ": expected a number, found " + kernels::printable(stated[field].dump(), readable)};
+    return written(tokens.at("/claim/" + field), field);
+  };
+  claim.depth = length("depth");
+  claim.distance = length("distance");
+  claim.below = length("depth_below");
+  if (stated.contains("tol") && stated["tol"].is_number()) claim.tolerance = length("tol")->value;
+  if (stated.contains("direction")) read_direction(stated["direction"], tokens, claim);
+}
+
+bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
+
+std::string text_of(const Json& object, const char* field) {
+  return object.contains(field) && object[field].is_string() ? object[field].get<std::string>() : "";
+}
+
+constexpr std::size_t digits = 40;  // of the enclosures that claims, which have 17 at most, are compared with
+
+/// low <= value <= high.
+using Interval = Bounds;
+
+mpq_class rational(const std::string& decimal) { return *parse_number(decimal, Decimals::exact).value; }
+
+Interval interval(const Surd& exact) {
+  if (const std::optional<mpq_class> value = kernels::rational_value(exact)) return {*value, *value};
+  const Enclosure enclosure = enclose(exact, digits);
+  return {rational(enclosure.low), rational(enclosure.high)};
+}
+
+Interval interval(const SignedDepth& depth) { return depth.bounds() ? *depth.bounds() : interval(*depth.exact()); }
+
+Interval positive_part(const Interval& x) { return {std::max(x.low, mpq_class(0)), std::max(x.high, mpq_class(0))}; }
+Interval operator-(const Interval& x, const Interval& y) { return {x.low - y.high, x.high - y.low}; }
+Interval operator+(const Interval& x, const Interval& y) { return {x.low + y.low, x.high + y.high}; }
+Interval negated(const Interval& x) { return {-x.high, -x.low}; }
+Interval lesser(const Interval& x, const Interval& y) { return {std::min(x.low, y.low), std::min(x.high, y.high)}; }
+
+Finding at_most(const Interval& x, const mpq_class& bound) {
+  return x.high <= bound ? Finding::right : x.low > bound ? Finding::wrong : Finding::open;
+}
+
+Finding both(Finding x, Finding y) {
+  if (x == Finding::wrong || y == Finding::wrong) return Finding::wrong;
+  return x == Finding::open || y == Finding::open ? Finding::open : Finding::right;
+}
+
+Finding within(const Interval& x, const mpq_class& target, const mpq_class& tolerance) {
+  return both(at_most(x, target + tolerance), at_most(negated(x), tolerance - target));
+}
+
+// For people, who need no proof of the digits: the claim's verdict does not come from here.
+std::string text(const mpq_class& value) { return fmt::format("{:.6g}", round_binary64(value)); }
+
+std::string text(const Interval& x) {
+  const std::string low = text(x.low), high = text(x.high);
+  return low == high ? low : fmt::format("between {} and {}", low, high);
+}
+
+Statement length(const std::string& what, const Interval& truth, const WrittenNumber& claimed, const std::optional<mpq_class>& tolerance) {
+  const Interval excess{truth.low - claimed.value, truth.high - claimed.value};
+  std::string said = fmt::format("the {} is {}", what, text(truth));
+  if (excess.low > 0) said += fmt::format(", {} more", text(excess));
+  if (excess.high < 0) said += fmt::format(", {} less", text(negated(excess)));
+  return {fmt::format("{} {}", what, claimed.text), within(truth, claimed.value, tolerance.value_or(claimed.unit / 2)), said};
+}
+
+/// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a half-space across u.
+Interval price(const Shape& a, const Shape& b, const Point& u) {
+  const Point opposite{-u.x, -u.y, -u.z};
+  return interval(signed_depth(a, halfspace(u, 0))) + interval(signed_depth(b, halfspace(opposite, 0)));
+}
+
+Interval cheaper_price(const Shape& a, const Shape& b, const Point& u) { return lesser(price(a, b, u), price(a, b, {-u.x, -u.y, -u.z})); }
+
+bool on_an_axis(const Point& u) { return (u.x == 0) + (u.y == 0) + (u.z == 0) == 2; }
+
+/// What rounding the components of a unit vector to binary64 may cost.
+mpq_class rounding_slack(const Shape& a, const Shape& b, const std::vector<Point>& lines) {
+  if (std::all_of(lines.begin(), lines.end(), on_an_axis)) return 0;
+  mpq_class largest = 0;
+  for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
+    for (const Interval& side : {price(a, b, axis), price(a, b, {-axis.x, -axis.y, -axis.z})})
+      largest = std::max({largest, mpq_class(abs(side.low)), mpq_class(abs(side.high))});
+  return largest / (mpz_class(1) << 52);
+}
+
+Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b, const Interval& truth) {
+  Interval cheapest = cheaper_price(a, b, claim.lines.front());
+  for (const Point& line : claim.lines) cheapest = lesser(cheapest, cheaper_price(a, b, line));
+  const Interval excess = cheapest - truth;
+  const mpq_class allowed = claim.tolerance.value_or(0) + rounding_slack(a, b, claim.lines);
+  std::string said = fmt::format("leaving along it costs {}", text(cheapest));
+  if (excess.low > 0) said += fmt::format(", {} more than the least", text(excess));
+  return {"direction " + claim.line_text, at_most(excess, allowed), said};
+}
+
+mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+
+/// Along a line at the angle t to the half-space's normal the way is 1 / cos t times the least one.
+Statement direction(const PublishedClaim& claim, const HalfSpace& half, const Interval& truth) {
+  const mpq_class explained(1, mpz_class(1) << 104);  // sin^2 t, if both unit vectors were rounded: proofs/judge.md
+  mpq_class cosine = 0;                               // squared, of the line that is nearest to the normal
+  for (const Point& line : claim.lines) {
+    const mpq_class along = product(line, half.normal);
+    cosine = std::max(cosine, mpq_class(along * along / (product(line, line) * product(half.normal, half.normal))));
+  }
+  const Interval least = truth.high < 0 ? negated(truth) : truth;
+  Statement judged{"direction " + claim.line_text, Finding::right, fmt::format("the way along it is {}", text(least))};
+  if (1 - cosine <= explained) return judged;
+  if (cosine == 0 || least.low <= 0) return {judged.text, Finding::wrong, "it is not across the plane"};
+  const Interval factor = interval(Surd{0, 1 / cosine});
+  const Interval excess{least.low * (factor.low - 1), least.high * (factor.high - 1)};
+  judged.finding = at_most(excess, claim.tolerance.value_or(0));
+  judged.truth = fmt::format("the way along it is {}, {} more than the least", text(least + excess), text(excess));
+  return judged;
+}
+
+const HalfSpace* half_space(const Shape& a, const Shape& b) {
+  const auto* const half = std::get_if<HalfSpace>(&a.core);
+  return half ? half : std::get_if<HalfSpace>(&b.core);
+}
+
+/// Judges with bounds of the truth that are so many bits apart.
+JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
+  const Shape a = files::shape_of(claim.bodies.a), b = files::shape_of(claim.bodies.b);
+  SignedDepthOptions options;
+  options.bits = bits;
+  JudgedClaim judged{signed_depth(a, b, options), {}};
+  const Interval truth = interval(judged.truth);
+  const std::optional<Status> status = judged.truth.status();
+  if (claim.status) {
+    const Finding finding = !status ? Finding::open : *status == *claim.status ? Finding::right : Finding::wrong;
+    const std::string by = truth.low > 0 ? " by " + text(truth) : truth.high < 0 ? " by " + text(negated(truth)) : "";
+    judged.statements.push_back(
+        {std::string(name(*claim.status)), finding, fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
+  }
+  if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.tolerance));
+  if (claim.distance) judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.tolerance));
+  if (claim.below)
+    judged.statements.push_back({"depth below " + claim.below->text,
+                                 truth.high < claim.below->value   ? Finding::right
+                                 : truth.low >= claim.below->value ? Finding::wrong
+                                                                   : Finding::open,
+                                 "the signed depth is " + text(truth)});
+  if (const HalfSpace* const half = half_space(a, b); half && !claim.lines.empty())
+    judged.statements.push_back(direction(claim, *half, truth));
+  else if (!claim.lines.empty()) judged.statements.push_back(direction(claim, a, b, truth));
+  return judged;
+}
+
+}  // namespace
+
+std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, const std::string& name, std::size_t line) {
+  CaseItem item = parse_case(text, name, line);
+  if (!item.ok()) return item.error();
+  const kernels::DefaultFloatEnvironment environment;
+  const Json json = Json::parse(text);  // it is JSON, as it was a case
+  PublishedClaim claim;
+  claim.bodies = std::get<Case>(std::move(item.outcome));
+  const Body &a = claim.bodies.a, &b = claim.bodies.b;
+  if (a.pieces || b.pieces) return InputError(name, line, "expected convex bodies, found a union of pieces");
+  if (is_halfspace(a) && is_halfspace(b)) return InputError(name, line, "expected one half-space at most, found two: they have no depth");
+  claim.source = text_of(json, "source");
+  claim.kind = text_of(json, "kind");
+  claim.note = text_of(json, "note");
+  if (json.contains("numeric") && json["numeric"].is_object()) {
+    const Json& found = json["numeric"];
+    if (found.contains("signed_penetration") && found["signed_penetration"].is_number())
+      claim.numeric = found["signed_penetration"].get<double>();
+  }
+  if (!json.contains("claim")) return InputError(name, line, "expected a field 'claim', found none");
+  try {
+    read_statements(json["claim"], Tokens(text), claim);
+  } catch (const Fault& fault) {
+    return InputError(name, line, fault.sentence);
+  }
+  return claim;
+}
+
+std::optional<Finding> JudgedClaim::finding() const {
+  if (statements.empty()) return std::nullopt;
+  Finding all = Finding::right;
+  for (const Statement& statement : statements) all = both(all, statement.finding);
+  return all;
+}
+
+std::string_view verdict_name(const std::optional<Finding>& finding) {
+  if (!finding) return "not-judgeable";
+  return *finding == Finding::right ? "right" : *finding == Finding::wrong ? "wrong" : "undecided";
+}
+
+JudgedClaim judge_claim(const PublishedClaim& claim) {
+  constexpr unsigned usual_bits = 40, more_bits = 100;
+  const kernels::DefaultFloatEnvironment environment;
+  JudgedClaim judged = judge_with(usual_bits, claim);
+  const bool open =
+      std::any_of(judged.statements.begin(), judged.statements.end(), [](const Statement& s) { return s.finding == Finding::open; });
+  return open ? judge_with(more_bits, claim) : judged;
+}
+
+}  // namespace fathom::claims
