@@ -8,9 +8,9 @@
 #include <mutex>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <thread>
-#include <span>
 #include <utility>
 #include <vector>
 

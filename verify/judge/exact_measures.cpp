@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/rational_interval.hpp"
-#include "kernels/point_algebra.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"

@@ -14,8 +14,8 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/dyadic.hpp"
-#include "kernels/number/surd.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"

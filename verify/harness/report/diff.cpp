@@ -13,7 +13,7 @@
 
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/text.hpp"
-#include "view/picture/page.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 namespace {

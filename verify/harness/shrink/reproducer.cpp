@@ -19,11 +19,10 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/printable.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/files/source.hpp"
-#include "reference/files/whole_file.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/protocol.hpp"

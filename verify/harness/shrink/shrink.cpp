@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/polytope/placed_pair.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
