@@ -16,6 +16,7 @@
 #include "verify/judge/claim.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/view.hpp"
+#include "verify/harness/report/html.hpp"
 
 namespace fathom::harness {
 namespace {
