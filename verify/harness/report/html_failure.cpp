@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One failure of the page: pictures, the truth, the claim, and exact numbers.
+#include "verify/harness/report/html.hpp"
+
 #include <exception>
 #include <fmt/format.h>
 
