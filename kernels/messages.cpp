@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/messages.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
-
-#include "kernels/messages.hpp"
 
 namespace fathom::kernels {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/args/words.hpp"
+
 #include <algorithm>
 #include <string_view>
 #include <vector>
 
-#include "cli/args/words.hpp"
 #include "kernels/messages.hpp"
 
 namespace fathom::cli {

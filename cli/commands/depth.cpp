@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B | CASES.jsonl | -
 
+#include "cli/commands/depth.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-#include "cli/commands/depth.hpp"
+#include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/width.hpp"
 #include "reference/files/shape_names.hpp"
-#include "cli/commands/command.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom golden generate | verify | export
 
-#include <csignal>
-#include <filesystem>
+#include "cli/commands/golden.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <csignal>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,13 +15,12 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/commands/golden.hpp"
+#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "verify/golden/export/export.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/release/release.hpp"
-#include "cli/io/certificate_file.hpp"
-#include "verify/golden/export/export.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/io/process.hpp"
+
+#include <gmp.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <climits>
@@ -8,14 +13,11 @@
 #include <cstring>
 #include <exception>
 #include <functional>
-#include <gmp.h>
 #include <mutex>
 #include <new>
 #include <string_view>
-#include <unistd.h>
 
 #include "cli/io/output.hpp"
-#include "cli/io/process.hpp"
 
 namespace {
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/filters/line_filter.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
 
-#include "kernels/filters/line_filter.hpp"
-#include "kernels/predicates/direction.hpp"
 #include "kernels/filters/error_bounds.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/predicates/direction.hpp"
 
 namespace fathom::kernels {
 namespace {

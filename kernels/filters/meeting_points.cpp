@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/filters/meeting_points.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
-#include "kernels/filters/meeting_points.hpp"
 #include "kernels/filters/rounded_plane.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"

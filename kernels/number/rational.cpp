@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernels/number/rational.hpp"
+
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-
-#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 

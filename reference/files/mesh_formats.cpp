@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the readers of meshes share, and the door to them: a format is told by extension or first bytes.
+#include "reference/files/mesh_formats.hpp"
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -7,13 +9,12 @@
 #include <utility>
 
 #include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
 #include "kernels/number/parse.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/files/mesh_formats.hpp"
 #include "reference/files/file_io.hpp"
-#include "fathom/numbers.hpp"
 
 namespace fathom::files {
 
