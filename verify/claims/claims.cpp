@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/claims/claims.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/claims/claims.hpp"
-#include "kernels/messages.hpp"
 
 namespace fathom::claims {
 namespace {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bodies that the subject saw, and the exact answer for them.
+#include "verify/judge/truth.hpp"
+
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,9 +14,8 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "verify/judge/claim.hpp"
-#include "verify/judge/truth.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

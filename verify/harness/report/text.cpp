@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
+#include "verify/harness/report/text.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 #include <functional>
 
-#include "verify/harness/report/text.hpp"
-#include "verify/harness/tally.hpp"
 #include "fathom/numbers.hpp"
+#include "verify/harness/tally.hpp"
 #include "verify/judge/words.hpp"
 
 namespace fathom::harness {
