@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The command line of `fathom`, and of `fathom-depth`: parses the arguments, runs the command, and turns errors into one sentence and an
-// exit code.
+// The command line of `fathom`, and of `fathom-depth`: parses the arguments, runs the command, and
+// turns errors into one sentence and an exit code.
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -19,7 +19,8 @@ namespace {
 
 using namespace fathom::cli;
 
-/// Whether it is `fathom certify diff`: a word behind the command where else a stream of cases stands.
+/// Whether it is `fathom certify diff`: a word behind the command where else a stream of cases
+/// stands.
 bool compares_reports(int argc, char** argv) {
   return argc > 2 && std::string_view(argv[1]) == "certify" && std::string_view(argv[2]) == "diff";
 }
@@ -36,9 +37,10 @@ bool is_shared_by_many(int argc, char** argv) {
 
 ExitCode become_mpi(int argc, char** argv) {
   become(mpi_program, {argv + 1, argv + argc});
-  return failed(std::string(mpi_program) +
-                    " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)",
-                bad_input);
+  return failed(
+      std::string(mpi_program) +
+          " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)",
+      bad_input);
 }
 
 ExitCode run(int argc, char** argv) {
@@ -58,7 +60,8 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   guard_memory();
-  const fathom::kernels::DefaultFloatEnvironment environment;  // a shared library may have changed it; threads inherit it
+  const fathom::kernels::DefaultFloatEnvironment
+      environment;  // a shared library may have changed it; threads inherit it
   hold_standard_streams();
   install_signal_handlers();
   return guarded([&] { return run(argc, argv); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One question for bodies of any kinds, and its answer in the same words: a cube, a ball, and a block with a slot.
+// One question for bodies of any kinds, and its answer in the same words: a cube, a ball, and a
+// block with a slot.
 #include <fathom/answer.hpp>
 #include <fathom/files.hpp>
 #include <iostream>
@@ -8,30 +9,38 @@
 void tell(const std::string& bodies) {
   const fathom::Case asked = fathom::parse_case(bodies, "memory").value();
   const fathom::Answer answer = fathom::exact_answer(asked.a, asked.b);
-  std::cout << answer.status_name() << (answer.complete() ? "" : ", as far as is known") << ", between " << answer.low_binary64() << " and "
-            << answer.high_binary64();
+  std::cout << answer.status_name() << (answer.complete() ? "" : ", as far as is known") << ", between "
+            << answer.low_binary64() << " and " << answer.high_binary64();
   if (bool(answer.exact()) && compare(answer.low(), answer.high()) == 0)
     std::cout << ", exactly " << answer.exact()->rational << " + root of " << answer.exact()->root;
   if (answer.nearest_binary64()) std::cout << ", nearest " << *answer.nearest_binary64();
   const fathom::BodyFacts facts = facts_of(asked.a, asked.b, answer);
-  std::cout << "; " << answer.ways_out() << " ways out" << (facts.flat_a || facts.flat_b ? ", one is flat" : "") << '\n';
+  std::cout << "; " << answer.ways_out() << " ways out" << (facts.flat_a || facts.flat_b ? ", one is flat" : "")
+            << '\n';
 
-  if (answer.ways_out() > 0) std::cout << "  the first moves A along x by " << answer.way_out(0).translation[0].rational << '\n';
-  if (const auto direction = answer.direction()) std::cout << "  direction " << direction->x << ' ' << direction->y << ' ' << direction->z;
+  if (answer.ways_out() > 0)
+    std::cout << "  the first moves A along x by " << answer.way_out(0).translation[0].rational << '\n';
+  if (const auto direction = answer.direction())
+    std::cout << "  direction " << direction->x << ' ' << direction->y << ' ' << direction->z;
   else std::cout << "  " << direction.why_not;
-  if (const auto translation = answer.translation()) std::cout << ", translation in binary64 " << round_binary64((*translation)[0]);
+  if (const auto translation = answer.translation())
+    std::cout << ", translation in binary64 " << round_binary64((*translation)[0]);
   std::cout << (answer.contact() ? ", " + std::string(name(answer.contact()->kind)) : "") << '\n';
-  if (const auto witness = answer.witness()) std::cout << "  a point of A at x = " << round_binary64(witness->a[0]) << '\n';
+  if (const auto witness = answer.witness())
+    std::cout << "  a point of A at x = " << round_binary64(witness->a[0]) << '\n';
   else std::cout << "  " << witness.why_not << '\n';
   if (const auto bounds = answer.union_bounds()) std::cout << "  the hulls' depth squared is " << bounds->hulls << '\n';
-  if (const fathom::Depth* const core = answer.core()) std::cout << "  " << core->optima_count() << " nearest facets of the cores\n";
+  if (const fathom::Depth* const core = answer.core())
+    std::cout << "  " << core->optima_count() << " nearest facets of the cores\n";
   std::cout << "  " << fathom::certificate_text(asked.a, asked.b, answer, "shown").substr(0, 20) << '\n';
 }
 
 int main() {
-  tell(R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"shape": "box", "half": [1, 1, 1], "pose": "xyz=1.5,0,0"}})");
+  tell(
+      R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"shape": "box", "half": [1, 1, 1], "pose": "xyz=1.5,0,0"}})");
   tell(R"({"a": {"shape": "sphere", "radius": 1}, "b": {"shape": "box", "half": [1, 1, 1], "pose": "xyz=3,0,0"}})");
-  tell(R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"pieces": [{"shape": "box", "half": [1, 1, 1], "pose": "xyz=1,0,0"}]}})");
+  tell(
+      R"({"a": {"shape": "box", "half": [1, 1, 1]}, "b": {"pieces": [{"shape": "box", "half": [1, 1, 1], "pose": "xyz=1,0,0"}]}})");
 }
 
 //> penetrating, between 0.5 and 0.5, exactly 0 + root of 1/4, nearest 0.5; 1 ways out

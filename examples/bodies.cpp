@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies keep their points in the form in which they were given: in binary64, as most programs have them, or exact.
+// Bodies keep their points in the form in which they were given: in binary64, as most programs have
+// them, or exact.
 #include <algorithm>
 #include <array>
 #include <fathom/body.hpp>
@@ -9,7 +10,8 @@
 
 void tell(const fathom::GivenPoints& points) {
   if (points.empty()) std::cout << "no points\n";
-  else if (points.in_binary64()) std::cout << points.size() << " in binary64, the last " << points.binary64().back()[0] << "...\n";
+  else if (points.in_binary64())
+    std::cout << points.size() << " in binary64, the last " << points.binary64().back()[0] << "...\n";
   else std::cout << points.size() << " exact, the last " << points.back().x << "...\n";
 }
 
@@ -28,11 +30,12 @@ int main() {
   tell(b.points);
 
   const fathom::Depth depth = fathom::penetration_depth(a, b);
-  std::cout << "depth^2 " << depth.squared() << ", next " << *fathom::second_nearest_squared(a, b, *depth.penetration()) << "\n";
+  std::cout << "depth^2 " << depth.squared() << ", next " << *fathom::second_nearest_squared(a, b, *depth.penetration())
+            << "\n";
   const auto by_x = [](const fathom::Point& p, const fathom::Point& q) { return p.x < q.x; };
   const fathom::Point* const farthest = std::max_element(b.points.begin(), b.points.end(), by_x);
-  std::cout << "point " << farthest - b.points.data() << " lies at " << farthest->x.get_d() << ", the first at " << b.points.front().x
-            << " " << b.points[0].y << "\n";
+  std::cout << "point " << farthest - b.points.data() << " lies at " << farthest->x.get_d() << ", the first at "
+            << b.points.front().x << " " << b.points[0].y << "\n";
 }
 
 //> no points

@@ -22,12 +22,13 @@ int main() {
   const CGAL::Exact_rational squared = fathom::to_exact_rational(depth.squared());
   const Exact::Vector_3 way_out = fathom::to_vector_3<Exact>(depth.translation());
   const Exact::Point_3 witness = fathom::to_point_3<Exact>(depth.penetration()->witness().a);
-  std::cout << "depth^2 = " << squared << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared)
-            << "\n";
-  std::cout << "it begins in (" << CGAL::exact(witness.x()) << ", " << CGAL::exact(witness.y()) << ", " << CGAL::exact(witness.z())
-            << ")\n";
+  std::cout << "depth^2 = " << squared
+            << ", which is the length^2 of the way out: " << (CGAL::exact(way_out.squared_length()) == squared) << "\n";
+  std::cout << "it begins in (" << CGAL::exact(witness.x()) << ", " << CGAL::exact(witness.y()) << ", "
+            << CGAL::exact(witness.z()) << ")\n";
 
-  // Other functions take exact points, and what they return can be made a number or point of any exact kernel.
+  // Other functions take exact points, and what they return can be made a number or point of any
+  // exact kernel.
   const fathom::Depth width = fathom::width(fathom::exact_points(mesh));
   const auto across = fathom::to_vector_3<Exact>(width.direction());
   std::cout << "width^2 = " << fathom::to_number<Exact::FT>(width.squared()) << ", across (" << across << ")\n";

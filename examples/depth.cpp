@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How deep do two cubes of side 2 overlap, the second moved by (19/10, 1/2, 0), and which way out is shortest?
+// How deep do two cubes of side 2 overlap, the second moved by (19/10, 1/2, 0), and which way out
+// is shortest?
 #include <fathom/depth.hpp>
 #include <fathom/numbers.hpp>
 #include <iostream>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many small bodies in binary64, as a physics engine has them: one workspace for all, no rationals on the way, and a proof of each answer.
+// Many small bodies in binary64, as a physics engine has them: one workspace for all, no rationals
+// on the way, and a proof of each answer.
 #include <array>
 #include <fathom/certificate.hpp>
 #include <fathom/check.hpp>
@@ -27,7 +28,8 @@ int main() {
     const Points b = box(x, 0.1, 0.1);
     const fathom::Depth depth = fathom::penetration_depth(a, b, options);
     const std::string proof = fathom::certificate_text(a, b, depth);
-    std::cout << fathom::root_binary64(depth.squared()) << (fathom_check::verify(proof).accepted() ? ", proved" : ", refused") << "\n";
+    std::cout << fathom::root_binary64(depth.squared())
+              << (fathom_check::verify(proof).accepted() ? ", proved" : ", refused") << "\n";
   }
 }
 

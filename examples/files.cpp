@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies from meshes and from cases in JSON. Bad input is an InputError that says file, line and what was expected.
+// Bodies from meshes and from cases in JSON. Bad input is an InputError that says file, line and
+// what was expected.
 #include <fathom/files.hpp>
 #include <fstream>
 #include <iostream>
@@ -22,8 +23,8 @@ int main() {
 
   const fathom::Body doubles = fathom::read_mesh("tetrahedron.off");
   const fathom::Body decimals = fathom::parse_mesh(mesh, "in_memory.off", fathom::Decimals::exact);
-  std::cout << doubles.points[1].x << " or " << decimals.points[1].x << ", " << decimals.points[2].y << ", " << decimals.points[3].z
-            << "\n";
+  std::cout << doubles.points[1].x << " or " << decimals.points[1].x << ", " << decimals.points[2].y << ", "
+            << decimals.points[3].z << "\n";
   try {
     fathom::parse_mesh("0 0\n", "points", fathom::Decimals::exact, fathom::MeshFormat::xyz);
   } catch (const fathom::InputError& error) {

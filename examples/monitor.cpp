@@ -21,7 +21,8 @@ class Watch : public fathom::Monitor {
 };
 
 int main() {
-  const std::vector<fathom::Point> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  const std::vector<fathom::Point> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                                        {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
   Watch watch("hulls");
   fathom::Options options;
   options.method = fathom::Method::exact;

@@ -13,8 +13,9 @@ int main() {
 
   const mpq_class squared = 2;  // depth^2
   for (const Rounding mode : {Rounding::rn, Rounding::rd, Rounding::ru}) {
-    std::cout << fathom::hex_text(fathom::root_binary64(squared, mode)) << " " << fathom::hex_text(fathom::root_binary32(squared, mode))
-              << " " << fathom::hex_text(fathom::round_binary64(tenth, mode)) << " "
+    std::cout << fathom::hex_text(fathom::root_binary64(squared, mode)) << " "
+              << fathom::hex_text(fathom::root_binary32(squared, mode)) << " "
+              << fathom::hex_text(fathom::round_binary64(tenth, mode)) << " "
               << fathom::hex_text(fathom::round_binary32(tenth, mode)) << "\n";
   }
   const fathom::Enclosure root = fathom::enclose_root(squared, 30);
@@ -22,8 +23,9 @@ int main() {
 
   const fathom::Surd apart{mpq_class(3, 2), -2};  // 3/2 - sqrt(2)
   const fathom::Enclosure digits = fathom::enclose(apart, 5);
-  std::cout << fathom::sign(apart) << " " << fathom::compare(apart, tenth) << " " << fathom::compare(apart, fathom::Surd{1, 0}) << " "
-            << fathom::round_binary64(apart) << " " << digits.low << " " << digits.high << "\n";
+  std::cout << fathom::sign(apart) << " " << fathom::compare(apart, tenth) << " "
+            << fathom::compare(apart, fathom::Surd{1, 0}) << " " << fathom::round_binary64(apart) << " " << digits.low
+            << " " << digits.high << "\n";
 }
 
 //> 1/10 or 3602879701896397/36028797018963968, as a double holds 1

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an answer holds: bodies penetrate, touch or are disjoint. An octahedron is moved into a unit cube.
+// What an answer holds: bodies penetrate, touch or are disjoint. An octahedron is moved into a unit
+// cube.
 #include <fathom/depth.hpp>
 #include <iostream>
 #include <vector>
@@ -19,10 +20,12 @@ void tell(const mpq_class& x) {
   std::cout << "at " << x << ": " << fathom::name(depth.status());
   if (const fathom::Penetration* penetration = depth.penetration()) {
     const fathom::Optimum& first = penetration->optima.front();
-    std::cout << ", depth^2 = " << penetration->squared() << ", shortest ways out: " << penetration->optima.size() << ", the first of kind "
-              << fathom::name(first.contact.kind);
-    std::cout << ", from corner " << depth.contact()->a.front() << " at x = " << depth.witness()->a.x << " to x = " << depth.witness()->b.x;
-    if (const auto next = fathom::second_nearest_squared(body, cube, *penetration)) std::cout << ", the next facet^2 = " << *next;
+    std::cout << ", depth^2 = " << penetration->squared() << ", shortest ways out: " << penetration->optima.size()
+              << ", the first of kind " << fathom::name(first.contact.kind);
+    std::cout << ", from corner " << depth.contact()->a.front() << " at x = " << depth.witness()->a.x
+              << " to x = " << depth.witness()->b.x;
+    if (const auto next = fathom::second_nearest_squared(body, cube, *penetration))
+      std::cout << ", the next facet^2 = " << *next;
   } else if (const fathom::Touch* touch = depth.touch()) {
     std::cout << " in (" << touch->point.x << ", " << touch->point.y << ", " << touch->point.z << ")";
   } else {
@@ -39,13 +42,13 @@ int main() {
   fathom::Options two;
   two.optima = 2;
   const fathom::Depth ties = fathom::penetration_depth(cube, cube, two);
-  std::cout << "the cube in itself: " << ties.optima_count() << " ways out, " << ties.optima().size() << " of them listed\n";
+  std::cout << "the cube in itself: " << ties.optima_count() << " ways out, " << ties.optima().size()
+            << " of them listed\n";
   std::cout << (fathom::status_named("touching") == fathom::Status::touching) << "\n";  // the words can be read back
 }
 
-//> at 2: disjoint, distance^2 = 1/4, signed -1/4
-//> at 3/2: touching in (1, 1/2, 1/2), signed 0
-//> at 5/4: penetrating, depth^2 = 1/16, shortest ways out: 1, the first of kind vertex-facet, from corner 1 at x = 3/4 to x = 1, the next facet^2 = 9/32, signed 1/16
-//> at 1/2: penetrating, depth^2 = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the next facet^2 = 9/8, signed 1
-//> the cube in itself: 6 ways out, 2 of them listed
-//> 1
+// > at 2: disjoint, distance^2 = 1/4, signed -1/4 > at 3/2: touching in (1, 1/2, 1/2), signed 0 >
+// at 5/4: penetrating, depth^2 = 1/16, shortest ways out: 1, the first of kind vertex-facet, from
+// corner 1 at x = 3/4 to x = 1, the next facet^2 = 9/32, signed 1/16 > at 1/2: penetrating, depth^2
+// = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the
+// next facet^2 = 9/8, signed 1 > the cube in itself: 6 ways out, 2 of them listed > 1

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Round bodies: a capsule leans into a rounded box, exactly. Spheres, half-spaces, poses by quaternions, cores that touch.
+// Round bodies: a capsule leans into a rounded box, exactly. Spheres, half-spaces, poses by
+// quaternions, cores that touch.
 #include <fathom/certificate.hpp>
 #include <fathom/shape.hpp>
 #include <fathom/signed_depth.hpp>
@@ -10,22 +11,25 @@ int main() {
   using namespace fathom;
   const mpq_class tenth(1, 10);
   const Shape crate = with_margin(box({1, 1, 1}), tenth);
-  const Pose lean = rigid_pose({3, 1, 0, 0}, {0, 0, mpq_class(5, 2)});  // exactly orthogonal, though the quaternion is no unit
+  const Pose lean =
+      rigid_pose({3, 1, 0, 0}, {0, 0, mpq_class(5, 2)});  // exactly orthogonal, though the quaternion is no unit
   const Shape pill = moved(capsule(mpq_class(1, 2), 2), lean);
 
   const SignedDepth depth = signed_depth(pill, crate);
   const Surd value = *depth.exact();
-  std::cout << name(*depth.status()) << ": " << value.rational << " + root of " << value.root << ", from " << depth.low_binary64() << " to "
-            << depth.high_binary64() << "\n";
+  std::cout << name(*depth.status()) << ": " << value.rational << " + root of " << value.root << ", from "
+            << depth.low_binary64() << " to " << depth.high_binary64() << "\n";
   const AlongNormal out = depth.translations().front();
-  std::cout << "move by " << out.alpha << " n + " << out.beta << " n/|n|, n = " << out.normal.x << " " << out.normal.y << " "
-            << out.normal.z << "\n";
+  std::cout << "move by " << out.alpha << " n + " << out.beta << " n/|n|, n = " << out.normal.x << " " << out.normal.y
+            << " " << out.normal.z << "\n";
   const RoundedWitness witness = *depth.witness();
   std::cout << name(depth.contact()->kind) << " of the cores\n";
-  std::cout << "the pill's point: " << witness.a.core.y << " along y on its axis, then " << witness.a.distance << " n/|n|\n";
+  std::cout << "the pill's point: " << witness.a.core.y << " along y on its axis, then " << witness.a.distance
+            << " n/|n|\n";
 
   const std::string proof = certificate_text(pill, crate, depth, "pill");
-  std::cout << proof.substr(0, proof.find('\n')) << ", radius " << make_certificate(pill, crate, depth).a.radius << "\n";
+  std::cout << proof.substr(0, proof.find('\n')) << ", radius " << make_certificate(pill, crate, depth).a.radius
+            << "\n";
 
   const SignedDepth resting = signed_depth(sphere(1), halfspace({0, 0, 1}, -1));
   std::cout << name(*resting.status()) << ", bounds: " << (resting.bounds() != nullptr)
@@ -45,8 +49,8 @@ int main() {
                           triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1})};
   Shape all = others[0];
   for (const Shape& other : others) all = minkowski_sum(all, other);
-  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all) << ", a triangle: " << is_flat(others[6])
-            << "\n";
+  std::cout << std::get<std::vector<Term>>(all.core).size() << " terms; flat: " << is_flat(all)
+            << ", a triangle: " << is_flat(others[6]) << "\n";
 }
 
 //> penetrating: 3/5 + root of -1/100, from 0.5 to 0.5

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies that are not convex: how far is a bar from leaving the slot of a block in the shape of a U?
+// Bodies that are not convex: how far is a bar from leaving the slot of a block in the shape of a
+// U?
 #include <fathom/certificate.hpp>
 #include <fathom/files.hpp>
 #include <fathom/union.hpp>
@@ -29,13 +30,15 @@ int main() {
   const fathom::Pieces bar{box({1, 1, 2}, {3, 3, 6})};
   const fathom::UnionDepth depth = fathom::union_depth(bar, block);
   const fathom::UnionOptimum& out = depth.optima.front();
-  std::cout << "depth^2 = " << depth.squared() << " along (" << out.translation.x << ", " << out.translation.y << ", " << out.translation.z
-            << "), " << (out.clearance ? "into a gap" : "into an exact fit") << ", where " << out.contacts.size() << " pairs touch\n"
+  std::cout << "depth^2 = " << depth.squared() << " along (" << out.translation.x << ", " << out.translation.y << ", "
+            << out.translation.z << "), " << (out.clearance ? "into a gap" : "into an exact fit") << ", where "
+            << out.contacts.size() << " pairs touch\n"
             << "deepest pair " << depth.bounds->deepest_pair << ", hulls " << depth.bounds->hulls << '\n';
 
   std::ofstream("two.obj") << groups;
   const fathom::Pieces pieces = fathom::read_pieces("two.obj");
-  std::cout << pieces.size() << " pieces, " << fathom::union_depth(pieces, fathom::parse_pieces(groups, "memory")).squared() << '\n';
+  std::cout << pieces.size() << " pieces, "
+            << fathom::union_depth(pieces, fathom::parse_pieces(groups, "memory")).squared() << '\n';
 
   // Of a case, either body may be a union or a polytope, which is one piece.
   const fathom::CaseItem item = fathom::parse_case(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every stage gets beside its input: the monitor to report to, the request to stop, and the counters.
+// What every stage gets beside its input: the monitor to report to, the request to stop, and the
+// counters.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fathom/monitor.hpp"
 #include "fathom/counters.hpp"
+#include "fathom/monitor.hpp"
 
 namespace fathom {
 
@@ -32,7 +33,8 @@ struct Count {
   std::uint64_t value;
 };
 
-/// The counters of one stage of a run, but those of the predicates. It has run if any of them is not 0.
+/// The counters of one stage of a run, but those of the predicates. It has run if any of them is
+/// not 0.
 struct StageCounts {
   std::string_view stage;
   std::vector<Count> counts;
@@ -44,20 +46,26 @@ struct StageCounts {
 /// The counters by name and stage, in the order in which results list them.
 std::vector<StageCounts> counts_by_stage(const Counters& counters);
 
-/// Each thread that works has one. That of the calling thread reports to the monitor; those of its workers only share the request to stop.
+/// Each thread that works has one. That of the calling thread reports to the monitor; those of its
+/// workers only share the request to stop.
 class Context {
  public:
-  /// Without a monitor nothing is reported and nothing stops the work. The monitor must outlive the context and its workers.
-  explicit Context(Monitor* monitor = nullptr) : monitor_(monitor), stopped_(std::make_shared<std::atomic<bool>>(false)) {}
+  /// Without a monitor nothing is reported and nothing stops the work. The monitor must outlive the
+  /// context and its workers.
+  explicit Context(Monitor* monitor = nullptr)
+      : monitor_(monitor), stopped_(std::make_shared<std::atomic<bool>>(false)) {}
 
   Counters counters;
 
-  /// Reports that `share` of the stage is done, in [0, 1]. Throws Interrupted if the work is to stop.
+  /// Reports that `share` of the stage is done, in [0, 1]. Throws Interrupted if the work is to
+  /// stop.
   void report(std::string_view stage, double share = 0);
-  /// Throws Interrupted if the work is to stop. For loops inside a stage, which have no share to report.
+  /// Throws Interrupted if the work is to stop. For loops inside a stage, which have no share to
+  /// report.
   void check();
 
-  /// Returns the context for a thread that works for this one: with its own counters, the same request to stop, and no monitor.
+  /// Returns the context for a thread that works for this one: with its own counters, the same
+  /// request to stop, and no monitor.
   [[nodiscard]] Context worker() const;
   /// Adds what a worker has counted.
   void join(const Context& worker);

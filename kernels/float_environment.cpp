@@ -15,7 +15,8 @@ static_assert(FLT_EVAL_METHOD == 0, "the filters' error bounds are those of bina
 
 DefaultFloatEnvironment::DefaultFloatEnvironment() : caller_(_mm_getcsr()), caller_rounding_(std::fegetround()) {
   std::fesetround(FE_TONEAREST);
-  _mm_setcsr(_MM_MASK_MASK);  // every exception masked; rounding to nearest, flush-to-zero and denormals-are-zero are other bits, now 0
+  _mm_setcsr(_MM_MASK_MASK);  // every exception masked; rounding to nearest, flush-to-zero and denormals-are-zero are
+                              // other bits, now 0
 }
 
 DefaultFloatEnvironment::~DefaultFloatEnvironment() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers are looked at as bits: where the caller has small ones flushed to zero, they would compare equal to 0.
+// Numbers are looked at as bits: where the caller has small ones flushed to zero, they would
+// compare equal to 0.
 #include <algorithm>
 #include <bit>
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Indices that cannot be confused: an index of one kind does not compile where one of another kind is expected.
+// Indices that cannot be confused: an index of one kind does not compile where one of another kind
+// is expected.
 #pragma once
 
 #include <compare>

@@ -58,10 +58,13 @@ std::string near_misses(std::span<const std::string> there, std::span<const std:
   std::string result;
   for (const std::string_view word : known) {
     if (std::ranges::find(there, word) != there.end()) continue;
-    const auto slip = [&](const std::string& field) { return is_near(field, word) && std::ranges::find(known, field) == known.end(); };
+    const auto slip = [&](const std::string& field) {
+      return is_near(field, word) && std::ranges::find(known, field) == known.end();
+    };
     const auto field = std::ranges::find_if(there, slip);
     if (field != there.end())
-      result += (result.empty() ? "" : "; ") + ("the field " + shown(*field) + " is not read: is '" + std::string(word) + "' meant?");
+      result += (result.empty() ? "" : "; ") +
+                ("the field " + shown(*field) + " is not read: is '" + std::string(word) + "' meant?");
   }
   return result;
 }

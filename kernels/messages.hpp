@@ -9,21 +9,22 @@
 
 namespace fathom::kernels {
 
-/// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable ASCII as \xNN; "nothing" if it is
-/// empty.
+/// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable
+/// ASCII as \xNN; "nothing" if it is empty.
 std::string shown(std::string_view text);
 
 /// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit);
 
-/// The edit distance of two words: letters missing, inserted or wrong, or two neighbours swapped. Case does not matter.
+/// The edit distance of two words: letters missing, inserted or wrong, or two neighbours swapped.
+/// Case does not matter.
 std::size_t slips(std::string_view s, std::string_view t);
 
 /// Whether `text` is probably the word: its edit distance is at most a third of the word's length.
 bool is_near(std::string_view text, std::string_view word);
 
-/// For each known field that is missing, names the first unknown field near it: "the field 'depht' is not read: is 'depth' meant?".
-/// Several are joined by "; ". Empty if there is none.
+/// For each known field that is missing, names the first unknown field near it: "the field 'depht'
+/// is not read: is 'depth' meant?". Several are joined by "; ". Empty if there is none.
 std::string near_misses(std::span<const std::string> there, std::span<const std::string_view> known);
 
 }  // namespace fathom::kernels

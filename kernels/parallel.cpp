@@ -27,7 +27,8 @@ std::exception_ptr error_of(const std::function<void(Context&)>& work, Context& 
 
 }  // namespace
 
-void run_both(bool worth_it, Context& context, const std::function<void(Context&)>& first, const std::function<void(Context&)>& second) {
+void run_both(bool worth_it, Context& context, const std::function<void(Context&)>& first,
+              const std::function<void(Context&)>& second) {
   Context worker = context.worker();
   std::exception_ptr error_of_second;
   bool done = false;

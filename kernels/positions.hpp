@@ -11,7 +11,8 @@
 
 namespace fathom::kernels {
 
-/// A view of an array of points, or of the centers of an array of atoms. What it is made from must outlive it.
+/// A view of an array of points, or of the centers of an array of atoms. What it is made from must
+/// outlive it.
 class Positions {
  public:
   Positions(const Point* points, std::size_t size) : points_(points), size_(size) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs, and the arithmetic of vectors and points. What is said of vectors is in fathom, as Vec3 and Point are, where argument-dependent
-// lookup finds it.
+// Signs, and the arithmetic of vectors and points. What is said of vectors is in fathom, as Vec3
+// and Point are, where argument-dependent lookup finds it.
 #pragma once
 
 #include <gmpxx.h>
@@ -11,7 +11,8 @@
 
 namespace fathom::kernels {
 
-/// What a predicate answers. Zero is an answer ("on"); a filter that cannot tell returns std::optional<Sign> without a value.
+/// What a predicate answers. Zero is an answer ("on"); a filter that cannot tell returns
+/// std::optional<Sign> without a value.
 enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
 /// The sign of a comparison's result: any int, of which only the sign counts.
@@ -67,7 +68,9 @@ Vec3<NT> operator-(const Vec3<NT>& a) {
   return {NT(-a.x), NT(-a.y), NT(-a.z)};
 }
 
-inline Vector operator*(const mpz_class& s, const Vector& v) { return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)}; }
+inline Vector operator*(const mpz_class& s, const Vector& v) {
+  return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)};
+}
 
 template <class NT>
 bool is_zero(const Vec3<NT>& v) {
@@ -89,7 +92,8 @@ bool same_direction(const Vector& a, const Vector& b);
 
 // Points, and vectors along them.
 
-/// The same position. It is no function, so that argument-dependent lookup does not find it where a room has a function of that name.
+/// The same position. It is no function, so that argument-dependent lookup does not find it where a
+/// room has a function of that name.
 inline constexpr auto rational = [](const Vector& v) { return Point{v.x, v.y, v.z}; };
 
 inline Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
@@ -105,7 +109,9 @@ Point operator*(const __gmp_expr<mpq_t, Expression>& factor, const Vector& v) {
 
 inline mpq_class dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 inline mpq_class dot(const Vector& u, const Point& p) { return u.x * p.x + u.y * p.y + u.z * p.z; }
-inline Point cross(const Point& p, const Point& q) { return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x}; }
+inline Point cross(const Point& p, const Point& q) {
+  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+}
 
 /// The primitive vector of the same direction; of O the zero vector.
 inline Vector primitive_along(const Point& p) {

@@ -18,7 +18,9 @@ namespace {
 using namespace fathom;
 using namespace fathom::families;
 
-polytope::Polytope hull(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()); }
+polytope::Polytope hull(const Body& body) {
+  return polytope::convex_hull(polytope::place(body.points, body.points).a.points());
+}
 
 polytope::Polytope hull_of_differences(const polytope::PlacedPair& placed) {
   const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
@@ -97,7 +99,8 @@ TEST(Families, FlatBodiesHaveTheNamedRanks) {
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4 && i + j < 6; ++j)
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
-        const Case pair = find_family(names[static_cast<std::size_t>(i)] + "_" + names[static_cast<std::size_t>(j)])->make(seed, 6);
+        const Case pair =
+            find_family(names[static_cast<std::size_t>(i)] + "_" + names[static_cast<std::size_t>(j)])->make(seed, 6);
         EXPECT_EQ(hull(pair.a).rank, i) << pair.id;
         EXPECT_EQ(hull(pair.b).rank, j) << pair.id;
       }
@@ -141,8 +144,8 @@ TEST(Families, ParabolasTieExactly) {
 /// Facets of P within the factor 1 + 2^-bits of the nearest, squared.
 std::size_t nearly_nearest(const Case& pair, unsigned bits) {
   const polytope::PlacedPair placed = polytope::place(pair.a.points, pair.b.points);
-  const mpq_class limit =
-      depth::naive_depth(placed.a.points(), placed.b.points()).squared * (1 + times_power_of_two(1, -static_cast<long>(bits)));
+  const mpq_class limit = depth::naive_depth(placed.a.points(), placed.b.points()).squared *
+                          (1 + times_power_of_two(1, -static_cast<long>(bits)));
   const polytope::Polytope p = hull_of_differences(placed);
   std::size_t count = 0;
   for (const polytope::Facet& facet : p.facets) {
@@ -155,7 +158,8 @@ std::size_t nearly_nearest(const Case& pair, unsigned bits) {
 TEST(Families, NearTies) {
   EXPECT_GE(nearly_nearest(find_family("crossed_patch")->make(0, 12), 24), 9u * 9u);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const Case shifted = find_family("near_ties")->make(seed, 10), boxes = find_family("near_tie_boxes")->make(seed, 10);
+    const Case shifted = find_family("near_ties")->make(seed, 10),
+               boxes = find_family("near_tie_boxes")->make(seed, 10);
     EXPECT_GE(nearly_nearest(shifted, 6), 2u) << shifted.id;
     EXPECT_EQ(nearly_nearest(boxes, 7), 3u) << boxes.id;
     EXPECT_EQ(nearly_nearest(boxes, 300), 1u) << boxes.id;

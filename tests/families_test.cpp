@@ -2,8 +2,9 @@
 // The case generators and their building blocks: exact, and reproducible to the last digit.
 #include "verify/families/families.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
+
+#include <array>
 #include <map>
 #include <regex>
 #include <set>
@@ -32,13 +33,17 @@ std::uint64_t hash(const Case& pair) {
   return value;
 }
 
-polytope::Polytope hull(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()); }
+polytope::Polytope hull(const Body& body) {
+  return polytope::convex_hull(polytope::place(body.points, body.points).a.points());
+}
 
-// --- Building blocks -------------------------------------------------------------------------------------------------------------------
+// --- Building blocks
+// -------------------------------------------------------------------------------------------------------------------
 
 TEST(Random, IsSplitmix64) {
   Random random(1234567);
-  for (const std::uint64_t expected : {6457827717110365317u, 3203168211198807973u, 9817491932198370423u, 4593380528125082431u})
+  for (const std::uint64_t expected :
+       {6457827717110365317u, 3203168211198807973u, 9817491932198370423u, 4593380528125082431u})
     EXPECT_EQ(random.next(), expected);
 }
 
@@ -58,7 +63,8 @@ TEST(Placement, RotationsAreOrthonormalWithDeterminantOne) {
     const Body images = rotated(Body{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, r);
     const auto vec = [](const Point& p) { return Vec3<mpq_class>{p.x, p.y, p.z}; };
     const Vec3<mpq_class> x = vec(images.points[0]), y = vec(images.points[1]), z = vec(images.points[2]);
-    EXPECT_TRUE(dot(x, x) == 1 && dot(y, y) == 1 && dot(z, z) == 1 && dot(x, y) == 0 && dot(y, z) == 0 && dot(z, x) == 0);
+    EXPECT_TRUE(dot(x, x) == 1 && dot(y, y) == 1 && dot(z, z) == 1 && dot(x, y) == 0 && dot(y, z) == 0 &&
+                dot(z, x) == 0);
     EXPECT_EQ(det(x, y, z), 1);
   }
 }
@@ -71,7 +77,8 @@ TEST(Circle, PointsAreWithinOneUnitAndEveryCornerTurnsLeft) {
       const CirclePoint &p = corners[i], &q = corners[(i + 1) % n], &r = corners[(i + 2) % n];
       const mpz_class error = mpz_class(p.cosine) * p.cosine + mpz_class(p.sine) * p.sine - radius * radius;
       ASSERT_LE(abs(error), 2 * radius) << "n = " << n << ", corner " << i;
-      const mpz_class turn = mpz_class(q.cosine - p.cosine) * (r.sine - q.sine) - mpz_class(q.sine - p.sine) * (r.cosine - q.cosine);
+      const mpz_class turn =
+          mpz_class(q.cosine - p.cosine) * (r.sine - q.sine) - mpz_class(q.sine - p.sine) * (r.cosine - q.cosine);
       ASSERT_GT(turn, 0) << "n = " << n << ", corner " << i;
     }
   }
@@ -79,7 +86,8 @@ TEST(Circle, PointsAreWithinOneUnitAndEveryCornerTurnsLeft) {
 
 TEST(Circle, QuarterTurnsAndReflectionsAreExact) {
   for (std::uint64_t k = 0; k < 40; ++k) {
-    const CirclePoint p = circle_point(k, 160, 40), quarter = circle_point(k + 40, 160, 40), mirrored = circle_point(40 - k, 160, 40);
+    const CirclePoint p = circle_point(k, 160, 40), quarter = circle_point(k + 40, 160, 40),
+                      mirrored = circle_point(40 - k, 160, 40);
     EXPECT_TRUE(quarter.cosine == -p.sine && quarter.sine == p.cosine) << k;
     EXPECT_TRUE(mirrored.cosine == p.sine && mirrored.sine == p.cosine) << k;
   }
@@ -100,7 +108,8 @@ TEST(Solids, HaveTheirVerticesAndFacets) {
   EXPECT_EQ(counts(antiprism(7, 1)), (std::array<std::size_t, 3>{14, 28, 16}));
 }
 
-// --- All families ----------------------------------------------------------------------------------------------------------------------
+// --- All families
+// ----------------------------------------------------------------------------------------------------------------------
 
 TEST(Families, NamesAreUniqueAndPlain) {
   std::set<std::string_view> names;
@@ -175,13 +184,16 @@ TEST(Families, FarBodiesAreFar) {
   }
 }
 
-/// Published cases must stay what they are: these values change only together with the data made from them.
+/// Published cases must stay what they are: these values change only together with the data made
+/// from them.
 TEST(Families, CasesNeverChange) {
   const std::map<std::string_view, std::uint64_t> expected{
-      {"random_ball", 1123440530497500322u},         {"random_lattice", 3993437288160012140u}, {"boxes_posed", 15774920730084928624u},
-      {"prisms_posed", 4724086424335675478u},        {"crossed_fans", 9535316249083486565u},   {"near_ties", 7532345502325144697u},
-      {"touching_edge_edge", 15236103143204360882u}, {"segment_polygon", 688436399412356945u}, {"wild_coordinates", 7486417950729874106u},
-      {"crossed_ties", 1298696010173432859u},        {"crossed_fillets", 971371957160753009u},
+      {"random_ball", 1123440530497500322u},         {"random_lattice", 3993437288160012140u},
+      {"boxes_posed", 15774920730084928624u},        {"prisms_posed", 4724086424335675478u},
+      {"crossed_fans", 9535316249083486565u},        {"near_ties", 7532345502325144697u},
+      {"touching_edge_edge", 15236103143204360882u}, {"segment_polygon", 688436399412356945u},
+      {"wild_coordinates", 7486417950729874106u},    {"crossed_ties", 1298696010173432859u},
+      {"crossed_fillets", 971371957160753009u},
   };
   for (const auto& [name, value] : expected) EXPECT_EQ(hash(find_family(name)->make(1, 12)), value) << name;
   std::uint64_t all = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers do not depend on the floating-point environment of the process. This program is compiled and linked with -ffast-math, so that
-// it starts with subnormal numbers flushed to zero; the tests add each rounding mode and unmask all exceptions.
+// Answers do not depend on the floating-point environment of the process. This program is compiled
+// and linked with -ffast-math, so that it starts with subnormal numbers flushed to zero; the tests
+// add each rounding mode and unmask all exceptions.
 #include "kernels/float_environment.hpp"
+
+#include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -41,7 +43,8 @@ namespace {
 
 constexpr unsigned flushes_to_zero = 0x8040;  // FTZ and DAZ in MXCSR
 
-/// While it lives: one rounding mode, and on x86 subnormals flushed to zero and every exception a signal.
+/// While it lives: one rounding mode, and on x86 subnormals flushed to zero and every exception a
+/// signal.
 class HostileEnvironment {
  public:
   explicit HostileEnvironment(int mode) {
@@ -58,7 +61,9 @@ class HostileEnvironment {
 };
 
 #ifdef __SSE2__
-TEST(FloatEnvironment, ThisProgramStartsWithSubnormalsFlushed) { EXPECT_EQ(_mm_getcsr() & flushes_to_zero, flushes_to_zero); }
+TEST(FloatEnvironment, ThisProgramStartsWithSubnormalsFlushed) {
+  EXPECT_EQ(_mm_getcsr() & flushes_to_zero, flushes_to_zero);
+}
 
 TEST(FloatEnvironment, IsTheDefaultInsideAndTheCallersAgainAfterwards) {
   unsigned inside = 0, before = 0, after = 0;
@@ -118,7 +123,9 @@ class Writer {
     *this << static_cast<int>(x.status()) << x.flat_a << x.flat_b;
     return x.separation() ? *this << x.separation()->normal : *this << *x.penetration();
   }
-  Writer& operator<<(const RayExit& x) { return *this << x.factor << x.translation << x.normal << x.contact << x.witness; }
+  Writer& operator<<(const RayExit& x) {
+    return *this << x.factor << x.translation << x.normal << x.contact << x.witness;
+  }
   Writer& operator<<(const MetricPenetration& x) {
     *this << x.depth;
     for (const MetricOptimum& o : x.optima) *this << o.vertex << o.translation << o.direction << o.contact << o.witness;
@@ -143,8 +150,8 @@ class Writer {
     return *this << id.value;
   }
   Writer& operator<<(const Depth& d) {
-    return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation() << d.witness()
-                 << (d.distance() ? std::optional(*d.distance()) : std::nullopt) << d.flat_a << d.flat_b;
+    return *this << static_cast<int>(d.status()) << d.squared() << d.optima() << d.direction() << d.translation()
+                 << d.witness() << (d.distance() ? std::optional(*d.distance()) : std::nullopt) << d.flat_a << d.flat_b;
   }
   [[nodiscard]] std::string text() const { return text_; }
 
@@ -165,7 +172,8 @@ std::string text(const T&... parts) {
 
 // ---- what is asked ----
 
-/// Runs `ask` in the hostile environment and writes its result outside of it; mode < 0: in the default environment.
+/// Runs `ask` in the hostile environment and writes its result outside of it; mode < 0: in the
+/// default environment.
 template <class Ask>
 std::string told(int mode, const Ask& ask) {
   std::optional<decltype(ask())> result;
@@ -192,7 +200,8 @@ Body stretched(std::uint64_t seed, const mpq_class& by) {
   return families::scaled(families::random_sphere_body(random, 8), 1, 1, by);
 }
 
-/// Bodies whose extent in z is 2^-600 of that in x and y; and a box of which one coordinate is the least normal number.
+/// Bodies whose extent in z is 2^-600 of that in x and y; and a box of which one coordinate is the
+/// least normal number.
 std::vector<Case> cases_at_the_edge_of_binary64() {
   const kernels::DefaultFloatEnvironment environment;
   std::vector<Case> cases;
@@ -230,13 +239,16 @@ TEST(FloatEnvironment, CertificatesOverAllFamilies) {
   for (const Case& input : all_cases()) {
     SCOPED_TRACE(input.id);
     const Depth depth = penetration_depth(input.a.points, input.b.points);
-    expect_the_same("certificate", [&] { return certificate_text(make_certificate(input.a.points, input.b.points, depth)); });
+    expect_the_same("certificate",
+                    [&] { return certificate_text(make_certificate(input.a.points, input.b.points, depth)); });
     expect_the_same("its text", [&] { return certificate_text(input.a.points, input.b.points, depth, "id"); });
     if (depth.status() != Status::penetrating) continue;
     expect_the_same("bounds", [&] {
-      return certificate_text(make_bounds_certificate(input.a.points, input.b.points, depth.squared() / 2, depth.squared() * 2));
+      return certificate_text(
+          make_bounds_certificate(input.a.points, input.b.points, depth.squared() / 2, depth.squared() * 2));
     });
-    expect_the_same("gap", [&] { return second_nearest_squared(input.a.points, input.b.points, *depth.penetration()); });
+    expect_the_same("gap",
+                    [&] { return second_nearest_squared(input.a.points, input.b.points, *depth.penetration()); });
   }
 }
 
@@ -282,13 +294,15 @@ TEST(FloatEnvironment, RaysThroughHierarchies) {
     SCOPED_TRACE(input.id);
     expect_the_same("hierarchies", [&] {
       const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
-      const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()), hull_b = polytope::convex_hull(placed.b.points());
+      const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()),
+                               hull_b = polytope::convex_hull(placed.b.points());
       const polytope::Hierarchy a(hull_a), b(hull_b);
       kernels::Context context;
       const approximate::ShallowPenetration shallow(context, a, b);
       const approximate::RayHit hit = approximate::shoot_ray(a, b, {3, 1, 2});
       return text(hit.factor, hit.normal, shallow.query(context).inside,
-                  approximate::approx_separation(context, a, b, mpq_class(1, 4)).normal, a.extreme({5, -7, 1}), a.extreme_face({0, 0, 1}));
+                  approximate::approx_separation(context, a, b, mpq_class(1, 4)).normal, a.extreme({5, -7, 1}),
+                  a.extreme_face({0, 0, 1}));
     });
   }
 }
@@ -296,52 +310,67 @@ TEST(FloatEnvironment, RaysThroughHierarchies) {
 TEST(FloatEnvironment, Numbers) {
   const mpq_class subnormal = (mpq_class(5, 3) >> 1060) + (mpq_class(1) >> 1074);
   expect_the_same("round_binary64", [&] { return round_binary64(subnormal, Rounding::rn); });
-  expect_the_same("round_binary32", [&] { return static_cast<double>(round_binary32(mpq_class(5, 3) >> 120, Rounding::ru)); });
+  expect_the_same("round_binary32",
+                  [&] { return static_cast<double>(round_binary32(mpq_class(5, 3) >> 120, Rounding::ru)); });
   expect_the_same("root_binary64", [&] { return root_binary64(subnormal * subnormal, Rounding::rd); });
   expect_the_same("exact_value", [&] { return exact_value(0x1.8p-1070); });
   expect_the_same("parse_number", [&] { return *parse_number("4.9e-322", Decimals::binary64).value; });
   expect_the_same("enclose_root", [&] { return enclose_root(mpq_class(2), 40).high; });
-  expect_the_same("round_binary64 of a surd", [&] { return round_binary64(Surd{subnormal, subnormal * subnormal / 3}, Rounding::ru); });
-  expect_the_same("round_binary32 of a surd", [&] { return static_cast<double>(round_binary32(Surd{1, 2}, Rounding::rd)); });
+  expect_the_same("round_binary64 of a surd", [&] {
+    return round_binary64(Surd{subnormal, subnormal * subnormal / 3}, Rounding::ru);
+  });
+  expect_the_same("round_binary32 of a surd", [&] {
+    return static_cast<double>(round_binary32(Surd{1, 2}, Rounding::rd));
+  });
   expect_the_same("enclose", [&] { return enclose({1, 2}, 40).low; });
 }
 
 TEST(FloatEnvironment, SignedDepths) {
   const std::vector<Point> piece{{0, 0, 0}, {1, exact_value(5e-324), 0}, {0, 1, 0}, {0, 0, exact_value(0.1)}};
   expect_the_same("union_depth", [&] { return union_depth({piece, piece}, {piece}).optima.front().translation; });
-  const Pose pose = rigid_pose({exact_value(0.1), exact_value(0.3), 2, 1}, {mpq_class(5, 3) >> 1060, 0, exact_value(5e-324)});
-  for (const Shape& body : {box({1, 1, exact_value(3e-310)}), capsule(exact_value(0.7), 2), moved(box({1, 2, 3}), pose)}) {
+  const Pose pose =
+      rigid_pose({exact_value(0.1), exact_value(0.3), 2, 1}, {mpq_class(5, 3) >> 1060, 0, exact_value(5e-324)});
+  for (const Shape& body :
+       {box({1, 1, exact_value(3e-310)}), capsule(exact_value(0.7), 2), moved(box({1, 2, 3}), pose)}) {
     expect_the_same("study", [&] { return study(body, moved(sphere(2), pose))[ShapeCoincidence::concentric].count; });
     expect_the_same("signed_depth", [&] {
       const SignedDepth depth = signed_depth(body, moved(sphere(exact_value(1e-320)), pose));
-      return text(depth.low_binary64(), depth.high_binary64(), depth.translations().front().alpha, depth.witness()->a.core);
+      return text(depth.low_binary64(), depth.high_binary64(), depth.translations().front().alpha,
+                  depth.witness()->a.core);
     });
   }
 }
 
 TEST(FloatEnvironment, Files) {
-  expect_the_same("mesh", [&] { return parse_mesh("OFF\n3 0 0\n1 0 5e-324\n0 1.1 0\n0 0 2.5e-310\n", "a.off", Decimals::binary64); });
+  expect_the_same("mesh", [&] {
+    return parse_mesh("OFF\n3 0 0\n1 0 5e-324\n0 1.1 0\n0 0 2.5e-310\n", "a.off", Decimals::binary64);
+  });
   const std::string lines = R"({"a":{"vertices":[[1e-320,0,0],[1,2.3,4]]},"b":{"vertices":[[0.1,0,3e-310]]}})";
   expect_the_same("case", [&] { return parse_case(lines, "cases").value().a; });
 }
 
 TEST(FloatEnvironment, Judging) {
-  const std::vector<Triple> a{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, b{{0.1, 0.1, 5e-324}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Triple> a{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      b{{0.1, 0.1, 5e-324}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   Reply reply;
   reply.overlap = true;
   reply.depth = 0.404;
   reply.direction = Triple{-0.57, -0.57, -0.57};
   expect_the_same("judge", [&] { return judge(a, b, reply).sentence; });
-  expect_the_same("judge of unions", [&] { return judge(truth_about(Pieces{GivenPoints(a)}, Pieces(2, GivenPoints(b))), reply).sentence; });
+  expect_the_same("judge of unions", [&] {
+    return judge(truth_about(Pieces{GivenPoints(a)}, Pieces(2, GivenPoints(b))), reply).sentence;
+  });
   expect_the_same("the library for C", [&] {
     using namespace testing;  // handles
-    const BodyHandle first = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}), second = body_of({0.1, 0.1, 5e-324, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+    const BodyHandle first = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}),
+                     second = body_of({0.1, 0.1, 5e-324, 1, 0, 0, 0, 1, 0, 0, 0, 1});
     fathom_claim claim;
     fathom_judgement judgement;
     fathom_claim_init(&claim);
     fathom_judgement_init(&judgement);
     const int code = fathom_judge(first.get(), second.get(), &claim, &judgement, nullptr);
-    return text(code, exactly(answer_about(first, second), FATHOM_WITNESS_A), judgement.signed_depth, judgement.verdict);
+    return text(code, exactly(answer_about(first, second), FATHOM_WITNESS_A), judgement.signed_depth,
+                judgement.verdict);
   });
 }
 

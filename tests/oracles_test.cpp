@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The oracles against answers known by hand, against each other, and against the naive twin: over every family of cases.
+// The oracles against answers known by hand, against each other, and against the naive twin: over
+// every family of cases.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,7 +20,8 @@ using namespace fathom;
 using namespace fathom::oracles;
 using families::Family;
 
-// --- Known answers -------------------------------------------------------------------------------------------------------------------
+// --- Known answers
+// -------------------------------------------------------------------------------------------------------------------
 
 struct Known {
   std::string name;
@@ -33,25 +35,31 @@ const OracleAnswer touching{Status::touching, 0, {}}, disjoint{Status::disjoint,
 
 std::vector<Known> solids() {
   const Body cube = families::cube(), octahedron = families::octahedron();
-  const auto at = [&](const mpq_class& x, const mpq_class& y, const mpq_class& z) { return families::translated(cube, {x, y, z}); };
+  const auto at = [&](const mpq_class& x, const mpq_class& y, const mpq_class& z) {
+    return families::translated(cube, {x, y, z});
+  };
   const std::vector<Vector> axes{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-  const std::vector<Vector> corners{{-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1}, {1, -1, -1}, {1, -1, 1}, {1, 1, -1}, {1, 1, 1}};
-  return {{"cube in itself", cube, cube, {Status::penetrating, 4, axes}},
-          {"octahedron in itself", octahedron, octahedron, {Status::penetrating, ratio(4, 3), corners}},
-          {"cubes overlapping by 1/10", cube, at(ratio(19, 10), 0, 0), {Status::penetrating, ratio(1, 100), {{-1, 0, 0}}}},
-          {"cubes overlapping by 1/3 along two axes",
-           cube,
-           at(ratio(5, 3), 0, ratio(-5, 3)),
-           {Status::penetrating, ratio(1, 9), {{-1, 0, 0}, {0, 0, 1}}}},
-          {"cubes that share a facet's plane", cube, at(2, 1, 1), touching},
-          {"cubes that share an edge's line", cube, at(2, 2, 1), touching},
-          {"cubes that share a corner", cube, at(2, 2, 2), touching},
-          {"cubes apart by a hair", cube, at(2, 2, mpq_class(2 + families::times_power_of_two(1, -300))), disjoint}};
+  const std::vector<Vector> corners{{-1, -1, -1}, {-1, -1, 1}, {-1, 1, -1}, {-1, 1, 1},
+                                    {1, -1, -1},  {1, -1, 1},  {1, 1, -1},  {1, 1, 1}};
+  return {
+      {"cube in itself", cube, cube, {Status::penetrating, 4, axes}},
+      {"octahedron in itself", octahedron, octahedron, {Status::penetrating, ratio(4, 3), corners}},
+      {"cubes overlapping by 1/10", cube, at(ratio(19, 10), 0, 0), {Status::penetrating, ratio(1, 100), {{-1, 0, 0}}}},
+      {"cubes overlapping by 1/3 along two axes",
+       cube,
+       at(ratio(5, 3), 0, ratio(-5, 3)),
+       {Status::penetrating, ratio(1, 9), {{-1, 0, 0}, {0, 0, 1}}}},
+      {"cubes that share a facet's plane", cube, at(2, 1, 1), touching},
+      {"cubes that share an edge's line", cube, at(2, 2, 1), touching},
+      {"cubes that share a corner", cube, at(2, 2, 2), touching},
+      {"cubes apart by a hair", cube, at(2, 2, mpq_class(2 + families::times_power_of_two(1, -300))), disjoint}};
 }
 
 std::vector<Known> flats() {
-  const Body cube = families::cube(), origin{{{0, 0, 0}}}, square{{{1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 0}}};
-  const Body segment{{{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, crossing{{{0, 0, -1}, {0, 0, 1}}}, lifted{{{0, 0, 1}, {0, 0, 2}}};
+  const Body cube = families::cube(), origin{{{0, 0, 0}}},
+             square{{{1, 1, 0}, {1, -1, 0}, {-1, 1, 0}, {-1, -1, 0}, {0, 0, 0}}};
+  const Body segment{{{-1, 0, 0}, {1, 0, 0}, {0, 0, 0}}}, crossing{{{0, 0, -1}, {0, 0, 1}}},
+      lifted{{{0, 0, 1}, {0, 0, 2}}};
   return {{"a point and itself", origin, origin, touching},
           {"a point and another", origin, {{{0, 0, 1}}}, disjoint},
           {"a point in a segment", origin, segment, touching},
@@ -103,7 +111,8 @@ TEST(Oracles, NearestHalfSpaces) {
   EXPECT_EQ(nearest_half_spaces(outside), disjoint);
 }
 
-// --- Each other, over all families -----------------------------------------------------------------------------------------------------
+// --- Each other, over all families
+// -----------------------------------------------------------------------------------------------------
 
 class EveryFamily : public ::testing::TestWithParam<Family> {};
 
@@ -133,7 +142,8 @@ TEST_P(EveryFamily, WidthEqualsTheNaiveTwinOfABodyWithItself) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily,
+                         ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

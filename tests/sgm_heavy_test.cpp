@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact method and its naive twin against the overlay of CGAL's spherical Gaussian maps, over all families, at sizes beyond the other
-// oracles.
+// The exact method and its naive twin against the overlay of CGAL's spherical Gaussian maps, over
+// all families, at sizes beyond the other oracles.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -45,7 +45,8 @@ TEST_P(EveryFamily, OverlayEqualsThePipelineAndItsTwin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryFamily,
+                         ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(GaussianMaps, LargeRandomSpheres) {

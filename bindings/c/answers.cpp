@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The question how deep, or how far apart, two bodies are, and what its answer tells: doubles, exact numbers, JSON, its certificate;
-// and the independent checker.
+// The question how deep, or how far apart, two bodies are, and what its answer tells: doubles,
+// exact numbers, JSON, its certificate; and the independent checker.
 
 #include <algorithm>
 #include <array>
@@ -60,12 +60,15 @@ std::string text_of(const Surd& value) {
   return text;
 }
 
-std::string text_of(const SurdPoint& values) { return text_of(values[0]) + " " + text_of(values[1]) + " " + text_of(values[2]); }
+std::string text_of(const SurdPoint& values) {
+  return text_of(values[0]) + " " + text_of(values[1]) + " " + text_of(values[2]);
+}
 
 std::string exact_of(const Answer& answer, int quantity) {
   switch (quantity) {
     case FATHOM_SIGNED_DEPTH:
-      return answer.exact() ? text_of(*answer.exact()) : "[" + text_of(answer.low()) + "," + text_of(answer.high()) + "]";
+      return answer.exact() ? text_of(*answer.exact())
+                            : "[" + text_of(answer.low()) + "," + text_of(answer.high()) + "]";
     case FATHOM_DIRECTION: {
       const Vector n = present(answer.direction());
       return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str();
@@ -116,7 +119,8 @@ using fathom_check::Verdict;
 
 text::Json points_json(const fathom_body& body, const char* name) {
   if (body.body->shape)
-    throw std::invalid_argument(std::string(name) + ": expected points, or pieces, to compare the certificate with, found a shape");
+    throw std::invalid_argument(std::string(name) +
+                                ": expected points, or pieces, to compare the certificate with, found a shape");
   Body bare;
   if (body.body->pieces) bare.pieces = body.body->pieces;
   else bare.points = body.body->points;
@@ -141,7 +145,8 @@ int status_of(const Answer& answer) {
 }
 
 RoundedDepth rounded(const Answer& answer) {
-  return {answer.nearest_binary64().value_or(std::numeric_limits<double>::quiet_NaN()), answer.low_binary64(), answer.high_binary64()};
+  return {answer.nearest_binary64().value_or(std::numeric_limits<double>::quiet_NaN()), answer.low_binary64(),
+          answer.high_binary64()};
 }
 
 fathom_options options_from(const fathom_options* options) {
@@ -290,8 +295,8 @@ int fathom_answer_hulls(const fathom_answer* answer, double* depth) {
 
 // ---- the checker ----
 
-int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
-                             char** line) {
+int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b,
+                             int* outcome, char** line) {
   if (line) *line = nullptr;
   return guarded([&] {
     require(certificate, "certificate");

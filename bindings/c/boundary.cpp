@@ -34,7 +34,8 @@ GivenPoints points_from(const double* xyz, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     points[i] = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
     for (const double x : points[i])
-      if (!std::isfinite(x)) throw std::invalid_argument(of_point(i) + "expected finite coordinates, found " + hex_text(x));
+      if (!std::isfinite(x))
+        throw std::invalid_argument(of_point(i) + "expected finite coordinates, found " + hex_text(x));
   }
   return GivenPoints(std::move(points));
 }
@@ -65,7 +66,8 @@ files::GivenPose pose_from(const double* numbers) {
   Pose pose;
   for (std::size_t i = 0; i < 12; ++i) {
     if (!std::isfinite(numbers[i]))
-      throw std::invalid_argument("pose: expected finite numbers, found " + hex_text(numbers[i]) + " at index " + std::to_string(i));
+      throw std::invalid_argument("pose: expected finite numbers, found " + hex_text(numbers[i]) + " at index " +
+                                  std::to_string(i));
     pose[i / 4][i % 4] = exact_value(numbers[i]);
   }
   return {pose};
@@ -75,7 +77,8 @@ const std::vector<Point>& piece_from(const fathom_body* piece, const std::string
   require(piece, name.c_str());
   require_convex(*piece->body, name);
   if (piece->body->shape)
-    throw std::invalid_argument(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
+    throw std::invalid_argument(name +
+                                ": expected a polytope, found another shape: pieces are neither round nor curved");
   return piece->body->points.exact();
 }
 
@@ -100,7 +103,8 @@ char* text_for_caller(std::string_view text) {
 }
 
 void require_convex(const Body& body, const std::string& name) {
-  if (body.pieces) throw std::invalid_argument(name + ": expected a convex body, found a union of pieces: fathom_depth takes those");
+  if (body.pieces)
+    throw std::invalid_argument(name + ": expected a convex body, found a union of pieces: fathom_depth takes those");
 }
 
 void require_count(std::size_t count, const char* what) {
@@ -109,7 +113,8 @@ void require_count(std::size_t count, const char* what) {
 }
 
 void require_at_most(std::size_t count, const char* what) {
-  if (count > most) throw std::invalid_argument(std::string("expected at most 2^31 ") + what + ", found " + std::to_string(count));
+  if (count > most)
+    throw std::invalid_argument(std::string("expected at most 2^31 ") + what + ", found " + std::to_string(count));
 }
 
 fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(body))}; }
@@ -117,7 +122,8 @@ fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(b
 Decimals decimals_from(int decimals) {
   if (decimals == FATHOM_BINARY64_DECIMALS) return Decimals::binary64;
   if (decimals == FATHOM_EXACT_DECIMALS) return Decimals::exact;
-  throw std::invalid_argument("decimals: expected FATHOM_BINARY64_DECIMALS or FATHOM_EXACT_DECIMALS, found " + std::to_string(decimals));
+  throw std::invalid_argument("decimals: expected FATHOM_BINARY64_DECIMALS or FATHOM_EXACT_DECIMALS, found " +
+                              std::to_string(decimals));
 }
 
 }  // namespace fathom::c

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands between C and the rest: handles, messages, and the one place where exceptions become codes.
+// What stands between C and the rest: handles, messages, and the one place where exceptions become
+// codes.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +44,8 @@ void require(const void* pointer, const char* name);
 template <class Struct>
 void require_struct(const Struct* given, const char* name) {
   require(given, name);
-  if (given->size != sizeof(Struct)) throw std::invalid_argument(std::string(name) + ": not set by its init function of this version");
+  if (given->size != sizeof(Struct))
+    throw std::invalid_argument(std::string(name) + ": not set by its init function of this version");
 }
 
 /// The text as the caller frees it.
@@ -60,7 +62,8 @@ void require_at_most(std::size_t count, const char* what);
 
 fathom_body handle(Body body);
 
-/// Does the work in the default floating-point environment and returns its code; whatever it throws becomes one, with a message.
+/// Does the work in the default floating-point environment and returns its code; whatever it throws
+/// becomes one, with a message.
 template <class Work>
 int guarded(Work work) noexcept {
   const kernels::DefaultFloatEnvironment environment;

@@ -46,25 +46,32 @@ constexpr Verdict verdicts[] = {Verdict::crash,
                                 Verdict::pass,
                                 Verdict::too_far,
                                 Verdict::too_near};
-static_assert(std::size(verdicts) == FATHOM_VERDICT_TOO_NEAR + 1 && std::size(verdicts) == static_cast<std::size_t>(Verdict::pass) + 1);
-static_assert(verdicts[FATHOM_VERDICT_NAN] == Verdict::nan && verdicts[FATHOM_VERDICT_TOO_SHALLOW] == Verdict::too_shallow);
-static_assert(verdicts[FATHOM_VERDICT_WITNESS_OFF] == Verdict::witness_off && verdicts[FATHOM_VERDICT_PASS] == Verdict::pass);
+static_assert(std::size(verdicts) == FATHOM_VERDICT_TOO_NEAR + 1 &&
+              std::size(verdicts) == static_cast<std::size_t>(Verdict::pass) + 1);
+static_assert(verdicts[FATHOM_VERDICT_NAN] == Verdict::nan &&
+              verdicts[FATHOM_VERDICT_TOO_SHALLOW] == Verdict::too_shallow);
+static_assert(verdicts[FATHOM_VERDICT_WITNESS_OFF] == Verdict::witness_off &&
+              verdicts[FATHOM_VERDICT_PASS] == Verdict::pass);
 
 int number_of(Verdict verdict) { return static_cast<int>(std::ranges::find(verdicts, verdict) - std::begin(verdicts)); }
 
-static_assert(static_cast<int>(Status::penetrating) == FATHOM_PENETRATING && static_cast<int>(Status::disjoint) == FATHOM_DISJOINT);
+static_assert(static_cast<int>(Status::penetrating) == FATHOM_PENETRATING &&
+              static_cast<int>(Status::disjoint) == FATHOM_DISJOINT);
 static_assert(static_cast<int>(Accuracy::correctly_rounded) == FATHOM_CORRECTLY_ROUNDED);
 static_assert(static_cast<int>(Accuracy::tolerance) == FATHOM_WITHIN_TOLERANCE);
 
-/// Throws std::invalid_argument where the claim cannot be judged. Its numbers may be any: those are judged.
+/// Throws std::invalid_argument where the claim cannot be judged. Its numbers may be any: those are
+/// judged.
 void require_claim(const fathom_claim& claim) {
   const auto demand = [](bool holds, const char* sentence) {
     if (!holds) throw std::invalid_argument(std::string("claim: ") + sentence);
   };
   const auto is_tolerance = [](double x) { return std::isfinite(x) && x >= 0; };
   demand(claim.precision == FATHOM_BINARY64 || claim.precision == FATHOM_BINARY32, "there is no such precision");
-  demand(claim.answers >= FATHOM_SAME_PRECISION && claim.answers <= FATHOM_BINARY32, "there is no such precision of answers");
-  demand(claim.touching >= FATHOM_TOUCHING_EITHER && claim.touching <= FATHOM_TOUCHING_IS_APART, "there is no such convention of touching");
+  demand(claim.answers >= FATHOM_SAME_PRECISION && claim.answers <= FATHOM_BINARY32,
+         "there is no such precision of answers");
+  demand(claim.touching >= FATHOM_TOUCHING_EITHER && claim.touching <= FATHOM_TOUCHING_IS_APART,
+         "there is no such convention of touching");
   demand(is_tolerance(claim.tol_relative) && is_tolerance(claim.tol_absolute), "a tolerance is negative or not finite");
   demand(claim.tol_ulps >= 0 && claim.tol_ulps <= 1e9 && std::floor(claim.tol_ulps) == claim.tol_ulps,
          "the tolerance in ulps is not a whole number from 0 to 1e9");
@@ -91,8 +98,11 @@ Conventions conventions_of(const fathom_claim& claim) {
 }
 
 NumberFormat format_of(const fathom_claim& claim) {
-  const auto precision = [](int number) { return number == FATHOM_BINARY32 ? Precision::binary32 : Precision::binary64; };
-  return {precision(claim.precision), precision(claim.answers == FATHOM_SAME_PRECISION ? claim.precision : claim.answers)};
+  const auto precision = [](int number) {
+    return number == FATHOM_BINARY32 ? Precision::binary32 : Precision::binary64;
+  };
+  return {precision(claim.precision),
+          precision(claim.answers == FATHOM_SAME_PRECISION ? claim.precision : claim.answers)};
 }
 
 Reply reply_of(const fathom_claim& claim) {
@@ -111,7 +121,8 @@ Reply reply_of(const fathom_claim& claim) {
 }
 
 Policy policy_of(const fathom_claim& claim) {
-  constexpr Policy::Kind kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating, Policy::Kind::within};
+  constexpr Policy::Kind kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating,
+                                    Policy::Kind::within};
   return {kinds[claim.policy], exact_value(claim.policy_most)};
 }
 
@@ -183,8 +194,12 @@ void put_word(To& to, Verdict verdict) { to.verdict = number_of(verdict); }
 void put_word(To& to, const std::vector<Verdict>& findings) {
   for (const Verdict finding : findings) to.findings |= 1U << static_cast<unsigned>(number_of(finding));
 }
-void put_word(To& to, const std::optional<Accuracy>& accuracy) { to.accuracy = accuracy ? static_cast<int>(*accuracy) : FATHOM_NO_CLASS; }
-void put_word(To& to, const std::optional<Status>& status) { to.status = status ? static_cast<int>(*status) : FATHOM_UNDECIDED; }
+void put_word(To& to, const std::optional<Accuracy>& accuracy) {
+  to.accuracy = accuracy ? static_cast<int>(*accuracy) : FATHOM_NO_CLASS;
+}
+void put_word(To& to, const std::optional<Status>& status) {
+  to.status = status ? static_cast<int>(*status) : FATHOM_UNDECIDED;
+}
 void put_word(To& to, bool longer) { to.longer = longer; }
 void put_word(To&, const std::string&) {}  // the sentence is a text of its own
 void put_word(To&, const mpq_class&) {}    // the squares of the truth, which signed_depth has
@@ -221,15 +236,18 @@ static_assert(places_are_complete(), "each number of a judgement has its member 
 
 Body seen_from(const Body& body, const NumberFormat& format, const char* body_name) {
   std::optional<Body> seen = judging::body_seen(body, format);
-  if (!seen) throw std::invalid_argument(std::string(body_name) + ": a coordinate is beyond " + std::string(name(format.points)));
+  if (!seen)
+    throw std::invalid_argument(std::string(body_name) + ": a coordinate is beyond " +
+                                std::string(name(format.points)));
   return *std::move(seen);
 }
 
-void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement, std::string& sentence) {
+void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom_judgement& judgement,
+                 std::string& sentence) {
   require_claim(claim);
   const NumberFormat format = format_of(claim);
-  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute), static_cast<unsigned long>(claim.tol_ulps),
-                            policy_of(claim)};
+  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
+                            static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};
   const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
   const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance);
   judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(Answer{known.depth}); }, truth));
@@ -262,7 +280,8 @@ void fathom_judgement_init(fathom_judgement* judgement) {
   }
 }
 
-int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement, char** sentence) {
+int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
+                 char** sentence) {
   if (sentence) *sentence = nullptr;
   return guarded([&] {
     require_struct(judgement, "judgement");
@@ -282,4 +301,6 @@ const char* fathom_verdict_name(int verdict) {
   return verdict < 0 || verdict > FATHOM_VERDICT_TOO_NEAR ? nullptr : fathom::name(verdicts[verdict]).data();
 }
 
-int fathom_verdict_passes(int verdict) { return verdict == FATHOM_VERDICT_PASS || verdict == FATHOM_VERDICT_TOUCHING_BY_CONVENTION; }
+int fathom_verdict_passes(int verdict) {
+  return verdict == FATHOM_VERDICT_PASS || verdict == FATHOM_VERDICT_TOUCHING_BY_CONVENTION;
+}

@@ -42,11 +42,12 @@ bool is_mesh_name(const std::string& path) {
 bool is_input(const std::string& word) {
   const std::string kind = files::extension(word);
   std::error_code fault;
-  return word == "-" || is_mesh_name(word) || kind == "jsonl" || kind == "ndjson" || kind == "json" || files::is_shape_text(word) ||
-         std::filesystem::is_regular_file(word, fault);
+  return word == "-" || is_mesh_name(word) || kind == "jsonl" || kind == "ndjson" || kind == "json" ||
+         files::is_shape_text(word) || std::filesystem::is_regular_file(word, fault);
 }
 
-/// Returns the line that is probably meant if there are inputs and no command, as "; did you mean 'fathom depth a.obj b.obj'?", or "".
+/// Returns the line that is probably meant if there are inputs and no command, as "; did you mean
+/// 'fathom depth a.obj b.obj'?", or "".
 std::string line_with_command(const std::vector<std::string>& words) {
   std::vector<std::string> inputs;
   std::copy_if(words.begin(), words.end(), std::back_inserter(inputs), is_input);
@@ -62,20 +63,24 @@ std::string wrong_command(const std::vector<std::string>& words) {
   if (command.starts_with('-') || std::ranges::find(names, command) != names.end()) return "";
   if (const std::string line = is_input(command) ? line_with_command(words) : ""; !line.empty())
     return fmt::format("expected a command, found the input {}{}", kernels::shown(command), line);
-  return fmt::format("unknown command {} (expected {}){}", kernels::shown(command), fmt::join(names, ", "), did_you_mean(command, names));
+  return fmt::format("unknown command {} (expected {}){}", kernels::shown(command), fmt::join(names, ", "),
+                     did_you_mean(command, names));
 }
 
 Arguments refusal(const std::string& sentence, const std::string& command = "") {
-  return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "), bad_input};
+  return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "),
+          bad_input};
 }
 
 Arguments no_command() {
-  return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(command_names(), ", "), general_examples[0].line));
+  return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(command_names(), ", "),
+                             general_examples[0].line));
 }
 
 std::string version_text() {
   const std::string commit = *built_commit ? fmt::format("commit {}\n", built_commit) : "";
-  return fmt::format("fathom {}\n{}golden data {}\nlicence GPL-3.0-or-later", FATHOM_VERSION, commit, golden::data_version);
+  return fmt::format("fathom {}\n{}golden data {}\nlicence GPL-3.0-or-later", FATHOM_VERSION, commit,
+                     golden::data_version);
 }
 
 // ---- the requests ----
@@ -136,7 +141,8 @@ CertifyRequest certify_of(const Given& given) {
   certify.overwrite = given.flag("--overwrite");
   certify.all_rows = given.flag("--all-rows");
   certify.metamorphic = given.text("--metamorphic");
-  if (certify.metamorphic == "all") certify.variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));
+  if (certify.metamorphic == "all")
+    certify.variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));
   else if (!certify.metamorphic.empty()) certify.variants = words_of(certify.metamorphic);
   certify.expect_fail = given.text("--expect-fail");
   certify.write_expect_fail = given.text("--write-expect-fail");
@@ -167,7 +173,8 @@ Request request_of(const Given& given) {
   if (request.command == Command::study)
     for (const std::string& name : given.words("--closest-lines")) request.sweep.engines.push_back(engine_of(name));
   else if (!engine.empty()) request.closest_lines = engine_of(engine);
-  if (!request.sweep.family.empty()) request.sweep.sizes = typed_sizes(given.value("--sizes").value_or(usual_sizes)).value();
+  if (!request.sweep.family.empty())
+    request.sweep.sizes = typed_sizes(given.value("--sizes").value_or(usual_sizes)).value();
   request.seed = count_of<std::uint64_t>(given, "--seed").value_or(request.seed);
   request.optima = count_of<std::size_t>(given, "--optima");
   request.digits = count_of<unsigned>(given, "--digits");
@@ -218,7 +225,8 @@ std::string wrong_cases(const Given& given, const CasesRequest& cases, std::size
   for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
     if (cases.what != What::from && given.has(option)) return fmt::format("{} goes with --from", option);
   if (inputs == (cases.what == What::from ? 2 : 0)) return "";
-  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs, inputs == 1 ? "" : "s");
+  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs,
+                     inputs == 1 ? "" : "s");
 }
 
 std::string wrong_variants(const CertifyRequest& certify) {
@@ -234,22 +242,28 @@ std::string wrong_certify(const CertifyRequest& certify, const std::vector<std::
   const std::size_t subjects = given(certify.subject) + given(certify.adapter) + given(certify.replay);
   if (certify.list_adapters)
     return subjects + inputs.size() == 0 ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
-  if (!certify.claims.empty()) return subjects + inputs.size() == 0 ? "" : "--claims judges a file, and takes no subject and no cases";
-  if (subjects != 1) return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
+  if (!certify.claims.empty())
+    return subjects + inputs.size() == 0 ? "" : "--claims judges a file, and takes no subject and no cases";
+  if (subjects != 1)
+    return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
   if (inputs.size() != 1)
-    return fmt::format("certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
-                       inputs.size(), inputs.size() == 1 ? "" : "s");
+    return fmt::format(
+        "certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
+        inputs.size(), inputs.size() == 1 ? "" : "s");
   if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
   if (certify.overwrite && certify.report.empty()) return "--overwrite replaces a report, and needs --report";
-  if (certify.overwrite && certify.resume) return "--resume goes on with the report that --overwrite replaces: one of them";
-  if (!certify.harness.empty() && certify.shrink.empty()) return "--harness is filled with what --shrink finds, and needs --shrink";
+  if (certify.overwrite && certify.resume)
+    return "--resume goes on with the report that --overwrite replaces: one of them";
+  if (!certify.harness.empty() && certify.shrink.empty())
+    return "--harness is filled with what --shrink finds, and needs --shrink";
   if (!certify.print_input.empty() && !certify.replay.empty())
     return "--print-input shows what a subject reads, and a replay reads nothing";
   if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
   if (certify.report == "-") return "--report writes a file; --json writes to standard output";
   if (!certify.replay.empty() && !certify.metamorphic.empty())
     return "--metamorphic puts new cases to a subject, and a replay answers none";
-  if (!certify.replay.empty() && !certify.shrink.empty()) return "--shrink puts new cases to a subject, and a replay answers none";
+  if (!certify.replay.empty() && !certify.shrink.empty())
+    return "--shrink puts new cases to a subject, and a replay answers none";
   return wrong_variants(certify);
 }
 
@@ -260,20 +274,26 @@ std::string wrong_inputs(const Given& given, const Request& request) {
   if (request.command == Command::certify) return wrong_certify(request.certify, inputs);
   const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
   if (request.command == Command::width)
-    return inputs.size() == 1 ? "" : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
-  const std::string expected = given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
+    return inputs.size() == 1
+               ? ""
+               : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
+  const std::string expected =
+      given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;
-  if (inputs.size() == 1 && is_mesh_name(inputs[0])) return expected + "found the single mesh " + kernels::shown(inputs[0]);
-  if (inputs.size() == 1 && files::is_shape_text(inputs[0])) return expected + "found the single shape " + kernels::shown(inputs[0]);
+  if (inputs.size() == 1 && is_mesh_name(inputs[0]))
+    return expected + "found the single mesh " + kernels::shown(inputs[0]);
+  if (inputs.size() == 1 && files::is_shape_text(inputs[0]))
+    return expected + "found the single shape " + kernels::shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
   return "";
 }
 
 std::string wrong_pieces(const Given& given, const Request& request) {
-  for (const char* option :
-       {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along", "--steps", "--times", "--csv", "--case", "--threads"})
+  for (const char* option : {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along", "--steps",
+                             "--times", "--csv", "--case", "--threads"})
     if (given.has(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
-  if (request.inputs.size() != 2) return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
+  if (request.inputs.size() != 2)
+    return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
   return "";
 }
 
@@ -283,9 +303,12 @@ std::string wrong_along(const Given& given, const Request& request) {
       if (given.has(option)) return fmt::format("{} goes with --along X,Y,Z", option);
     return "";
   }
-  for (const char* option : {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"})
-    if (given.has(option)) return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
-  if (request.shallow) return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
+  for (const char* option :
+       {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"})
+    if (given.has(option))
+      return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
+  if (request.shallow)
+    return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
   return "";
 }
 
@@ -296,9 +319,10 @@ std::string wrong_sweep(const Given& given, const Request& request) {
     return "";
   }
   if (!request.inputs.empty()) return "--sweep makes its bodies itself, found " + kernels::shown(request.inputs[0]);
-  for (const char* option :
-       {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b", "--require-convex", "--exact-decimals", "--threads"})
-    if (given.has(option)) return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
+  for (const char* option : {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b", "--require-convex",
+                             "--exact-decimals", "--threads"})
+    if (given.has(option))
+      return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
   return "";
 }
 
@@ -319,11 +343,15 @@ std::string wrong_page(const Request& request) {
 
 std::string wrong_approximation(const Request& request, bool asks_exact) {
   if (request.command == Command::ray && !request.direction) return "ray expects --direction X,Y,Z: where A is to move";
-  if (request.command == Command::metric && request.ball.empty()) return "metric expects --ball Q: a mesh, the unit ball";
+  if (request.command == Command::metric && request.ball.empty())
+    return "metric expects --ball Q: a mesh, the unit ball";
   if (request.command != Command::width || !request.delta) return "";
-  if (asks_exact) return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
-  if (request.counters) return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
-  if (request.bits) return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
+  if (asks_exact)
+    return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
+  if (request.counters)
+    return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
+  if (request.bits)
+    return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
   return "";
 }
 
@@ -337,15 +365,20 @@ std::string wrong_request(const Given& given, const Request& request) {
   const std::string method = given.command == "certify" ? "auto" : given.value("--method").value_or("auto");
   if (request.closest_lines && method != "auto" && method != "exact")
     return "--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + method;
-  if (request.embed_certificate && !request.json) return "--embed-certificate adds a field to JSON results, and needs --json";
-  if (request.certificate == "-") return "--certificate writes files; --json --embed-certificate writes to standard output";
+  if (request.embed_certificate && !request.json)
+    return "--embed-certificate adds a field to JSON results, and needs --json";
+  if (request.certificate == "-")
+    return "--certificate writes files; --json --embed-certificate writes to standard output";
   if (request.html == "-") return "--html writes a file; standard output has the answers";
   if (std::string fault = wrong_page(request); !fault.empty()) return fault;
-  const bool asks_exact = method != "auto" || request.closest_lines || !request.certificate.empty() || request.embed_certificate;
+  const bool asks_exact =
+      method != "auto" || request.closest_lines || !request.certificate.empty() || request.embed_certificate;
   if (std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return fault;
-  if (request.exact && request.json) return "--exact is about text: JSON has every number exactly, and rounded beside it";
+  if (request.exact && request.json)
+    return "--exact is about text: JSON has every number exactly, and rounded beside it";
   if (request.csv && request.json) return "--csv and --json are two forms of one answer: choose one";
-  if (request.csv && request.all) return "--all lists coincidences, and cannot be combined with --csv, which counts them";
+  if (request.csv && request.all)
+    return "--all lists coincidences, and cannot be combined with --csv, which counts them";
   return "";
 }
 
@@ -367,9 +400,11 @@ Arguments parse_arguments(int argc, const char* const* argv) {
   if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   const Given given = read_words("", common_options(), words);
   switch (given.kind) {
-    case Given::Kind::help: return {std::nullopt, help_text(page_of(given.command, common_options()), help_columns(STDOUT_FILENO)), fine};
+    case Given::Kind::help:
+      return {std::nullopt, help_text(page_of(given.command, common_options()), help_columns(STDOUT_FILENO)), fine};
     case Given::Kind::version: return {std::nullopt, version_text(), fine};
-    case Given::Kind::refused: return refusal(given.fault + (given.command.empty() ? line_with_command(words) : ""), given.command);
+    case Given::Kind::refused:
+      return refusal(given.fault + (given.command.empty() ? line_with_command(words) : ""), given.command);
     case Given::Kind::request: break;
   }
   if (given.command.empty()) return no_command();

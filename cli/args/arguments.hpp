@@ -12,8 +12,8 @@
 
 namespace fathom::cli {
 
-/// Either a request, or a text for the user and the exit code that goes with it: help and version (fine, for standard output), or a
-/// refusal (bad_input, for standard error).
+/// Either a request, or a text for the user and the exit code that goes with it: help and version
+/// (fine, for standard output), or a refusal (bad_input, for standard error).
 struct Arguments {
   std::optional<Request> request;
   std::string text;
@@ -23,7 +23,8 @@ struct Arguments {
 /// Never throws, whatever the user typed.
 Arguments parse_arguments(int argc, const char* const* argv);
 
-/// The methods behind --method of a command that computes its answers in two ways: each once, in the order of the words.
+/// The methods behind --method of a command that computes its answers in two ways: each once, in
+/// the order of the words.
 std::vector<Method> second_methods(const Given& given);
 
 }  // namespace fathom::cli

@@ -21,18 +21,21 @@ namespace fathom::cli {
 namespace {
 
 constexpr std::size_t longest_sentence = 200;
-constexpr std::size_t longest_list = 4000;  // our own checks list what is known, and show of what was typed a readable part
+constexpr std::size_t longest_list =
+    4000;  // our own checks list what is known, and show of what was typed a readable part
 
 std::string wrong_word(const std::string& value, const std::vector<std::string>& words) {
   if (std::ranges::find(words, value) != words.end()) return "";
-  return fmt::format("{} is unknown (expected {}){}", kernels::shown(value), fmt::join(words, ", "), did_you_mean(value, words));
+  return fmt::format("{} is unknown (expected {}){}", kernels::shown(value), fmt::join(words, ", "),
+                     did_you_mean(value, words));
 }
 
 /// What is wrong with a value of the option, or "".
 std::string wrong_value(const Option& option, const std::string& value) {
   if (option.values.wrong) return option.values.wrong(value);
   if (option.values.words.empty()) return "";
-  const std::vector<std::string> words = option.repeats == Repeats::lists ? words_of(value) : std::vector<std::string>{value};
+  const std::vector<std::string> words =
+      option.repeats == Repeats::lists ? words_of(value) : std::vector<std::string>{value};
   for (const std::string& word : words)
     if (std::string fault = wrong_word(word, option.values.words); !fault.empty()) return fault;
   return "";
@@ -66,7 +69,8 @@ class Parser {
     if (!asked().empty()) given.command = asked();
     if (given.kind != Given::Kind::request) return given;
     for (const Place& place : places_)
-      if (place.command == given.command) given.options.push_back({place.option, place.parsed->get_name(), place.values()});
+      if (place.command == given.command)
+        given.options.push_back({place.option, place.parsed->get_name(), place.values()});
     return given;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a command line, read by the table of options: what was given, or the sentence on what is wrong with it. Whether options go
-// together is the commands' to say.
+// The words of a command line, read by the table of options: what was given, or the sentence on
+// what is wrong with it. Whether options go together is the commands' to say.
 #pragma once
 
 #include <optional>
@@ -40,18 +40,21 @@ struct Given {
   [[nodiscard]] std::vector<std::string> inputs() const;
 };
 
-/// Reads the words behind "fathom" and `before`, which is "", "golden" or "certify diff". Never throws, whatever the user typed.
+/// Reads the words behind "fathom" and `before`, which is "", "golden" or "certify diff". Never
+/// throws, whatever the user typed.
 Given read_words(const std::string& before, std::span<const Option> table, const std::vector<std::string>& words);
 
-/// Returns what is wrong with a word like "--name=", whose value would be taken from the next word, or "". To be asked first.
+/// Returns what is wrong with a word like "--name=", whose value would be taken from the next word,
+/// or "". To be asked first.
 std::string missing_value(std::span<const std::string> words);
 
 /// Returns what is wrong if an option has an empty value, which would count as not given, or "".
 std::string empty_value(const Given& given);
 
-/// Says which output of the command would destroy an input or another output, standard streams included; or a file that is named like a
-/// mesh or like cases, as where the name of an output was forgotten; or "". Files are the same by what the file system says, however they
-/// are named; devices and pipes are passed over. `stream`: the command answers a stream of cases.
+/// Says which output of the command would destroy an input or another output, standard streams
+/// included; or a file that is named like a mesh or like cases, as where the name of an output was
+/// forgotten; or "". Files are the same by what the file system says, however they are named;
+/// devices and pipes are passed over. `stream`: the command answers a stream of cases.
 std::string wrong_files(const Given& given, bool stream);
 
 }  // namespace fathom::cli

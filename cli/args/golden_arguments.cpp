@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/args/golden_arguments.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tuple>
 #include <unistd.h>
 
+#include <algorithm>
+#include <tuple>
+
+#include "cli/args/arguments.hpp"
 #include "cli/args/help.hpp"
+#include "cli/args/help_page.hpp"
+#include "cli/args/values.hpp"
 #include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
-#include "cli/args/arguments.hpp"
-#include "cli/args/help_page.hpp"
-#include "cli/args/values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -22,7 +23,8 @@ constexpr std::uint64_t most_parts = 1'000'000;
 
 /// `task`: "generate", or "" for the command itself.
 GoldenArguments refusal(const std::string& sentence, const std::string& task = "") {
-  return {std::nullopt, fmt::format("{}\nTry: fathom golden {}--help", sentence, task.empty() ? "" : task + " "), bad_input};
+  return {std::nullopt, fmt::format("{}\nTry: fathom golden {}--help", sentence, task.empty() ? "" : task + " "),
+          bad_input};
 }
 
 std::vector<std::string> task_names() {
@@ -72,8 +74,8 @@ std::optional<std::pair<std::size_t, std::size_t>> typed_part(std::string_view t
 GoldenArguments parse_golden(const std::vector<std::string>& words) {
   const std::vector<std::string> tasks = task_names();
   if (!words.empty() && std::ranges::find(tasks, words[0]) == tasks.end() && !words[0].starts_with('-'))
-    return refusal(fmt::format("unknown task {} of golden (expected {}){}", kernels::shown(words[0]), fmt::join(tasks, ", "),
-                               did_you_mean(words[0], tasks)));
+    return refusal(fmt::format("unknown task {} of golden (expected {}){}", kernels::shown(words[0]),
+                               fmt::join(tasks, ", "), did_you_mean(words[0], tasks)));
   if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
   const Given given = read_words("golden", golden_options(), words);
   const std::string task = given.command == "golden" ? "" : given.command.substr(given.command.rfind(' ') + 1);
@@ -82,9 +84,11 @@ GoldenArguments parse_golden(const std::vector<std::string>& words) {
   if (given.kind == Given::Kind::refused) return refusal(given.fault, task);
   if (task.empty()) return refusal(fmt::format("golden expects a task: {}", fmt::join(tasks, ", ")));
   const GoldenRequest request = request_of(given, task);
-  if (request.folder.empty()) return refusal(task == "generate" ? "--out expects a folder" : task + " expects a folder", task);
+  if (request.folder.empty())
+    return refusal(task == "generate" ? "--out expects a folder" : task + " expects a folder", task);
   if (const std::string fault = wrong_files(given, false); !fault.empty()) return refusal(fault, task);
-  if (request.state && request.methods.empty()) return refusal("--state says which methods agreed, and needs --method", "verify");
+  if (request.state && request.methods.empty())
+    return refusal("--state says which methods agreed, and needs --method", "verify");
   return {request, "", fine};
 }
 

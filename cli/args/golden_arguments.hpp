@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parses the words behind `fathom golden` into a request, into help, or into a sentence on what is wrong with them.
+// Parses the words behind `fathom golden` into a request, into help, or into a sentence on what is
+// wrong with them.
 #pragma once
 
 #include <cstdint>

@@ -49,29 +49,33 @@ std::string joined(std::string_view text) {
   return result;
 }
 
-/// Adds what is explained and, beside it where there is room, else below it, the meaning from `column` on.
-void add_explained(Lines& lines, std::string_view title, std::string_view meaning, std::size_t column, std::size_t columns) {
+/// Adds what is explained and, beside it where there is room, else below it, the meaning from
+/// `column` on.
+void add_explained(Lines& lines, std::string_view title, std::string_view meaning, std::size_t column,
+                   std::size_t columns) {
   std::string text = fmt::format("{:{}}{}", "", margin, title);
   if (text.size() + margin > column || text.find('\n') != text.npos) {
     lines.push_back(text);
     text.clear();
   }
-  if (!meaning.empty()) lines.push_back(folded(fmt::format("{:<{}}{}", text, column, joined(meaning)), columns, column));
+  if (!meaning.empty())
+    lines.push_back(folded(fmt::format("{:<{}}{}", text, column, joined(meaning)), columns, column));
   else if (!text.empty()) lines.push_back(text);
 }
 
 void add_examples(Lines& lines, std::span<const Example> examples, std::size_t columns) {
   lines.emplace_back("Examples");
   for (const Example& example : examples)
-    add_explained(lines, broken_line(example.line, columns - margin), example.meaning, columns >= wide ? beside_example : below_option,
-                  columns);
+    add_explained(lines, broken_line(example.line, columns - margin), example.meaning,
+                  columns >= wide ? beside_example : below_option, columns);
 }
 
 void add_options(Lines& lines, const HelpPage& page, std::size_t columns) {
   const std::size_t column = columns >= enough_for_options ? beside_option : below_option;
   lines.emplace_back();
   lines.emplace_back("Options");
-  for (const OptionHelp& option : page.options) add_explained(lines, option_title(option), option.meaning, column, columns);
+  for (const OptionHelp& option : page.options)
+    add_explained(lines, option_title(option), option.meaning, column, columns);
   if (page.commands.empty()) return;
   std::size_t longest = 0;
   for (const CommandHelp& command : page.commands) longest = std::max(longest, last_word(command).size());
@@ -96,10 +100,13 @@ std::string exits_text(std::span<const ExitMeaning> exits) {
 
 }  // namespace
 
-std::string full_name(const CommandHelp& command) { return command.name.empty() ? "fathom" : "fathom " + std::string(command.name); }
+std::string full_name(const CommandHelp& command) {
+  return command.name.empty() ? "fathom" : "fathom " + std::string(command.name);
+}
 
 std::string option_title(const OptionHelp& option) {
-  return fmt::format("{}{}{}", fmt::join(option.names, ", "), option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
+  return fmt::format("{}{}{}", fmt::join(option.names, ", "),
+                     option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
 }
 
 HelpPage page_of(std::string_view command, std::span<const Option> table) {
@@ -114,7 +121,8 @@ HelpPage page_of(std::string_view command, std::span<const Option> table) {
     page.options.push_back({{"-h", "--help"}, "", "print help"});
   }
   if (command.empty())
-    page.options.push_back({{"-V", "--version"}, "", "the version, with the commit, that of the golden data, and the licence"});
+    page.options.push_back(
+        {{"-V", "--version"}, "", "the version, with the commit, that of the golden data, and the licence"});
   for (const Option& option : table)
     if (option.belongs_to(command) && !option.is_input()) page.options.push_back(help_of(option));
   for (const CommandHelp& other : command_table)

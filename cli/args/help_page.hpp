@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of help: what --help, `fathom help`, the man pages and the completion of shells are made of.
+// A page of help: what --help, `fathom help`, the man pages and the completion of shells are made
+// of.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +52,9 @@ struct HelpPage {
 std::string full_name(const CommandHelp& command);
 
 /// The last word of the name: "depth", "verify".
-inline std::string_view last_word(const CommandHelp& command) { return command.name.substr(command.name.rfind(' ') + 1); }
+inline std::string_view last_word(const CommandHelp& command) {
+  return command.name.substr(command.name.rfind(' ') + 1);
+}
 
 /// "-m, --method NAME"; "--metamorphic[=LIST]".
 std::string option_title(const OptionHelp& option);
@@ -59,7 +62,8 @@ std::string option_title(const OptionHelp& option);
 /// The page of a command, or of fathom itself, whose name is "".
 HelpPage page_of(std::string_view command, std::span<const Option> table);
 
-/// Returns the page in lines of at most `columns` characters, examples first, without the last newline.
+/// Returns the page in lines of at most `columns` characters, examples first, without the last
+/// newline.
 std::string help_text(const HelpPage& page, std::size_t columns);
 
 }  // namespace fathom::cli

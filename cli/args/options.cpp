@@ -32,7 +32,8 @@ Option file(std::string commands, std::string names, std::string value, FileUse 
   return {std::move(commands), std::move(names), std::move(value), std::move(meaning), {}, use};
 }
 
-/// The commands on two bodies or a stream, those among them that answer streams on several threads, and all that place bodies.
+/// The commands on two bodies or a stream, those among them that answer streams on several threads,
+/// and all that place bodies.
 constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,explain",
                      *on_streams = "depth,width,approx,ray,metric,study,stages",
                      *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
@@ -43,12 +44,15 @@ std::vector<Option> make_table() {
       {"depth,width",
        "--method",
        "NAME",
-       "how: auto, exact, certificate (an expanding polytope; exact where that takes too many points), shallow (the part of B - A near O: "
-       "for bodies that overlap a little), or naive (the hull of all vertex differences). auto is certificate; the result names the one "
+       "how: auto, exact, certificate (an expanding polytope; exact where that takes too many points), shallow (the "
+       "part of B - A near O: "
+       "for bodies that overlap a little), or naive (the hull of all vertex differences). auto is certificate; the "
+       "result names the one "
        "that ran",
        {nullptr, {"auto", "exact", "certificate", "shallow", "naive"}}},
       {"depth,width", "--closest-lines", "NAME",
-       "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)", words_of_engines},
+       "engine inside the exact method: cutting (the default), sampled, or naive (all pairs of lines)",
+       words_of_engines},
       {"depth,width",
        "--seed",
        "N",
@@ -57,18 +61,21 @@ std::vector<Option> make_table() {
       {"depth,width",
        "--digits",
        "N",
-       "add an enclosure of the depth to N significant digits. Of curved bodies, bounds so near are looked for, unless --bits says how "
+       "add an enclosure of the depth to N significant digits. Of curved bodies, bounds so near are looked for, unless "
+       "--bits says how "
        "near",
        {wrong_digits}},
       {"depth,width",
        "--bits",
        "K",
-       "how near the bounds of curved bodies are to be: within 2^-K of the value, or of the bodies' extent; 40 unless given, at most 1000",
+       "how near the bounds of curved bodies are to be: within 2^-K of the value, or of the bodies' extent; 40 unless "
+       "given, at most 1000",
        {wrong_bits}},
       {"approx",
        "--delta",
        "DELTA",
-       "the translation may be longer than the depth by a factor of 1 + DELTA; 1/100 unless given. About 4 / DELTA rays are shot",
+       "the translation may be longer than the depth by a factor of 1 + DELTA; 1/100 unless given. About 4 / DELTA "
+       "rays are shot",
        {wrong_delta}},
       {"ray", "--direction", "X,Y,Z", "where A is to move", {wrong_vector}},
       file("metric", "--ball", "Q", FileUse::read,
@@ -80,20 +87,27 @@ std::vector<Option> make_table() {
       {"cases",
        "--family",
        "NAMES",
-       "cases of these families, in turn: names with commas between them, with * and ? for any letters; may be repeated; all: every one",
+       "cases of these families, in turn: names with commas between them, with * and ? for any letters; may be "
+       "repeated; all: every one",
        {},
        FileUse::none,
        Repeats::lists},
       {"cases", "--count", "N", "so many, with successive seeds (1)", {wrong_integer<1, 1'000'000'000>}},
       {"cases", "--seed", "N", "the first seed (1)", {wrong_integer<0, UINT64_MAX>}},
-      {"cases", "--size", "N", "about so many points a body, of unions pieces (the family's usual size)", {wrong_integer<1, 1'000'000>}},
+      {"cases",
+       "--size",
+       "N",
+       "about so many points a body, of unions pieces (the family's usual size)",
+       {wrong_integer<1, 1'000'000>}},
       flag("cases", "--catalogue", "all named degenerate pairs"),
       flag("cases", "--list", "the families, with a line on each"),
       flag("cases", "--from", "the meshes A and B as one case, vertices as read"),
-      flag("cases", "--shapes", "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes"),
+      flag("cases", "--shapes",
+           "after --list, --catalogue, --family all: those of round and curved bodies, not those of polytopes"),
       flag("cases", "--unions", "likewise: those of bodies that are not convex, as unions of convex pieces"),
       file("cases", "--from-fcl", "FILE", FileUse::read,
-           "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): boxes and Convex with their poses; "
+           "the failures in a log or a text of FCL (\"Error with configuration\"; -: standard input): boxes and Convex "
+           "with their poses; "
            "the "
            "placed points are rounded once to binary64"),
 
@@ -101,27 +115,33 @@ std::vector<Option> make_table() {
       {with_bodies, "second", "", ""},
       flag(with_bodies, "--exact-decimals", "decimals in text meshes are exact, instead of the nearest binary64"),
       file(of_two, "--pose-a", "POSE", FileUse::read,
-           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or "
+           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" "
+           "(or xyzw=X,Y,Z,W, or "
            "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these"),
       file("width", "--pose-a,--pose", "POSE", FileUse::read,
-           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or xyzw=X,Y,Z,W, or "
+           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" "
+           "(or xyzw=X,Y,Z,W, or "
            "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these"),
       file(of_two, "--pose-b", "POSE", FileUse::read, "the same for B"),
       flag(on_bodies, "--require-convex",
-           "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says so"),
+           "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says "
+           "so"),
       {on_streams,
        "--threads",
        "N",
-       "cases of a stream that are answered at once; as many as there are cores unless given. The output is the same with any number",
+       "cases of a stream that are answered at once; as many as there are cores unless given. The output is the same "
+       "with any number",
        {wrong_threads}},
       file("depth,width", "--certificate", "FILE", FileUse::placed,
            "write the proof of the answer to FILE; for a stream: a directory, one file for each case"),
       flag("depth,width", "--embed-certificate", "with --json: add the proof to each result"),
       file("depth", "--svg", "FILE", FileUse::placed,
-           "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with --along: the curve"),
+           "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with "
+           "--along: the curve"),
       flag("depth,width", "--counters", "add what the run did, in counts"),
       flag("depth,width,approx,ray,metric", "--exact",
-           "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals stand"),
+           "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals "
+           "stand"),
       {"approx,ray", "--digits", "N", "add an enclosure of the length to N significant digits", {wrong_digits}},
       flag("depth,width", "--json", "one JSON object per line, schema fathom/result/2"),
       {"width", "--delta", "DELTA", "approximate within a factor of 1 + DELTA, by rays", {wrong_delta}},
@@ -129,16 +149,23 @@ std::vector<Option> make_table() {
       {"depth",
        "--along",
        "X,Y,Z",
-       "the signed depth along a path instead: A is moved by s X,Y,Z for s from 0 to 1. It is positive while the bodies penetrate, 0 when "
+       "the signed depth along a path instead: A is moved by s X,Y,Z for s from 0 to 1. It is positive while the "
+       "bodies penetrate, 0 when "
        "they touch, and minus the distance when they are apart: one continuous curve, exact at each step",
        {wrong_vector}},
-      {"depth", "--steps", "N", "with --along: how many steps the path has; 32 unless given", {wrong_integer<1, 1'000'000>}},
+      {"depth",
+       "--steps",
+       "N",
+       "with --along: how many steps the path has; 32 unless given",
+       {wrong_integer<1, 1'000'000>}},
       flag("depth", "--csv", "with --along: a header, then one row for each place"),
       flag("depth", "--pieces",
-           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the mesh files of a "
+           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or "
+           "the mesh files of a "
            "folder; another mesh, or a shape, is one piece. With --json one object, schema fathom/union/1"),
       flag("explain", "--pieces",
-           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the mesh files of a "
+           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or "
+           "the mesh files of a "
            "folder; another mesh, or a shape, is one piece"),
       {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
       flag("study", "--all", "list every coincidence, not the first 20 of a kind (in tables: the first)"),
@@ -147,15 +174,18 @@ std::vector<Option> make_table() {
       file("study", "--html", "FILE", FileUse::written,
            "write one page, with pictures, tables to filter, and of a stream every case folded"),
       {"study", "--sweep", "FAMILY",
-       "instead of two bodies: how crossings, canonical subsets and work grow with the size of this family's pairs, by the exact method; "
+       "instead of two bodies: how crossings, canonical subsets and work grow with the size of this family's pairs, by "
+       "the exact method; "
        "`fathom cases --list` names the families"},
       {"study",
        "--sizes",
        "LOW..HIGH",
-       "with --sweep: about so many points a body. LOW..HIGH takes 1, 2 and 5 times the powers of ten in between; 10..1000 unless given",
+       "with --sweep: about so many points a body. LOW..HIGH takes 1, 2 and 5 times the powers of ten in between; "
+       "10..1000 unless given",
        {wrong_sizes}},
       {"study", "--closest-lines", "NAME,...",
-       "with --sweep: the pairs of lines that these engines evaluate, side by side: cutting, sampled, naive (all pairs of lines)",
+       "with --sweep: the pairs of lines that these engines evaluate, side by side: cutting, sampled, naive (all pairs "
+       "of lines)",
        words_of_engines, FileUse::none, Repeats::lists},
       flag("study", "--times", "with --sweep: add the seconds that each size took, which differ from run to run"),
       {"study", "--seed", "N", "with --sweep: of the family's pairs; 1 unless given", {wrong_integer<0, UINT64_MAX>}},
@@ -164,41 +194,56 @@ std::vector<Option> make_table() {
       flag("stages", "--times", "add the seconds that each stage took, which differ from run to run"),
       flag("stages", "--json", "one JSON object per line, schema fathom/stages/1: every stage, for pictures"),
       file("stages", "--svg", "FILE", FileUse::placed,
-           "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each case"),
+           "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each "
+           "case"),
       file("explain", "-o,--output", "FILE", FileUse::written, "the page: one HTML file, which needs no network"),
       flag("explain", "--times", "add how long each stage took: then the page differs from run to run"),
 
-      {"certify", "--subject", "COMMAND", "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command"},
+      {"certify", "--subject", "COMMAND",
+       "a program that speaks the protocol of verify/PROTOCOL.md, as a shell command"},
       {"certify", "--adapter", "NAME",
        "a library by the name that --list-adapters shows; its settings may follow: libccd-epa,epa_tolerance=1e-12"},
       file("certify", "--replay", "FILE", FileUse::read,
            "replies that were recorded: an optional hello, then one a line; - for standard input"),
       file("certify", "--claims", "FILE", FileUse::read,
-           "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for standard input"),
+           "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for "
+           "standard input"),
       flag("certify", "--list-adapters", "the names for --adapter, and whether each is built"),
       {"certify", "--jobs", "N", "subjects at once; as many as there are processors unless given", {wrong_threads}},
       {"certify", "--time-out", "S", "seconds that a case may take; 10 unless given", {wrong_time}},
       {"certify", "--tol-rel", "Q", "a depth may be wrong by Q times itself; 1/1000 unless given,", {wrong_tolerance}},
-      {"certify", "--tol-abs", "Q", "or by Q times the longest side of the bodies; 1/1000000 unless given,", {wrong_tolerance}},
-      {"certify", "--tol-ulps", "N", "or by N units in the last place; 0 unless given: the largest of the three", {wrong_count}},
+      {"certify",
+       "--tol-abs",
+       "Q",
+       "or by Q times the longest side of the bodies; 1/1000000 unless given,",
+       {wrong_tolerance}},
+      {"certify",
+       "--tol-ulps",
+       "N",
+       "or by N units in the last place; 0 unless given: the largest of the three",
+       {wrong_count}},
       {"certify",
        "--fit",
        "N",
-       "put each case to the subject scaled by a power of two, so that the longest side of its bodies is less than N and at least N/2",
+       "put each case to the subject scaled by a power of two, so that the longest side of its bodies is less than N "
+       "and at least N/2",
        {wrong_fit}},
       {"certify", "--policy", "POLICY",
-       "which depths pass that are the price of their own direction, though a shorter way out exists: as the subject's hello claims "
+       "which depths pass that are the price of their own direction, though a shorter way out exists: as the subject's "
+       "hello claims "
        "(declared, unless given), none (minimum), all (separating), or up to P % above the depth (within=P%)",
        policies()},
       {"certify",
        "--method",
        "NAME",
-       "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare it, and every "
+       "find every truth again by exact (AGHRS's pipeline) or naive (the hull of all vertex differences), and compare "
+       "it, and every "
        "judgement, field by field; may be repeated",
        {wrong_second_method, {"exact", "naive"}},
        FileUse::none,
        Repeats::each},
-      file("certify", "--report", "FILE", FileUse::journal, "write each verdict as it is found, schema fathom/verdict/1"),
+      file("certify", "--report", "FILE", FileUse::journal,
+           "write each verdict as it is found, schema fathom/verdict/1"),
       flag("certify", "--resume", "go on with the report that is there: what it holds is not run again"),
       flag("certify", "--overwrite", "replace the report that is there"),
       flag("certify", "--all-rows", "in the table, a row for each family; else those that pass share one"),
@@ -206,15 +251,19 @@ std::vector<Option> make_table() {
       {"certify", "--metamorphic{all}", "[=LIST]",
        fmt::format("each case also under symmetries, any of {} with commas between them; all without a list",
                    fmt::join(harness::variant_names, ", "))},
-      file("certify", "--expect-fail", "FILE", FileUse::read_list, "known failures: a run that differs from the list in any way fails"),
-      file("certify", "--write-expect-fail", "FILE", FileUse::written_list, "write such a list; comments of one that is there stay"),
+      file("certify", "--expect-fail", "FILE", FileUse::read_list,
+           "known failures: a run that differs from the list in any way fails"),
+      file("certify", "--write-expect-fail", "FILE", FileUse::written_list,
+           "write such a list; comments of one that is there stay"),
       {"certify", "--max-errors", "N", "exit code 0 as long as no more cases fail", {wrong_count}},
       file("certify", "--junit", "FILE", FileUse::written, "write JUnit XML"),
-      file("certify", "--html", "FILE", FileUse::written, "write one page with tables, histograms and pictures of failures"),
+      file("certify", "--html", "FILE", FileUse::written,
+           "write one page with tables, histograms and pictures of failures"),
       file("certify", "--certificates", "DIR", FileUse::folder, "write the proof of the truth about each failing case"),
       file("certify", "--shrink", "DIR", FileUse::folder, "reduce one failing case of each verdict to a small one"),
       file("certify", "--harness", "FILE", FileUse::read,
-           "with --shrink, your own program with @A@ and @B@ where the bodies go, as {{x, y, z}, ...}, or @A_JSON@ and @B_JSON@"),
+           "with --shrink, your own program with @A@ and @B@ where the bodies go, as {{x, y, z}, ...}, or @A_JSON@ and "
+           "@B_JSON@"),
       {"certify", "--print-input", "ID", "print what the subject reads for the case of this id, and ask nothing"},
       {"certify", "first", "", ""},
 
@@ -223,9 +272,11 @@ std::vector<Option> make_table() {
       file("certify diff", "--html", "FILE", FileUse::written, "write a page for a browser"),
 
       {"check", "--threads", "N",
-       "how many certificates are checked at once; as many as there are cores unless given. The output is the same with any number"},
+       "how many certificates are checked at once; as many as there are cores unless given. The output is the same "
+       "with any number"},
       flag("check", "--proved",
-           "by the checker that was extracted from the Coq proof: alone, or with --case, --results, --echo and --width after this one"),
+           "by the checker that was extracted from the Coq proof: alone, or with --case, --results, --echo and --width "
+           "after this one"),
       {"man", "--all", "DIR", "write every page as a file into the folder, made if need be"},
   };
 }

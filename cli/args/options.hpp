@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options of all commands, as one table: whose they are, how they are called, what they mean, which values they take. The parser, help,
-// manual pages and the completion of shells are made of it.
+// The options of all commands, as one table: whose they are, how they are called, what they mean,
+// which values they take. The parser, help, manual pages and the completion of shells are made of
+// it.
 #pragma once
 
 #include <span>
@@ -10,7 +11,8 @@
 
 namespace fathom::cli {
 
-/// What the value of an option names. wrong_files (given.hpp) sees to it that nothing that is written is read, or written otherwise.
+/// What the value of an option names. wrong_files (given.hpp) sees to it that nothing that is
+/// written is read, or written otherwise.
 enum class FileUse {
   none,
   read,
@@ -31,16 +33,18 @@ enum class Repeats {
 
 /// Which values are good.
 struct Values {
-  std::string (*wrong)(const std::string& value) = nullptr;  ///< a sentence, or ""; null: any text, or one of `words` if there are some
-  std::vector<std::string> words = {};                       ///< that help and completion show
+  std::string (*wrong)(const std::string& value) =
+      nullptr;                          ///< a sentence, or ""; null: any text, or one of `words` if there are some
+  std::vector<std::string> words = {};  ///< that help and completion show
 };
 
 /// An option; or, if its name has no dash, a place for an input.
 struct Option {
   std::string commands;  ///< those that have it, with commas between them: "depth,golden verify"
   std::string names;     ///< with commas between them: "-o,--output"
-  std::string value;     ///< "NAME"; "" of a flag; "[=LIST]" of a flag whose value, here in braces behind the name, may be another
-  std::string meaning;   ///< white space is no more than that
+  std::string
+      value;  ///< "NAME"; "" of a flag; "[=LIST]" of a flag whose value, here in braces behind the name, may be another
+  std::string meaning;  ///< white space is no more than that
   Values values = {};
   FileUse use = FileUse::none;
   Repeats repeats = Repeats::never;
@@ -51,11 +55,12 @@ struct Option {
   [[nodiscard]] bool belongs_to(std::string_view command) const;
 };
 
-/// The options of the commands that bodies, cases, reports and certificates are for, and of help. Those of one command are in the order of
-/// its help.
+/// The options of the commands that bodies, cases, reports and certificates are for, and of help.
+/// Those of one command are in the order of its help.
 std::span<const Option> common_options();
 
-/// The options of `golden` and its tasks.                                                              golden_options.cpp
+/// The options of `golden` and its tasks.
+/// golden_options.cpp
 std::span<const Option> golden_options();
 
 }  // namespace fathom::cli

@@ -11,14 +11,15 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "fathom/numbers.hpp"
 #include "fathom/judge.hpp"
+#include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
 
 namespace fathom::cli {
 
 struct AlongRequest {
-  std::optional<Point> translation;  ///< set if the depth along a path is asked for: A is moved by parts of it, and by all of it in the end
+  std::optional<Point> translation;  ///< set if the depth along a path is asked for: A is moved by parts of it, and by
+                                     ///< all of it in the end
   std::uint32_t steps = 32;
 };
 
@@ -28,8 +29,8 @@ struct CasesRequest {
   enum class What { family, catalogue, list, from, from_fcl };
   What what = What::family;
   std::vector<std::string> families;  ///< as typed: names, or patterns of them; "all"
-  bool shapes = false;                ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
-  bool unions = false;                ///< likewise, those of unions of pieces
+  bool shapes = false;  ///< of all families, or the catalogue, or the list: those of shapes, not of polytopes
+  bool unions = false;  ///< likewise, those of unions of pieces
   std::uint64_t count = 1, seed = 1;  ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;       ///< if not set, the family's usual size
   std::string fcl;                    ///< the file with the text of FCL's exceptions
@@ -50,10 +51,10 @@ struct CertifyRequest {
   std::string report;
   bool resume = false, overwrite = false;  ///< of the report that is there
   bool all_rows = false;                   ///< in the table
-  std::string print_input;                 ///< the id of the case whose lines are printed, as the subject reads them; empty: none
-  std::string harness;                     ///< the user's own program for --shrink; empty: none
-  std::string metamorphic;                 ///< as typed: "all", or a list with commas
-  std::vector<std::string> variants;       ///< the same, as a list
+  std::string print_input;  ///< the id of the case whose lines are printed, as the subject reads them; empty: none
+  std::string harness;      ///< the user's own program for --shrink; empty: none
+  std::string metamorphic;  ///< as typed: "all", or a list with commas
+  std::vector<std::string> variants;                                              ///< the same, as a list
   std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
   std::optional<std::size_t> max_errors;
 };
@@ -72,8 +73,8 @@ enum class Command { depth, width, approx, ray, metric, study, stages, explain, 
 
 struct Request {
   Command command = Command::depth;
-  std::vector<std::string> inputs;  ///< depth, approx, ray, metric, study, stages, explain: two meshes or one stream; width: one mesh or
-                                    ///< one stream; cases --from: two meshes
+  std::vector<std::string> inputs;  ///< depth, approx, ray, metric, study, stages, explain: two meshes or one stream;
+                                    ///< width: one mesh or one stream; cases --from: two meshes
   Method method = Method::automatic;
   bool shallow = false;  ///< use shallow_depth instead of a Method
   std::optional<ClosestLines> closest_lines;
@@ -90,13 +91,14 @@ struct Request {
   bool times = false;        ///< stages, explain, study --sweep: with the seconds that each took
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
-  std::string certificate;          ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
-  std::string svg;                  ///< depth: the file for the picture, or the folder for those of a stream; study --sweep, depth --along,
-                                    ///< stages: the file for charts; empty: none
-  bool embed_certificate = false;   ///< as a field of each JSON result
-  std::optional<mpq_class> delta;   ///< approx, width: the answer may be wrong by a factor of 1 + delta
-  std::optional<Point> direction;   ///< ray
-  std::string ball;                 ///< metric: a mesh
+  std::string
+      certificate;  ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  std::string svg;  ///< depth: the file for the picture, or the folder for those of a stream; study --sweep, depth
+                    ///< --along, stages: the file for charts; empty: none
+  bool embed_certificate = false;             ///< as a field of each JSON result
+  std::optional<mpq_class> delta;             ///< approx, width: the answer may be wrong by a factor of 1 + delta
+  std::optional<Point> direction;             ///< ray
+  std::string ball;                           ///< metric: a mesh
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces
   std::optional<std::string> case_id;         ///< depth, study, stages, explain: one case of a stream

@@ -65,7 +65,8 @@ std::optional<Point> typed_vector(std::string_view text) {
 }
 
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
-  if (const std::size_t dots = text.find(".."); dots != text.npos) return typed_range(text.substr(0, dots), text.substr(dots + 2));
+  if (const std::size_t dots = text.find(".."); dots != text.npos)
+    return typed_range(text.substr(0, dots), text.substr(dots + 2));
   std::vector<unsigned> sizes;
   for (const std::string& word : words_of(text)) {
     const std::optional<unsigned> size = typed_size(word);
@@ -92,11 +93,16 @@ std::vector<std::string> words_of(std::string_view list) {
 
 std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high) {
   const std::string highest = high == UINT64_MAX ? "2^64 - 1" : std::to_string(high);
-  return unless(typed_integer(text, low, high).has_value(), fmt::format("an integer from {} to {}", low, highest), text);
+  return unless(typed_integer(text, low, high).has_value(), fmt::format("an integer from {} to {}", low, highest),
+                text);
 }
 
-std::string wrong_count(const std::string& text) { return unless(typed_integer(text).has_value(), "a number of at least 0", text); }
-std::string wrong_optima(const std::string& text) { return unless(typed_integer(text, 1).has_value(), "an integer from 1 on", text); }
+std::string wrong_count(const std::string& text) {
+  return unless(typed_integer(text).has_value(), "a number of at least 0", text);
+}
+std::string wrong_optima(const std::string& text) {
+  return unless(typed_integer(text, 1).has_value(), "an integer from 1 on", text);
+}
 std::string wrong_threads(const std::string& text) { return wrong_integer(text, 1, most_threads); }
 std::string wrong_digits(const std::string& text) { return wrong_integer(text, 1, most_root_digits); }
 std::string wrong_bits(const std::string& text) { return wrong_integer(text, 1, most_bound_bits); }
@@ -132,9 +138,12 @@ std::string wrong_fit(const std::string& text) {
 }
 
 std::string wrong_policy(const std::string& text) {
-  return unless(judging::policy_of(text).has_value(), "declared, minimum, separating or within=P%, such as within=5%", text);
+  return unless(judging::policy_of(text).has_value(), "declared, minimum, separating or within=P%, such as within=5%",
+                text);
 }
 
-std::string wrong_second_method(const std::string& text) { return unless(solve::second_method(text).has_value(), "exact or naive", text); }
+std::string wrong_second_method(const std::string& text) {
+  return unless(solve::second_method(text).has_value(), "exact or naive", text);
+}
 
 }  // namespace fathom::cli

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values behind options: what a text means, and what is wrong with it. Numbers are meant as typed: decimals are exact, integers are
-// plain digits.
+// The values behind options: what a text means, and what is wrong with it. Numbers are meant as
+// typed: decimals are exact, integers are plain digits.
 #pragma once
 
 #include <array>
@@ -21,11 +21,13 @@ inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sample
 
 // What a text means, or nullopt if it means nothing of the kind.
 
-std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0, std::uint64_t high = UINT64_MAX);
+std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0,
+                                           std::uint64_t high = UINT64_MAX);
 std::optional<mpq_class> typed_number(std::string_view text);
 /// Three numbers with commas between them, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
-/// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of ten between them.
+/// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
+/// ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
 /// A number of threads.
 std::optional<unsigned> typed_threads(std::string_view text);

@@ -16,7 +16,8 @@ constexpr std::size_t shortest = 3, longest = 60;  // characters of a word that 
 bool is_plain(const std::string& word) {
   constexpr std::string_view others = "-_./,:=+%@";
   const auto plain = [&](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || others.find(c) != std::string_view::npos;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           others.find(c) != std::string_view::npos;
   };
   return !word.empty() && std::ranges::all_of(word, plain);
 }

@@ -7,7 +7,8 @@
 
 namespace fathom::cli {
 
-/// Returns "; did you mean 'word'?" for the one of `words` that alone begins with `typed`, or else is nearest to it and near; or "".
+/// Returns "; did you mean 'word'?" for the one of `words` that alone begins with `typed`, or else
+/// is nearest to it and near; or "".
 std::string did_you_mean(const std::string& typed, std::span<const std::string> words);
 
 // Words quoted for /bin/sh.

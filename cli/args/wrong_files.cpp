@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which files of a command line stand in the way of each other: decided before any is opened.
 
-#include "fathom/files.hpp"
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fmt/format.h>
 #include <optional>
 #include <string_view>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
-#include "kernels/messages.hpp"
-#include "reference/files/piece_files.hpp"
-#include "reference/files/file_io.hpp"
 #include "cli/args/given.hpp"
+#include "fathom/files.hpp"
+#include "kernels/messages.hpp"
+#include "reference/files/file_io.hpp"
+#include "reference/files/piece_files.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -52,11 +52,14 @@ class FilePlace {
   /// Whether it is there, and holds text or the like.
   [[nodiscard]] bool is_file() const { return regular_; }
   /// Whether it lies in that folder, not deeper.
-  [[nodiscard]] bool is_in(const FilePlace& folder) const { return !path_.empty() && path_.parent_path() == folder.path_; }
+  [[nodiscard]] bool is_in(const FilePlace& folder) const {
+    return !path_.empty() && path_.parent_path() == folder.path_;
+  }
   /// Whether it is named like a file that goes into folders.
   [[nodiscard]] bool has_chosen_name() const {
     const std::string ending = path_.extension().string();
-    return ending == ".cert" || ending == ".svg" || ending == ".cpp" || path_.filename().string().ends_with(".case.json");
+    return ending == ".cert" || ending == ".svg" || ending == ".cpp" ||
+           path_.filename().string().ends_with(".case.json");
   }
 
  private:
@@ -114,16 +117,19 @@ std::vector<NamedFile> files_of(const Given& given) {
 /// Whether writing the first would destroy the second.
 bool destroys(const NamedFile& writes, const NamedFile& other, bool stream) {
   if (writes.use == FileUse::written_list && other.use == FileUse::read_list) return false;
-  const bool folder = writes.use == FileUse::folder || (writes.use == FileUse::placed && stream && !writes.place.is_file());
+  const bool folder =
+      writes.use == FileUse::folder || (writes.use == FileUse::placed && stream && !writes.place.is_file());
   if (folder && other.is_read() && other.place.is_in(writes.place) && other.place.has_chosen_name()) return true;
   return writes.place.is(other.place) && !(folder && other.use == FileUse::placed);
 }
 
 /// Whether it would replace what is named like an input.
 bool replaces_a_body(const NamedFile& writes) {
-  constexpr std::array<std::string_view, 9> inputs = {"off", "obj", "ply", "stl", "xyz", "pts", "json", "jsonl", "ndjson"};
+  constexpr std::array<std::string_view, 9> inputs = {"off", "obj",  "ply",   "stl",   "xyz",
+                                                      "pts", "json", "jsonl", "ndjson"};
   const bool replaces = writes.use == FileUse::written || writes.use == FileUse::placed;
-  return replaces && writes.place.is_file() && std::ranges::find(inputs, files::extension(writes.value)) != inputs.end();
+  return replaces && writes.place.is_file() &&
+         std::ranges::find(inputs, files::extension(writes.value)) != inputs.end();
 }
 
 }  // namespace
@@ -134,8 +140,9 @@ std::string wrong_files(const Given& given, bool stream) {
     const NamedFile& writes = files[i];
     if (writes.is_read()) continue;
     if (replaces_a_body(writes))
-      return fmt::format("{} would write over {}, which is named like a mesh or like cases: name another file, or remove it first",
-                         writes.option, kernels::shown(writes.value));
+      return fmt::format(
+          "{} would write over {}, which is named like a mesh or like cases: name another file, or remove it first",
+          writes.option, kernels::shown(writes.value));
     for (std::size_t k = 0; k < files.size(); ++k) {
       const NamedFile& other = files[k];
       if (k == i || (!other.is_read() && k < i) || !destroys(writes, other, stream)) continue;

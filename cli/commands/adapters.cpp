@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/commands/adapters.hpp"
 
-#include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <system_error>
 #include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "cli/args/words.hpp"
 #include "fathom/files.hpp"
@@ -26,22 +27,27 @@ const std::vector<Adapter>& adapters() {
       {"bullet-epa", "fathom-subject-bullet", "epa", "Bullet, binary32: btGjkEpaSolver2, margin 0"},
       {"bullet-pair", "fathom-subject-bullet", "pair", "Bullet, binary32: btGjkPairDetector with the shapes' margin"},
       {"bullet64-epa", "fathom-subject-bullet64", "epa", "Bullet, binary64: btGjkEpaSolver2, margin 0"},
-      {"bullet64-pair", "fathom-subject-bullet64", "pair", "Bullet, binary64: btGjkPairDetector with the shapes' margin"},
+      {"bullet64-pair", "fathom-subject-bullet64", "pair",
+       "Bullet, binary64: btGjkPairDetector with the shapes' margin"},
       {"ode-collide", "fathom-subject-ode", "collide", "ODE: dCollide"},
       {"jolt", "web-subjects/jolt.mjs", "radius0", "Jolt, binary32: CollideShape, convex radius 0"},
-      {"jolt-radius", "web-subjects/jolt.mjs", "radius", "Jolt, binary32: the same, convex radius 0.05 as in C++ by default"},
-      {"rapier-contact", "web-subjects/rapier.mjs", "contact", "Rapier, binary32: contactCollider, which is parry's query"},
+      {"jolt-radius", "web-subjects/jolt.mjs", "radius",
+       "Jolt, binary32: the same, convex radius 0.05 as in C++ by default"},
+      {"rapier-contact", "web-subjects/rapier.mjs", "contact",
+       "Rapier, binary32: contactCollider, which is parry's query"},
       {"rapier-world", "web-subjects/rapier.mjs", "world", "Rapier, binary32: the deepest point of a step's manifold"},
       {"physx-gjk", "web-subjects/physx.mjs", "gjk", "PhysX, binary32: PxGjkQuery (GJK, then EPA)"},
       {"physx-sweep", "web-subjects/physx.mjs", "sweep", "PhysX, binary32: a sweep that asks for the MTD"},
-      {"physx-scene", "web-subjects/physx.mjs", "scene", "PhysX, binary32: the deepest point of a step's contact report"},
+      {"physx-scene", "web-subjects/physx.mjs", "scene",
+       "PhysX, binary32: the deepest point of a step's contact report"},
       {"havok", "web-subjects/havok.mjs", "proximity", "Havok, binary32: the proximity of two shapes"},
       {"mujoco-native", "web-subjects/mujoco.mjs", "native", "MuJoCo: mj_collision as by default"},
       {"mujoco-single", "web-subjects/mujoco.mjs", "single", "MuJoCo: mj_collision, multiccd disabled"},
       {"mujoco-libccd", "web-subjects/mujoco.mjs", "libccd", "MuJoCo: mj_collision, nativeccd disabled"},
       {"mujoco-distance", "web-subjects/mujoco.mjs", "distance", "MuJoCo: mj_geomDistance"},
       {"cannon-sat", "web-subjects/cannon.mjs", "sat", "cannon-es, binary64: findSeparatingAxis, testSepAxis"},
-      {"cannon-contact", "web-subjects/cannon.mjs", "contact", "cannon-es, binary64: findSeparatingAxis, clipAgainstHull"},
+      {"cannon-contact", "web-subjects/cannon.mjs", "contact",
+       "cannon-es, binary64: findSeparatingAxis, clipAgainstHull"},
   };
   return all;
 }
@@ -53,7 +59,8 @@ bool is_script(const Adapter& adapter) { return adapter.program.ends_with(".mjs"
 // A script runs where npm has put its packages beside it.
 bool is_ready(const Adapter& adapter, const fs::path& file) {
   std::error_code fault;
-  if (is_script(adapter)) return fs::is_regular_file(file, fault) && fs::is_directory(file.parent_path() / "node_modules", fault);
+  if (is_script(adapter))
+    return fs::is_regular_file(file, fault) && fs::is_directory(file.parent_path() / "node_modules", fault);
   return ::access(file.c_str(), X_OK) == 0;
 }
 
@@ -70,7 +77,8 @@ std::string program_of(const Adapter& adapter) {
 }
 
 std::string how_adapters_come() {
-  return "what is not built comes with its first use, ./fathom certify --adapter NAME in the source tree: the adapters of C and C++ "
+  return "what is not built comes with its first use, ./fathom certify --adapter NAME in the source tree: the adapters "
+         "of C and C++ "
          "libraries "
          "are compiled with Debian's packages, the others' engines are installed by npm";
 }
@@ -81,16 +89,19 @@ std::string adapter_command(const std::string& words) {
   if (adapter == adapters().end()) {
     std::vector<std::string> names;
     for (const Adapter& a : adapters()) names.push_back(a.name);
-    throw InputError("--adapter", 0, fmt::format("{} is unknown (expected {})", kernels::shown(name), fmt::join(names, ", ")));
+    throw InputError("--adapter", 0,
+                     fmt::format("{} is unknown (expected {})", kernels::shown(name), fmt::join(names, ", ")));
   }
   const std::string program = program_of(*adapter);
   if (program.empty())
     throw InputError(
         "--adapter", 0,
         fmt::format("{} is not beside this program: it is {}", adapter->program,
-                    is_script(*adapter) ? "installed with its packages by node 18 or later and npm, as verify/subjects/web says"
-                                        : "built where the library's Debian package is there"));
-  std::string command = fmt::format("exec {}{} {}", is_script(*adapter) ? "node " : "", quoted(program), adapter->argument);
+                    is_script(*adapter)
+                        ? "installed with its packages by node 18 or later and npm, as verify/subjects/web says"
+                        : "built where the library's Debian package is there"));
+  std::string command =
+      fmt::format("exec {}{} {}", is_script(*adapter) ? "node " : "", quoted(program), adapter->argument);
   for (std::size_t comma = name.size(); comma < words.size();) {
     const std::size_t next = std::min(words.find(',', comma + 1), words.size());
     command += ' ' + quoted(words.substr(comma + 1, next - comma - 1));

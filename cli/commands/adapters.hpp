@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subjects that come with fathom, by name.                                                    [verify/subjects/README.md]
+// The subjects that come with fathom, by name.                          [verify/subjects/README.md]
 #pragma once
 
 #include <string>
@@ -19,12 +19,12 @@ const std::vector<Adapter>& adapters();
 /// Returns a sentence on how those come that are not there.
 std::string how_adapters_come();
 
-/// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from there; "" if it is in neither place, or a
-/// script whose packages are not there.
+/// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from
+/// there; "" if it is in neither place, or a script whose packages are not there.
 std::string program_of(const Adapter& adapter);
 
-/// Returns the shell command for "NAME" or "NAME,key=value,...". Throws InputError if there is no such adapter, or its program is not
-/// built or has not its packages.
+/// Returns the shell command for "NAME" or "NAME,key=value,...". Throws InputError if there is no
+/// such adapter, or its program is not built or has not its packages.
 std::string adapter_command(const std::string& words);
 
 }  // namespace fathom::cli

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom depth A B --along X,Y,Z --steps N | CASES.jsonl --case ID --along X,Y,Z
-// The signed depth along a path: for people (a table), for programs (JSON, schemas/along.schema.json), for spreadsheets (CSV), and as a
-// chart.
+// fathom depth A B --along X,Y,Z --steps N | CASES.jsonl --case ID --along X,Y,Z The signed depth
+// along a path: for people (a table), for programs (JSON, schemas/along.schema.json), for
+// spreadsheets (CSV), and as a chart.
 
-#include "cli/output/answer_output.hpp"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,11 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
-#include "reference/output/json_values.hpp"
-#include "view/picture/markup.hpp"
-#include "view/plot/plot.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
@@ -27,10 +21,16 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/coordinates.hpp"
+#include "cli/output/decimal.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/output/json_values.hpp"
 #include "reference/text/json.hpp"
+#include "view/picture/markup.hpp"
+#include "view/plot/plot.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -70,7 +70,9 @@ double height(const AlongStep& step) {
 
 std::string translation_text(const Point& p) { return place_text(p, true); }
 
-std::size_t share_columns(const Path& path) { return std::max<std::size_t>(1, 2 * std::to_string(path.steps).size() + 1); }
+std::size_t share_columns(const Path& path) {
+  return std::max<std::size_t>(1, 2 * std::to_string(path.steps).size() + 1);
+}
 
 /// "penetrating for s from 0 to 7/16, touching at 1/2, disjoint for s from 9/16 to 1"
 std::string course(const std::vector<AlongStep>& steps) {
@@ -85,8 +87,8 @@ std::string course(const std::vector<AlongStep>& steps) {
   return result;
 }
 
-/// One series of marks for each status, in the order of Status, so that a status has the same look in all charts; those without places are
-/// not shown.
+/// One series of marks for each status, in the order of Status, so that a status has the same look
+/// in all charts; those without places are not shown.
 std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
   std::vector<plot::Series> series{{"signed depth", {}, true, false}};
   for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
@@ -130,12 +132,13 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedD
 
 /// The lines of a table of which `path` says how wide it is.
 std::string along_text_header(const Path& path) {
-  return fmt::format("along {}\n{:<{}}  {:<11}  {:<23}  contact", translation_text(path.translation), "s", share_columns(path), "status",
-                     "signed depth");
+  return fmt::format("along {}\n{:<{}}  {:<11}  {:<23}  contact", translation_text(path.translation), "s",
+                     share_columns(path), "status", "signed depth");
 }
 
 std::string along_text_row(const Path& path, const AlongStep& step) {
-  std::string row = fmt::format("{:<{}}  {:<11}  {:<23}", exact_text(step.share), share_columns(path), status_text(step), value_text(step));
+  std::string row = fmt::format("{:<{}}  {:<11}  {:<23}", exact_text(step.share), share_columns(path),
+                                status_text(step), value_text(step));
   if (step.contact) return row + fmt::format("  {}", name(step.contact->kind));
   row.resize(row.find_last_not_of(' ') + 1);
   return row;
@@ -147,7 +150,8 @@ std::string along_csv_row(const AlongStep& step) {
   const Surd* const exact = std::get_if<Surd>(&step.value);
   std::string row = fmt::format("{},{},{},{},{},{},", step.number, exact_text(step.share), status_text(step),
                                 exact ? surd_text(*exact) : "", step.low, step.high);
-  row += exact ? fmt::format("{},{},{}", sgn(exact->root), exact_text(abs(exact->root)), exact_text(exact->rational)) : ",,";
+  row += exact ? fmt::format("{},{},{}", sgn(exact->root), exact_text(abs(exact->root)), exact_text(exact->rational))
+               : ",,";
   return row + fmt::format(",{}", step.contact ? name(step.contact->kind) : "");
 }
 
@@ -169,8 +173,12 @@ std::string along_json(const Path& path, const std::vector<AlongStep>& steps) {
                       {"direction", output::exact(step.direction)},
                       {"contact", step.contact ? output::contact_object(*step.contact) : Json()}});
   }
-  return Json{{"schema", "fathom/along/1"}, {"fathom", FATHOM_VERSION}, {"id", path.id}, {"along", output::exact(path.translation)},
-              {"steps", path.steps},        {"values", values}}
+  return Json{{"schema", "fathom/along/1"},
+              {"fathom", FATHOM_VERSION},
+              {"id", path.id},
+              {"along", output::exact(path.translation)},
+              {"steps", path.steps},
+              {"values", values}}
       .text();
 }
 
@@ -185,11 +193,11 @@ std::string along_svg(const Path& path, const std::vector<AlongStep>& steps) {
   for (const AlongStep& step : steps)
     if (std::holds_alternative<Bounds>(step.value)) band.slices.push_back({step.share.get_d(), step.low, step.high});
   if (!band.slices.empty()) panel.band = std::move(band);
-  return plot::figure_file(
-      {"Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
-       fmt::format("A is moved by s {} for s from 0 to 1, in {} steps. {}.", translation_text(path.translation), path.steps, course(steps)),
-       "along",
-       {panel}});
+  return plot::figure_file({"Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
+                            fmt::format("A is moved by s {} for s from 0 to 1, in {} steps. {}.",
+                                        translation_text(path.translation), path.steps, course(steps)),
+                            "along",
+                            {panel}});
 }
 
 constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow terminal
@@ -197,7 +205,8 @@ constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow
 /// Answers for A at each place of the path.
 class Walk {
  public:
-  Walk(const Case& pair, Request request, Monitor& monitor) : pair_(pair), request_(std::move(request)), monitor_(monitor) {
+  Walk(const Case& pair, Request request, Monitor& monitor)
+      : pair_(pair), request_(std::move(request)), monitor_(monitor) {
     request_.optima = 1;  // ties are not shown
     if (!has_shape(pair)) return;
     a_ = files::shape_of(pair.a);
@@ -211,8 +220,9 @@ class Walk {
     const files::GivenPose pose{.place = {mpq_class(share * t.x), mpq_class(share * t.y), mpq_class(share * t.z)}};
     const Question question = question_of(request_, monitor_, workspace_);
     if (a_)
-      return along_step(number, share,
-                        signed_depth(moved(*a_, files::exact_pose(pose)), *b_, {.cores = question.options, .bits = question.bits}));
+      return along_step(
+          number, share,
+          signed_depth(moved(*a_, files::exact_pose(pose)), *b_, {.cores = question.options, .bits = question.bits}));
     Body a = pair_.a;
     files::place(a, pose);
     return along_step(number, share, penetration_depth(a, pair_.b, question.options));
@@ -242,7 +252,8 @@ void print_row(const Path& path, const AlongStep& step, const Request& request) 
 
 ExitCode run_along(const Request& request) {
   std::unique_ptr<CertificateFile> picture;
-  if (!request.svg.empty()) picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
+  if (!request.svg.empty())
+    picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
   const Case pair = asked_case(request, false);
   const Working working;
   Progress progress("steps");

@@ -3,35 +3,38 @@
 // fathom width [--delta D] A | CASES.jsonl | -
 // Depths within a factor, for people and for programs (JSON, schemas/result.schema.json).
 
-#include "cli/output/answer_output.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <limits>
 #include <string>
 
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
-#include "cli/output/text_rows.hpp"
-#include "fathom/numbers.hpp"
-#include "reference/output/json_values.hpp"
 #include "cli/args/request.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/coordinates.hpp"
+#include "cli/output/decimal.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
+#include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
 
 /// Tells no distance: for disjoint bodies an approximation has only a plane between them.
-std::string direction_label(const ApproxDepth& depth) { return depth.status() == Status::disjoint ? "separating normal" : "direction"; }
+std::string direction_label(const ApproxDepth& depth) {
+  return depth.status() == Status::disjoint ? "separating normal" : "direction";
+}
 
 std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
 
 /// How far apart disjoint bodies are, no approximation tells.
-output::SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least, const kernels::Roundings& most) {
+output::SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least,
+                                        const kernels::Roundings& most) {
   if (status == Status::disjoint) return {-std::numeric_limits<double>::infinity(), 0};
   return {least.binary64.rd, most.binary64.ru};
 }
@@ -74,10 +77,12 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const R
 }
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
-std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies, const Request& request) {
+std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies,
+                        const Request& request) {
   const ApproxPenetration* const found = depth.penetration();
   Json result = output::result_head(id, name(depth.status()));
-  const kernels::Roundings most = kernels::roundings_of_root(depth.squared()), least = kernels::roundings_of_root(depth.bound_squared());
+  const kernels::Roundings most = kernels::roundings_of_root(depth.squared()),
+                           least = kernels::roundings_of_root(depth.bound_squared());
   result["signed_depth"] = output::signed_depth_object(signed_bounds(depth.status(), least, most));
   const Json size = output::length(depth.squared(), most, request.digits);
   result["depth"] = size;
@@ -107,7 +112,9 @@ ApproxDepth solve(const Case& single, const Request& request, Monitor& monitor) 
 void warn_of_many_rays(const Request& request) {
   constexpr long many = 10'000'000;
   const mpq_class rays = (has_one_body(request) ? 2 : 4) / *request.delta;  // the grid itself takes long to find
-  if (rays > many) talk(fmt::format("--delta {} asks for about {} rays a case", exact_text(*request.delta), mpz_class(rays).get_str()));
+  if (rays > many)
+    talk(
+        fmt::format("--delta {} asks for about {} rays a case", exact_text(*request.delta), mpz_class(rays).get_str()));
 }
 
 /// request.delta must be set, and `request` must outlive the replies.
@@ -115,9 +122,10 @@ Replies approximate_replies(const Request& request) {
   warn_of_many_rays(request);
   Replies replies;
   replies.tells_of_dents = true;
-  replies.refuses_shapes = has_one_body(request)
-                               ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
-                               : "depth answers about those, exactly or within bounds as near as --bits asks for";
+  replies.refuses_shapes =
+      has_one_body(request)
+          ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
+          : "depth answers about those, exactly or within bounds as near as --bits asks for";
   replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
     const std::string& id = asked.input.id;
     const ApproxDepth depth = solve(asked, request, monitor);
@@ -125,7 +133,9 @@ Replies approximate_replies(const Request& request) {
     return {is_stream(request) ? approx_line(id, depth, request) : approx_block(depth, asked.bodies, request)};
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return output::json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return output::json_error(item.id, item.line, fault);
+    };
   return replies;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom cases --family NAME|all | --catalogue | --list | --from A B | --from-fcl FILE
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
+
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <span>
@@ -21,20 +22,21 @@
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
-#include "verify/families/catalogue.hpp"
-#include "verify/families/families.hpp"
 #include "reference/files/fcl_text.hpp"
 #include "reference/files/file_io.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::cli {
 namespace {
 
-/// Prints each failure in the text of FCL's exceptions as a case; "-" is the standard input. Throws InputError if there is none, or a bad
-/// one.
+/// Prints each failure in the text of FCL's exceptions as a case; "-" is the standard input. Throws
+/// InputError if there is none, or a bad one.
 ExitCode print_fcl_cases(const std::string& path) {
   const bool standard = path == "-";
   const std::string name = standard ? "<stdin>" : path;
-  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
+  const std::string text =
+      standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   for (const files::FclFailure& failure : files::read_fcl_text(text, name)) {
     files::CaseText line{fmt::format("{}:{}", name, failure.line),
                          files::body_json(failure.first.body, failure.first.pose),
@@ -73,7 +75,8 @@ void print_case(const families::ShapeCase& shapes, Source source, const std::str
 
 void print_case_of(const families::Family& family, std::uint64_t seed, const CasesRequest& request) {
   const unsigned size = request.size.value_or(family.usual_size);
-  Source source{{"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}};
+  Source source{
+      {"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}};
   if (family.kind() == families::Kind::shapes) print_case(family.make_shapes(seed, size), std::move(source), "");
   else print_case(family.make(seed, size), std::move(source), "");
 }
@@ -90,11 +93,10 @@ FamilyList families_like(const std::string& pattern) {
   for (const families::Family& family : families::all_families())
     if (::fnmatch(pattern.c_str(), std::string(family.name).c_str(), 0) == 0) result.push_back(&family);
   if (result.empty())
-    throw InputError(
-        "--family", 0,
-        fmt::format(
-            "{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of shapes, with --unions those of unions)",
-            kernels::shown(pattern), fmt::join(nearest_families(pattern), ", ")));
+    throw InputError("--family", 0,
+                     fmt::format("{} is unknown (nearest: {}; --list lists all of polytopes, with --shapes those of "
+                                 "shapes, with --unions those of unions)",
+                                 kernels::shown(pattern), fmt::join(nearest_families(pattern), ", ")));
   return result;
 }
 
@@ -114,7 +116,8 @@ FamilyList asked_families(const CasesRequest& request) {
 /// Each family in turn with the first seed, then each with the second, until there are enough.
 ExitCode print_families(const CasesRequest& request) {
   const FamilyList asked = asked_families(request);
-  for (std::uint64_t i = 0; i < request.count; ++i) print_case_of(*asked[i % asked.size()], request.seed + i / asked.size(), request);
+  for (std::uint64_t i = 0; i < request.count; ++i)
+    print_case_of(*asked[i % asked.size()], request.seed + i / asked.size(), request);
   return fine;
 }
 
@@ -128,7 +131,8 @@ ExitCode print_catalogue(const CasesRequest& request) {
                  std::string(entry.description));
   } else {
     for (const families::CatalogueEntry& entry : families::catalogue())
-      print_case(entry.pair, {{"catalogue", std::string(entry.name)}}, fmt::format("{}; not so: {}", entry.description, entry.breaks));
+      print_case(entry.pair, {{"catalogue", std::string(entry.name)}},
+                 fmt::format("{}; not so: {}", entry.description, entry.breaks));
   }
   return fine;
 }
@@ -136,7 +140,8 @@ ExitCode print_catalogue(const CasesRequest& request) {
 ExitCode print_list(std::span<const families::Family> all) {
   std::size_t column = 0;
   for (const families::Family& family : all) column = std::max(column, family.name.size());
-  for (const families::Family& family : all) print(fitted(fmt::format("{:<{}}  {}", family.name, column, family.description), column + 2));
+  for (const families::Family& family : all)
+    print(fitted(fmt::format("{:<{}}  {}", family.name, column, family.description), column + 2));
   return fine;
 }
 
@@ -147,10 +152,12 @@ ExitCode print_meshes(const Request& request) {
   const auto posed = [](const Body& body, const std::optional<files::GivenPose>& given) {
     return given ? files::body_json(body, *given) : files::body_json(body);
   };
-  const std::optional<files::GivenPose> pose_a = pose(request.pose_a, "--pose-a"), pose_b = pose(request.pose_b, "--pose-b");
+  const std::optional<files::GivenPose> pose_a = pose(request.pose_a, "--pose-a"),
+                                        pose_b = pose(request.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
   const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
-  print(files::case_json({path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""}));
+  print(files::case_json(
+      {path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;
 }
 

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
-// The cases, each id once, and the run over them; what becomes of its findings stands in certify_results.cpp.
+// The cases, each id once, and the run over them; what becomes of its findings stands in
+// certify_results.cpp.
 
 #include "cli/commands/certify.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <fmt/format.h>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -40,11 +42,12 @@ namespace {
 
 class CertifyCases {
  public:
-  /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be interrupted.
+  /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be
+  /// interrupted.
   CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
 
-  /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad one and for one with an id that was there before. Throws
-  /// std::bad_alloc and can go on, as CaseStream::next.
+  /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad one and for one with
+  /// an id that was there before. Throws std::bad_alloc and can go on, as CaseStream::next.
   std::optional<Case> next();
 
   [[nodiscard]] std::size_t bad() const { return bad_; }
@@ -74,7 +77,8 @@ std::string wrong_certified(const Case& single) {
     if (!has_union(single)) break;
     const Pieces pieces = pieces_of(*body);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (is_flat(hull(pieces[i]))) return fmt::format("{}: piece {} is flat: the pieces of a union need interiors", name, i);
+      if (is_flat(hull(pieces[i])))
+        return fmt::format("{}: piece {} is flat: the pieces of a union need interiors", name, i);
   }
   return "";
 }
@@ -84,14 +88,17 @@ CertifyCases::CertifyCases(const std::string& input, std::function<void(const st
   stdin_.exceptions(std::ios::badbit);
 }
 
-std::string CertifyCases::place() const { return (input_ == "-" ? "<stdin>" : input_) + ":" + std::to_string(items_.case_line()); }
+std::string CertifyCases::place() const {
+  return (input_ == "-" ? "<stdin>" : input_) + ":" + std::to_string(items_.case_line());
+}
 
 std::optional<Case> CertifyCases::next() {
   while (std::optional<CaseItem> item = items_.next()) {
     std::string fault;
     const std::string name = input_ == "-" ? "<stdin>" : input_;
     if (!item->ok()) fault = item->error().what();
-    else if (const std::string wrong = wrong_certified(item->value()); !wrong.empty()) fault = InputError(name, item->line, wrong).what();
+    else if (const std::string wrong = wrong_certified(item->value()); !wrong.empty())
+      fault = InputError(name, item->line, wrong).what();
     else if (!ids_.insert(item->id).second)
       fault = InputError(name, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
     if (fault.empty()) {
@@ -106,7 +113,8 @@ std::optional<Case> CertifyCases::next() {
 }
 
 bool CertifyCases::asked(const std::string& id) const {
-  return ids_.contains(id) || std::ranges::any_of(unions_, [&](const Case& pair) { return harness::is_pair_of(id, pair); });
+  return ids_.contains(id) ||
+         std::ranges::any_of(unions_, [&](const Case& pair) { return harness::is_pair_of(id, pair); });
 }
 
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
@@ -122,7 +130,8 @@ ExitCode list_adapters() {
   for (const Adapter& adapter : adapters()) {
     const bool built = !program_of(adapter).empty();
     missing = missing || !built;
-    print(fitted(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, built ? "" : "; not built"), column + 2));
+    print(fitted(fmt::format("{:<{}}  {}{}", adapter.name, column, adapter.description, built ? "" : "; not built"),
+                 column + 2));
   }
   if (missing) talk(how_adapters_come());
   return fine;
@@ -170,7 +179,8 @@ class Certify {
       for (const std::string& line : examiner_->input_for(*pair)) print(line);
       return fine;
     }
-    throw InputError(request_.inputs[0], 0, "expected a case of the id " + kernels::shown(certify_.print_input) + ", found none");
+    throw InputError(request_.inputs[0], 0,
+                     "expected a case of the id " + kernels::shown(certify_.print_input) + ", found none");
   }
 
   [[nodiscard]] const harness::SubjectInfo& info() const { return replay_ ? replay_->info() : examiner_->info(); }
@@ -185,8 +195,8 @@ class Certify {
   /// Takes a failure that no case caused. Once the report is complete, it is only printed.
   void take(const harness::Unattributed& thing) {
     tell("notes on the subject", "no case's fault: the subject, " +
-                                     (thing.after ? "after case " + kernels::shown(*thing.after) : "before any case") + ": " +
-                                     thing.detail);
+                                     (thing.after ? "after case " + kernels::shown(*thing.after) : "before any case") +
+                                     ": " + thing.detail);
     const std::lock_guard lock(telling_);
     if (found_ && !complete_) found_->take(thing);
   }
@@ -217,18 +227,22 @@ class Certify {
               {}};
     }
     if (elsewhere_.count > 0)
-      return {[this](const Case& pair, long exponent) { return elsewhere_.examine(pair, exponent, hello_text(info())); }, {}};
+      return {
+          [this](const Case& pair, long exponent) { return elsewhere_.examine(pair, exponent, hello_text(info())); },
+          {}};
     const std::shared_ptr<Examiner> examiner = std::exchange(first_is_taken_, true) ? one_more() : examiner_;
     if (hello_text(examiner->info()) != hello_text(info()))
       throw harness::SubjectError("the subject says something else of itself each time that it is started");
-    return {[examiner](const Case& pair, long exponent) { return examiner->examine(pair, exponent); }, [examiner] { examiner->finish(); }};
+    return {[examiner](const Case& pair, long exponent) { return examiner->examine(pair, exponent); },
+            [examiner] { examiner->finish(); }};
   }
 
   void examine() {
     if (replay_)
       for (const InputError& fault : replay_->faults()) tell("bad replies", fault.what());
     harness::RunPlan plan;
-    plan.jobs = elsewhere_.count > 0 ? elsewhere_.count : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
+    plan.jobs = elsewhere_.count > 0 ? elsewhere_.count
+                                     : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
     plan.variants = certify_.variants;
     if (!info().rounding.empty() && std::erase(plan.variants, "scale") > 0)
       tell("variants left out", "scale is no symmetry of a subject that rounds bodies by a radius of its own");
@@ -238,14 +252,19 @@ class Certify {
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };
     plan.worker = [this] { return make_worker(); };
-    plan.known = [this](const auto& id, const auto& variant, const auto& digest) { return found_->known(id, variant, digest); };
+    plan.known = [this](const auto& id, const auto& variant, const auto& digest) {
+      return found_->known(id, variant, digest);
+    };
     plan.found = [this](const Case& original, const Case& seen, const harness::Outcome& outcome, bool known) {
       const std::lock_guard lock(telling_);
       found_->take(original, seen, outcome, known);
-      if (outcome.judgement && !outcome.detail.empty()) found_->tell("misspelt fields", outcome.id + ": " + outcome.detail);
+      if (outcome.judgement && !outcome.detail.empty())
+        found_->tell("misspelt fields", outcome.id + ": " + outcome.detail);
     };
     plan.fault = [this](const Case& pair, const std::exception_ptr& error) { take_fault(pair, error); };
-    plan.left_out = [this](const Case& pair, const std::string& sentence) { tell("variants left out", pair.id + ": " + sentence); };
+    plan.left_out = [this](const Case& pair, const std::string& sentence) {
+      tell("variants left out", pair.id + ": " + sentence);
+    };
     harness::run(plan);
     found_->close();
   }
@@ -296,7 +315,8 @@ class Certify {
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
     if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
-    if (!certify_.shrink.empty() && disagreement_) shrink_disagreement(certify_.shrink, *disagreement_, found_->progress());
+    if (!certify_.shrink.empty() && disagreement_)
+      shrink_disagreement(certify_.shrink, *disagreement_, found_->progress());
     ExitCode code = code_of(certify_, *found_, known);
     if (cases_->bad() > 0 || (replay_ && !replay_->faults().empty())) code = std::max(code, bad_input);
     if (faults_ > 0) code = std::max(code, internal_error);
@@ -305,14 +325,17 @@ class Certify {
   }
 
   /// Writes all reports for people and CI systems. Called once.
-  void report(const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates, const std::string& cut_short) {
+  void report(const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates,
+              const std::string& cut_short) {
     reported_ = true;
     write_reports(certify_, info(), *found_, known, certificates, cut_short);
     if (!request_.json) print_table();
-    if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty()) talk(warning);
+    if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty())
+      talk(warning);
   }
 
-  /// Writes the same for a run that ended early, without what the list says of cases that were not run.
+  /// Writes the same for a run that ended early, without what the list says of cases that were not
+  /// run.
   void report_so_far(const std::string& why) {
     if (!found_ || reported_ || found_->outcomes().empty()) return;
     std::optional<ExpectedFailures::Check> known;
@@ -326,8 +349,8 @@ class Certify {
   void print_table() {
     const std::size_t width = seen_columns(STDOUT_FILENO);
     constexpr std::size_t of_files = 140;
-    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_), width == unlimited ? of_files : width,
-                                                certify_.all_rows);
+    std::string table = found_->summary().table(info(), found_->outcomes(), where_to_look(certify_),
+                                                width == unlimited ? of_files : width, certify_.all_rows);
     if (!table.empty() && table.back() == '\n') table.pop_back();
     print(fitted(table));
   }
@@ -336,7 +359,8 @@ class Certify {
     if (found_) found_->close();
     report_so_far("incomplete: " + why);
     talk(why);
-    talk(found_ ? fmt::format("incomplete: the run ended after {} verdicts", found_->outcomes().size()) : "nothing was judged");
+    talk(found_ ? fmt::format("incomplete: the run ended after {} verdicts", found_->outcomes().size())
+                : "nothing was judged");
     return incomplete;
   }
 

@@ -43,7 +43,8 @@ std::vector<HtmlFailure> shown_failures(const Collector& found, const Certificat
   std::vector<HtmlFailure> shown;
   for (const std::size_t index : harness::failures_to_show(found.outcomes())) {
     const auto certificate = certificates.find(index);
-    shown.push_back({found.outcomes()[index], *cases.at(index), certificate == certificates.end() ? "" : certificate->second});
+    shown.push_back(
+        {found.outcomes()[index], *cases.at(index), certificate == certificates.end() ? "" : certificate->second});
   }
   return shown;
 }
@@ -58,8 +59,8 @@ std::string left_of(const Case& pair) {
   return harness::has_words(pair) ? "with simpler shapes" : fmt::format("{} points are left", points_of(pair));
 }
 
-/// By verdict and variant, the failing case with the fewest points, of points alone or else of shapes rather than of unions; of several the
-/// one with the least id.
+/// By verdict and variant, the failing case with the fewest points, of points alone or else of
+/// shapes rather than of unions; of several the one with the least id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {
@@ -82,8 +83,10 @@ bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long e
   return seen && harness::digest_of(*seen) == harness::digest_of(pair);
 }
 
-void report(const Request& request, const Shrunk& shrunk, const std::string& title, const std::vector<std::string>& files) {
-  if (!shrunk.reproduced) return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
+void report(const Request& request, const Shrunk& shrunk, const std::string& title,
+            const std::vector<std::string>& files) {
+  if (!shrunk.reproduced)
+    return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
   const std::string sentence =
       fmt::format("{}: {}; {} of {} tries made it smaller", title, left_of(shrunk.pair), shrunk.kept, shrunk.tried);
   if (request.json) return talk(fmt::format("{}; {}", sentence, fmt::join(files, ", ")));
@@ -95,9 +98,9 @@ void report(const Request& request, const Shrunk& shrunk, const std::string& tit
 
 Collector::Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected)
     : request_(request), expected_(expected) {
-  const std::string header =
-      harness::header_line(info, request.certify.tolerance,
-                           {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods, request.certify.fit});
+  const std::string header = harness::header_line(
+      info, request.certify.tolerance,
+      {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods, request.certify.fit});
   summary_.fit = request.certify.fit;
   const auto remember = [this](harness::Outcome outcome) {
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
@@ -113,7 +116,8 @@ Collector::Collector(const Request& request, const harness::SubjectInfo& info, s
   for (const harness::Unattributed& unattributed : earlier) take(unattributed, true);
 }
 
-const harness::Outcome* Collector::known(const std::string& id, const std::string& variant, const std::string& digest) const {
+const harness::Outcome* Collector::known(const std::string& id, const std::string& variant,
+                                         const std::string& digest) const {
   const auto found = known_.find({id, variant, digest});
   return found == known_.end() ? nullptr : &found->second;
 }
@@ -154,7 +158,8 @@ void Collector::take(const harness::Unattributed& unattributed, bool known) {
 }
 
 void Collector::show_progress() {
-  progress_.count({cases_, expected_, cases_before_}, fmt::format("{} failed, worst error {:.3g}", summary_.failures(), worst_));
+  progress_.count({cases_, expected_, cases_before_},
+                  fmt::format("{} failed, worst error {:.3g}", summary_.failures(), worst_));
 }
 
 void Collector::tell(const std::string& kind, const std::string& sentence) {
@@ -173,8 +178,9 @@ void Collector::close() {
 void Collector::complete() {
   const std::size_t all = summary_.total(), passed = summary_.passes(), failed = summary_.failures();
   const harness::Tally& tally = summary_.tally();
-  const std::string line = harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), tally.all().judged,
-                                                  &tally.times(), &tally.hulls(), &tally.unions(), &tally.all(), tally.parts()});
+  const std::string line =
+      harness::summary_line({all, passed, failed, all - passed - failed, summary_.unattributed(), tally.all().judged,
+                             &tally.times(), &tally.hulls(), &tally.unions(), &tally.all(), tally.parts()});
   if (journal_) journal_->add(line);
   if (request_.json) print(line);
 }
@@ -199,7 +205,8 @@ CertificateNames write_certificates(const CertifyRequest& certify, const harness
   for (const FailedCase& failed : found.failed()) {
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
-    CertificateFile(path).write(harness::accepted_certificate(harness::judged_bodies(failed.seen, info, outcome.fit), &found.progress()));
+    CertificateFile(path).write(
+        harness::accepted_certificate(harness::judged_bodies(failed.seen, info, outcome.fit), &found.progress()));
     names[failed.outcome] = path;
     if (interrupt_requested()) throw Interrupted();
   }
@@ -209,25 +216,30 @@ CertificateNames write_certificates(const CertifyRequest& certify, const harness
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
                    const std::optional<ExpectedFailures::Check>& known, const CertificateNames& certificates,
                    const std::string& cut_short) {
-  const harness::RunInfo from{FATHOM_VERSION, certify.command_line, cut_short, found.summary().unattributed_counts(), {}, certify.fit};
+  const harness::RunInfo from{
+      FATHOM_VERSION, certify.command_line, cut_short, found.summary().unattributed_counts(), {}, certify.fit};
   if (!certify.junit.empty())
     CertificateFile(certify.junit, "report")
         .write(harness::junit_xml(info, found.outcomes(), known.value_or(ExpectedFailures::Check()), from));
   if (!certify.html.empty())
     CertificateFile(certify.html, "report")
-        .write(harness::html_page(info, found.outcomes(), shown_failures(found, certificates), certify.tolerance, from));
+        .write(
+            harness::html_page(info, found.outcomes(), shown_failures(found, certificates), certify.tolerance, from));
   found.progress().clear();
 }
 
-void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found, const ExpectedFailures& earlier) {
+void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found,
+                const ExpectedFailures& earlier) {
   if (!certify.write_expect_fail.empty())
-    CertificateFile(certify.write_expect_fail, "list").write(harness::expected_failures_text(info, found.outcomes(), earlier));
+    CertificateFile(certify.write_expect_fail, "list")
+        .write(harness::expected_failures_text(info, found.outcomes(), earlier));
 }
 
 std::vector<std::string> where_to_look(const CertifyRequest& certify) {
   return {certify.report.empty() ? "--report FILE holds every verdict with its numbers"
                                  : certify.report + " for every verdict with its numbers",
-          certify.html.empty() ? "--html FILE shows the failures in pictures" : certify.html + " for pictures of the failures"};
+          certify.html.empty() ? "--html FILE shows the failures in pictures"
+                               : certify.html + " for pictures of the failures"};
 }
 
 ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::optional<ExpectedFailures::Check>& known) {
@@ -236,14 +248,16 @@ ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::opt
   if (known)
     for (const std::string& surprise : known->surprises) talk(surprise);
   const bool as_listed = !known || known->fixed + known->changed + known->unmet == 0;
-  if (!as_listed && certify.write_expect_fail.empty()) talk("--write-expect-fail " + certify.expect_fail + " brings the list up to date");
+  if (!as_listed && certify.write_expect_fail.empty())
+    talk("--write-expect-fail " + certify.expect_fail + " brings the list up to date");
   const bool recorded = !known && !certify.write_expect_fail.empty();  // what fails was asked for, to be written down
   const std::size_t failures = known ? known->unlisted : recorded ? 0 : summary.failures();
   if (!as_listed || failures > allowed || summary.unattributed() > 0) return judged_wrong;
   if (summary.failures() + summary.passes() > 0) return fine;
   const auto was_asked = [&](const Outcome& outcome) { return !certify.replay.empty() || outcome.seconds > 0; };
   if (found.outcomes().empty()) talk("no case was judged");
-  else if (std::ranges::any_of(found.outcomes(), was_asked)) talk("no case was judged: the subject declined all of them");
+  else if (std::ranges::any_of(found.outcomes(), was_asked))
+    talk("no case was judged: the subject declined all of them");
   else talk("no case was judged: none could be put to the subject: " + found.outcomes().front().detail);
   return incomplete;
 }
@@ -255,18 +269,22 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
   for (const auto& [kind, failed] : starts(found)) {
     const auto& [verdict, variant] = kind;
     const Outcome& outcome = found.outcomes()[failed->outcome];
-    const std::string title = fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
+    const std::string title =
+        fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
     const std::optional<mpq_class>& fit = request.certify.fit;
     const harness::ExamineInUnit in_unit = [&](const Case& pair, long exponent) {
-      return is_seen_as_it_is(pair, info, exponent) ? examiner.examine(pair, exponent) : harness::declined(pair, "rounded");
+      return is_seen_as_it_is(pair, info, exponent) ? examiner.examine(pair, exponent)
+                                                    : harness::declined(pair, "rounded");
     };
     harness::Examine examine = [&](const Case& pair) { return in_unit(pair, harness::exponent_to_fit(pair, fit)); };
-    // Only a comparison with the original needs both; a variant that fails by itself is a case like any other.
+    // Only a comparison with the original needs both; a variant that fails by itself is a case like
+    // any other.
     if (verdict == Verdict::not_invariant)
       examine = harness::examine_variant(in_unit, variant, info.format, request.certify.tolerance, fit);
     std::vector<std::string> files;
     if (harness::has_union(failed->seen)) {
-      const std::string path = harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
+      const std::string path =
+          harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
       talk(fmt::format("{}: cases of unions are not made smaller; the case as it was seen: {}", title, path));
       continue;
     }
@@ -276,8 +294,11 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     };
     harness::ShrinkSettings settings;
     settings.precision = info.format.points;
-    settings.judged = [&info](const Case& pair, const Outcome& of) { return harness::judged_bodies(pair, info, of.fit); };
-    const Case begin = harness::in_unit(verdict == Verdict::not_invariant ? failed->original : failed->seen, outcome.fit);
+    settings.judged = [&info](const Case& pair, const Outcome& of) {
+      return harness::judged_bodies(pair, info, of.fit);
+    };
+    const Case begin =
+        harness::in_unit(verdict == Verdict::not_invariant ? failed->original : failed->seen, outcome.fit);
     const Shrunk shrunk = harness::shrink(begin, verdict, examine, better, interrupt_requested, settings);
     found.progress().clear();
     if (interrupt_requested()) throw Interrupted();
@@ -287,12 +308,12 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
 
 void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress) {
   progress.report(fmt::format("shrinking {}", found.pair.id), -1);
-  const harness::KeptDifference kept =
-      harness::keep_difference(folder, found.pair, found.what(), harness::solver_by(Method::automatic), found.second, interrupt_requested);
+  const harness::KeptDifference kept = harness::keep_difference(
+      folder, found.pair, found.what(), harness::solver_by(Method::automatic), found.second, interrupt_requested);
   progress.clear();
   if (interrupt_requested()) throw Interrupted();
-  talk(
-      fmt::format("{} and {} differ: {} points are left; {}", name(Method::automatic), found.second.name, points_of(kept.pair), kept.path));
+  talk(fmt::format("{} and {} differ: {} points are left; {}", name(Method::automatic), found.second.name,
+                   points_of(kept.pair), kept.path));
 }
 
 }  // namespace fathom::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases made small.
+// What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases
+// made small.
 #pragma once
 
 #include <cstddef>
@@ -30,17 +31,21 @@ struct FailedCase {
 
 class Collector {
  public:
-  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is known.
+  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is
+  /// known.
   Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
 
   /// Returns the outcome that an earlier run left in the report, or nullptr. Any thread.
-  [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant, const std::string& digest) const;
+  [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant,
+                                              const std::string& digest) const;
 
-  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report already.
+  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report
+  /// already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
   /// The same for a failure that no case caused; `known`: it is in the report already.
   void take(const harness::Unattributed& unattributed, bool known = false);
-  /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and counts the others.
+  /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and
+  /// counts the others.
   void tell(const std::string& kind, const std::string& sentence);
   /// Prints how many sentences were only counted; removes the bar.
   void close();
@@ -73,7 +78,8 @@ class Collector {
 /// Throws InputError if one of the requested files and folders cannot be written. Makes folders.
 void probe_reports(const CertifyRequest& certify);
 
-/// Returns the list that --write-expect-fail replaces, to keep its comments; an empty one if there is none. Throws InputError.
+/// Returns the list that --write-expect-fail replaces, to keep its comments; an empty one if there
+/// is none. Throws InputError.
 harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
 
 /// Names of files, by index of the outcome.
@@ -81,7 +87,8 @@ using CertificateNames = std::map<std::size_t, std::string>;
 /// Writes one for each failing case, if requested. Throws OutputError, InputError, Interrupted.
 CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
 
-/// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is. Throws OutputError, InputError.
+/// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is.
+/// Throws OutputError, InputError.
 void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
                    const std::optional<harness::ExpectedFailures::Check>& known, const CertificateNames& certificates,
                    const std::string& cut_short);
@@ -90,21 +97,25 @@ void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& in
 void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found,
                 const harness::ExpectedFailures& earlier);
 
-/// Returns where to find more than in the table: the reports that were written, and the options for the others.
+/// Returns where to find more than in the table: the reports that were written, and the options for
+/// the others.
 std::vector<std::string> where_to_look(const CertifyRequest& certify);
 
-/// Returns the exit code by the verdicts alone: fine, judged_wrong, or incomplete if nothing was judged. Prints where run and list
-/// disagree.
-ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::optional<harness::ExpectedFailures::Check>& known);
+/// Returns the exit code by the verdicts alone: fine, judged_wrong, or incomplete if nothing was
+/// judged. Prints where run and list disagree.
+ExitCode code_of(const CertifyRequest& certify, Collector& found,
+                 const std::optional<harness::ExpectedFailures::Check>& known);
 
-// fathom certify --shrink: one failing case of each verdict, made small; and one about which fathom itself disagrees.
+// fathom certify --shrink: one failing case of each verdict, made small; and one about which fathom
+// itself disagrees.
 
-/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk at each step. Prints the names of the
-/// files, one a line; with --json on standard error. Throws Interrupted, SubjectError, InputError.
+/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk
+/// at each step. Prints the names of the files, one a line; with --json on standard error. Throws
+/// Interrupted, SubjectError, InputError.
 void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found);
 
-/// Reduces a case about which two ways to its truth differ, and writes it to the folder at each step. Says so on standard error. Throws
-/// Interrupted, InputError.
+/// Reduces a case about which two ways to its truth differ, and writes it to the folder at each
+/// step. Says so on standard error. Throws Interrupted, InputError.
 void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress);
 
 }  // namespace fathom::cli

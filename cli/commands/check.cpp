@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom check [--proved] [--threads N] CERTIFICATES...
-// Hands over to the independent checkers, which have a parser and a command line of their own. The checker that was extracted from the Coq
-// development runs after the C++ checker: it gets each certificate as that one read it and compared it with the user's cases and results,
-// and must accept it too.
+// fathom check [--proved] [--threads N] CERTIFICATES... Hands over to the independent checkers,
+// which have a parser and a command line of their own. The checker that was extracted from the Coq
+// development runs after the C++ checker: it gets each certificate as that one read it and compared
+// it with the user's cases and results, and must accept it too.
 
-#include "cli/io/process.hpp"
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -13,20 +13,20 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 #include <vector>
 
 #include "cli/args/help_page.hpp"
+#include "cli/args/values.hpp"
 #include "cli/args/words.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/process.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
 #include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"
 #include "verify/harness/process.hpp"
-#include "cli/args/values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -36,7 +36,8 @@ inline constexpr const char* proved_program = "fathom-check-proved";
 /// Returns the message that the program is missing, and how it is built.
 std::string proved_program_is_missing() {
   return std::string(proved_program) +
-         " is not here: it is built from proofs/coq, with Coq and OCaml (Debian: coq, libzarith-ocaml-dev, ocaml-findlib)";
+         " is not here: it is built from proofs/coq, with Coq and OCaml (Debian: coq, libzarith-ocaml-dev, "
+         "ocaml-findlib)";
 }
 
 class ProvedChecker : public fathom_check::SecondChecker {
@@ -189,7 +190,9 @@ void write_body(Text& text, const Body& body, const char* name) {
 
 void write_proof_of_body(Text& text, const Body& body, const char* name, bool heights) {
   if (body.core != Body::Core::shape) return;
-  if (heights) return text.part(std::string("heights_") + name, body.heights.items, [&](const auto& height) { text.line(height); });
+  if (heights)
+    return text.part(std::string("heights_") + name, body.heights.items,
+                     [&](const auto& height) { text.line(height); });
   std::vector<std::vector<fathom_check::Place>> points;
   for (std::size_t k = 0; k < body.inner.items.size(); ++k) {
     if (k % body.terms.size() == 0) points.emplace_back();
@@ -298,8 +301,9 @@ fathom_check::SecondChecker::Opinion ProvedChecker::opinion(const std::string& n
   if (!refused && !line.starts_with("s MALFORMED ")) throw failure(std::string(proved_program) + " gives no verdict");
   const std::string start = line.substr(0, line.find(' ', 2)) + end;
   const std::size_t reason = line.find(": ", start.size());  // behind a line number of the text that was handed over
-  return {refused ? Outcome::refused : Outcome::malformed,
-          start + ':' + std::to_string(claim_line_) + ": by " + proved_program + " alone" + line.substr(std::min(reason, line.size()))};
+  return {refused ? Outcome::refused : Outcome::malformed, start + ':' + std::to_string(claim_line_) + ": by " +
+                                                               proved_program + " alone" +
+                                                               line.substr(std::min(reason, line.size()))};
 }
 
 // ---- the command ----
@@ -308,15 +312,16 @@ struct UsageFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Replaces this process by the checker that was extracted from the Coq development; returns only if there is none, beside this program or
-/// on the path.
+/// Replaces this process by the checker that was extracted from the Coq development; returns only
+/// if there is none, beside this program or on the path.
 ExitCode become_proved(const std::vector<std::string>& words) {
   become(proved_program, words);
   talk(proved_program_is_missing());
   return internal_error;
 }
 
-/// Compares with cases and results first, which the proved checker cannot read; then it must accept what passes.
+/// Compares with cases and results first, which the proved checker cannot read; then it must accept
+/// what passes.
 ExitCode compare_and_prove(const std::vector<std::string>& words, bool width) {
   ProvedChecker proved(width);
   const int code = fathom_check::command_line(words, "fathom check", &proved);
@@ -343,8 +348,9 @@ class Threads : public fathom_check::Workers {
 
 /// Takes "--threads N" out of the words. Throws UsageFault.
 std::optional<unsigned> take_threads(std::vector<std::string>& words) {
-  const auto option = std::find_if(words.begin(), std::find(words.begin(), words.end(), "--"),
-                                   [](const std::string& word) { return word == "--threads" || word.starts_with("--threads="); });
+  const auto option =
+      std::find_if(words.begin(), std::find(words.begin(), words.end(), "--"),
+                   [](const std::string& word) { return word == "--threads" || word.starts_with("--threads="); });
   if (option == words.end() || *option == "--") return std::nullopt;
   const bool joined = *option != "--threads";
   if (!joined && option + 1 == words.end()) throw UsageFault("--threads expects a number");
@@ -355,7 +361,8 @@ std::optional<unsigned> take_threads(std::vector<std::string>& words) {
   return threads;
 }
 
-/// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to refuse.
+/// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to
+/// refuse.
 void refuse_misspelt(const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const OptionHelp& option : page_of("check", common_options()).options)
@@ -385,9 +392,11 @@ ExitCode check(std::vector<std::string> words) {
   if (proved == files) {
     Threads workers(threads.value_or(usual_threads()));
     const int code = fathom_check::command_line(words, "fathom check", nullptr, &workers);
-    return std::cout ? static_cast<ExitCode>(code) : internal_error;  // fathom-check, which has no code for internal errors, returns 2
+    return std::cout ? static_cast<ExitCode>(code)
+                     : internal_error;  // fathom-check, which has no code for internal errors, returns 2
   }
-  if (threads) throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");
+  if (threads)
+    throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");
   const bool compares = has("--case") || has("--results") || has("--echo"), width = has("--width");
   words.erase(proved);
   return compares ? compare_and_prove(words, width) : become_proved(words);
@@ -395,7 +404,9 @@ ExitCode check(std::vector<std::string> words) {
 
 }  // namespace
 
-ExitCode run_check(std::vector<std::string> words) try { return check(std::move(words)); } catch (const UsageFault& fault) {
+ExitCode run_check(std::vector<std::string> words) try {
+  return check(std::move(words));
+} catch (const UsageFault& fault) {
   talk(std::string(fault.what()) + "\nTry: fathom check --help");
   return bad_input;
 }

@@ -2,7 +2,10 @@
 // fathom certify --claims FILE
 // Judges what was published about pairs of bodies, as text and as JSON.
 
+#include "verify/claims/claims.hpp"
+
 #include <fmt/format.h>
+
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -14,11 +17,10 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
-#include "fathom/certificate.hpp"
-#include "reference/files/shape_names.hpp"
-#include "reference/files/file_io.hpp"
-#include "verify/claims/claims.hpp"
 #include "cli/output/answer_output.hpp"
+#include "fathom/certificate.hpp"
+#include "reference/files/file_io.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
@@ -36,7 +38,8 @@ std::string claim_text(const claims::PublishedClaim& claim, const claims::Judged
 std::string claim_json(const claims::PublishedClaim& claim, const claims::JudgedClaim& judged) {
   Json statements = Json::array();
   for (const claims::Statement& statement : judged.statements)
-    statements.push_back({{"text", statement.text}, {"finding", claims::verdict_name(statement.finding)}, {"truth", statement.truth}});
+    statements.push_back(
+        {{"text", statement.text}, {"finding", claims::verdict_name(statement.finding)}, {"truth", statement.truth}});
   Json result = {{"schema", "fathom/claim/1"}, {"fathom", FATHOM_VERSION}, {"id", claim.bodies.id},
                  {"source", claim.source},     {"kind", claim.kind},       {"note", claim.note}};
   result["verdict"] = claims::verdict_name(judged.finding());
@@ -105,8 +108,8 @@ ExitCode judge_claims(const Request& request) {
   }
   if (found == 0) throw InputError(name, 1, "expected at least one claim, found an empty input");
   if (!request.json)
-    print(fmt::format("{} claims: {} right, {} wrong, {} undecided, {} not judgeable", judged_claims, counts["right"], counts["wrong"],
-                      counts["undecided"], counts["not-judgeable"]));
+    print(fmt::format("{} claims: {} right, {} wrong, {} undecided, {} not judgeable", judged_claims, counts["right"],
+                      counts["wrong"], counts["undecided"], counts["not-judgeable"]));
   return code;
 }
 

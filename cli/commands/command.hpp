@@ -11,8 +11,9 @@
 
 namespace fathom::cli {
 
-/// Runs the command of the request, or the one of this name, which parses the words behind it itself. The two programs differ here:
-/// every_command.cpp belongs to fathom, depth_alone.cpp to fathom-depth.
+/// Runs the command of the request, or the one of this name, which parses the words behind it
+/// itself. The two programs differ here: every_command.cpp belongs to fathom, depth_alone.cpp to
+/// fathom-depth.
 ExitCode run_command(const Request& request);
 ExitCode run_command(std::string_view name, const std::vector<std::string>& words);
 
@@ -44,8 +45,8 @@ ExitCode run_golden(const std::vector<std::string>& words);
 /// `help`, `man` and `completion`, with the words behind them.
 ExitCode run_help(std::string_view name, const std::vector<std::string>& words);
 
-/// fathom certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a claim is wrong. Throws InputError if the
-/// file cannot be read, OutputError, Interrupted.
+/// fathom certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a
+/// claim is wrong. Throws InputError if the file cannot be read, OutputError, Interrupted.
 ExitCode judge_claims(const Request& request);
 
 }  // namespace fathom::cli

@@ -30,7 +30,8 @@ struct Files {
   FilePlaces certificates, pictures;
 
   explicit Files(const Request& request)
-      : certificates(request, request.certificate, "certificate", ".cert"), pictures(request, request.svg, "picture", ".svg") {}
+      : certificates(request, request.certificate, "certificate", ".cert"),
+        pictures(request, request.svg, "picture", ".svg") {}
 };
 
 std::string text_of(const AnsweredCase& answered, const Request& request) {
@@ -58,14 +59,17 @@ AnsweredCase answered_by(const AskedCase& asked, const Request& request, const Q
   const Body& b = one ? single.a : single.b;
   if (has_union(single)) {
     if (request.shallow || request.closest_lines || request.method != Method::automatic || request.optima)
-      throw InputError(single.id, 0, "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
+      throw InputError(
+          single.id, 0,
+          "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
   } else if (single.a.shape || b.shape) {
     if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
     if (one && single.a.shape && std::holds_alternative<HalfSpace>(single.a.shape->core))
       throw InputError(single.id, 0, "a half-space has no width: it is infinite");
     if (single.a.shape && b.shape) require_depth(single.id, *single.a.shape, *b.shape);
   } else if (request.shallow || one) {
-    Depth depth = request.shallow ? shallow_depth(single.a.points, b.points, question.options) : width(single.a.points, question.options);
+    Depth depth = request.shallow ? shallow_depth(single.a.points, b.points, question.options)
+                                  : width(single.a.points, question.options);
     const BodyFacts facts = depth;
     return {single.id, {std::move(depth)}, asked.bodies, facts};
   }
@@ -91,7 +95,8 @@ Replies exact_replies(const Request& request) {
     if (!answered.answer.complete()) return {text_of(answered, request), {}, interrupted};
     const Case& single = asked;
     if (!request.certificate.empty() || request.embed_certificate) {
-      answered.certificate = certificate_text(single.a, has_one_body(request) ? single.a : single.b, answered.answer, single.id, &monitor);
+      answered.certificate =
+          certificate_text(single.a, has_one_body(request) ? single.a : single.b, answered.answer, single.id, &monitor);
       require_readable(single.id, answered.certificate);
     }
     CaseReply reply{text_of(answered, request)};
@@ -106,7 +111,9 @@ Replies exact_replies(const Request& request) {
     return reply;
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return output::json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return output::json_error(item.id, item.line, fault);
+    };
   return replies;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program fathom-depth runs: `depth`. It takes half the time of fathom to build, so ./fathom builds it for the first answer.
+// What the program fathom-depth runs: `depth`. It takes half the time of fathom to build, so
+// ./fathom builds it for the first answer.
 #include "cli/commands/command.hpp"
 #include "cli/io/output.hpp"
 
@@ -13,7 +14,9 @@ ExitCode refused(std::string_view name) {
 
 }  // namespace
 
-ExitCode run_command(const Request& request) { return request.command == Command::depth ? run_depth(request) : refused("this"); }
+ExitCode run_command(const Request& request) {
+  return request.command == Command::depth ? run_depth(request) : refused("this");
+}
 
 ExitCode run_command(std::string_view name, const std::vector<std::string>&) { return refused(name); }
 

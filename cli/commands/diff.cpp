@@ -32,17 +32,21 @@ struct DiffRequest {
 };
 
 ExitCode compare(const DiffRequest& request) {
-  const harness::ReportFile before = harness::read_report(request.reports[0]), after = harness::read_report(request.reports[1]);
+  const harness::ReportFile before = harness::read_report(request.reports[0]),
+                            after = harness::read_report(request.reports[1]);
   const harness::ReportDiff diff = harness::diff(before, after);
   if (!request.html.empty())
-    CertificateFile(request.html, "page").write(harness::diff_page(before, after, diff, FATHOM_VERSION, request.command_line));
+    CertificateFile(request.html, "page")
+        .write(harness::diff_page(before, after, diff, FATHOM_VERSION, request.command_line));
   if (request.json) print(harness::diff_json(before, after, diff));
   else
     for (const std::string& line : harness::diff_text(before, after, diff)) print(fitted(line, indent));
   return diff.newly_failing.empty() ? fine : newly_failing;
 }
 
-ExitCode refused(const std::string& sentence) { return failed(sentence + "\nTry: fathom certify diff --help", bad_input); }
+ExitCode refused(const std::string& sentence) {
+  return failed(sentence + "\nTry: fathom certify diff --help", bad_input);
+}
 
 }  // namespace
 
@@ -55,10 +59,11 @@ ExitCode run_diff(const std::vector<std::string>& words) {
   }
   if (given.kind == Given::Kind::refused) return refused(given.fault);
   if (const std::string fault = empty_value(given); !fault.empty()) return refused(fault);
-  const DiffRequest request{given.inputs(), given.flag("--json"), given.text("--html"), "fathom certify diff " + shell_line(words)};
+  const DiffRequest request{given.inputs(), given.flag("--json"), given.text("--html"),
+                            "fathom certify diff " + shell_line(words)};
   if (request.reports.size() != 2)
-    return refused(fmt::format("certify diff expects two reports, the old and the new one, found {} argument{}", request.reports.size(),
-                               request.reports.size() == 1 ? "" : "s"));
+    return refused(fmt::format("certify diff expects two reports, the old and the new one, found {} argument{}",
+                               request.reports.size(), request.reports.size() == 1 ? "" : "s"));
   if (const std::string fault = wrong_files(given, false); !fault.empty()) return refused(fault);
   if (request.html == "-") return refused("--html writes a file, found - for standard output");
   return compare(request);

@@ -2,8 +2,6 @@
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
 
 #include "cli/commands/command.hpp"
-
-
 #include "cli/commands/depth.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
@@ -35,11 +33,12 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
   const AnsweredCase answered = answered_by(asked, of_depth, question_of(of_depth, monitor, workspace));
   const Answer& answer = answered.answer;
   if (!answer.complete()) throw Interrupted();
-  const std::string picture = picture::scene_panels(answer_scene(single, answer), "still", "A and B, and the way out of A");
+  const std::string picture =
+      picture::scene_panels(answer_scene(single, answer), "still", "A and B, and the way out of A");
   const auto page = [&](auto stages) {
     stages.id = single.id;
-    return page::html_page(
-        {FATHOM_VERSION, answer_json(answered, of_depth), stages, files::case_json(single), notes_on(asked.bodies), picture});
+    return page::html_page({FATHOM_VERSION, answer_json(answered, of_depth), stages, files::case_json(single),
+                            notes_on(asked.bodies), picture});
   };
   if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found))
     return page(stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor));
@@ -51,7 +50,8 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
 ExitCode run_explain(const Request& request) {
   CertificateFile file(request.page, "page");  // an unwritable path fails early
   Case single = asked_case(request, true);
-  if (request.inputs.size() == 2) single.id = picture::without_folders(single.id);  // names of files; a case has its own
+  if (request.inputs.size() == 2)
+    single.id = picture::without_folders(single.id);  // names of files; a case has its own
   std::string page;
   {
     const Working working;

@@ -11,6 +11,7 @@ namespace fathom::cli {
 std::vector<std::string_view> family_names();
 
 /// A few of these names. Those that hold `name` come first, then those by the fewest slips.
-std::vector<std::string_view> nearest_families(std::string_view name, std::vector<std::string_view> names = family_names());
+std::vector<std::string_view> nearest_families(std::string_view name,
+                                               std::vector<std::string_view> names = family_names());
 
 }  // namespace fathom::cli

@@ -44,17 +44,18 @@ ExitCode generate(const GoldenRequest& request) {
   const Working working;
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
   const auto [made, all] = make_shards(request);
-  print(fmt::format("{}: {} of {} shards made; {}", request.folder, made, all,
-                    request.is_part ? fmt::format("part {}/{} is there", request.part, request.parts) : "the release is complete"));
+  print(fmt::format(
+      "{}: {} of {} shards made; {}", request.folder, made, all,
+      request.is_part ? fmt::format("part {}/{} is there", request.part, request.parts) : "the release is complete"));
   return fine;
 }
 
 std::string verified_line(const golden::Verified& verified, const GoldenRequest& request) {
   std::vector<std::string_view> agreed;
   for (const Method method : request.methods) agreed.push_back(name(method));
-  return fmt::format("s VERIFIED {} version={} seed={} shards={} records={}{}{} {}", name_of(verified.level), verified.version,
-                     verified.seed, verified.shards, verified.records, agreed.empty() ? "" : " agreed=", fmt::join(agreed, ","),
-                     request.folder);
+  return fmt::format("s VERIFIED {} version={} seed={} shards={} records={}{}{} {}", name_of(verified.level),
+                     verified.version, verified.seed, verified.shards, verified.records,
+                     agreed.empty() ? "" : " agreed=", fmt::join(agreed, ","), request.folder);
 }
 
 }  // namespace
@@ -63,13 +64,15 @@ ExitCode export_golden(const GoldenRequest& request) {
   StopOnInterrupt interrupt;
   std::optional<CertificateFile> proofs;
   if (!request.certificates.empty()) proofs.emplace(request.certificates, "file of certificates");
-  const bool own = request.folder == "-" || (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder));
+  const bool own = request.folder == "-" ||
+                   (std::filesystem::exists(request.folder) && !std::filesystem::is_directory(request.folder));
   const golden::Exported exported = own ? golden::export_own_cases(request.folder, request.exported, &interrupt)
                                         : golden::export_release(request.folder, request.exported, &interrupt);
   if (proofs) proofs->write(exported.certificates);
   print(exported.text.substr(0, exported.text.size() - 1));  // print ends the last line
-  talk(fmt::format("{} of {} fitting records; of all {}, {} are beyond binary64, {} are excluded, {} have more points", exported.chosen,
-                   exported.fitting, exported.records, exported.not_doubles, exported.excluded, exported.too_large));
+  talk(fmt::format("{} of {} fitting records; of all {}, {} are beyond binary64, {} are excluded, {} have more points",
+                   exported.chosen, exported.fitting, exported.records, exported.not_doubles, exported.excluded,
+                   exported.too_large));
   return fine;
 }
 

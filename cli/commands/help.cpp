@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom help [COMMAND] | man [COMMAND] | man --all DIR | completion SHELL
 
-#include <algorithm>
-#include <filesystem>
+#include "cli/args/help.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
-#include "cli/args/help.hpp"
+#include "cli/args/help_page.hpp"
+#include "cli/args/options.hpp"
 #include "cli/args/words.hpp"
 #include "cli/commands/adapters.hpp"
 #include "cli/commands/command.hpp"
@@ -21,8 +25,6 @@
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "verify/families/families.hpp"
-#include "cli/args/help_page.hpp"
-#include "cli/args/options.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -40,11 +42,13 @@ void add_values(HelpPage& page) {
       for (const std::string_view family : family_names()) values.emplace_back(family);
     }
     if (name == "--sweep")
-      std::ranges::transform(families::families(), std::back_inserter(values), [](const auto& family) { return std::string(family.name); });
+      std::ranges::transform(families::families(), std::back_inserter(values),
+                             [](const auto& family) { return std::string(family.name); });
   }
 }
 
-/// Every page: that of fathom first, then the commands in the order of the table, each with its tasks behind it.
+/// Every page: that of fathom first, then the commands in the order of the table, each with its
+/// tasks behind it.
 Pages all_pages() {
   std::vector<Option> table(common_options().begin(), common_options().end());
   std::ranges::copy(golden_options(), std::back_inserter(table));
@@ -105,12 +109,14 @@ ExitCode man(const Pages& pages, std::vector<std::string> words) {
   if (first.starts_with("--all")) {
     constexpr std::string_view joined = "--all=";
     if (first.starts_with(joined)) words = {"--all", first.substr(joined.size())};
-    if (words[0] != "--all" || words.size() != 2 || words[1].empty()) return refused("man", "--all expects a folder, and nothing else");
+    if (words[0] != "--all" || words.size() != 2 || words[1].empty())
+      return refused("man", "--all expects a folder, and nothing else");
     write_pages(pages, words[1]);
     return fine;
   }
   const HelpPage* const page = find_page(pages, first);
-  if (page == nullptr || words.size() > 1) return refused("man", unknown_command(pages, fmt::format("{}", fmt::join(words, " "))));
+  if (page == nullptr || words.size() > 1)
+    return refused("man", unknown_command(pages, fmt::format("{}", fmt::join(words, " "))));
   print(man_text(pages, *page));
   return fine;
 }
@@ -122,8 +128,8 @@ ExitCode completion(const Pages& pages, const std::vector<std::string>& words) {
   else if (shell == "fish") print(fish_completion(pages));
   else {
     const std::vector<std::string> known(std::begin(shells), std::end(shells));
-    return refused("completion", fmt::format("completion expects a shell: {}; found {}{}", fmt::join(known, ", "), kernels::shown(shell),
-                                             did_you_mean(shell, known)));
+    return refused("completion", fmt::format("completion expects a shell: {}; found {}{}", fmt::join(known, ", "),
+                                             kernels::shown(shell), did_you_mean(shell, known)));
   }
   return fine;
 }
@@ -139,7 +145,8 @@ ExitCode help(const Pages& pages, std::string_view asked) {
 
 ExitCode run_help(std::string_view name, const std::vector<std::string>& words) {
   const Pages pages = all_pages();
-  const bool about_itself = std::ranges::any_of(words, [](const std::string& word) { return word == "-h" || word == "--help"; });
+  const bool about_itself =
+      std::ranges::any_of(words, [](const std::string& word) { return word == "-h" || word == "--help"; });
   if (about_itself) return help(pages, name);
   if (name == "man") return man(pages, words);
   if (name == "completion") return completion(pages, words);

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom metric --ball Q A B | CASES.jsonl | -
-// Depths in a polyhedral norm or gauge, for people and for programs (JSON, schemas/metric.schema.json).
+// fathom metric --ball Q A B | CASES.jsonl | - Depths in a polyhedral norm or gauge, for people and
+// for programs (JSON, schemas/metric.schema.json).
 
-#include "cli/output/answer_output.hpp"
+#include "reference/approximate/metric.hpp"
 
-#include <cstddef>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <cstddef>
 #include <string>
 
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
-#include "cli/output/text_rows.hpp"
-#include "fathom/numbers.hpp"
-#include "reference/output/json_values.hpp"
-#include "reference/approximate/metric.hpp"
 #include "cli/args/request.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/coordinates.hpp"
+#include "cli/output/decimal.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -30,7 +31,8 @@ constexpr std::size_t most_vertices = 12;
 std::string kind(const UnitBall& ball) { return ball.symmetric ? "norm" : "gauge"; }
 
 std::string ball_text(const UnitBall& ball) {
-  const char* const why = ball.symmetric ? "symmetric about O" : "not symmetric about O, so t and -t may differ in length";
+  const char* const why =
+      ball.symmetric ? "symmetric about O" : "not symmetric about O, so t and -t may differ in length";
   return fmt::format("{}: {}; {} vertices", kind(ball), why, ball.vertices.size());
 }
 
@@ -43,7 +45,8 @@ std::string deciding_text(const MetricResult& result) {
     }
     words.push_back(std::to_string(optimum.vertex));
   }
-  return fmt::format("{} of the ball{}", fmt::join(words, " "), words.size() == 1 ? "" : "; the first is shown, --json lists all");
+  return fmt::format("{} of the ball{}", fmt::join(words, " "),
+                     words.size() == 1 ? "" : "; the first is shown, --json lists all");
 }
 
 /// The value as a decimal: that of the root of its square.
@@ -61,7 +64,9 @@ Json optima_array(const MetricResult& result) {
   return array;
 }
 
-std::string direction_label(const MetricResult& result) { return result.status() == Status::disjoint ? "separating normal" : "direction"; }
+std::string direction_label(const MetricResult& result) {
+  return result.status() == Status::disjoint ? "separating normal" : "direction";
+}
 
 /// Several lines, or one; without the last newline.
 std::string metric_block(const MetricResult& result, const UnitBall& ball, const Request& request) {
@@ -81,7 +86,8 @@ std::string metric_block(const MetricResult& result, const UnitBall& ball, const
   return aligned(std::string(name(result.status())), rows);
 }
 
-std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball, const Request& request) {
+std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball,
+                        const Request& request) {
   std::vector<std::string> parts{std::string(name(result.status())),
                                  fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
   if (!result.optima().empty()) {
@@ -132,7 +138,9 @@ ExitCode run_metric(const Request& request) {
     return {is_stream(request) ? metric_line(pair.id, result, ball, request) : metric_block(result, ball, request)};
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return metric_json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return metric_json_error(item.id, item.line, fault);
+    };
   return reply_to_inputs(request, replies);
 }
 

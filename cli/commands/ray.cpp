@@ -2,37 +2,41 @@
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
 // Depths in one direction, for people and for programs (JSON, schemas/ray.schema.json).
 
-#include "cli/output/answer_output.hpp"
-
-#include <cstddef>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <cstddef>
 #include <string>
 
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
-#include "cli/output/text_rows.hpp"
-#include "fathom/numbers.hpp"
-#include "reference/output/json_values.hpp"
 #include "cli/args/request.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/coordinates.hpp"
+#include "cli/output/decimal.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
+#include "fathom/numbers.hpp"
+#include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
 namespace {
 
 constexpr const char* schema = "fathom/ray/1";
 
-std::string normal_label(const DirectionalDepth& depth) { return depth.status() == Status::disjoint ? "separating normal" : "normal"; }
+std::string normal_label(const DirectionalDepth& depth) {
+  return depth.status() == Status::disjoint ? "separating normal" : "normal";
+}
 
 /// Several lines, or one; without the last newline.
 std::string ray_block(const DirectionalDepth& depth, const Request& request) {
-  std::vector<Row> rows{{"depth along", place_text(*request.direction, request.exact)}, {"length", root_text(depth.squared())}};
+  std::vector<Row> rows{{"depth along", place_text(*request.direction, request.exact)},
+                        {"length", root_text(depth.squared())}};
   if (request.exact) rows.emplace_back("length^2", exact_text(depth.squared()));
   if (request.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.digits));
   if (request.exact) rows.emplace_back("factor", exact_text(depth.factor()));
-  if (depth.status() == Status::penetrating) rows.emplace_back("translation", place_text(depth.translation(), request.exact));
+  if (depth.status() == Status::penetrating)
+    rows.emplace_back("translation", place_text(depth.translation(), request.exact));
   rows.emplace_back(normal_label(depth), way_text(depth.normal(), request.exact));
   if (const RayExit* exit = depth.penetration()) {
     rows.emplace_back("contact", contact_text(exit->contact));
@@ -45,7 +49,8 @@ std::string ray_block(const DirectionalDepth& depth, const Request& request) {
 
 std::string ray_line(const std::string& id, const DirectionalDepth& depth, const Request& request) {
   std::vector<std::string> parts{std::string(name(depth.status())), "length " + root_text(depth.squared())};
-  if (depth.status() == Status::penetrating) parts.push_back("translation " + place_text(depth.translation(), request.exact));
+  if (depth.status() == Status::penetrating)
+    parts.push_back("translation " + place_text(depth.translation(), request.exact));
   parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), request.exact));
   if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
   if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
@@ -55,7 +60,8 @@ std::string ray_line(const std::string& id, const DirectionalDepth& depth, const
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const Request& request) {
   const RayExit* const exit = depth.penetration();
-  Json result = {{"schema", schema}, {"id", id}, {"status", name(depth.status())}, {"ray", output::exact(*request.direction)}};
+  Json result = {
+      {"schema", schema}, {"id", id}, {"status", name(depth.status())}, {"ray", output::exact(*request.direction)}};
   result["factor"] = exact_text(depth.factor());
   result["length"] = output::length(depth.squared(), request.digits);
   result["translation"] = output::exact(depth.translation());
@@ -76,14 +82,17 @@ std::string ray_json_error(const std::string& id, std::size_t line, const std::s
 
 ExitCode run_ray(const Request& request) {
   Replies replies;
-  replies.refuses_shapes = "how far it must move in one direction is not answered about those; depth says how far in the best one";
+  replies.refuses_shapes =
+      "how far it must move in one direction is not answered about those; depth says how far in the best one";
   replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, *request.direction, &monitor);
     if (request.json) return {ray_json(pair.id, depth, request)};
     return {is_stream(request) ? ray_line(pair.id, depth, request) : ray_block(depth, request)};
   };
   if (request.json)
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return ray_json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return ray_json_error(item.id, item.line, fault);
+    };
   return reply_to_inputs(request, replies);
 }
 

@@ -2,6 +2,7 @@
 #include "cli/commands/replies.hpp"
 
 #include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -14,10 +15,10 @@
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/cases.hpp"
+#include "reference/files/file_io.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/files/file_io.hpp"
 #include "reference/output/json_values.hpp"
 
 namespace fathom::cli {
@@ -25,10 +26,13 @@ namespace {
 
 /// A body by its file or folder, or by the words of a shape.
 Body body_of_input(const std::string& input, const Request& request) {
-  if (!files::is_shape_text(input)) return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
+  if (!files::is_shape_text(input))
+    return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
   Body body = files::parse_shape(input, request.decimals);
   if (request.pieces && body.shape)
-    throw InputError(input, 0, "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
+    throw InputError(
+        input, 0,
+        "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
   return request.pieces ? files::union_of({body}) : body;
 }
 
@@ -38,7 +42,8 @@ Case single_case(const Request& request) {
     Body result = body_of_input(input, request);
     const std::string option = i == 0 ? "--pose-a" : "--pose-b";
     if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
-      const files::GivenPose pose = asked_pose(*text, option, request.decimals, result.shape && result.shape->radius > 0);
+      const files::GivenPose pose =
+          asked_pose(*text, option, request.decimals, result.shape && result.shape->radius > 0);
       try {
         files::place(result, pose);
       } catch (const std::invalid_argument& error) {
@@ -47,8 +52,8 @@ Case single_case(const Request& request) {
     }
     return result;
   };
-  Case single =
-      has_one_body(request) ? Case{request.inputs[0], body(0), {}} : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
+  Case single = has_one_body(request) ? Case{request.inputs[0], body(0), {}}
+                                      : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
   single.id = text::valid_utf8(single.id);  // of file names; result and certificate are to agree on it
   return single;
 }
@@ -151,7 +156,8 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   if (reply.keep) reply.keep();
   progress.answered();
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
-  if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty() && !(replies.tells_of_dents && !request.json))
+  if (const std::string dents = shapes::dents_text(asked.bodies.hull);
+      !dents.empty() && !(replies.tells_of_dents && !request.json))
     talk(dents);
   if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, has_one_body(request), progress);
   if (!replies.header.empty()) print(replies.header);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands on bodies share: they reply to one case of mesh files, or to each case of a stream.
+// What all commands on bodies share: they reply to one case of mesh files, or to each case of a
+// stream.
 #pragma once
 
 #include <functional>
@@ -10,25 +11,26 @@
 
 #include "cli/args/request.hpp"
 #include "cli/io/case_stream.hpp"
+#include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
 #include "reference/files/pose.hpp"
-#include "cli/io/certificate_file.hpp"
 
 namespace fathom::cli {
 
-/// Returns whether the request is about all cases of a stream. Otherwise it is about a single case: its meshes, or one of a stream.
+/// Returns whether the request is about all cases of a stream. Otherwise it is about a single case:
+/// its meshes, or one of a stream.
 bool is_stream(const Request& request);
 
-/// Returns the pose that an option asks for, and notes on standard error if it is no rotation and translation, of a body with a radius or
-/// without. Throws InputError.
+/// Returns the pose that an option asks for, and notes on standard error if it is no rotation and
+/// translation, of a body with a radius or without. Throws InputError.
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius);
 
 /// How a command replies to cases.
 struct Replies {
-  /// Returns the reply to a case: several lines for a single case, one line in a stream. For a stream it is called by several threads at
-  /// once. May throw anything.
+  /// Returns the reply to a case: several lines for a single case, one line in a stream. For a
+  /// stream it is called by several threads at once. May throw anything.
   std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> reply;
   /// As in StreamWork.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
@@ -47,15 +49,18 @@ struct Replies {
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
-/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the case called `case_id`, the first of
-/// that id, and if there is no id, its only case. Throws InputError, with the ids that there are; and if a body is such as the command does
-/// not take: a union of pieces unless `takes_unions`, a shape if there is a reason in `refuses_shapes`.
+/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the
+/// case called `case_id`, the first of that id, and if there is no id, its only case. Throws
+/// InputError, with the ids that there are; and if a body is such as the command does not take: a
+/// union of pieces unless `takes_unions`, a shape if there is a reason in `refuses_shapes`.
 Case asked_case(const Request& request, bool takes_unions, const std::string& refuses_shapes = "");
 
-/// The case with what is known of its bodies. Throws InputError if the request wants convex meshes and one is not.
+/// The case with what is known of its bodies. Throws InputError if the request wants convex meshes
+/// and one is not.
 AskedCase looked_at(const Case& single, const Request& request);
 
-/// What the replies are to the cases of a stream, on as many threads as the request says. The request must outlive it.
+/// What the replies are to the cases of a stream, on as many threads as the request says. The
+/// request must outlive it.
 StreamWork stream_work(const Request& request, const Replies& replies);
 
 /// Prints the replies to the request's inputs. Throws as for_each_case does.
@@ -76,8 +81,8 @@ class FilePlaces {
   [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
     return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_, what_);
   }
-  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the cases: of two with one id, the first gets
-  /// the file.
+  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the
+  /// cases: of two with one id, the first gets the file.
   void write_to_folder(const std::string& id, const std::string& text) {
     if (folder_) CertificateFile(folder_->file(id), what_).write(text);
   }

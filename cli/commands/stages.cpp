@@ -15,10 +15,10 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/output/answer_output.hpp"
-#include "reference/output/json_values.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/output/json_values.hpp"
 #include "view/stages/charts_picture.hpp"
 
 namespace fathom::cli {
@@ -46,9 +46,11 @@ std::string answer_text(const Stages& stages) {
 }
 
 std::string body_text(const StagedBody& body) {
-  if (body.sampled) return body.facets.empty() ? "not drawn" : counted(body.facets.size(), "sampled facet", "sampled facets");
-  return fmt::format("{}, {}, {}{}", counted(body.vertices.size(), "vertex", "vertices"), counted(body.edges.size(), "edge", "edges"),
-                     counted(body.facets.size(), "facet", "facets"), body.rank < 3 ? "; flat" : "");
+  if (body.sampled)
+    return body.facets.empty() ? "not drawn" : counted(body.facets.size(), "sampled facet", "sampled facets");
+  return fmt::format("{}, {}, {}{}", counted(body.vertices.size(), "vertex", "vertices"),
+                     counted(body.edges.size(), "edge", "edges"), counted(body.facets.size(), "facet", "facets"),
+                     body.rank < 3 ? "; flat" : "");
 }
 
 std::string chart_text(const Stages& stages, std::size_t chart) {
@@ -59,8 +61,9 @@ std::string chart_text(const Stages& stages, std::size_t chart) {
     ++pairs;
     crossings += pair.crossings();
   }
-  return fmt::format("{}; {} of -A, {} of B; {} with {}", counted(c.walls.size(), "wall", "walls"), counted(c.a.arcs.size(), "arc", "arcs"),
-                     c.b.arcs.size(), counted(pairs, "canonical pair", "canonical pairs"), counted(crossings, "crossing", "crossings"));
+  return fmt::format("{}; {} of -A, {} of B; {} with {}", counted(c.walls.size(), "wall", "walls"),
+                     counted(c.a.arcs.size(), "arc", "arcs"), c.b.arcs.size(),
+                     counted(pairs, "canonical pair", "canonical pairs"), counted(crossings, "crossing", "crossings"));
 }
 
 std::string search_text(const Stages& stages) {
@@ -71,8 +74,8 @@ std::string search_text(const Stages& stages) {
     evaluated += pair.evaluated;
   }
   const auto of = [&](PairFate fate) { return pairs[static_cast<std::size_t>(fate)]; };
-  return fmt::format("{} scanned, {} cleared, {} cut; {} looked at", counted(of(PairFate::scanned), "pair", "pairs"), of(PairFate::cleared),
-                     of(PairFate::cut), counted(evaluated, "crossing", "crossings"));
+  return fmt::format("{} scanned, {} cleared, {} cut; {} looked at", counted(of(PairFate::scanned), "pair", "pairs"),
+                     of(PairFate::cleared), of(PairFate::cut), counted(evaluated, "crossing", "crossings"));
 }
 
 std::string winner_text(const Stages& stages) {
@@ -86,10 +89,11 @@ std::string winner_text(const Stages& stages) {
 std::string cutting_text(const stages::StagedCutting& cutting) {
   std::uint64_t blocks = 0;
   for (const stages::StagedLevel& level : cutting.levels)
-    blocks += static_cast<std::uint64_t>(
-        std::ranges::count_if(level.blocks, [](const auto& block) { return block.fate != stages::BlockFate::refined; }));
+    blocks += static_cast<std::uint64_t>(std::ranges::count_if(
+        level.blocks, [](const auto& block) { return block.fate != stages::BlockFate::refined; }));
   return fmt::format("pair {}, {} and {}{}", cutting.pair, counted(cutting.levels.size(), "level", "levels"),
-                     counted(blocks, "block", "blocks"), cutting.as_searched ? "" : ", for a picture: the search does not cut it so");
+                     counted(blocks, "block", "blocks"),
+                     cutting.as_searched ? "" : ", for a picture: the search does not cut it so");
 }
 
 std::string coincidences_text(const Stages& stages) {
@@ -120,9 +124,9 @@ std::string stages_block(const Stages& stages) {
 std::string stages_line(const Stages& stages) {
   std::uint64_t crossings = 0;
   for (const StagedPair& pair : stages.pairs) crossings += pair.crossings();
-  std::vector<std::string> parts{answer_text(stages),
-                                 fmt::format("{} with {}", counted(stages.pairs.size(), "canonical pair", "canonical pairs"),
-                                             counted(crossings, "crossing", "crossings"))};
+  std::vector<std::string> parts{
+      answer_text(stages), fmt::format("{} with {}", counted(stages.pairs.size(), "canonical pair", "canonical pairs"),
+                                       counted(crossings, "crossing", "crossings"))};
   if (stages.winner) parts.push_back(winner_text(stages));
   return case_line(stages.id, parts);
 }
@@ -134,7 +138,8 @@ std::string text_of(const stages::Stages& stages, const Request& request) {
 
 /// Throws InputError if there is nothing to be drawn.
 std::string picture_of(const Case& pair, const stages::Stages& stages) {
-  if (stages.charts.empty()) throw InputError(pair.id, 0, "--svg draws the charts of polytopes, found a shape that is none");
+  if (stages.charts.empty())
+    throw InputError(pair.id, 0, "--svg draws the charts of polytopes, found a shape that is none");
   return stages::charts_file(stages);
 }
 
@@ -151,7 +156,8 @@ ExitCode run_stages(const Request& request) {
     CaseReply reply{text_of(stages, request)};
     const std::string picture = pictures->wanted() ? picture_of(pair, stages) : "";
     if (drawing) drawing->write(picture);
-    else if (pictures->wanted()) reply.keep = [pictures, picture, id = pair.id] { pictures->write_to_folder(id, picture); };
+    else if (pictures->wanted())
+      reply.keep = [pictures, picture, id = pair.id] { pictures->write_to_folder(id, picture); };
     return reply;
   };
   if (request.json) {

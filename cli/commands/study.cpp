@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom study A B | CASES.jsonl | -
 
+#include "verify/study/study.hpp"
+
 #include <limits>
 #include <memory>
 #include <optional>
@@ -13,7 +15,6 @@
 #include "cli/output/study_page.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/study/study.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::cli {
@@ -27,7 +28,9 @@ StudyOptions options_of(const Request& request, Monitor& monitor) {
 }
 
 ShapeStudy shape_study_of(const Case& pair, const Request& request, Monitor& monitor) {
-  if (request.csv) throw InputError(pair.id, 0, "the rows of --csv are about polytopes, found a shape that is none: --json takes both");
+  if (request.csv)
+    throw InputError(pair.id, 0,
+                     "the rows of --csv are about polytopes, found a shape that is none: --json takes both");
   const Shape a = files::shape_of(pair.a), b = files::shape_of(pair.b);
   require_depth(pair.id, a, b);
   return study(a, b, options_of(request, monitor));
@@ -58,7 +61,9 @@ class PageFile {
     if (!file_) return result;
     Case seen = pair.input;
     if (request_.inputs.size() == 2) seen.id = picture::without_folders(seen.id);  // names of files; a case has its own
-    result.keep = [this, seen = std::move(seen), kept = std::make_shared<AnyStudy>(std::move(found))] { page_.add(seen, *kept); };
+    result.keep = [this, seen = std::move(seen), kept = std::make_shared<AnyStudy>(std::move(found))] {
+      page_.add(seen, *kept);
+    };
     return result;
   }
   void lose(const std::string& sentence) { page_.add_fault(picture::without_folders(sentence)); }
@@ -87,7 +92,9 @@ ExitCode run_study(const Request& request) {
     replies.header = study_csv_header();
     replies.error_line = [](const CaseItem& item, const std::string& fault) { return study_csv_error(item.id, fault); };
   } else if (request.json) {
-    replies.error_line = [](const CaseItem& item, const std::string& fault) { return study_json_error(item.id, item.line, fault); };
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return study_json_error(item.id, item.line, fault);
+    };
   }
   try {
     const ExitCode code = reply_to_inputs(request, replies);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom study --sweep FAMILY --sizes LOW..HIGH
-// How the work of the exact method grows: for people (a table), for spreadsheets (CSV), and as a chart.
+// fathom study --sweep FAMILY --sizes LOW..HIGH How the work of the exact method grows: for people
+// (a table), for spreadsheets (CSV), and as a chart.
 
-#include "cli/args/request.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -17,7 +16,8 @@
 #include <string_view>
 #include <vector>
 
-#include "view/plot/plot.hpp"
+#include "cli/args/request.hpp"
+#include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/family_names.hpp"
 #include "cli/io/certificate_file.hpp"
@@ -28,7 +28,7 @@
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "verify/families/families.hpp"
-#include "cli/args/values.hpp"
+#include "view/plot/plot.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -43,7 +43,9 @@ struct SweepRow {
 
   [[nodiscard]] std::uint64_t edges() const { return counters.edges_a + counters.edges_b; }
   [[nodiscard]] std::uint64_t sum() const { return counters.sum_a + counters.sum_b; }
-  [[nodiscard]] std::uint64_t cleared() const { return counters.vertex_clears + counters.frame_clears + counters.wide_clears; }
+  [[nodiscard]] std::uint64_t cleared() const {
+    return counters.vertex_clears + counters.frame_clears + counters.wide_clears;
+  }
 };
 
 struct Sweep {
@@ -61,15 +63,18 @@ struct Column {
 
 /// With several engines, what each of them evaluates stands in the place of one count.
 std::vector<Column> columns_of(const Sweep& sweep) {
-  std::vector<Column> columns{{"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
-                              {"canonical_pairs", "canonical pairs", [](const SweepRow& row) { return row.counters.canonical_pairs; }},
-                              {"sum", "sum |A_i|+|B_i|", [](const SweepRow& row) { return row.sum(); }}};
+  std::vector<Column> columns{
+      {"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
+      {"canonical_pairs", "canonical pairs", [](const SweepRow& row) { return row.counters.canonical_pairs; }},
+      {"sum", "sum |A_i|+|B_i|", [](const SweepRow& row) { return row.sum(); }}};
   for (std::size_t i = 0; i < sweep.engines.size(); ++i) {
     const std::string engine(engine_names[static_cast<std::size_t>(sweep.engines[i])]);
-    columns.push_back({"pairs_evaluated_" + engine, "pairs, " + engine, [i](const SweepRow& row) { return row.evaluated.at(i); }});
+    columns.push_back(
+        {"pairs_evaluated_" + engine, "pairs, " + engine, [i](const SweepRow& row) { return row.evaluated.at(i); }});
   }
   if (sweep.engines.empty())
-    columns.push_back({"pairs_evaluated", "pairs evaluated", [](const SweepRow& row) { return row.counters.pairs_evaluated; }});
+    columns.push_back(
+        {"pairs_evaluated", "pairs evaluated", [](const SweepRow& row) { return row.counters.pairs_evaluated; }});
   columns.push_back({"blocks_tested", "blocks tested", [](const SweepRow& row) { return row.counters.block_tests; }});
   columns.push_back({"blocks_cleared", "blocks cleared", [](const SweepRow& row) { return row.cleared(); }});
   return columns;
@@ -86,7 +91,8 @@ std::vector<plot::Datum> places(const std::vector<SweepRow>& rows, Value value) 
   std::vector<plot::Datum> result;
   for (const SweepRow& row : rows) {
     const double y = static_cast<double>(value(row));
-    result.push_back({static_cast<double>(row.edges()), y, fmt::format("size {}, {} edges: {}", row.size, row.edges(), value(row))});
+    result.push_back(
+        {static_cast<double>(row.edges()), y, fmt::format("size {}, {} edges: {}", row.size, row.edges(), value(row))});
   }
   return result;
 }
@@ -109,25 +115,28 @@ plot::CurvePanel panel_of(const std::string& title, const std::string& what) {
 }
 
 std::string sweep_text_header(const Sweep& sweep) {
-  std::string result = fmt::format("{}, seed {}, by the exact method\n{:>{}}  {:<{}}  {:>{}}", sweep.family, sweep.seed, "size", size_width,
-                                   "status", status_width, "edges", edges_width);
+  std::string result = fmt::format("{}, seed {}, by the exact method\n{:>{}}  {:<{}}  {:>{}}", sweep.family, sweep.seed,
+                                   "size", size_width, "status", status_width, "edges", edges_width);
   for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.words, width(column));
   return sweep.timed ? result + fmt::format("  {:>{}}", "seconds", least_width) : result;
 }
 
 std::string sweep_text_row(const Sweep& sweep, const SweepRow& row) {
-  std::string result =
-      fmt::format("{:>{}}  {:<{}}  {:>{}}", row.size, size_width, name(row.status), status_width, row.edges(), edges_width);
+  std::string result = fmt::format("{:>{}}  {:<{}}  {:>{}}", row.size, size_width, name(row.status), status_width,
+                                   row.edges(), edges_width);
   for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.of(row), width(column));
   return row.seconds ? result + fmt::format("  {:>{}}", seconds_text(*row.seconds), least_width) : result;
 }
 
 /// "growth", and the exponent of each column.
 std::string sweep_text_growth(const Sweep& sweep, const std::vector<SweepRow>& rows) {
-  std::string result = fmt::format("growth: edges to the power {:>{}}", "", size_width + status_width + edges_width + 4 - 27);
-  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", exponent_text(places(rows, column.of)), width(column));
+  std::string result =
+      fmt::format("growth: edges to the power {:>{}}", "", size_width + status_width + edges_width + 4 - 27);
+  for (const Column& column : columns_of(sweep))
+    result += fmt::format("  {:>{}}", exponent_text(places(rows, column.of)), width(column));
   if (!sweep.timed) return result;
-  return result + fmt::format("  {:>{}}", exponent_text(places(rows, [](const SweepRow& row) { return *row.seconds; })), least_width);
+  return result + fmt::format("  {:>{}}", exponent_text(places(rows, [](const SweepRow& row) { return *row.seconds; })),
+                              least_width);
 }
 
 std::string sweep_csv_header(const Sweep& sweep) {
@@ -137,7 +146,8 @@ std::string sweep_csv_header(const Sweep& sweep) {
 }
 
 std::string sweep_csv_row(const Sweep& sweep, const SweepRow& row) {
-  std::string result = fmt::format("{},{},{},{},{}", row.size, name(row.status), row.counters.edges_a, row.counters.edges_b, row.edges());
+  std::string result = fmt::format("{},{},{},{},{}", row.size, name(row.status), row.counters.edges_a,
+                                   row.counters.edges_b, row.edges());
   for (const Column& column : columns_of(sweep)) result += fmt::format(",{}", column.of(row));
   return row.seconds ? result + "," + seconds_text(*row.seconds) : result;
 }
@@ -152,9 +162,10 @@ std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   }
   plot::Figure figure{
       fmt::format("How the work grows: {}", sweep.family),
-      fmt::format("Pairs of the family {}, seed {}, of {} sizes, by the exact method. Both axes are logarithmic. The exponents "
-                  "are those of the powers of the number of edges that fit best.",
-                  sweep.family, sweep.seed, rows.size()),
+      fmt::format(
+          "Pairs of the family {}, seed {}, of {} sizes, by the exact method. Both axes are logarithmic. The exponents "
+          "are those of the powers of the number of edges that fit best.",
+          sweep.family, sweep.seed, rows.size()),
       "sweep",
       {std::move(work)}};
   if (sweep.timed) {
@@ -198,7 +209,8 @@ SweepRow row_of(const families::Family& family, unsigned size, const Request& re
     options.closest_lines = engine;
     row.evaluated.push_back(penetration_depth(pair.a, pair.b, options).counters.pairs_evaluated);
   }
-  if (!request.sweep.engines.empty()) options.closest_lines = request.sweep.engines.front();  // which the other counts and the times are of
+  if (!request.sweep.engines.empty())
+    options.closest_lines = request.sweep.engines.front();  // which the other counts and the times are of
   for (int run = 0; run < most_runs; ++run) {
     const Clock::time_point begin = Clock::now();
     const Depth depth = penetration_depth(pair.a, pair.b, options);
@@ -235,7 +247,8 @@ void run_sizes(const Sweep& sweep, const Request& request, std::vector<SweepRow>
 ExitCode run_sweep(const Request& request) {
   const Sweep sweep{request.sweep.family, request.seed, request.times, request.sweep.engines};
   std::unique_ptr<CertificateFile> picture;
-  if (!request.svg.empty()) picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
+  if (!request.svg.empty())
+    picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
   const Working working;
   std::vector<SweepRow> rows;
   ExitCode code = fine;
@@ -247,7 +260,8 @@ ExitCode run_sweep(const Request& request) {
   }
   if (!request.csv && rows.size() > 1) print(fitted(sweep_text_growth(sweep, rows), behind_size));
   if (picture && !rows.empty()) picture->write(sweep_svg(sweep, rows));
-  if (code == interrupted) talk(fmt::format("interrupted after {} of {} sizes", rows.size(), request.sweep.sizes.size()));
+  if (code == interrupted)
+    talk(fmt::format("interrupted after {} of {} sizes", rows.size(), request.sweep.sizes.size()));
   return code;
 }
 

@@ -23,7 +23,8 @@ constexpr int between_looks = 100;  // milliseconds
 
 int open_pipe(const std::string& path) {
   struct stat status {};
-  const bool is_pipe = path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode) && files::extension(path) != "json";
+  const bool is_pipe =
+      path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode) && files::extension(path) != "json";
   return is_pipe ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : -1;
 }
 
@@ -44,7 +45,9 @@ InterruptibleInput::int_type InterruptibleInput::underflow() {
 }
 
 CaseInput::CaseInput(const std::string& path, std::function<bool()> stopped)
-    : path_(path), descriptor_(open_pipe(path)), buffer_(std::move(stopped), descriptor_ < 0 ? STDIN_FILENO : descriptor_) {}
+    : path_(path),
+      descriptor_(open_pipe(path)),
+      buffer_(std::move(stopped), descriptor_ < 0 ? STDIN_FILENO : descriptor_) {}
 
 CaseInput::~CaseInput() {
   if (descriptor_ >= 0) ::close(descriptor_);

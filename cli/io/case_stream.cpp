@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/io/case_stream.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -20,10 +21,10 @@
 #include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
 #include "cli/io/progress.hpp"
-#include "reference/files/cases.hpp"
 #include "fathom/files.hpp"
 #include "kernels/filters/all_extreme.hpp"
 #include "kernels/parallel.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/polytope/convexity.hpp"
 
 namespace fathom::cli {
@@ -34,13 +35,15 @@ constexpr std::size_t worth_a_thread = 2048;  // points
 /// What there is to say of the points of a body; empty if all are extreme.
 std::string note_on(char body, const std::vector<Point>& points) {
   const std::optional<std::size_t> inner = polytope::count_inner_points(points);
-  if (!inner) return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
+  if (!inner)
+    return fmt::format("{}: it was not tried whether all points are extreme, as their denominators share little", body);
   return *inner > 0 ? fmt::format("{}: {} of {} points are not extreme", body, *inner, points.size()) : "";
 }
 
 bool may_have_inner_points(const Case& input, bool one_body) {
   const auto all_extreme = [](const GivenPoints& points) {
-    return points.in_binary64() ? kernels::all_seen_extreme(points.binary64()) : kernels::all_seen_extreme(points.exact());
+    return points.in_binary64() ? kernels::all_seen_extreme(points.binary64())
+                                : kernels::all_seen_extreme(points.exact());
   };
   return !all_extreme(input.a.points) || (!one_body && !all_extreme(input.b.points));
 }
@@ -50,7 +53,8 @@ std::optional<std::string> hull_note(const Case& input, bool one_body) {
   std::vector<std::string> notes(2);
   kernels::Context context;
   kernels::run_both(
-      !one_body && a.size() + b.size() >= worth_a_thread, context, [&](kernels::Context&) { notes[0] = note_on('A', a); },
+      !one_body && a.size() + b.size() >= worth_a_thread, context,
+      [&](kernels::Context&) { notes[0] = note_on('A', a); },
       [&](kernels::Context&) { notes[1] = one_body ? "" : note_on('B', b); });
   std::erase(notes, "");
   if (notes.empty()) return std::nullopt;
@@ -59,10 +63,12 @@ std::optional<std::string> hull_note(const Case& input, bool one_body) {
 
 // A case of a stream on its way from its text to its answer, and between processes.
 
-/// What there is to say of a case beside its answer. The first of a kind is said, later ones are counted.
+/// What there is to say of a case beside its answer. The first of a kind is said, later ones are
+/// counted.
 enum class NoteKind { field, pose, sizes, dents };
-inline constexpr std::array<std::string_view, 4> later_notes = {"fields that look misspelt", "poses that are no rotations",
-                                                                "bodies of very different sizes", "meshes that are not convex"};
+inline constexpr std::array<std::string_view, 4> later_notes = {
+    "fields that look misspelt", "poses that are no rotations", "bodies of very different sizes",
+    "meshes that are not convex"};
 struct StreamNote {
   NoteKind kind;
   std::string text;
@@ -102,16 +108,19 @@ std::string notes_text(const std::vector<StreamNote>& notes) {
 std::vector<StreamNote> notes_of(const std::string& text) {
   const std::vector<std::string> texts = unpacked(text);
   std::vector<StreamNote> notes;
-  for (std::size_t i = 0; i + 1 < texts.size(); i += 2) notes.push_back({static_cast<NoteKind>(std::stoul(texts[i])), texts[i + 1]});
+  for (std::size_t i = 0; i + 1 < texts.size(); i += 2)
+    notes.push_back({static_cast<NoteKind>(std::stoul(texts[i])), texts[i + 1]});
   return notes;
 }
 
 /// Appends what was found about the case to texts that are packed.
 void pack_answer(std::string& all, const Passage& passage) {
   const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
-  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "", optional(passage.hull_note),
-                                    notes_text(passage.notes)};
-  if (passage.fault) texts.insert(texts.end(), {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
+  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "",
+                                    optional(passage.hull_note), notes_text(passage.notes)};
+  if (passage.fault)
+    texts.insert(texts.end(),
+                 {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
   else texts.push_back(passage.reply.text);
   pack(all, packed(texts));
 }
@@ -129,7 +138,8 @@ void take_answer(const std::string& text, Passage& passage) {
   passage.answered = true;
 }
 
-// A longer text is answered before more is read: so many at once would take much memory, and two threads share the work on large bodies.
+// A longer text is answered before more is read: so many at once would take much memory, and two
+// threads share the work on large bodies.
 constexpr std::size_t long_text = std::size_t{1} << 20;
 
 using Block = std::vector<std::shared_ptr<Passage>>;
@@ -143,7 +153,8 @@ struct Memory {
   Workspace workspace;
 };
 
-/// Memory for so many answers at once. It is there from the beginning, so that a case that does not fit takes none away from others.
+/// Memory for so many answers at once. It is there from the beginning, so that a case that does not
+/// fit takes none away from others.
 class Memories {
  public:
   explicit Memories(unsigned count) : idle_(count) {}
@@ -170,9 +181,10 @@ class Memories {
   std::vector<Memory> idle_;
 };
 
-/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws Interrupted. Once a note on a hull was told,
-/// others are not looked for.
-void answer_case(Passage& passage, const std::string& name, const StreamWork& work, Monitor& monitor, Memory& memory, bool hull_told) {
+/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws
+/// Interrupted. Once a note on a hull was told, others are not looked for.
+void answer_case(Passage& passage, const std::string& name, const StreamWork& work, Monitor& monitor, Memory& memory,
+                 bool hull_told) {
   const std::size_t line = passage.text.line;
   const auto lose = [&](InputError why, ExitCode code) {
     passage.fault = std::move(why);
@@ -184,7 +196,8 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
     std::string().swap(passage.text.text);
     passage.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.takes_unions); !fault.empty())
+    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.takes_unions);
+        !fault.empty())
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
       passage.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
@@ -195,7 +208,8 @@ void answer_case(Passage& passage, const std::string& name, const StreamWork& wo
       passage.notes.push_back({NoteKind::dents, std::move(dents)});
     if (std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes))
       passage.notes.push_back({NoteKind::sizes, *std::move(note)});
-    passage.perhaps_inner = !has_shape(item.value()) && !has_union(item.value()) && may_have_inner_points(item.value(), work.one_body);
+    passage.perhaps_inner =
+        !has_shape(item.value()) && !has_union(item.value()) && may_have_inner_points(item.value(), work.one_body);
     if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
     passage.reply = work.answer(asked, monitor, memory.workspace);
   } catch (const Interrupted&) {
@@ -226,7 +240,8 @@ class Stream {
   ExitCode finish();
 
  private:
-  /// Shows the progress of the case that is to be delivered next: of one at a time, and the others wait for it.
+  /// Shows the progress of the case that is to be delivered next: of one at a time, and the others
+  /// wait for it.
   class CaseMonitor;
 
   void tell_of_hull(const Passage& passage);
@@ -248,7 +263,8 @@ class Stream {
 
 class Stream::CaseMonitor : public StopOnInterrupt {
  public:
-  CaseMonitor(Stream& stream, const Passage& passage) : stream_(stream), number_(passage.number), line_(passage.text.line) {}
+  CaseMonitor(Stream& stream, const Passage& passage)
+      : stream_(stream), number_(passage.number), line_(passage.text.line) {}
 
   void report(std::string_view stage, double share) override {
     if (has_the_bar()) stream_.progress_.report(stage, share);
@@ -288,7 +304,8 @@ std::shared_ptr<Passage> Stream::next() {
   return passage;
 }
 
-// To count exactly the cases with inner points would take a hull each: after the first they are counted by what is seen without one.
+// To count exactly the cases with inner points would take a hull each: after the first they are
+// counted by what is seen without one.
 void Stream::answer(Passage& passage) {
   if (std::exchange(passage.answered, true)) return;
   CaseMonitor monitor(*this, passage);
@@ -325,7 +342,8 @@ void Stream::answer_elsewhere(Block& block) {
     sent.push_back(passage);
   }
   if (sent.empty()) return;
-  const std::string name = fmt::format("lines {} to {} of {}", sent.front()->text.line, sent.back()->text.line, texts_.name());
+  const std::string name =
+      fmt::format("lines {} to {} of {}", sent.front()->text.line, sent.back()->text.line, texts_.name());
   const std::vector<std::string> answers = unpacked(work_.elsewhere(texts, name));
   for (std::size_t i = 0; i < sent.size(); ++i) take_answer(answers.at(i), *sent[i]);
 }
@@ -383,7 +401,8 @@ void Stream::report(const Passage& bad) {
 ExitCode Stream::finish() {
   progress_.clear();
   if (failures_ > 0 && work_.error_line) talk(fmt::format("errors: {} of {} lines", failures_, read_));
-  if (perhaps_inner_ > 0) talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
+  if (perhaps_inner_ > 0)
+    talk(fmt::format("later cases that may have points which are not extreme: {}", perhaps_inner_));
   for (std::size_t i = 0; i < later_notes.size(); ++i)
     if (cases_with_[i] > 1) talk(fmt::format("later {}: {}", later_notes[i], cases_with_[i] - 1));
   return code_;
@@ -402,9 +421,12 @@ std::string wrong_bodies(const Case& single, bool one_body, const std::string& r
   const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };
   const std::string of_pieces = which(single.a.pieces != nullptr, single.b.pieces != nullptr);
   const std::string of_shape = which(single.a.shape.has_value(), single.b.shape.has_value());
-  if (!of_pieces.empty() && !takes_unions) return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
+  if (!of_pieces.empty() && !takes_unions)
+    return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
   if (!of_pieces.empty() && !of_shape.empty())
-    return of_shape + ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than their cores";
+    return of_shape +
+           ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than "
+           "their cores";
   if (!of_shape.empty() && !refuses_shapes.empty())
     return of_shape + ": expected a polytope, found a shape that is none: " + refuses_shapes;
   return "";

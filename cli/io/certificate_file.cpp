@@ -68,17 +68,19 @@ std::string certificate_file_name(const std::string& id, const std::string& endi
     else name += fmt::format("%{:02X}", byte);
   }
   if (name.empty()) name = "%";
-  if (name.size() + ending.size() > longest_name) name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
+  if (name.size() + ending.size() > longest_name)
+    name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
   return name + ending;
 }
 
 void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits) try {
   fathom_check::require_readable(certificate, limits);
 } catch (const fathom_check::Unreadable& refusal) {
-  throw OutputError(fmt::format(
-      "{}: {}. Narrower numbers make it shorter, as --exact-decimals does for short decimals, and so do fewer points or pieces; "
-      "without a certificate the depth is printed",
-      id, refusal.what()));
+  throw OutputError(
+      fmt::format("{}: {}. Narrower numbers make it shorter, as --exact-decimals does for short decimals, and so do "
+                  "fewer points or pieces; "
+                  "without a certificate the depth is printed",
+                  id, refusal.what()));
 }
 
 }  // namespace fathom::cli

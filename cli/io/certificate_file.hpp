@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files for certificates, pictures and reports, and folders of them; and the limits of the checkers on certificates.
+// Files for certificates, pictures and reports, and folders of them; and the limits of the checkers
+// on certificates.
 #pragma once
 
 #include <set>
@@ -11,8 +12,8 @@
 
 namespace fathom::cli {
 
-/// A file for a certificate, a picture or a report, which appears with all of its content or not at all. Opened before solving, so that an
-/// unwritable path fails early.
+/// A file for a certificate, a picture or a report, which appears with all of its content or not at
+/// all. Opened before solving, so that an unwritable path fails early.
 class CertificateFile {
  public:
   /// `what` is for messages. Throws InputError if nothing can be written there.
@@ -29,7 +30,8 @@ class CertificateFile {
 /// A folder for the certificates, or the pictures, of a stream; made if it is missing.
 class CertificateFolder {
  public:
-  /// `what` is for messages, `ending` that of its files. Throws InputError if it is not a folder and cannot be made.
+  /// `what` is for messages, `ending` that of its files. Throws InputError if it is not a folder
+  /// and cannot be made.
   explicit CertificateFolder(std::string path, std::string what = "certificate", std::string ending = ".cert");
 
   /// Returns the path for the file of a case. Throws InputError if the id occurred before.
@@ -40,13 +42,16 @@ class CertificateFolder {
   std::set<std::string> names_;
 };
 
-/// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and so does a leading dot. Where the name
-/// would be too long for a file, it is cut, and '~' and the SHA-256 of the id follow. Different ids make different names.
+/// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and
+/// so does a leading dot. Where the name would be too long for a file, it is cut, and '~' and the
+/// SHA-256 of the id follow. Different ids make different names.
 std::string certificate_file_name(const std::string& id, const std::string& ending = ".cert");
 
-// A proof that no checker would read is none: whoever asked for it is told, and nothing is written. [verify/check/FORMAT.md, section 8]
+// A proof that no checker would read is none: whoever asked for it is told, and nothing is written.
+// [verify/check/FORMAT.md, section 8]
 
-/// Throws OutputError, which names the limit and what helps, if the certificate of this case passes a limit of all checkers.
+/// Throws OutputError, which names the limit and what helps, if the certificate of this case passes
+/// a limit of all checkers.
 void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits = {});
 
 }  // namespace fathom::cli

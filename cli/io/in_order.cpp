@@ -10,7 +10,8 @@ namespace fathom::cli {
 
 namespace {
 
-constexpr rlim_t of_a_thread = rlim_t{128} << 20;  // bytes of addresses: its stack, its heap, and the items that it works on
+constexpr rlim_t of_a_thread = rlim_t{128}
+                               << 20;  // bytes of addresses: its stack, its heap, and the items that it works on
 
 std::optional<rlim_t> limit_of_addresses() {
   rlimit limit{};
@@ -20,7 +21,9 @@ std::optional<rlim_t> limit_of_addresses() {
 
 }  // namespace
 
-unsigned usual_threads() { return limit_of_addresses() ? 1 : static_cast<unsigned>(tbb::this_task_arena::max_concurrency()); }
+unsigned usual_threads() {
+  return limit_of_addresses() ? 1 : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
+}
 
 unsigned possible_threads(unsigned asked) {
   const std::optional<rlim_t> limit = limit_of_addresses();

@@ -11,20 +11,24 @@
 
 namespace fathom::cli {
 
-/// The number of threads for a stream unless the user says it: one for each core that this process may use. One where the address space is
-/// limited, for every thread takes some of it.
+/// The number of threads for a stream unless the user says it: one for each core that this process
+/// may use. One where the address space is limited, for every thread takes some of it.
 unsigned usual_threads();
 
-/// So many of the threads that were asked for: fewer where the address space is limited, for more would leave too little for the items.
+/// So many of the threads that were asked for: fewer where the address space is limited, for more
+/// would leave too little for the items.
 unsigned possible_threads(unsigned asked);
 
-/// Items that are under way at once, for each thread: behind an item that takes long, the others go on with so many.
+/// Items that are under way at once, for each thread: behind an item that takes long, the others go
+/// on with so many.
 inline constexpr std::size_t items_in_flight = 16;
 
-/// Calls `next` until it returns null, `work` for each item and then `deliver`. `next` and `deliver` are called for one item at a time, in
-/// order; `work` for several at once, on as many threads. `next` may wait: meanwhile other threads go on, and every item that is before the
-/// one awaited gets delivered. With one thread, each item is delivered before the next is asked for. The first exception that any of the
-/// three throws ends the run, once those under way return, and is rethrown.
+/// Calls `next` until it returns null, `work` for each item and then `deliver`. `next` and
+/// `deliver` are called for one item at a time, in order; `work` for several at once, on as many
+/// threads. `next` may wait: meanwhile other threads go on, and every item that is before the one
+/// awaited gets delivered. With one thread, each item is delivered before the next is asked for.
+/// The first exception that any of the three throws ends the run, once those under way return, and
+/// is rethrown.
 template <class Item, class Next, class Work, class Deliver>
 void in_order(unsigned threads, Next next, Work work, Deliver deliver) {
   using Shared = std::shared_ptr<Item>;
@@ -48,10 +52,11 @@ void in_order(unsigned threads, Next next, Work work, Deliver deliver) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
   arena.execute([&] {
-    tbb::parallel_pipeline(threads * items_in_flight, tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, first) &
-                                                          tbb::make_filter<Shared, Shared>(tbb::filter_mode::parallel, second) &
-                                                          tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
-                                                                                         [&](const Shared& item) { deliver(*item); }));
+    tbb::parallel_pipeline(threads * items_in_flight,
+                           tbb::make_filter<void, Shared>(tbb::filter_mode::serial_in_order, first) &
+                               tbb::make_filter<Shared, Shared>(tbb::filter_mode::parallel, second) &
+                               tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
+                                                              [&](const Shared& item) { deliver(*item); }));
   });
 }
 

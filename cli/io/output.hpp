@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the process tells its caller: results on standard output, talk on standard error, and an exit code in the end.
+// What the process tells its caller: results on standard output, talk on standard error, and an
+// exit code in the end.
 #pragma once
 
 #include <exception>
@@ -25,27 +26,30 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Opens the standard streams that are closed, so that no other file gets their descriptors and their output. They stay unusable: reading
-/// and writing fail as before.
+/// Opens the standard streams that are closed, so that no other file gets their descriptors and
+/// their output. They stay unusable: reading and writing fail as before.
 void hold_standard_streams();
 
-/// Writes `text` and a newline to standard output and flushes, so that a reader has each result as soon as it is there.
-/// Throws OutputError.
+/// Writes `text` and a newline to standard output and flushes, so that a reader has each result as
+/// soon as it is there. Throws OutputError.
 void print(std::string_view text);
 
-/// Returns `text` with control characters, which a terminal would obey, as \xNN: line ends and those of two bytes in UTF-8 too.
+/// Returns `text` with control characters, which a terminal would obey, as \xNN: line ends and
+/// those of two bytes in UTF-8 too.
 std::string without_controls(std::string_view text);
 
 /// Returns the message for `error`, which no input caused.
 std::string fault_text(const std::exception& error);
 
-/// Writes "fathom: `text`" and a newline to standard error. Never fails. Escapes control characters other than line ends.
+/// Writes "fathom: `text`" and a newline to standard error. Never fails. Escapes control characters
+/// other than line ends.
 void talk(std::string_view text);
 
 /// Says the sentence and returns the code.
 ExitCode failed(std::string_view sentence, ExitCode code);
 
-/// Returns what `run` returns, or says in one sentence what it threw and returns the exit code that goes with it. Does not throw.
+/// Returns what `run` returns, or says in one sentence what it threw and returns the exit code that
+/// goes with it. Does not throw.
 ExitCode guarded(const std::function<ExitCode()>& run);
 
 }  // namespace fathom::cli

@@ -38,7 +38,8 @@ bool is_guarded = false;
 }
 
 bool is_in_reserve(const void* block) {
-  return !std::less<>()(static_cast<const char*>(block), reserve) && std::less<>()(static_cast<const char*>(block), reserve + reserve_size);
+  return !std::less<>()(static_cast<const char*>(block), reserve) &&
+         std::less<>()(static_cast<const char*>(block), reserve + reserve_size);
 }
 
 /// Block behind block; once all are given back, from the start again.
@@ -102,7 +103,8 @@ void* aligned(std::size_t size, std::align_val_t to) {
 
 }  // namespace
 
-// AddressSanitizer has operators of its own, as g++ and clang each say in their way. Nobody replaces operator delete: it is free().
+// AddressSanitizer has operators of its own, as g++ and clang each say in their way. Nobody
+// replaces operator delete: it is free().
 #ifdef __SANITIZE_ADDRESS__
 #define FATHOM_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)

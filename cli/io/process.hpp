@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// When memory runs out, std::bad_alloc is thrown: a stream loses one case, anything else ends with a message and exit code 3.
+// When memory runs out, std::bad_alloc is thrown: a stream loses one case, anything else ends with
+// a message and exit code 3.
 //
-// Left alone, mimalloc's operator new and GMP abort. Here operator new throws. Nothing may be thrown through GMP's frames: its requests
-// are served from a reserve then, and the thread's next operator new throws in its place. Where the reserve ends too, or no
-// exception can leave (a destructor, a thread that has no handler), the process ends at once; what it has printed is complete.
+// Left alone, mimalloc's operator new and GMP abort. Here operator new throws. Nothing may be
+// thrown through GMP's frames: its requests are served from a reserve then, and the thread's next
+// operator new throws in its place. Where the reserve ends too, or no exception can leave (a
+// destructor, a thread that has no handler), the process ends at once; what it has printed is
+// complete.
 #pragma once
 
 #include <string>
@@ -16,7 +19,8 @@ void guard_memory();
 
 // Runs programs that are built beside this one, in its place or as children.
 
-/// Replaces this process by `program`, found beside this one or else on PATH, with these arguments. Returns only if it is not found.
+/// Replaces this process by `program`, found beside this one or else on PATH, with these arguments.
+/// Returns only if it is not found.
 void become(const std::string& program, std::vector<std::string> words);
 
 /// Puts this program's folder first on PATH, for children.

@@ -26,7 +26,9 @@ std::atomic<bool> requested = false, open_line = false;
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<unsigned>::is_always_lock_free &&
               std::atomic<bool>::is_always_lock_free);
 
-void say(std::string_view text) { [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size()); }
+void say(std::string_view text) {
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
 
 // Every result is flushed as soon as it is complete, so nothing is lost by leaving here.
 [[noreturn]] void leave(int) {
@@ -97,7 +99,8 @@ void line_is_open(bool open) { open_line = open; }
 
 std::string duration_text(double seconds) {
   constexpr double longest = 1e9;
-  const auto whole = static_cast<std::uint64_t>(std::clamp(seconds, 0.0, longest)), minutes = whole / 60, hours = minutes / 60;
+  const auto whole = static_cast<std::uint64_t>(std::clamp(seconds, 0.0, longest)), minutes = whole / 60,
+             hours = minutes / 60;
   if (hours > 0) return fmt::format("{} h {} min", hours, minutes % 60);
   return minutes > 0 ? fmt::format("{} min {} s", minutes, whole % 60) : fmt::format("{} s", whole);
 }
@@ -166,9 +169,11 @@ void Progress::keep_drawing() {
 std::vector<std::string> Progress::counted_parts(double seconds) const {
   const auto& [done, of, before] = *count_;
   const double rate = static_cast<double>(done - std::min(before, done)) / seconds;
-  std::vector<std::string> parts{of ? fmt::format("{} of {} {}", done, *of, units_) : fmt::format("{} {}", done, units_)};
+  std::vector<std::string> parts{of ? fmt::format("{} of {} {}", done, *of, units_)
+                                    : fmt::format("{} {}", done, units_)};
   if (rate > 0) parts.push_back(fmt::format(", {:.3g}/s", rate));
-  if (rate > 0 && of) parts.push_back(fmt::format(", {} left", duration_text(std::ceil(static_cast<double>(*of - done) / rate))));
+  if (rate > 0 && of)
+    parts.push_back(fmt::format(", {} left", duration_text(std::ceil(static_cast<double>(*of - done) / rate))));
   if (!of) parts.push_back(", " + duration_text(seconds));
   if (!more_.empty()) parts.push_back(", " + more_);
   return parts;
@@ -194,7 +199,8 @@ void Progress::draw() {
     parts = counted_parts(seconds);
     if (const std::string stage = stage_text(); !stage.empty()) parts.push_back("; " + stage);
   } else {
-    parts.push_back(what_ + (what_.empty() ? "" : ": ") + stage_ + (stage_.empty() ? "" : ", ") + duration_text(seconds));
+    parts.push_back(what_ + (what_.empty() ? "" : ": ") + stage_ + (stage_.empty() ? "" : ", ") +
+                    duration_text(seconds));
   }
   const std::size_t width = terminal_columns(STDERR_FILENO) - 1;  // a full line would scroll
   const std::size_t of_bar = shortest_bar + around_bar;

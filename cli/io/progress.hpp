@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C ends the run with exit code 130, at once while waiting for input and at the next good moment while working.
+// Ctrl-C ends the run with exit code 130, at once while waiting for input and at the next good
+// moment while working.
 #pragma once
 
 #include <chrono>
@@ -16,7 +17,8 @@
 
 namespace fathom::cli {
 
-/// Handles SIGINT as described above. SIGPIPE gets its default action back, so a reader that has enough (`| head`) ends the run quietly.
+/// Handles SIGINT as described above. SIGPIPE gets its default action back, so a reader that has
+/// enough (`| head`) ends the run quietly.
 void install_signal_handlers();
 
 /// Whether SIGINT arrived while a `Working` existed.
@@ -29,8 +31,9 @@ class StopOnInterrupt : public Monitor {
   [[nodiscard]] bool stopped() override { return interrupt_requested(); }
 };
 
-/// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two and a computation can stop by
-/// itself. If it has not stopped after `patience` seconds, or on a second SIGINT, the process ends all the same.
+/// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two
+/// and a computation can stop by itself. If it has not stopped after `patience` seconds, or on a
+/// second SIGINT, the process ends all the same.
 class Working {
  public:
   explicit Working(unsigned patience = 1);
@@ -39,14 +42,16 @@ class Working {
   Working& operator=(const Working&) = delete;
 };
 
-/// Call it when the work has stopped and its results are being written: from then on only a second SIGINT ends the process early.
+/// Call it when the work has stopped and its results are being written: from then on only a second
+/// SIGINT ends the process early.
 void take_time_to_write();
 
 /// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
 void line_is_open(bool open);
 
-// One line on standard error, for work over a second and only on a terminal: how many of how many are done, how long the rest will take,
-// and what is being worked on. It never scrolls, and is wiped at the end. It also carries Ctrl-C into a computation.
+// One line on standard error, for work over a second and only on a terminal: how many of how many
+// are done, how long the rest will take, and what is being worked on. It never scrolls, and is
+// wiped at the end. It also carries Ctrl-C into a computation.
 
 /// How much of many things is done.
 struct ProgressCount {
@@ -76,9 +81,11 @@ class Progress : public StopOnInterrupt {
   void count(const ProgressCount& count, std::string more = "");
   /// From now on the line is about what is being worked on again.
   void end_count();
-  /// Takes the line off the screen until the next report or count, so that other text can be printed.
+  /// Takes the line off the screen until the next report or count, so that other text can be
+  /// printed.
   void clear();
-  /// The same before text for standard output: if that is not a terminal the line stays, or many short cases would show none.
+  /// The same before text for standard output: if that is not a terminal the line stays, or many
+  /// short cases would show none.
   void answered();
 
  private:

@@ -29,7 +29,8 @@ std::optional<std::size_t> wanted_columns() {
   const std::string_view digits = text;
   std::size_t columns = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), columns);
-  return error == std::errc() && end == digits.data() + digits.size() && columns > 0 ? std::optional(columns) : std::nullopt;
+  return error == std::errc() && end == digits.data() + digits.size() && columns > 0 ? std::optional(columns)
+                                                                                     : std::nullopt;
 }
 
 /// One line of folded().
@@ -56,7 +57,9 @@ void add_folded(std::string& result, std::string_view line, std::size_t width, s
 }  // namespace
 
 // mpirun gives its processes terminals of its own, which nobody sees.
-bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1 && std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") == nullptr; }
+bool is_terminal(int descriptor) {
+  return ::isatty(descriptor) == 1 && std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") == nullptr;
+}
 
 std::size_t terminal_columns(int descriptor) { return said_columns(descriptor).value_or(usual_columns); }
 
@@ -89,6 +92,8 @@ std::string folded(std::string_view text, std::size_t width, std::size_t indent)
   return result;
 }
 
-std::string fitted(std::string_view text, std::size_t indent) { return folded(text, seen_columns(STDOUT_FILENO), indent); }
+std::string fitted(std::string_view text, std::size_t indent) {
+  return folded(text, seen_columns(STDOUT_FILENO), indent);
+}
 
 }  // namespace fathom::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Completion of commands, options and their values in bash, zsh and fish, made of the pages of help.
+// Completion of commands, options and their values in bash, zsh and fish, made of the pages of
+// help.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,7 +26,8 @@ ValueKind value_kind(const OptionHelp& option) {
   return option.value == "FILE" || option.value == "CASES" || option.value == "Q" ? ValueKind::file : ValueKind::other;
 }
 
-/// The words, none of which is an option, that may stand behind the command; empty if only files do.
+/// The words, none of which is an option, that may stand behind the command; empty if only files
+/// do.
 std::vector<std::string> words_behind(const HelpPage& page, std::span<const HelpPage> pages) {
   std::vector<std::string> words;
   if (page.command.name == "completion") return {std::begin(shells), std::end(shells)};
@@ -135,8 +137,8 @@ _fathom() {{
   if [[ -n $words ]]; then mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -W "$words" -- "$word"); fi
 }}
 complete -o filenames -F _fathom fathom)",
-                     fmt::arg("made_by", made_by), fmt::arg("tasks", tasks()), fmt::arg("values", fmt::join(values, "\n")),
-                     fmt::arg("words", fmt::join(words, "\n")));
+                     fmt::arg("made_by", made_by), fmt::arg("tasks", tasks()),
+                     fmt::arg("values", fmt::join(values, "\n")), fmt::arg("words", fmt::join(words, "\n")));
 }
 
 // ---- zsh ----
@@ -147,7 +149,8 @@ namespace {
 std::string zsh_action(const OptionHelp& option) {
   switch (value_kind(option)) {
     case ValueKind::words: return fmt::format(":{}:({})", option.value, fmt::join(option.choices, " "));
-    case ValueKind::list: return fmt::format(":{}:_sequence -s , compadd - {}", option.value, fmt::join(option.choices, " "));
+    case ValueKind::list:
+      return fmt::format(":{}:_sequence -s , compadd - {}", option.value, fmt::join(option.choices, " "));
     case ValueKind::file: return fmt::format(":{}:_files", option.value);
     case ValueKind::folder: return fmt::format(":{}:_files -/", option.value);
     case ValueKind::other: return fmt::format(":{}: ", escaped(option.value, ":"));
@@ -173,15 +176,17 @@ void add_branch(Lines& lines, const HelpPage& page, std::span<const HelpPage> pa
   lines.push_back(fmt::format("{}{})", indent, last_word(page.command)));
   lines.push_back(indent + "  _arguments \\");
   add_zsh_options(lines, page, indent + "    ");
-  lines.push_back(
-      fmt::format("{}    {}", indent, behind.empty() ? "'*:input:_files'" : fmt::format("'1:word:({})'", fmt::join(behind, " "))));
+  lines.push_back(fmt::format(
+      "{}    {}", indent, behind.empty() ? "'*:input:_files'" : fmt::format("'1:word:({})'", fmt::join(behind, " "))));
   lines.push_back(indent + "  ;;");
 }
 
-void add_described(Lines& lines, const std::string& name, std::span<const CommandHelp> commands, const std::string& indent) {
+void add_described(Lines& lines, const std::string& name, std::span<const CommandHelp> commands,
+                   const std::string& indent) {
   lines.push_back(fmt::format("{}{}=(", indent, name));
   for (const CommandHelp& command : commands)
-    lines.push_back(fmt::format("{}  {}", indent, quoted(fmt::format("{}:{}", last_word(command), escaped(command.summary, ":\\")))));
+    lines.push_back(fmt::format("{}  {}", indent,
+                                quoted(fmt::format("{}:{}", last_word(command), escaped(command.summary, ":\\")))));
   lines.push_back(indent + ")");
 }
 
@@ -192,7 +197,8 @@ std::string zsh_completion(std::span<const HelpPage> pages) {
   add_described(lines, "commands", pages.front().commands, "  ");
   lines.insert(lines.end(), {"  if ((CURRENT == 2)); then", "    _describe command commands", "    _arguments \\"});
   add_zsh_options(lines, pages.front(), "      ");
-  lines.insert(lines.end(), {"      '*: : '", "    return", "  fi", "  shift words", "  ((CURRENT--))", "  case $words[1] in"});
+  lines.insert(lines.end(),
+               {"      '*: : '", "    return", "  fi", "  shift words", "  ((CURRENT--))", "  case $words[1] in"});
   for (const HelpPage& page : pages.subspan(1)) {
     if (is_task(page.command)) continue;
     if (page.commands.empty()) {
@@ -205,13 +211,16 @@ std::string zsh_completion(std::span<const HelpPage> pages) {
     lines.insert(lines.end(), {fmt::format("      if ((CURRENT == 2)){}; then", page.takes_input ? no_task : ""),
                                "        ((CURRENT > 2)) || _describe task tasks", "        _arguments \\"});
     add_zsh_options(lines, page, "          ");
-    lines.insert(lines.end(), {page.takes_input ? "          '*:input:_files'" : "          '*: : '", "        return", "      fi",
-                               "      shift words", "      ((CURRENT--))", "      case $words[1] in"});
+    lines.insert(lines.end(), {page.takes_input ? "          '*:input:_files'" : "          '*: : '", "        return",
+                               "      fi", "      shift words", "      ((CURRENT--))", "      case $words[1] in"});
     for (const HelpPage& task : pages)
-      if (is_task(task.command) && task.command.name.starts_with(page.command.name)) add_branch(lines, task, pages, "        ");
+      if (is_task(task.command) && task.command.name.starts_with(page.command.name))
+        add_branch(lines, task, pages, "        ");
     lines.insert(lines.end(), {"      esac", "      ;;"});
   }
-  lines.insert(lines.end(), {"  esac", "}", "if [[ $funcstack[1] == _fathom ]]; then _fathom \"$@\"; else compdef _fathom fathom; fi"});
+  lines.insert(
+      lines.end(),
+      {"  esac", "}", "if [[ $funcstack[1] == _fathom ]]; then _fathom \"$@\"; else compdef _fathom fathom; fi"});
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -224,7 +233,8 @@ std::string fish_quoted(std::string_view text) { return "'" + escaped(text, "'\\
 /// What must have been typed for the page to be meant.
 std::string fish_condition(const HelpPage& page) {
   if (page.command.name.empty()) return "__fish_use_subcommand";
-  std::string result = "__fish_seen_subcommand_from " + std::string(page.command.name.substr(0, page.command.name.find(' ')));
+  std::string result =
+      "__fish_seen_subcommand_from " + std::string(page.command.name.substr(0, page.command.name.find(' ')));
   if (is_task(page.command)) result += fmt::format("; and __fish_seen_subcommand_from {}", last_word(page.command));
   return result;
 }
@@ -232,7 +242,8 @@ std::string fish_condition(const HelpPage& page) {
 void add_fish_options(Lines& lines, const HelpPage& page) {
   for (const OptionHelp& option : page.options) {
     std::string line = "complete -c fathom -n " + fish_quoted(fish_condition(page));
-    for (const std::string& name : option.names) line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
+    for (const std::string& name : option.names)
+      line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     switch (value_kind(option)) {
       case ValueKind::none: break;
       case ValueKind::words: line += fmt::format(" -x -a '{}'", fmt::join(option.choices, " ")); break;
@@ -250,13 +261,15 @@ void add_fish_words(Lines& lines, const HelpPage& page, std::span<const HelpPage
   const Lines behind = words_behind(page, pages);
   if (behind.empty()) return;
   std::string when = fish_condition(page);
-  if (!page.command.name.empty()) when += fmt::format("; and not __fish_seen_subcommand_from {}", fmt::join(behind, " "));
+  if (!page.command.name.empty())
+    when += fmt::format("; and not __fish_seen_subcommand_from {}", fmt::join(behind, " "));
   // Behind `help`, which is a command too, the others have not been typed yet.
   if (page.command.name == "help" || page.command.name == "man") when = fish_condition(page);
-  if (page.commands.empty()) lines.push_back(fmt::format("complete -c fathom -f -n {} -a '{}'", fish_quoted(when), fmt::join(behind, " ")));
+  if (page.commands.empty())
+    lines.push_back(fmt::format("complete -c fathom -f -n {} -a '{}'", fish_quoted(when), fmt::join(behind, " ")));
   for (const CommandHelp& command : page.commands)
-    lines.push_back(fmt::format("complete -c fathom{} -n {} -a {} -d {}", page.takes_input ? "" : " -f", fish_quoted(when),
-                                last_word(command), fish_quoted(command.summary)));
+    lines.push_back(fmt::format("complete -c fathom{} -n {} -a {} -d {}", page.takes_input ? "" : " -f",
+                                fish_quoted(when), last_word(command), fish_quoted(command.summary)));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ std::string italic(std::string_view text) { return text.empty() ? "" : "\\fI" + 
 /// The summary as man's index has it: "exact width of one body".
 std::string line_of_index(std::string_view summary) {
   std::string result(summary.substr(0, summary.find_last_not_of('.') + 1));
-  if (!result.empty() && result.front() >= 'A' && result.front() <= 'Z') result.front() = static_cast<char>(result.front() - 'A' + 'a');
+  if (!result.empty() && result.front() >= 'A' && result.front() <= 'Z')
+    result.front() = static_cast<char>(result.front() - 'A' + 'a');
   return plain(result);
 }
 
@@ -50,14 +51,17 @@ void add_options(Lines& lines, std::span<const OptionHelp> options) {
     Lines names;
     for (const std::string& name : option.names) names.push_back(bold(name));
     const bool may_miss = !option.value.empty() && option.value.front() == '[';
-    add_tagged(lines, fmt::format("{}{}{}", fmt::join(names, ", "), option.value.empty() || may_miss ? "" : " ", italic(option.value)),
+    add_tagged(lines,
+               fmt::format("{}{}{}", fmt::join(names, ", "), option.value.empty() || may_miss ? "" : " ",
+                           italic(option.value)),
                option.meaning);
   }
 }
 
 void add_examples(Lines& lines, std::span<const Example> examples) {
   for (const Example& example : examples) {
-    lines.insert(lines.end(), {".PP", plain(example.meaning), ".PP", ".RS 4", ".EX", plain(example.line), ".EE", ".RE"});
+    lines.insert(lines.end(),
+                 {".PP", plain(example.meaning), ".PP", ".RS 4", ".EX", plain(example.line), ".EE", ".RE"});
   }
 }
 
@@ -95,7 +99,8 @@ std::string man_page(const HelpPage& page, std::span<const HelpPage> tasks, std:
   add_sections(lines, page, ".SH");
   for (const HelpPage& task : tasks) {
     std::string heading = full_name(task.command);
-    lines.insert(lines.end(), {".SH " + plain(heading), plain(task.command.summary), ".PP", plain(task.command.synopsis)});
+    lines.insert(lines.end(),
+                 {".SH " + plain(heading), plain(task.command.summary), ".PP", plain(task.command.synopsis)});
     add_sections(lines, task, ".SS");
   }
   lines.emplace_back(".SH EXIT STATUS");

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a command: golden generate, golden verify,
-// certify, and depth on a stream. What they do not share rank 0 does alone. Every rank calls the same function with the same words; rank 0
-// alone prints. It is a program of its own so that fathom itself starts without MPI.
+// mpirun -np N fathom COMMAND ...   is replaced by this program where the processes share a
+// command: golden generate, golden verify, certify, and depth on a stream. What they do not share
+// rank 0 does alone. Every rank calls the same function with the same words; rank 0 alone prints.
+// It is a program of its own so that fathom itself starts without MPI.
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,19 +18,19 @@
 #include <vector>
 
 #include "cli/args/arguments.hpp"
-#include "cli/commands/command.hpp"
-#include "cli/commands/replies.hpp"
-#include "cli/io/output.hpp"
-#include "cli/io/process.hpp"
-#include "kernels/float_environment.hpp"
 #include "cli/args/request.hpp"
 #include "cli/commands/certify.hpp"
+#include "cli/commands/command.hpp"
 #include "cli/commands/depth.hpp"
 #include "cli/commands/golden.hpp"
+#include "cli/commands/replies.hpp"
+#include "cli/io/output.hpp"
 #include "cli/io/packed.hpp"
+#include "cli/io/process.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/mpi/ranks.hpp"
 #include "fathom/files.hpp"
+#include "kernels/float_environment.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/golden/release/release.hpp"
@@ -37,19 +39,22 @@
 namespace fathom::cli {
 namespace {
 
-/// Threads for each process, unless the user says: the cores of this machine, shared by the processes on it.
+/// Threads for each process, unless the user says: the cores of this machine, shared by the
+/// processes on it.
 unsigned usual_jobs() {
   const char* const ours = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
   const unsigned processes = ours ? static_cast<unsigned>(std::max(1, std::atoi(ours))) : 1;
   return std::max(1U, std::thread::hardware_concurrency() / processes);
 }
 
-// certify: rank 0 reads the cases and writes the reports; every rank has a subject of its own, and examines the cases that it is given.
+// certify: rank 0 reads the cases and writes the reports; every rank has a subject of its own, and
+// examines the cases that it is given.
 
 using harness::Examiner;
 
 // How an answer begins: which error it is, or none.
-constexpr const char *examined = "examined", *subject_failed = "subject", *disagrees = "disagreement", *faulty = "fault";
+constexpr const char *examined = "examined", *subject_failed = "subject", *disagrees = "disagreement",
+                     *faulty = "fault";
 
 /// Starts the subject with the first case.
 Handle examiner(const Request& request) {
@@ -77,7 +82,8 @@ harness::Outcome outcome_in(const std::string& answer, const Case& pair, long ex
   if (words.at(0) == disagrees)
     throw harness::Disagreement(pair, harness::solver_by(solve::second_method(words.at(2)).value()), words.at(1));
   if (words.at(0) == faulty) throw std::logic_error(words.at(1));
-  if (words.at(2) != hello) throw harness::SubjectError("the subject says something else of itself each time that it is started");
+  if (words.at(2) != hello)
+    throw harness::SubjectError("the subject says something else of itself each time that it is started");
   harness::Outcome outcome = harness::read_outcome(words.at(1)).value();
   outcome.fit = exponent;
   return outcome;
@@ -93,14 +99,16 @@ ExitCode certify_by_ranks(const Processes& world, const Request& request) {
   ExitCode code = internal_error;
   ranks.serve([&] {
     const auto examine = [&](const Case& pair, long exponent, const std::string& hello) {
-      return outcome_in(ranks.ask(packed({files::case_json(pair), std::to_string(exponent)}), "case " + pair.id), pair, exponent, hello);
+      return outcome_in(ranks.ask(packed({files::case_json(pair), std::to_string(exponent)}), "case " + pair.id), pair,
+                        exponent, hello);
     };
     code = certify(request, {ranks.count(), examine});
   });
   return code;
 }
 
-// depth on a stream: rank 0 reads the texts of the cases and prints the replies, in order; every rank reads and answers blocks of cases.
+// depth on a stream: rank 0 reads the texts of the cases and prints the replies, in order; every
+// rank reads and answers blocks of cases.
 
 ExitCode depth_by_ranks(const Processes& world, const Request& request) {
   StreamWork work = stream_work(request, exact_replies(request));
@@ -118,8 +126,9 @@ ExitCode depth_by_ranks(const Processes& world, const Request& request) {
   return code;
 }
 
-// golden generate and golden verify by shards. All ranks must see the same folder. Each shard is made, or proved, by one process as without
-// MPI, so bytes and verdicts are the same. Rank 0 alone checks the pages of a release.
+// golden generate and golden verify by shards. All ranks must see the same folder. Each shard is
+// made, or proved, by one process as without MPI, so bytes and verdicts are the same. Rank 0 alone
+// checks the pages of a release.
 
 std::size_t number_in(const std::string& task) {
   std::size_t number = 0;
@@ -153,12 +162,13 @@ ExitCode generate(const Processes& world, const GoldenRequest& request, unsigned
     const std::vector<std::size_t> wanted = in_part(generation->unfinished(), request);
     in_order_by_ranks(
         ranks, wanted.size(), [&](std::size_t i) { return std::to_string(wanted[i]); },
-        [&](std::size_t i) { return generation->shards()[wanted[i]].name; }, [](std::size_t, const std::string&) { return true; });
+        [&](std::size_t i) { return generation->shards()[wanted[i]].name; },
+        [](std::size_t, const std::string&) { return true; });
     if (!request.is_part) generation->close();
     made = wanted.size();
   });
-  print(fmt::format("{}: {} of {} shards made by {} processes; {}", request.folder, made, generation->shards().size(), world.size(),
-                    request.is_part ? "the part is there" : "the release is complete"));
+  print(fmt::format("{}: {} of {} shards made by {} processes; {}", request.folder, made, generation->shards().size(),
+                    world.size(), request.is_part ? "the part is there" : "the release is complete"));
   return fine;
 }
 
@@ -194,7 +204,8 @@ ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned j
     code = verify_golden(request, [&](const std::vector<golden::ShardPlan>& shards, const golden::TakeShard& take) {
       own = prover(request, jobs);
       in_order_by_ranks(
-          ranks, shards.size(), [](std::size_t i) { return std::to_string(i); }, [&](std::size_t i) { return shards[i].name; },
+          ranks, shards.size(), [](std::size_t i) { return std::to_string(i); },
+          [&](std::size_t i) { return shards[i].name; },
           [&](std::size_t i, const std::string& answer) { return take(i, result_in(answer)); });
     });
   });
@@ -205,7 +216,8 @@ ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>&
   return carry_out_golden(words, world.rank() == 0, [&](const GoldenRequest& request) {
     if (request.what == GoldenRequest::What::exporting) return world.rank() == 0 ? export_golden(request) : fine;
     const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
-    return request.what == GoldenRequest::What::generate ? generate(world, request, jobs) : verify(world, request, jobs);
+    return request.what == GoldenRequest::What::generate ? generate(world, request, jobs)
+                                                         : verify(world, request, jobs);
   });
 }
 
@@ -222,7 +234,8 @@ ExitCode run(const Processes& world, int argc, char** argv) {
       !request.certify.list_adapters)
     return certify_by_ranks(world, request);
   // Certificates go to files, one after another: rank 0 alone keeps their order.
-  if (request.command == Command::depth && is_stream(request) && request.certificate.empty()) return depth_by_ranks(world, request);
+  if (request.command == Command::depth && is_stream(request) && request.certificate.empty())
+    return depth_by_ranks(world, request);
   if (!leads) return fine;
   return run_command(request);
 }

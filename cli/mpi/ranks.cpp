@@ -21,8 +21,9 @@ namespace fathom::cli {
 namespace {
 
 constexpr int tag_task = 1, tag_answer = 2, tag_end = 3;
-constexpr char answered = 'a', threw = 'f';                   // the first letter of an answer
-constexpr auto patience = std::chrono::microseconds(100);     // between two looks for messages: MPI's own waiting keeps a core busy
+constexpr char answered = 'a', threw = 'f';  // the first letter of an answer
+constexpr auto patience =
+    std::chrono::microseconds(100);  // between two looks for messages: MPI's own waiting keeps a core busy
 constexpr auto long_patience = std::chrono::milliseconds(2);  // when nothing has come for a while
 constexpr int ended_from_outside = 128 + SIGTERM;
 
@@ -33,7 +34,8 @@ class Patience {
  public:
   void wait() {
     constexpr int soon = 1000;
-    std::this_thread::sleep_for(++waits_ < soon ? std::chrono::microseconds(patience) : std::chrono::microseconds(long_patience));
+    std::this_thread::sleep_for(++waits_ < soon ? std::chrono::microseconds(patience)
+                                                : std::chrono::microseconds(long_patience));
   }
   void reset() { waits_ = 0; }
 
@@ -190,7 +192,8 @@ void in_order_by_ranks(Ranks& ranks, std::size_t count, const std::function<std:
         std::string answer = ranks.ask(task(number), name(number));
         lock.lock();
         answers.emplace(number, std::move(answer));
-        for (auto first = answers.begin(); wanted && first != answers.end() && first->first == taken; first = answers.erase(first))
+        for (auto first = answers.begin(); wanted && first != answers.end() && first->first == taken;
+             first = answers.erase(first))
           wanted = take(taken++, first->second);
       } catch (...) {
         if (!lock.owns_lock()) lock.lock();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The processes of an MPI job: rank 0 leads and hands out tasks, which are texts, and every rank answers one at a time, by a text. Who is
-// slow gets fewer. All messages pass through one thread of each process.
+// The processes of an MPI job: rank 0 leads and hands out tasks, which are texts, and every rank
+// answers one at a time, by a text. Who is slow gets fewer. All messages pass through one thread of
+// each process.
 #pragma once
 
 #include <condition_variable>
@@ -42,13 +43,15 @@ class Ranks {
 
   [[nodiscard]] unsigned count() const { return static_cast<unsigned>(world_.size()); }
 
-  /// Returns the answer of the first rank that is free. Any thread may call it while `serve` runs; it waits. Throws std::runtime_error with
-  /// "rank 2: " and what the rank's handle threw, or what the own one threw. `name` is what is told of the task if the job is ended while a
-  /// rank is at it.
+  /// Returns the answer of the first rank that is free. Any thread may call it while `serve` runs;
+  /// it waits. Throws std::runtime_error with "rank 2: " and what the rank's handle threw, or what
+  /// the own one threw. `name` is what is told of the task if the job is ended while a rank is at
+  /// it.
   std::string ask(const std::string& task, const std::string& name);
 
-  /// Runs `work` on a thread of its own and passes its messages; then dismisses all ranks. Rethrows what `work` throws. If the job is
-  /// ended from outside, as mpirun does when a rank dies, says which rank was at which task, and ends the process.
+  /// Runs `work` on a thread of its own and passes its messages; then dismisses all ranks. Rethrows
+  /// what `work` throws. If the job is ended from outside, as mpirun does when a rank dies, says
+  /// which rank was at which task, and ends the process.
   void serve(const std::function<void()>& work);
 
  private:
@@ -69,11 +72,13 @@ class Ranks {
   bool own_is_busy_ = false;
 };
 
-/// The side of every other rank: answers until it is dismissed. `start` is called with the first task that comes.
+/// The side of every other rank: answers until it is dismissed. `start` is called with the first
+/// task that comes.
 void follow(const Processes& world, const std::function<Handle()>& start);
 
-/// Has tasks 0, 1, ... below `count` answered by all ranks at once, and takes the answers in order, one at a time; `take` returns false if
-/// it wants no more. Rethrows the first exception of the lowest task.
+/// Has tasks 0, 1, ... below `count` answered by all ranks at once, and takes the answers in order,
+/// one at a time; `take` returns false if it wants no more. Rethrows the first exception of the
+/// lowest task.
 void in_order_by_ranks(Ranks& ranks, std::size_t count, const std::function<std::string(std::size_t)>& task,
                        const std::function<std::string(std::size_t)>& name,
                        const std::function<bool(std::size_t, const std::string&)>& take);

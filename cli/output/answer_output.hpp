@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a case, of bodies of any kinds, as it is asked for: as JSON, as text for people, and as a picture.
-//                                                                                                              [docs/command_line.md]
+// The exact answer to a case, of bodies of any kinds, as it is asked for: as JSON, as text for
+// people, and as a picture.
+//                                                                            [docs/command_line.md]
 #pragma once
 
 #include <string>
@@ -36,7 +37,8 @@ void add_counters(std::vector<Row>& rows, const Counters& counters);
 /// Whether cores touch such that not one direction is optimal but all of a cone.
 bool has_continuum(const SignedDepth& depth);
 
-/// The status and the length that goes with it: "penetrating: depth 0.5", "disjoint: distance 2", "undecided: signed depth from ...".
+/// The status and the length that goes with it: "penetrating: depth 0.5", "disjoint: distance 2",
+/// "undecided: signed depth from ...".
 std::string shape_length_text(const SignedDepth& depth);
 
 // ---- a picture: answer_picture.cpp ----

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of answer_output.hpp that writes text for people, and says what of an answer JSON is to show.
-// The rows of each kind of bodies stand together, in the order of the page.
+// The part of answer_output.hpp that writes text for people, and says what of an answer JSON is to
+// show. The rows of each kind of bodies stand together, in the order of the page.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <string_view>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace {
 using Rows = std::vector<Row>;
 
 /// A length by its square: in decimals, exactly if that is asked for, enclosed if digits are.
-void add_squared(Rows& rows, const std::string& what, const mpq_class& squared, const Request& request, bool enclosed = true) {
+void add_squared(Rows& rows, const std::string& what, const mpq_class& squared, const Request& request,
+                 bool enclosed = true) {
   rows.emplace_back(what, root_text(squared));
   if (request.exact) rows.emplace_back(what + "^2", exact_text(squared));
   if (request.digits && enclosed) rows.emplace_back("enclosure", enclosure_text(squared, *request.digits));
@@ -42,7 +44,8 @@ void add_answer(Rows& rows, const Depth& depth, const Request& request) {
   add_squared(rows, quantity(request), depth.squared(), request, !depth.distance());
   if (const Distance* const distance = depth.distance()) {
     add_squared(rows, "distance", distance->squared, request);
-    add_points(rows, "nearest", place_text(distance->witness.a, request.exact), place_text(distance->witness.b, request.exact));
+    add_points(rows, "nearest", place_text(distance->witness.a, request.exact),
+               place_text(distance->witness.b, request.exact));
     rows.emplace_back("A to B", place_text(distance->translation, request.exact));
   }
   rows.emplace_back("direction", way_text(depth.direction(), request.exact));
@@ -56,7 +59,8 @@ void add_answer(Rows& rows, const Depth& depth, const Request& request) {
 // Which method answered, and why if it is not the one that was tried first.
 std::string method_text(const Depth& depth, const Request& request) {
   const std::string ran(output::method_name(depth));
-  if (depth.method == Method::certificate) return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
+  if (depth.method == Method::certificate)
+    return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
   if (request.method == Method::automatic && !request.shallow && !request.closest_lines)
     return ran + ": the inner polytope took too many points";
   return ran;
@@ -144,12 +148,13 @@ void add_places(std::vector<Row>& rows, const SignedDepth& depth, const Request&
     rows.emplace_back(apart ? "A to B" : "translation", place_text(translations.front(), request.exact));
   if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), same_body));
   if (const std::optional<RoundedWitness> witness = depth.witness())
-    add_points(rows, apart ? "nearest" : "witness", place_text(witness->a, request.exact), place_text(witness->b, request.exact),
-               same_body);
+    add_points(rows, apart ? "nearest" : "witness", place_text(witness->a, request.exact),
+               place_text(witness->b, request.exact), same_body);
   if (has_continuum(depth)) rows.emplace_back("ties", cone_text(*depth.cone, request.exact));
   if (const Penetration* const cores = of_cores(depth); cores && cores->optima.size() > (same_body ? 2 : 1))
-    rows.emplace_back("ties", fmt::format("{} {}; the first is shown, --json lists all", cores->optima.size() / (same_body ? 2 : 1),
-                                          same_body ? "pairs of planes" : "nearest facets"));
+    rows.emplace_back(
+        "ties", fmt::format("{} {}; the first is shown, --json lists all", cores->optima.size() / (same_body ? 2 : 1),
+                            same_body ? "pairs of planes" : "nearest facets"));
 }
 
 void add_answer(Rows& rows, const SignedDepth& depth, const Request& request) {
@@ -157,7 +162,9 @@ void add_answer(Rows& rows, const SignedDepth& depth, const Request& request) {
   add_places(rows, depth, request);
 }
 
-void add_method(Rows& rows, const SignedDepth& depth, const Request&) { rows.emplace_back("method", output::method_name(depth)); }
+void add_method(Rows& rows, const SignedDepth& depth, const Request&) {
+  rows.emplace_back("method", output::method_name(depth));
+}
 
 void add_parts(std::vector<std::string>& parts, const SignedDepth& depth, const Request& request) {
   Rows rows;
@@ -176,7 +183,8 @@ std::string pair_block(const AnsweredCase& answered, const Found& found, const R
   add_method(rows, found, request);
   const BodyFacts& facts = answered.facts;
   if (const std::string flat = flat_text(facts, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
-  if (std::is_same_v<Found, Depth> && facts.flat_a && found.status() == Status::penetrating) rows.push_back(flat_note());
+  if (std::is_same_v<Found, Depth> && facts.flat_a && found.status() == Status::penetrating)
+    rows.push_back(flat_note());
   if (request.counters) add_counters(rows, output::counters_of(found));
   return aligned(has_one_body(request) ? "" : std::string(answered.answer.status_name()), rows);
 }
@@ -199,25 +207,29 @@ constexpr std::size_t most_contacts = 8;  // that text lists
 void add_contacts(std::vector<Row>& rows, const std::vector<PieceContact>& contacts) {
   for (std::size_t i = 0; i < contacts.size() && i < most_contacts; ++i) {
     const PieceContact& c = contacts[i];
-    rows.emplace_back(i == 0 ? "touching" : "", fmt::format("piece {} of A, piece {} of B; {}", c.a, c.b, contact_text(c.contact)));
+    rows.emplace_back(i == 0 ? "touching" : "",
+                      fmt::format("piece {} of A, piece {} of B; {}", c.a, c.b, contact_text(c.contact)));
   }
-  if (contacts.size() > most_contacts) rows.emplace_back("", fmt::format("and {} more pairs", contacts.size() - most_contacts));
+  if (contacts.size() > most_contacts)
+    rows.emplace_back("", fmt::format("and {} more pairs", contacts.size() - most_contacts));
 }
 
 void add_optimum(std::vector<Row>& rows, const UnionDepth& depth, const Request& request) {
   if (depth.optima.empty()) return;
   const UnionOptimum& first = depth.optima.front();
-  if (depth.status == Status::penetrating) rows.emplace_back("translation", place_text(first.translation, request.exact));
+  if (depth.status == Status::penetrating)
+    rows.emplace_back("translation", place_text(first.translation, request.exact));
   rows.emplace_back("clearance", first.clearance ? "yes" : "none: an exact fit");
   add_contacts(rows, first.contacts);
   const std::size_t count = depth.optima.size();
   if (depth.status == Status::penetrating && depth.complete)
-    rows.emplace_back("ties", count == 1 ? "none" : fmt::format("{} translations; the first is shown, --json lists all", count));
+    rows.emplace_back(
+        "ties", count == 1 ? "none" : fmt::format("{} translations; the first is shown, --json lists all", count));
 }
 
 std::string counted(const UnionCounters& c) {
-  return fmt::format("{} cells split, {} nearest points, {} of {} pairs of pieces looked at", c.nodes, c.nearest_points, c.pairs_touched,
-                     c.pairs);
+  return fmt::format("{} cells split, {} nearest points, {} of {} pairs of pieces looked at", c.nodes, c.nearest_points,
+                     c.pairs_touched, c.pairs);
 }
 
 std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
@@ -235,8 +247,9 @@ std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, c
   }
   add_optimum(rows, depth, request);
   if (depth.bounds && depth.status == Status::penetrating) {
-    rows.emplace_back("deepest pair", fmt::format("{}: piece {} of A, piece {} of B", root_text(depth.bounds->deepest_pair),
-                                                  depth.bounds->a, depth.bounds->b));
+    rows.emplace_back("deepest pair",
+                      fmt::format("{}: piece {} of A, piece {} of B", root_text(depth.bounds->deepest_pair),
+                                  depth.bounds->a, depth.bounds->b));
     rows.emplace_back("hulls", root_text(depth.bounds->hulls));
   }
   add_hull(rows, answered.bodies.hull);
@@ -246,7 +259,8 @@ std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, c
 
 std::string union_line(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
   if (!depth.complete)
-    return case_line(answered.id, {"interrupted", "depth at least " + root_text(depth.low), "at most " + root_text(depth.high)});
+    return case_line(answered.id,
+                     {"interrupted", "depth at least " + root_text(depth.low), "at most " + root_text(depth.high)});
   std::vector<std::string> parts{std::string(name(depth.status)), "depth " + root_text(depth.squared())};
   if (depth.status == Status::penetrating) {
     if (request.exact) parts.push_back("depth^2 " + exact_text(depth.squared()));
@@ -277,7 +291,8 @@ void add_counters(std::vector<Row>& rows, const Counters& counters) {
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counters.predicates[i];
     if (tiers.calls == 0) continue;
-    rows.emplace_back(predicate_names[i], fmt::format("{} calls, {} exact, {} zero", tiers.calls, tiers.exact, tiers.zero));
+    rows.emplace_back(predicate_names[i],
+                      fmt::format("{} calls, {} exact, {} zero", tiers.calls, tiers.exact, tiers.zero));
   }
 }
 
@@ -289,23 +304,28 @@ std::string shape_length_text(const SignedDepth& depth) {
   const std::optional<Status> status = depth.status();
   if (!status) return "undecided: signed depth " + undecided_text(depth);
   if (status == Status::touching) return "touching: depth 0";
-  return status == Status::disjoint ? "disjoint: distance " + value_text(depth, -1) : "penetrating: depth " + value_text(depth, 1);
+  return status == Status::disjoint ? "disjoint: distance " + value_text(depth, -1)
+                                    : "penetrating: depth " + value_text(depth, 1);
 }
 
 std::string answer_json(const AnsweredCase& answered, const Request& request) {
-  return output::answer_json(answered,
-                             {request.optima, request.digits, request.counters, request.embed_certificate, has_one_body(request)});
+  return output::answer_json(
+      answered, {request.optima, request.digits, request.counters, request.embed_certificate, has_one_body(request)});
 }
 
 std::string answer_block(const AnsweredCase& answered, const Request& request) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_block(answered, *unions, request);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_block(answered, *depth, request);
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
+    return union_block(answered, *unions, request);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found))
+    return pair_block(answered, *depth, request);
   return pair_block(answered, std::get<SignedDepth>(answered.answer.found), request);
 }
 
 std::string answer_line(const AnsweredCase& answered, const Request& request) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_line(answered, *unions, request);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_line(answered, *depth, request);
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
+    return union_line(answered, *unions, request);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found))
+    return pair_line(answered, *depth, request);
   return pair_line(answered, std::get<SignedDepth>(answered.answer.found), request);
 }
 

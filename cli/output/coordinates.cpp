@@ -12,8 +12,12 @@ namespace {
 
 std::string decimal(const Surd& value) { return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value); }
 
-std::string in_full(const Point& p) { return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z)); }
-std::string in_full(const Vector& n) { return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str()); }
+std::string in_full(const Point& p) {
+  return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+}
+std::string in_full(const Vector& n) {
+  return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str());
+}
 
 /// from + length n/|n|.
 std::string in_full(const Point& from, const mpq_class& length, const Vector& n) {

@@ -16,11 +16,12 @@ using rounded::nearest_binary64;
 using rounded::rational_point;
 using rounded::unit;
 
-/// "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers; 17 digits beyond that range.
+/// "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers; 17 digits
+/// beyond that range.
 std::string decimals(const Coordinates& values);
 
-/// A point or translation: its decimals; or, if it is to be exact, fractions, and what is along a direction apart: "(1/2, 0, 0) and 1/3
-/// along (1, 1, 1)".
+/// A point or translation: its decimals; or, if it is to be exact, fractions, and what is along a
+/// direction apart: "(1/2, 0, 0) and 1/3 along (1, 1, 1)".
 std::string place_text(const Point& p, bool exact);
 std::string place_text(const AlongNormal& vector, bool exact);
 std::string place_text(const RoundedPoint& point, bool exact);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output/decimal.hpp"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 #include <string_view>
 
 #include "fathom/numbers.hpp"
@@ -20,7 +21,8 @@ bool speaks(double value) { return std::isfinite(value) && value != 0; }
 /// To nine digits, or truncated to as many where binary64 ends.
 std::string few_digits(const mpq_class& value) {
   if (sgn(value) == 0) return "0";
-  if (const double rounded = round_binary64(value, Rounding::rn); speaks(rounded)) return fmt::format("{:.{}g}", rounded, few);
+  if (const double rounded = round_binary64(value, Rounding::rn); speaks(rounded))
+    return fmt::format("{:.{}g}", rounded, few);
   return fmt::format("{}{}", sgn(value) < 0 ? "-" : "", enclose_root(value * value, few).low);
 }
 
@@ -61,7 +63,8 @@ std::string direction_text(const Vector& n) {
   const std::string exact = triple("", n.x.get_str(), n.y.get_str(), n.z.get_str());
   if (exact.size() <= longest_triple) return exact;
   const mpz_class squared_length = dot(n, n);
-  return triple("~", unit_component(n.x, squared_length), unit_component(n.y, squared_length), unit_component(n.z, squared_length));
+  return triple("~", unit_component(n.x, squared_length), unit_component(n.y, squared_length),
+                unit_component(n.z, squared_length));
 }
 
 }  // namespace fathom::cli

@@ -11,7 +11,8 @@
 
 namespace fathom::cli {
 
-/// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17 digits beyond that range.
+/// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17
+/// digits beyond that range.
 std::string root_text(const mpq_class& squared);
 /// As root_text, of a value >= 0.
 std::string surd_text(const Surd& value);
@@ -21,7 +22,8 @@ inline Surd negated(const Surd& value) { return {-value.rational, -value.root}; 
 /// "(1/2, 0, -3)", or "~(0.333333333, ...)".
 std::string point_text(const Point& p);
 
-/// "(-1, 0, 0)", or where the integers are long the unit vector of that direction: "~(0.577350269, ...)".
+/// "(-1, 0, 0)", or where the integers are long the unit vector of that direction: "~(0.577350269,
+/// ...)".
 std::string direction_text(const Vector& n);
 
 }  // namespace fathom::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies for people: a block for one case, a line for each case of a stream; for programs; for spreadsheets.
+// Studies for people: a block for one case, a line for each case of a stream; for programs; for
+// spreadsheets.
 
 #include "cli/output/study_output.hpp"
 
@@ -47,12 +48,14 @@ std::string decided_text(const TierCounts& tiers) {
 
 void add_predicates(Lines& lines, const PredicateCounts& counts) {
   bool any = false;
-  lines.push_back(fitted(fmt::format("{:<18}{:>12}{:>10}{:>10}  {}", "predicate", "calls", "exact", "zero", "decided by"), decided_column));
+  lines.push_back(
+      fitted(fmt::format("{:<18}{:>12}{:>10}{:>10}  {}", "predicate", "calls", "exact", "zero", "decided by"),
+             decided_column));
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = counts[i];
-    lines.push_back(fitted(
-        fmt::format("{:<18}{:>12}{:>10}{:>10}{}", spoken(predicate_names[i]), tiers.calls, tiers.exact, tiers.zero, decided_text(tiers)),
-        decided_column));
+    lines.push_back(fitted(fmt::format("{:<18}{:>12}{:>10}{:>10}{}", spoken(predicate_names[i]), tiers.calls,
+                                       tiers.exact, tiers.zero, decided_text(tiers)),
+                           decided_column));
     any = any || tiers.zero > 0;
   }
   if (any) lines.push_back(fitted("Eij are the infinitesimals that move -A; a, b, c tilt the chart's frame"));
@@ -61,7 +64,8 @@ void add_predicates(Lines& lines, const PredicateCounts& counts) {
 void add_features(Lines& parts, std::string_view body, const std::vector<Feature>& features) {
   for (const Feature& points : features) {
     const std::size_t shown = std::min(points.size(), most_indices);
-    parts.push_back(fmt::format("{} {}{}", body, fmt::join(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(shown), " "),
+    parts.push_back(fmt::format("{} {}{}", body,
+                                fmt::join(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(shown), " "),
                                 shown < points.size() ? fmt::format(" ... ({} in all)", points.size()) : ""));
   }
 }
@@ -76,18 +80,18 @@ std::string points_text(const Involved& involved) {
 
 void add_coincidences(Lines& lines, const Study& study, bool all) {
   Lines absent;
-  lines.push_back(
-      fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "points of the features" : "points of the first's features"),
-             features_column));
+  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count",
+                                     all ? "points of the features" : "points of the first's features"),
+                         features_column));
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
     if (count == 0) {
       absent.push_back(spoken(coincidence_names[i]));
       continue;
     }
-    lines.push_back(
-        fitted(fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count, listed.empty() ? "" : "  " + points_text(listed.front())),
-               features_column));
+    lines.push_back(fitted(fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count,
+                                       listed.empty() ? "" : "  " + points_text(listed.front())),
+                           features_column));
     if (!all) continue;
     for (std::size_t k = 1; k < listed.size(); ++k)
       lines.push_back(fitted(fmt::format("{:{}}{}", "", features_column, points_text(listed[k])), features_column));
@@ -114,7 +118,9 @@ Json predicates_object(const PredicateCounts& counts) {
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     Json decided = Json::array();
     for (const auto& [packed, count] : counts[i].decided) {
-      decided.push_back({{"monomial", kernels::Monomial::unpacked(packed).text()}, {"name", monomial_name(packed)}, {"count", count}});
+      decided.push_back({{"monomial", kernels::Monomial::unpacked(packed).text()},
+                         {"name", monomial_name(packed)},
+                         {"count", count}});
     }
     result[predicate_names[i]] = {
         {"calls", counts[i].calls}, {"exact", counts[i].exact}, {"zero", counts[i].zero}, {"decided_by", decided}};
@@ -173,16 +179,17 @@ std::string present_text(const ShapeStudy& study) {
 void add_coincidences(Lines& lines, const ShapeStudy& study, bool all) {
   Lines absent;
   constexpr std::size_t column = 32;
-  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
+  lines.push_back(fitted(
+      fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
   for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
     const auto& [count, listed] = study.coincidences[i];
     if (count == 0) {
       absent.push_back(spoken(shape_coincidence_names[i]));
       continue;
     }
-    lines.push_back(fitted(
-        fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count, listed.empty() ? "" : "  " + involved_text(listed.front())),
-        column));
+    lines.push_back(fitted(fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count,
+                                       listed.empty() ? "" : "  " + involved_text(listed.front())),
+                           column));
     for (std::size_t k = 1; all && k < listed.size(); ++k)
       lines.push_back(fitted(fmt::format("{:{}}{}", "", column, involved_text(listed[k])), column));
   }
@@ -208,7 +215,9 @@ Json feature_object(const ShapeFeature& feature) {
   return result;
 }
 
-Json involved_object(const ShapeInvolved& involved) { return {{"a", feature_object(involved.a)}, {"b", feature_object(involved.b)}}; }
+Json involved_object(const ShapeInvolved& involved) {
+  return {{"a", feature_object(involved.a)}, {"b", feature_object(involved.b)}};
+}
 
 Json coincidences_object(const ShapeStudy& study) {
   Json result;
@@ -223,8 +232,9 @@ Json coincidences_object(const ShapeStudy& study) {
 }  // namespace
 
 std::string size_text(const BodySize& size) {
-  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"), count_text(size.edges, "edge", "edges"),
-                     count_text(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
+  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"),
+                     count_text(size.edges, "edge", "edges"), count_text(size.facets, "facet", "facets"),
+                     size.rank < 3 ? "; flat" : "");
 }
 
 std::string status_text(const Depth& depth) {
@@ -256,10 +266,12 @@ std::string study_line(const std::string& id, const Study& study) {
   Lines parts{status_text(study.depth)};
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     const TierCounts& tiers = study.predicates[i];
-    if (tiers.zero > 0) parts.push_back(fmt::format("{} {} of {} zero", spoken(predicate_names[i]), tiers.zero, tiers.calls));
+    if (tiers.zero > 0)
+      parts.push_back(fmt::format("{} {} of {} zero", spoken(predicate_names[i]), tiers.zero, tiers.calls));
   }
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
-    if (study.coincidences[i].count > 0) parts.push_back(fmt::format("{} {}", spoken(coincidence_names[i]), study.coincidences[i].count));
+    if (study.coincidences[i].count > 0)
+      parts.push_back(fmt::format("{} {}", spoken(coincidence_names[i]), study.coincidences[i].count));
   }
   return case_line(id, parts);
 }
@@ -309,8 +321,9 @@ std::string study_csv_error(const std::string& id, const std::string& error) {
 std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
 
 std::string status_text(const SignedDepth& depth) {
-  const std::string value = depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
-                                          : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
+  const std::string value =
+      depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
+                    : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
   return fmt::format("{}; {}", status_name(depth), value);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies for people (tables), for programs (JSON, schemas/study.schema.json) and for spreadsheets (CSV, RFC 4180 with "\n").
+// Studies for people (tables), for programs (JSON, schemas/study.schema.json) and for spreadsheets
+// (CSV, RFC 4180 with "\n").
 #pragma once
 
 #include <cstddef>
@@ -40,7 +41,8 @@ std::string study_json(const std::string& id, const Study& study);
 /// Returns the line for a case of a stream that has no study.
 std::string study_json_error(const std::string& id, std::size_t line, const std::string& error);
 
-/// The names of the columns; a row of counts; a row with nothing but an error. Without their newlines.
+/// The names of the columns; a row of counts; a row with nothing but an error. Without their
+/// newlines.
 std::string study_csv_header();
 std::string study_csv_row(const std::string& id, const Study& study);
 std::string study_csv_error(const std::string& id, const std::string& error);

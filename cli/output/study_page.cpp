@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of studies: its pieces, each a whole element or a few, in which texts of others are escaped; the section of a case; the page.
+// The page of studies: its pieces, each a whole element or a few, in which texts of others are
+// escaped; the section of a case; the page.
 
 #include "cli/output/study_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -16,11 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/output/study_output.hpp"
-#include "view/picture/markup.hpp"
 #include "cli/output/coordinates.hpp"
 #include "cli/output/decimal.hpp"
-#include "reference/output/json_values.hpp"
+#include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
@@ -28,6 +28,8 @@
 #include "kernels/number/irrational.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/output/json_values.hpp"
+#include "view/picture/markup.hpp"
 #include "view/picture/paint.hpp"
 
 namespace fathom::cli {
@@ -69,7 +71,8 @@ using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 std::string row_element(const CoincidenceRow& row) {
   const std::string lights = row.lights.empty() ? "" : fmt::format(" data-lights=\"{}\"", fmt::join(row.lights, " "));
   return fmt::format(
-      "<tr data-kind=\"{0}\"{1}><th scope=\"row\">{0}</th><td>{2}</td><td class=\"name\">{3}</td><td class=\"name\">{4}</td></tr>\n",
+      "<tr data-kind=\"{0}\"{1}><th scope=\"row\">{0}</th><td>{2}</td><td class=\"name\">{3}</td><td "
+      "class=\"name\">{4}</td></tr>\n",
       row.kind, lights, row.number, row.a, row.b);
 }
 
@@ -79,7 +82,9 @@ std::string unlisted_text(const std::vector<CoincidenceRow>& rows, const Counts&
     const auto listed = static_cast<std::uint64_t>(std::ranges::count(rows, kind, &CoincidenceRow::kind));
     if (listed < count) parts.push_back(fmt::format("{} of {}", count - listed, kind));
   }
-  return parts.empty() ? "" : fmt::format("<p class=\"soft\">Not listed: {}; --all lists every one.</p>\n", fmt::join(parts, ", "));
+  return parts.empty()
+             ? ""
+             : fmt::format("<p class=\"soft\">Not listed: {}; --all lists every one.</p>\n", fmt::join(parts, ", "));
 }
 
 std::string counts_list(const std::string& anchor, const Counts& counts) {
@@ -88,8 +93,9 @@ std::string counts_list(const std::string& anchor, const Counts& counts) {
   for (const auto& [kind, count] : counts) {
     if (count == 0) none.push_back(kind);
     else
-      items += fmt::format("<li><b>{0}</b> <a href=\"#{1}rows\" data-of=\"{1}rows\" data-find=\"\" data-choice=\"{2}\">{2}</a></li>", count,
-                           anchor, kind);
+      items += fmt::format(
+          "<li><b>{0}</b> <a href=\"#{1}rows\" data-of=\"{1}rows\" data-find=\"\" data-choice=\"{2}\">{2}</a></li>",
+          count, anchor, kind);
   }
   std::string result = items.empty() ? "" : fmt::format("<ul class=\"legend\">{}</ul>\n", items);
   if (!none.empty()) result += fmt::format("<p class=\"soft\">none: {}</p>\n", fmt::join(none, ", "));
@@ -103,7 +109,8 @@ std::string Marks::of(bool of_a, const Feature& feature) {
   return ids_[{of_a, feature}] = fmt::format("{}{}{}", anchor_, of_a ? "a" : "b", ids_.size() + 1);
 }
 
-std::string coincidences_part(const std::string& anchor, const std::vector<CoincidenceRow>& rows, const Counts& counts) {
+std::string coincidences_part(const std::string& anchor, const std::vector<CoincidenceRow>& rows,
+                              const Counts& counts) {
   std::string result = counts_list(anchor, counts);
   if (rows.empty()) return result;
   std::string body;
@@ -112,11 +119,12 @@ std::string coincidences_part(const std::string& anchor, const std::vector<Coinc
   for (const auto& [kind, count] : counts)
     if (count > 0) kinds.push_back({kind, kind});
   const std::string table = fmt::format(
-      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">no.</th><th scope=\"col\" class=\"text\">of A</th>"
+      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">no.</th><th scope=\"col\" "
+      "class=\"text\">of A</th>"
       "<th scope=\"col\" class=\"text\">of B</th></tr></thead>\n<tbody id=\"{}rows\">\n{}</tbody>",
       anchor, body);
-  return result + picture::filter_bar(anchor + "rows", "coincidence", kinds) + picture::table_box("Coincidences", table, true) +
-         unlisted_text(rows, counts);
+  return result + picture::filter_bar(anchor + "rows", "coincidence", kinds) +
+         picture::table_box("Coincidences", table, true) + unlisted_text(rows, counts);
 }
 
 /// The zeros of the predicates, and which monomials decided.
@@ -124,17 +132,21 @@ std::string predicates_part(const PredicateCounts& counts) {
   std::string rows;
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {
     std::vector<std::string> decided;
-    for (const auto& [packed, count] : counts[i].decided) decided.push_back(fmt::format("{}: {}", monomial_name(packed), count));
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
-                        spoken(predicate_names[i]), counts[i].calls, counts[i].exact, counts[i].zero,
-                        picture::markup(fmt::format("{}", fmt::join(decided, ", "))));
+    for (const auto& [packed, count] : counts[i].decided)
+      decided.push_back(fmt::format("{}: {}", monomial_name(packed), count));
+    rows +=
+        fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
+                    spoken(predicate_names[i]), counts[i].calls, counts[i].exact, counts[i].zero,
+                    picture::markup(fmt::format("{}", fmt::join(decided, ", "))));
   }
   const std::string table =
-      "<thead><tr><th scope=\"col\" class=\"text\">predicate</th><th scope=\"col\">calls</th><th scope=\"col\">exact</th>"
+      "<thead><tr><th scope=\"col\" class=\"text\">predicate</th><th scope=\"col\">calls</th><th "
+      "scope=\"col\">exact</th>"
       "<th scope=\"col\">zero</th><th scope=\"col\" class=\"text\">decided by</th></tr></thead>\n<tbody>\n" +
       rows + "</tbody>";
   return picture::table_box("What the perturbation decided", table, false) +
-         "<p class=\"soft\">exact: calls that floating point could not decide; zero: those that are 0, which the perturbation then "
+         "<p class=\"soft\">exact: calls that floating point could not decide; zero: those that are 0, which the "
+         "perturbation then "
          "decided. Eij "
          "are the infinitesimals that move -A; a, b, c tilt the chart's frame.</p>\n";
 }
@@ -148,11 +160,14 @@ std::string figure(const picture::PairScene& scene, const std::string& svg) {
   else if (scene.status == Status::disjoint)
     caption += "; <span class=\"key true\">arrow</span>: the way of A until it touches B, and A there, dashed";
   else
-    caption += "; <span class=\"key true\">arrow</span>: the shortest way of A out of B, and A there, dashed; thick: the faces in contact";
+    caption +=
+        "; <span class=\"key true\">arrow</span>: the shortest way of A out of B, and A there, dashed; thick: the "
+        "faces in contact";
   return fmt::format("<figure><div class=\"pairs\">{}</div><figcaption>{}.</figcaption></figure>\n", svg, caption);
 }
 
-/// The picture of the bodies, with its legend; empty if there is none. The features of `marks` are in it.
+/// The picture of the bodies, with its legend; empty if there is none. The features of `marks` are
+/// in it.
 std::string study_figure(const Case& pair, const Depth& depth, const Marks& marks, const std::string& anchor) {
   std::vector<picture::Mark> shown;
   for (const auto& [feature, id] : marks.all()) {
@@ -180,7 +195,8 @@ constexpr std::size_t most_indices = 12;       // of one feature
 
 std::string indices_text(const Feature& feature) {
   std::string result;
-  for (std::size_t i = 0; i < std::min(feature.size(), most_indices); ++i) result += fmt::format("{}{}", i > 0 ? " " : "", feature[i]);
+  for (std::size_t i = 0; i < std::min(feature.size(), most_indices); ++i)
+    result += fmt::format("{}{}", i > 0 ? " " : "", feature[i]);
   return feature.size() <= most_indices ? result : fmt::format("{} ... ({} in all)", result, feature.size());
 }
 
@@ -254,11 +270,13 @@ FactList facts_of(const Study& study) {
   return facts;
 }
 
-/// The case, to be copied; a sentence if it is too long for a page; nothing for shapes without words.
+/// The case, to be copied; a sentence if it is too long for a page; nothing for shapes without
+/// words.
 std::string case_part(const Case& pair, const std::string& anchor) {
   try {
     const std::string line = files::case_json(pair);
-    if (line.size() < longest_case) return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON", line);
+    if (line.size() < longest_case)
+      return picture::copied_text(anchor + "case", "copy this case", "The case as a line of JSON", line);
     return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n",
                        pair.a.points.size() + pair.b.points.size());
   } catch (const std::invalid_argument&) {
@@ -275,7 +293,8 @@ std::string predicates_heading(const Study& study) {
 std::string study_section(const Case& pair, const Study& study, const std::string& anchor) {
   Marks marks(anchor);
   const std::string table = coincidences_part(anchor, rows_of(study, &marks), counts_of(study, coincidence_names));
-  const std::string said = facts_of(study).list() + coincidences_heading(table) + predicates_heading(study) + case_part(pair, anchor);
+  const std::string said =
+      facts_of(study).list() + coincidences_heading(table) + predicates_heading(study) + case_part(pair, anchor);
   return picture::beside(study_figure(pair, study.depth, marks, anchor), said);
 }
 
@@ -286,18 +305,21 @@ std::string study_section(const Case& pair, const ShapeStudy& study, const std::
     facts.add_text("signed depth", surd_text(*study.depth.exact()));
     facts.add_text("exactly", kernels::exact_surd_text(*study.depth.exact()));
   } else {
-    facts.add_text("signed depth", fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
+    facts.add_text("signed depth",
+                   fmt::format("from {} to {}", study.depth.low_binary64(), study.depth.high_binary64()));
   }
   facts.add_text("A", size_text(study.a));
   facts.add_text("B", size_text(study.b));
   if (study.contact) facts.add_text("contact", involved_text(*study.contact));
-  std::string said =
-      facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study), counts_of(study, shape_coincidence_names)));
+  std::string said = facts.list() + coincidences_heading(coincidences_part(anchor, rows_of(study),
+                                                                           counts_of(study, shape_coincidence_names)));
   if (study.cores) {
     const Study& cores = *study.cores;
-    const std::string table = coincidences_part(anchor + "k", rows_of(cores, nullptr), counts_of(cores, coincidence_names));
-    said += "<details class=\"part\"><summary>The cores, without their radii: " + picture::markup(status_text(cores.depth)) +
-            "</summary>\n" + facts_of(cores).list() + coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
+    const std::string table =
+        coincidences_part(anchor + "k", rows_of(cores, nullptr), counts_of(cores, coincidence_names));
+    said += "<details class=\"part\"><summary>The cores, without their radii: " +
+            picture::markup(status_text(cores.depth)) + "</summary>\n" + facts_of(cores).list() +
+            coincidences_heading(table) + predicates_heading(cores) + "</details>\n";
   }
   return picture::beside(study_figure(pair, study.depth, anchor), said + case_part(pair, anchor));
 }
@@ -315,7 +337,8 @@ constexpr std::array<std::pair<const char*, const char*>, 4> status_styles{
 }  // namespace
 
 template <class AnyStudy, class Names>
-void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline, const Names& names) {
+void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline,
+                     const Names& names) {
   ++cases_;
   ++statuses_[std::string(status)];
   std::string present;
@@ -336,8 +359,9 @@ void StudyPage::take(const Case& pair, const AnyStudy& study, std::string_view s
     return;
   }
   sections_ += fmt::format(
-      "<details class=\"part\" id=\"{}\" data-kind=\"{}\"><summary>{} <span class=\"soft\">{}{}</span></summary>\n{}</details>\n", anchor,
-      status, title_, headline_, present, study_section(pair, study, anchor));
+      "<details class=\"part\" id=\"{}\" data-kind=\"{}\"><summary>{} <span "
+      "class=\"soft\">{}{}</span></summary>\n{}</details>\n",
+      anchor, status, title_, headline_, present, study_section(pair, study, anchor));
 }
 
 void StudyPage::add(const Case& pair, const Study& study) {
@@ -357,8 +381,9 @@ std::string StudyPage::head() const {
     const auto found = statuses_.find(status);
     shares.push_back({status, found == statuses_.end() ? 0 : found->second, style, ""});
   }
-  std::string result = fmt::format("<h1>What coincides</h1>\n<p class=\"answer\">{}{}</p>\n", count_text(cases_, "case", "cases"),
-                                   faults_.empty() ? "" : fmt::format(", {}", count_text(faults_.size(), "error", "errors")));
+  std::string result =
+      fmt::format("<h1>What coincides</h1>\n<p class=\"answer\">{}{}</p>\n", count_text(cases_, "case", "cases"),
+                  faults_.empty() ? "" : fmt::format(", {}", count_text(faults_.size(), "error", "errors")));
   return result + picture::share_bar(shares, "shares", "Cases by status");
 }
 
@@ -368,15 +393,17 @@ std::string StudyPage::totals() const {
     const auto found = coincidences_.find(kind);
     if (found == coincidences_.end()) return;
     rows += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0}:\">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n", kind,
-        found->second.cases, found->second.count);
+        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; "
+        "{0}:\">{0}</a></th><td>{1}</td><td>{2}</td></tr>\n",
+        kind, found->second.cases, found->second.count);
   };
   for (const std::string_view kind : coincidence_names) add(spoken(kind));
   for (const std::string_view kind : shape_coincidence_names)
     if (std::ranges::find(coincidence_names, kind) == coincidence_names.end()) add(spoken(kind));
   if (rows.empty()) return "<p>Nothing coincides.</p>\n";
   const std::string table =
-      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">cases with any</th><th scope=\"col\">in all</th></tr>"
+      "<thead><tr><th scope=\"col\" class=\"text\">coincidence</th><th scope=\"col\">cases with any</th><th "
+      "scope=\"col\">in all</th></tr>"
       "</thead>\n<tbody>\n" +
       rows + "</tbody>";
   return picture::table_box("Coincidences of all cases", table, false);
@@ -388,7 +415,8 @@ std::string StudyPage::case_by_case() const {
     if (statuses_.contains(status)) kinds.push_back({status, status});
   std::string result = "<section><h2>All cases</h2>\n" + totals() + "</section>\n<section><h2>Case by case</h2>\n";
   result += picture::filter_bar("list", "status", kinds) + "<div id=\"list\">\n" + sections_ + "</div>\n";
-  if (shown_ < cases_) result += fmt::format("<p>{} further cases are counted above and not shown.</p>\n", cases_ - shown_);
+  if (shown_ < cases_)
+    result += fmt::format("<p>{} further cases are counted above and not shown.</p>\n", cases_ - shown_);
   return result + "</section>\n";
 }
 
@@ -405,9 +433,11 @@ std::string StudyPage::without_study() const {
 std::string StudyPage::html(const std::string& command, const std::string& cut_short) const {
   const std::string warning =
       cut_short.empty() ? ""
-                        : fmt::format("<p class=\"warning\" role=\"note\">{}; this is what was studied.</p>\n", picture::markup(cut_short));
+                        : fmt::format("<p class=\"warning\" role=\"note\">{}; this is what was studied.</p>\n",
+                                      picture::markup(cut_short));
   const std::string body = fmt::format(
-      "<header>{}{}</header>\n<main>\n{}{}</main>\n<footer><p class=\"soft\">Made by fathom {}. Counts are exact; features are 0-based "
+      "<header>{}{}</header>\n<main>\n{}{}</main>\n<footer><p class=\"soft\">Made by fathom {}. Counts are exact; "
+      "features are 0-based "
       "indices of points.</p>\n<p class=\"soft\"><code>{}</code></p></footer>\n",
       head(), warning, stream_ ? case_by_case() : sections_, without_study(), FATHOM_VERSION,
       picture::markup(picture::without_folders(command)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies as one page: what coincides, in a table that lights the features in the picture, and what the perturbation decided.
-//                                                                                                     [docs/command_line.md, "study"]
+// Studies as one page: what coincides, in a table that lights the features in the picture, and what
+// the perturbation decided.
+//                                                                   [docs/command_line.md, "study"]
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@
 
 namespace fathom::cli {
 
-/// The page of one case, or of a stream, whose cases are folded. Cases come one after another, in the order in which they are shown.
+/// The page of one case, or of a stream, whose cases are folded. Cases come one after another, in
+/// the order in which they are shown.
 class StudyPage {
  public:
   /// `stream`: cases are folded, and totals stand before them.
@@ -25,7 +27,8 @@ class StudyPage {
   /// A case that has no study.
   void add_fault(const std::string& sentence);
 
-  /// The whole page. `command`: the line that made it; `cut_short`: why it is not about all cases, or empty.
+  /// The whole page. `command`: the line that made it; `cut_short`: why it is not about all cases,
+  /// or empty.
   [[nodiscard]] std::string html(const std::string& command, const std::string& cut_short) const;
 
  private:
@@ -33,7 +36,8 @@ class StudyPage {
     std::size_t cases = 0, count = 0;
   };
   template <class AnyStudy, class Names>
-  void take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline, const Names& names);
+  void take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline,
+            const Names& names);
   [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string totals() const;
   [[nodiscard]] std::string case_by_case() const;

@@ -22,7 +22,8 @@ constexpr std::size_t short_pair = 54;   // characters of two points that share 
 /// Indices of the points that span a face; the first few of a large one.
 std::string indices_text(const std::vector<std::uint32_t>& indices) {
   if (indices.size() <= most_indices) return fmt::format("{}", fmt::join(indices, " "));
-  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "), indices.size());
+  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "),
+                     indices.size());
 }
 
 }  // namespace
@@ -34,7 +35,8 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
   for (const Row& row : rows) column = std::max(column, row.first.size());
   std::vector<std::string> lines;
   if (!heading.empty()) lines.push_back(heading);
-  for (const auto& [label, text] : rows) lines.push_back(fitted(fmt::format("{:<{}}  {}", label, column, text), column + 2));
+  for (const auto& [label, text] : rows)
+    lines.push_back(fitted(fmt::format("{:<{}}  {}", label, column, text), column + 2));
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -45,11 +47,12 @@ std::string case_line(const std::string& id, const std::vector<std::string>& par
 std::string safe_id(const std::string& id) { return without_controls(id) == id ? id : text::Json(id).text(); }
 
 std::string contact_text(const Contact& contact, bool same_body) {
-  return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a), indices_text(contact.b),
-                     same_body ? "A" : "B");
+  return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a),
+                     indices_text(contact.b), same_body ? "A" : "B");
 }
 
-void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b, bool same_body) {
+void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b,
+                bool same_body) {
   const char* const of_b = same_body ? "A" : "B";
   if (a.size() + b.size() <= short_pair) {
     rows.emplace_back(label, fmt::format("{} of A, {} of {}", a, b, of_b));
@@ -70,7 +73,10 @@ std::string flat_text(const BodyFacts& facts, bool same_body) {
   return facts.flat_a && b ? "A and B" : facts.flat_a ? "A" : b ? "B" : "";
 }
 
-Row flat_note() { return {"note", "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"}; }
+Row flat_note() {
+  return {"note",
+          "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"};
+}
 
 void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies) {
   rows.emplace_back("sizes", shapes::sizes_text(bodies.sizes));

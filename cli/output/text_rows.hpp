@@ -19,8 +19,8 @@ using Row = std::pair<std::string, std::string>;
 /// What the command computes: "depth" or "width".
 std::string quantity(const Request& request);
 
-/// Returns the heading, if there is one, and the rows with their texts in one column; without the last newline. On a terminal the rows are
-/// broken at its width.
+/// Returns the heading, if there is one, and the rows with their texts in one column; without the
+/// last newline. On a terminal the rows are broken at its width.
 std::string aligned(const std::string& heading, const std::vector<Row>& rows);
 
 /// Returns the line for a case of a stream, "id: first; second", broken on a terminal as above.
@@ -33,7 +33,8 @@ std::string safe_id(const std::string& id);
 std::string contact_text(const Contact& contact, bool same_body = false);
 
 /// Adds two points, in two rows if one would be long; or the one that both bodies share.
-void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b, bool same_body = false);
+void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b,
+                bool same_body = false);
 void add_witness(std::vector<Row>& rows, const Witness& witness, const Request& request);
 
 /// The bodies without interior: "A and B", or "". For one body against itself: "A", or "".

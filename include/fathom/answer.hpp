@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies of any kinds: polytopes, shapes, unions of convex pieces.
-// Output  the exact answer about them, in the same words for every kind; what a kind lacks, it says why.
+// Output  the exact answer about them, in the same words for every kind; what a kind lacks, it says
+//         why.
 //
 // A polytope beside a shape counts as a shape, and beside a union as a union of one piece.
 #pragma once
@@ -21,9 +22,10 @@
 
 namespace fathom {
 
-/// How an answer is found. What it says does not depend on it, but for the width of bounds and the number of optima that are listed.
+/// How an answer is found. What it says does not depend on it, but for the width of bounds and the
+/// number of optima that are listed.
 struct Question {
-  Options options;                            ///< of polytopes, and of cores that are; its monitor and workspace serve every kind
+  Options options;  ///< of polytopes, and of cores that are; its monitor and workspace serve every kind
   unsigned bits = SignedDepthOptions{}.bits;  ///< of the bounds of shapes, as in SignedDepthOptions
   bool union_bounds = UnionOptions{}.bounds;  ///< of unions, as in UnionOptions
 };
@@ -64,12 +66,13 @@ struct Answer {
   /// False if the monitor stopped the search for the depth of unions: then only bounds are known.
   [[nodiscard]] bool complete() const;
 
-  /// The signed depth: the depth, 0 if the bodies touch, minus the distance if they are apart. low() <= it <= high(), equal if it is known
-  /// exactly.
+  /// The signed depth: the depth, 0 if the bodies touch, minus the distance if they are apart.
+  /// low() <= it <= high(), equal if it is known exactly.
   [[nodiscard]] Part<Surd> exact() const;
   [[nodiscard]] Surd low() const;
   [[nodiscard]] Surd high() const;
-  /// The same in binary64: rounded outward, and to nearest if both bounds round to one number. Infinite beyond binary64.
+  /// The same in binary64: rounded outward, and to nearest if both bounds round to one number.
+  /// Infinite beyond binary64.
   [[nodiscard]] double low_binary64() const;
   [[nodiscard]] double high_binary64() const;
   [[nodiscard]] std::optional<double> nearest_binary64() const;
@@ -80,10 +83,12 @@ struct Answer {
   [[nodiscard]] Part<SurdPoint> translation() const;
   /// In the faces in the direction. Unions have a pair only if they are apart.
   [[nodiscard]] Part<SurdWitness> witness() const;
-  /// The faces in the direction, by the indices of points: of polytopes, of cores that are, of the nearest pieces. Null if there are none.
+  /// The faces in the direction, by the indices of points: of polytopes, of cores that are, of the
+  /// nearest pieces. Null if there are none.
   [[nodiscard]] const Contact* contact() const;
 
-  /// How many shortest ways out are listed; 0 unless the bodies penetrate and the depth is known exactly.
+  /// How many shortest ways out are listed; 0 unless the bodies penetrate and the depth is known
+  /// exactly.
   [[nodiscard]] std::size_t ways_out() const;
   /// Of these the one at `index`, which must be below ways_out().
   [[nodiscard]] WayOut way_out(std::size_t index) const;
@@ -94,15 +99,18 @@ struct Answer {
   [[nodiscard]] Part<UnionBounds> union_bounds() const;
 };
 
-/// Returns the answer about two bodies, as penetration_depth, signed_depth and union_depth do. Throws what they throw.
+/// Returns the answer about two bodies, as penetration_depth, signed_depth and union_depth do.
+/// Throws what they throw.
 Answer exact_answer(const Body& a, const Body& b, const Question& question = {});
 
-/// Returns which of these two bodies are flat; of polytopes also how many extreme points the answer counted. Unions are not flat, as their
-/// pieces have interiors. Exact. Of shapes it is found anew with each call, by elimination in rationals.
+/// Returns which of these two bodies are flat; of polytopes also how many extreme points the answer
+/// counted. Unions are not flat, as their pieces have interiors. Exact. Of shapes it is found anew
+/// with each call, by elimination in rationals.
 BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer);
 
-/// Returns the certificate of an answer about these two bodies, in the shortest format that holds it. Throws as the functions of
-/// fathom/certificate.hpp do.
-std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id = {}, Monitor* monitor = nullptr);
+/// Returns the certificate of an answer about these two bodies, in the shortest format that holds
+/// it. Throws as the functions of fathom/certificate.hpp do.
+std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id = {},
+                             Monitor* monitor = nullptr);
 
 }  // namespace fathom

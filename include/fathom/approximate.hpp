@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a factor 1 + delta, and shallow ones.
-//                                                                                                              [AGHRS, section 3]
-// All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick hierarchies of the two bodies find where a ray
-// leaves it. Exact, for bodies of every rank. For bodies that do not penetrate they return a separating plane only; penetration_depth tells
-// how far they are apart. What is said of penetration_depth's exceptions holds for all functions here; each adds its own.
+// Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a
+// factor 1 + delta, and shallow ones.
+//                                                                                [AGHRS, section 3]
+// All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick
+// hierarchies of the two bodies find where a ray leaves it. Exact, for bodies of every rank. For
+// bodies that do not penetrate they return a separating plane only; penetration_depth tells how far
+// they are apart. What is said of penetration_depth's exceptions holds for all functions here; each
+// adds its own.
 #pragma once
 
 #include <gmpxx.h>
@@ -25,11 +28,12 @@ namespace fathom {
 
 /// Where the ray from O leaves P.
 struct RayExit {
-  mpq_class factor;         ///< > 0, of the direction as given
-  Point translation;        ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors disjoint
-  Vector normal;            ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
-  Contact contact;          ///< in direction `normal`
-  Witness witness;          ///< points of the contact with b - a = translation
+  mpq_class factor;   ///< > 0, of the direction as given
+  Point translation;  ///< factor * direction: moving A by it, no shorter way in this direction, makes the interiors
+                      ///< disjoint
+  Vector normal;      ///< primitive outward normal of the facet of P that the ray hits; of several facets, one
+  Contact contact;    ///< in direction `normal`
+  Witness witness;    ///< points of the contact with b - a = translation
   std::uint64_t steps = 0;  ///< in the hierarchies
 };
 
@@ -44,13 +48,16 @@ struct DirectionalDepth : SeparationOr<RayExit> {
   [[nodiscard]] const Vector& normal() const;
 };
 
-/// Returns how far A must move along `direction`, which need not have length 1, until the interiors are disjoint.
-/// Time: O(log^2(m + n)) steps after the hierarchies are built. Throws std::invalid_argument if the direction is zero.
-DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor = nullptr);
+/// Returns how far A must move along `direction`, which need not have length 1, until the interiors
+/// are disjoint. Time: O(log^2(m + n)) steps after the hierarchies are built. Throws
+/// std::invalid_argument if the direction is zero.
+DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction,
+                                   Monitor* monitor = nullptr);
 
 // ---- in a norm or gauge ----
 
-/// Thrown for a point set that is not a unit ball: its hull is flat, or does not have O in its interior. what() says which.
+/// Thrown for a point set that is not a unit ball: its hull is flat, or does not have O in its
+/// interior. what() says which.
 struct NoUnitBall : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
@@ -63,7 +70,8 @@ struct UnitBall {
   bool symmetric = false;                ///< about O: a norm. Else a gauge: the length of -t may differ from that of t.
 };
 
-/// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and std::invalid_argument if there are no points.
+/// Returns the convex hull of the points as a unit ball. Throws NoUnitBall, and
+/// std::invalid_argument if there are no points.
 UnitBall unit_ball(std::span<const Point> points);
 
 /// A shortest way out in the metric of Q: along a vertex of Q.
@@ -89,22 +97,26 @@ struct MetricResult : SeparationOr<MetricPenetration> {
   /// Empty unless penetrating.
   [[nodiscard]] const std::vector<MetricOptimum>& optima() const;
   /// Of the first optimum, or of the separation.
-  [[nodiscard]] const Vector& direction() const { return penetration() ? optima().front().direction : separation()->normal; }
+  [[nodiscard]] const Vector& direction() const {
+    return penetration() ? optima().front().direction : separation()->normal;
+  }
 };
 
-/// Returns the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q makes the interiors disjoint.
-/// Time: a ray for each vertex of Q.                                                                 [AGHRS, section 3.1, Corollary 3.4]
-MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball, Monitor* monitor = nullptr);
+/// Returns the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q
+/// makes the interiors disjoint. Time: a ray for each vertex of Q.
+///                                                              [AGHRS, section 3.1, Corollary 3.4]
+MetricResult metric_depth(std::span<const Point> a, std::span<const Point> b, const UnitBall& ball,
+                          Monitor* monitor = nullptr);
 
 // ---- within a factor ----
 
 /// A depth within a known factor: bound <= the true depth <= |translation| <= (1 + delta) bound.
 struct ApproxPenetration {
-  mpq_class squared;                  ///< |translation|^2
-  mpq_class bound_squared;            ///< a lower bound of depth^2
-  Vector direction;                   ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
-  Point translation;                  ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
-  Contact contact;                    ///< in that direction
+  mpq_class squared;        ///< |translation|^2
+  mpq_class bound_squared;  ///< a lower bound of depth^2
+  Vector direction;         ///< primitive outward normal of a facet of P: one, without a claim that it is an optimum
+  Point translation;        ///< to the facet's plane, along the direction. Moving A by it makes the interiors disjoint
+  Contact contact;          ///< in that direction
   std::optional<Witness> witness;     ///< nullopt if the foot of O on the facet's plane is not in the facet
   std::uint64_t rays = 0, steps = 0;  ///< rays that were shot, and their steps in the hierarchies
 };
@@ -118,22 +130,29 @@ struct ApproxDepth : SeparationOr<ApproxPenetration> {
   [[nodiscard]] mpq_class bound_squared() const { return penetration() ? penetration()->bound_squared : mpq_class(0); }
   [[nodiscard]] Point translation() const { return penetration() ? penetration()->translation : Point(); }
   /// Of the penetration, or of the separation.
-  [[nodiscard]] const Vector& direction() const { return penetration() ? penetration()->direction : separation()->normal; }
+  [[nodiscard]] const Vector& direction() const {
+    return penetration() ? penetration()->direction : separation()->normal;
+  }
 };
 
-/// Returns a separating translation at most 1 + delta times as long as the depth, which is exact in itself. Time: O(1 / delta) rays.
-/// Throws std::invalid_argument if delta is below 1e-9.                                        [AGHRS, APPROX-SEPARATION, Theorem 3.2]
-ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor = nullptr);
+/// Returns a separating translation at most 1 + delta times as long as the depth, which is exact in
+/// itself. Time: O(1 / delta) rays. Throws std::invalid_argument if delta is below 1e-9.
+///                                                          [AGHRS, APPROX-SEPARATION, Theorem 3.2]
+ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta,
+                         Monitor* monitor = nullptr);
 
-/// The same for the width of one body, as the depth of the body against itself, with half of the rays.           [AGHRS, Corollary 3.3]
+/// The same for the width of one body, as the depth of the body against itself, with half of the
+/// rays.                                                                     [AGHRS, Corollary 3.3]
 ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, Monitor* monitor = nullptr);
 
 // ---- shallow ----
 
-/// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if few facets are within (1 + delta) depth of
-/// O. The result is that of penetration_depth for every delta, except that Depth::method is nullopt and the counters differ. Of the options
-/// it reads `monitor`, `optima` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2, or if options.optima is 0.
-///                                                                         [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
+/// Returns the exact depth with every optimum, and looks only at the facets of P near O: fast if
+/// few facets are within (1 + delta) depth of O. The result is that of penetration_depth for every
+/// delta, except that Depth::method is nullopt and the counters differ. Of the options it reads
+/// `monitor`, `optima` and `validate`. Throws std::invalid_argument unless 0 < delta <= 2, or if
+/// options.optima is 0.
+///                                     [AGHRS, SHALLOW-PENETRATION, Theorem 3.5; proofs/shallow.md]
 Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {},
                     const mpq_class& delta = mpq_class(1, 4));
 
@@ -141,11 +160,12 @@ Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Op
 
 class BodyPair;
 
-/// Two bodies whose hierarchies are built once. Each answer equals that of the function of the same name, which builds them anew. Many
-/// threads may ask one object at once.
+/// Two bodies whose hierarchies are built once. Each answer equals that of the function of the same
+/// name, which builds them anew. Many threads may ask one object at once.
 class Hierarchies {
  public:
-  Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);  ///< throws as penetration_depth does
+  Hierarchies(std::span<const Point> a, std::span<const Point> b,
+              Monitor* monitor = nullptr);         ///< throws as penetration_depth does
   Hierarchies(Hierarchies&&) noexcept;             ///< the other one may only be assigned to, or destroyed
   Hierarchies& operator=(Hierarchies&&) noexcept;  ///< in the same way
   ~Hierarchies();

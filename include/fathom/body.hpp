@@ -20,8 +20,9 @@ namespace files {
 struct NamedBody;
 }
 
-/// Points in the form in which they were given: in binary64, or as exact points. Read like a const std::vector<Point>: points in binary64
-/// become exact ones when these are first asked for, once, whoever asks; copies share them.
+/// Points in the form in which they were given: in binary64, or as exact points. Read like a const
+/// std::vector<Point>: points in binary64 become exact ones when these are first asked for, once,
+/// whoever asks; copies share them.
 class GivenPoints {
  public:
   using value_type = Point;             ///< of the exact points
@@ -29,7 +30,8 @@ class GivenPoints {
   using iterator = const_iterator;      ///< of the exact points
   /// No points, or the exact ones that are given.
   GivenPoints() = default;
-  GivenPoints(std::vector<Point> points) : exact_(std::move(points)) {}  // NOLINT(google-explicit-constructor): it is one of the forms
+  GivenPoints(std::vector<Point> points)
+      : exact_(std::move(points)) {}  // NOLINT(google-explicit-constructor): it is one of the forms
   GivenPoints(std::initializer_list<Point> points) : exact_(points) {}
   /// Throws std::invalid_argument if a coordinate is not finite.
   explicit GivenPoints(std::vector<std::array<double, 3>> points);
@@ -40,7 +42,9 @@ class GivenPoints {
   [[nodiscard]] std::span<const std::array<double, 3>> binary64() const;
   /// The exact points. May be called from many threads at once.
   [[nodiscard]] const std::vector<Point>& exact() const;
-  operator const std::vector<Point>&() const { return exact(); }  // NOLINT(google-explicit-constructor): it stands for them
+  operator const std::vector<Point>&() const {
+    return exact();
+  }  // NOLINT(google-explicit-constructor): it stands for them
   /// These are as of a const std::vector<Point>.
   [[nodiscard]] std::size_t size() const { return given_ ? binary64().size() : exact_.size(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -67,24 +71,28 @@ class GivenPoints {
 
 /// The faces of a mesh, each by its corners in order.
 struct MeshFaces {
-  std::vector<std::uint32_t> corners;  ///< indices of points, face after face. Empty, and so are `ends`: each three points are a triangle
-  std::vector<std::uint32_t> ends;     ///< for each face, where its corners end. Empty: triangles
+  std::vector<std::uint32_t>
+      corners;  ///< indices of points, face after face. Empty, and so are `ends`: each three points are a triangle
+  std::vector<std::uint32_t> ends;  ///< for each face, where its corners end. Empty: triangles
   friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };
 
 /// A body that need not be convex: the union of the convex hulls of these point sets.
 using Pieces = std::vector<std::vector<Point>>;
 
-/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none; or a union of pieces.
+/// A polytope: the convex hull of a finite, non-empty point set; or a shape that is none; or a
+/// union of pieces.
 struct Body {
   GivenPoints points;                         ///< the polytope is their convex hull
   std::optional<Shape> shape = std::nullopt;  ///< then there are no points
-  /// The words that the body was read from, if it was given by the name of a shape: what fathom certify hands on. Whoever changes the
-  /// points or the shape takes them away.
+  /// The words that the body was read from, if it was given by the name of a shape: what fathom
+  /// certify hands on. Whoever changes the points or the shape takes them away.
   std::shared_ptr<const files::NamedBody> words = nullptr;
-  /// Of a mesh that has some. No answer depends on them: they tell whether the mesh is the hull that stands for it.
+  /// Of a mesh that has some. No answer depends on them: they tell whether the mesh is the hull
+  /// that stands for it.
   std::shared_ptr<const MeshFaces> faces = nullptr;
-  /// Then it is the union of these, and there are no points and no shape. Only what takes unions takes it (fathom/union.hpp).
+  /// Then it is the union of these, and there are no points and no shape. Only what takes unions
+  /// takes it (fathom/union.hpp).
   std::shared_ptr<const Pieces> pieces = nullptr;
 };
 

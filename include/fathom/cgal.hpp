@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies of CGAL in, exact points and numbers of CGAL out. Header-only: who includes it links CGAL::CGAL besides fathom::fathom.
-// A body is a range of Point_3, a Surface_mesh or a Polyhedron_3, over any kernel with rational coordinates: double (taken exactly), GMP's,
-// CGAL's and Boost's exact numbers, lazy ones (their exact value), Cartesian or homogeneous. It stands for the convex hull of its vertices.
+// Bodies of CGAL in, exact points and numbers of CGAL out. Header-only: who includes it links
+// CGAL::CGAL besides fathom::fathom. A body is a range of Point_3, a Surface_mesh or a
+// Polyhedron_3, over any kernel with rational coordinates: double (taken exactly), GMP's, CGAL's
+// and Boost's exact numbers, lazy ones (their exact value), Cartesian or homogeneous. It stands for
+// the convex hull of its vertices.
 #pragma once
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -32,7 +34,8 @@ concept CgalPoint = requires {
 
 /// A range of Point_3.
 template <class T>
-concept CgalPointRange = std::ranges::input_range<const T> && CgalPoint<std::remove_cvref_t<std::ranges::range_reference_t<const T>>>;
+concept CgalPointRange =
+    std::ranges::input_range<const T> && CgalPoint<std::remove_cvref_t<std::ranges::range_reference_t<const T>>>;
 
 /// CGAL::Surface_mesh, or what has its vertices() and point(v).
 template <class T>
@@ -57,7 +60,8 @@ concept PointSpan = std::convertible_to<const T&, std::span<const Point>>;
 
 // ---- in ----
 
-/// Returns the value of a kernel's number. Throws std::invalid_argument if a floating-point number is not finite.
+/// Returns the value of a kernel's number. Throws std::invalid_argument if a floating-point number
+/// is not finite.
 template <class Number>
 mpq_class exact_value(const Number& x) {
   if constexpr (std::is_floating_point_v<Number>) {
@@ -75,7 +79,8 @@ mpq_class exact_value(const Number& x) {
     mpq_class sum;
     for (std::size_t i = x.v.size(); i-- > 0;) sum = sum * 65536 + x.v[i];
     const auto shift = static_cast<long>(x.exp) * 16;
-    return shift < 0 ? mpq_class(sum >> static_cast<unsigned long>(-shift)) : mpq_class(sum << static_cast<unsigned long>(shift));
+    return shift < 0 ? mpq_class(sum >> static_cast<unsigned long>(-shift))
+                     : mpq_class(sum << static_cast<unsigned long>(shift));
   } else if constexpr (CGAL::Fraction_traits<Number>::Is_fraction::value) {  // Quotient, and the rationals of Boost
     typename CGAL::Fraction_traits<Number>::Numerator_type numerator;
     typename CGAL::Fraction_traits<Number>::Denominator_type denominator;
@@ -83,10 +88,12 @@ mpq_class exact_value(const Number& x) {
     return mpq_class(exact_value(numerator) / exact_value(denominator));
   } else {
     static_assert(std::integral<Number> ||
-                      std::derived_from<typename CGAL::Algebraic_structure_traits<Number>::Algebraic_category, CGAL::Euclidean_ring_tag>,
+                      std::derived_from<typename CGAL::Algebraic_structure_traits<Number>::Algebraic_category,
+                                        CGAL::Euclidean_ring_tag>,
                   "the kernel's numbers are no rationals that fathom can read exactly");
-    static_assert(!std::derived_from<typename CGAL::Algebraic_structure_traits<Number>::Algebraic_category, CGAL::Field_tag>,
-                  "the kernel's numbers are no rationals that fathom can read exactly");
+    static_assert(
+        !std::derived_from<typename CGAL::Algebraic_structure_traits<Number>::Algebraic_category, CGAL::Field_tag>,
+        "the kernel's numbers are no rationals that fathom can read exactly");
     std::ostringstream digits;  // of an integer
     digits << x;
     return mpq_class(digits.str());
@@ -99,8 +106,8 @@ Point exact_point(const P& p) {
   return {exact_value(p.x()), exact_value(p.y()), exact_value(p.z())};
 }
 
-/// Returns the points of a range in their order, or of a mesh's vertices in the order of its iteration: the indices in results count these.
-/// Throws as exact_value does.
+/// Returns the points of a range in their order, or of a mesh's vertices in the order of its
+/// iteration: the indices in results count these. Throws as exact_value does.
 template <CgalBody T>
 std::vector<Point> exact_points(const T& body) {
   std::vector<Point> points;
@@ -120,9 +127,9 @@ std::span<const Point> exact_points(const T& points) {
   return points;
 }
 
-/// The penetration depth of any two bodies, of which one or both are CGAL's: the answer for their exact_points. Throws
-/// std::invalid_argument if a floating-point coordinate is not finite, and as fathom/depth.hpp says. To other functions of fathom pass
-/// exact_points(body).
+/// The penetration depth of any two bodies, of which one or both are CGAL's: the answer for their
+/// exact_points. Throws std::invalid_argument if a floating-point coordinate is not finite, and as
+/// fathom/depth.hpp says. To other functions of fathom pass exact_points(body).
 template <class A, class B>
 requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && CgalBody<B>)) Depth
     penetration_depth(const A& a, const B& b, const Options& options = {}) {
@@ -136,8 +143,8 @@ requires((CgalBody<A> && (CgalBody<B> || PointSpan<B>)) || (PointSpan<A> && Cgal
 /// Returns the same number.
 inline CGAL::Exact_rational to_exact_rational(const mpq_class& x) { return CGAL::Exact_rational(x.get_mpq_t()); }
 
-/// Returns the same number in a kernel's exact number type, which can be made from CGAL::Exact_rational or GMP's rationals.
-/// To round to double, see fathom/numbers.hpp.
+/// Returns the same number in a kernel's exact number type, which can be made from
+/// CGAL::Exact_rational or GMP's rationals. To round to double, see fathom/numbers.hpp.
 template <class Number>
 requires(CGAL::Algebraic_structure_traits<Number>::Is_exact::value) Number to_number(const mpq_class& x) {
   if constexpr (std::constructible_from<Number, mpq_srcptr>) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two finite point sets with rational coordinates; each stands for its convex hull.
-// Output  the exact penetration depth of the two hulls, squared, with every optimum.             [AGHRS, PENETRATION-DEPTH, section 2.2]
+// Output  the exact penetration depth of the two hulls, squared, with every optimum.
+//                                                           [AGHRS, PENETRATION-DEPTH, section 2.2]
 //
-// P = B (+) (-A) is the set of all differences b - a, and O the origin. h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
-// <u,v> is the scalar product. Lengths are in the unit of the coordinates, and given as their squares, which are rational.
+// P = B (+) (-A) is the set of all differences b - a, and O the origin. h(u) = max_b <u,b> - min_a
+// <u,a> is the support function of P. <u,v> is the scalar product. Lengths are in the unit of the
+// coordinates, and given as their squares, which are rational.
 #pragma once
 
 #include <gmpxx.h>
@@ -29,7 +31,8 @@ namespace fathom {
 /// Where O lies with respect to P: in its interior; on its boundary, or in a flat P; outside.
 enum class Status { penetrating, touching, disjoint };
 
-/// What two faces are. A's comes first. The first six kinds are those of facets of P; the last three occur where bodies do not overlap.
+/// What two faces are. A's comes first. The first six kinds are those of facets of P; the last
+/// three occur where bodies do not overlap.
 enum class ContactKind {
   facet_vertex,
   vertex_facet,
@@ -42,15 +45,17 @@ enum class ContactKind {
   edge_vertex
 };
 
-/// The faces of the bodies in one direction n, that of A in direction -n and that of B in direction n, as ascending 0-based indices of the
-/// input points that span them: extreme points only, of equal points the lowest index.
+/// The faces of the bodies in one direction n, that of A in direction -n and that of B in direction
+/// n, as ascending 0-based indices of the input points that span them: extreme points only, of
+/// equal points the lowest index.
 struct Contact {
   ContactKind kind;                 ///< of which kind the two faces are
   std::vector<std::uint32_t> a, b;  ///< the input points that span the face of A, that of B
   friend bool operator==(const Contact&, const Contact&) = default;
 };
 
-/// A shortest way out. Moving A by `translation` makes the interiors disjoint, and |translation| is the depth.
+/// A shortest way out. Moving A by `translation` makes the interiors disjoint, and |translation| is
+/// the depth.
 struct Optimum {
   Vector direction;   ///< primitive outward normal n of a nearest facet of P
   mpq_class support;  ///< h(n) > 0, in lowest terms
@@ -86,19 +91,22 @@ struct CrossingEdges {
   std::array<GivenPoint, 2> a, b;  ///< the ends of the edge of A, and of that of B
 };
 
-/// A convex polytope inside P with O in its interior, which proves how far O is from the boundary of P. Each corner is a corner of at least
-/// three facets, and no two facets lie in one plane.
+/// A convex polytope inside P with O in its interior, which proves how far O is from the boundary
+/// of P. Each corner is a corner of at least three facets, and no two facets lie in one plane.
 struct InnerPolytope {
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      vertices;                                    ///< indices of a point a of A and a point b of B, for the difference b - a
-  std::vector<std::vector<std::uint32_t>> facets;  ///< corners, counter-clockwise seen from outside, none on a line with its neighbours
+      vertices;  ///< indices of a point a of A and a point b of B, for the difference b - a
+  std::vector<std::vector<std::uint32_t>>
+      facets;  ///< corners, counter-clockwise seen from outside, none on a line with its neighbours
 };
 
 /// What is known of bodies that penetrate.
 struct Penetration {
-  std::vector<Optimum> optima;  ///< one per direction, sorted lexicographically on it; at least one, at most Options::optima
-  std::size_t unlisted = 0;     ///< further optima, whose directions follow those of `optima`
-  /// What the witness follows from: the faces of the first optimum's contact where they are simple, else the witness itself.
+  std::vector<Optimum>
+      optima;  ///< one per direction, sorted lexicographically on it; at least one, at most Options::optima
+  std::size_t unlisted = 0;  ///< further optima, whose directions follow those of `optima`
+  /// What the witness follows from: the faces of the first optimum's contact where they are simple,
+  /// else the witness itself.
   std::variant<CornerOfA, CornerOfB, CrossingEdges, Witness> meeting;
   std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
 
@@ -125,15 +133,16 @@ struct Distance {
   Contact contact{};  ///< the faces in that direction, which hold all nearest points
 };
 
-/// A plane between bodies that do not penetrate: rays and approximations return nothing else about them.
+/// A plane between bodies that do not penetrate: rays and approximations return nothing else about
+/// them.
 struct Separation {
   Vector normal;          ///< primitive n with h(n) = 0 if the bodies touch, h(n) < 0 if they are disjoint
   bool touching = false;  ///< whether the bodies touch; else they are disjoint
   [[nodiscard]] Status status() const { return touching ? Status::touching : Status::disjoint; }  ///< never penetrating
 };
 
-/// How a depth is found. All methods give the same answer; only Penetration::inner, Depth::method, the numbers of extreme points and the
-/// counters depend on the method.
+/// How a depth is found. All methods give the same answer; only Penetration::inner, Depth::method,
+/// the numbers of extreme points and the counters depend on the method.
 enum class Method {
   automatic,    ///< certificate within Options::expansion_budget, past it exact
   exact,        ///< AGHRS, section 2: Gaussian diagrams, canonical subsets, closest lines
@@ -148,7 +157,8 @@ enum class ClosestLines : std::uint8_t {
   naive,    ///< every pair, through a double filter
 };
 
-/// Memory that calls use one after another: with it a depth of small bodies hardly allocates. One for each thread; it may outlive any call.
+/// Memory that calls use one after another: with it a depth of small bodies hardly allocates. One
+/// for each thread; it may outlive any call.
 class Workspace {
  public:
   Workspace();
@@ -163,14 +173,17 @@ class Workspace {
 /// How to compute a depth. The answer does not depend on it.
 struct Options {
   Method method = Method::automatic;  ///< how the depth is found
-  /// Method automatic: how many points the expanding polytope may take before the exact method is asked instead. Not set: 200 and
-  /// twice the number of all points, but at most 20,000. Exhausting this budget costs about one exact run.
+  /// Method automatic: how many points the expanding polytope may take before the exact method is
+  /// asked instead. Not set: 200 and twice the number of all points, but at most 20,000. Exhausting
+  /// this budget costs about one exact run.
   std::optional<std::size_t> expansion_budget = std::nullopt;
   /// The engine of the exact method, cutting if not set. If set, automatic is exact.
   std::optional<ClosestLines> closest_lines = std::nullopt;
-  /// How many optima are listed at most, the first in lexicographic order; all are counted. At least 1; not set: all.
+  /// How many optima are listed at most, the first in lexicographic order; all are counted. At
+  /// least 1; not set: all.
   std::optional<std::size_t> optima = std::nullopt;
-  /// Of the random order in which closest lines are searched. Results do not depend on it, only counters do.
+  /// Of the random order in which closest lines are searched. Results do not depend on it, only
+  /// counters do.
   std::uint64_t seed = 1;
   /// Hears of progress and may stop the work; may be null.
   Monitor* monitor = nullptr;
@@ -191,23 +204,31 @@ template <class Penetrating>
 struct SeparationOr : BodyFacts {
   std::variant<Penetrating, Separation> outcome;  ///< what is known, by status
 
-  [[nodiscard]] const Penetrating* penetration() const { return std::get_if<Penetrating>(&outcome); }          ///< null unless penetrating
-  [[nodiscard]] const Separation* separation() const { return std::get_if<Separation>(&outcome); }             ///< null if penetrating
-  [[nodiscard]] Status status() const { return separation() ? separation()->status() : Status::penetrating; }  ///< of the bodies
+  [[nodiscard]] const Penetrating* penetration() const {
+    return std::get_if<Penetrating>(&outcome);
+  }  ///< null unless penetrating
+  [[nodiscard]] const Separation* separation() const {
+    return std::get_if<Separation>(&outcome);
+  }  ///< null if penetrating
+  [[nodiscard]] Status status() const {
+    return separation() ? separation()->status() : Status::penetrating;
+  }  ///< of the bodies
 };
 
 /// The answer about two bodies: `outcome` holds what the status has.
 struct Depth : BodyFacts {
   std::variant<Penetration, Touch, Distance> outcome;  ///< in the order of Status
-  /// The method that gave the answer, never automatic. The certificate method cannot decide bodies that do not penetrate: this is exact
-  /// then. nullopt if shallow_depth gave the answer.
+  /// The method that gave the answer, never automatic. The certificate method cannot decide bodies
+  /// that do not penetrate: this is exact then. nullopt if shallow_depth gave the answer.
   std::optional<Method> method;
   Counters counters;  ///< what the run did
 
-  [[nodiscard]] Status status() const { return static_cast<Status>(outcome.index()); }                 ///< of the bodies
-  [[nodiscard]] const Penetration* penetration() const { return std::get_if<Penetration>(&outcome); }  ///< null unless penetrating
-  [[nodiscard]] const Touch* touch() const { return std::get_if<Touch>(&outcome); }                    ///< null unless touching
-  [[nodiscard]] const Distance* distance() const { return std::get_if<Distance>(&outcome); }           ///< null unless disjoint
+  [[nodiscard]] Status status() const { return static_cast<Status>(outcome.index()); }  ///< of the bodies
+  [[nodiscard]] const Penetration* penetration() const {
+    return std::get_if<Penetration>(&outcome);
+  }                                                                                  ///< null unless penetrating
+  [[nodiscard]] const Touch* touch() const { return std::get_if<Touch>(&outcome); }  ///< null unless touching
+  [[nodiscard]] const Distance* distance() const { return std::get_if<Distance>(&outcome); }  ///< null unless disjoint
 
   // The same for every status.
 
@@ -217,42 +238,51 @@ struct Depth : BodyFacts {
   [[nodiscard]] const std::vector<Optimum>& optima() const;
   /// How many there are, listed or not: 0 unless penetrating.
   [[nodiscard]] std::size_t optima_count() const;
-  /// The least h(u) / |u| is reached at u = direction: that of the first optimum, of the touch, of the distance.
+  /// The least h(u) / |u| is reached at u = direction: that of the first optimum, of the touch, of
+  /// the distance.
   [[nodiscard]] const Vector& direction() const;
-  /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0 unless penetrating.
+  /// The shortest translation of A that makes the interiors disjoint: that of the first optimum, 0
+  /// unless penetrating.
   [[nodiscard]] Point translation() const;
   /// Of the first optimum, or of the distance; null if touching.
   [[nodiscard]] const Contact* contact() const;
-  /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point twice. nullopt if disjoint: see
-  /// distance()->witness.
+  /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point
+  /// twice. nullopt if disjoint: see distance()->witness.
   [[nodiscard]] std::optional<Witness> witness() const;
 };
 
-/// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they are. Exact, for bodies of every rank:
-/// degenerate input needs no special care. Time is near-linear in the size of the bodies, except where very many edges of A and B cross at
-/// nearly the same distance. Throws std::invalid_argument if a body is empty, a coordinate is not in lowest terms or options.optima is 0,
-/// and Interrupted.
+/// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they
+/// are. Exact, for bodies of every rank: degenerate input needs no special care. Time is
+/// near-linear in the size of the bodies, except where very many edges of A and B cross at nearly
+/// the same distance. Throws std::invalid_argument if a body is empty, a coordinate is not in
+/// lowest terms or options.optima is 0, and Interrupted.
 Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options = {});
 
-/// The same for coordinates in binary64, which stand for their exact values. The fast way for small bodies: no rational is made before one
-/// is asked for. Throws std::invalid_argument if a body is empty or a coordinate is not finite, and Interrupted.
-Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Options& options = {});
+/// The same for coordinates in binary64, which stand for their exact values. The fast way for small
+/// bodies: no rational is made before one is asked for. Throws std::invalid_argument if a body is
+/// empty or a coordinate is not finite, and Interrupted.
+Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b,
+                        const Options& options = {});
 
-/// The same for bodies in the form in which they were given: in binary64 if both are, else as exact points.
+/// The same for bodies in the form in which they were given: in binary64 if both are, else as exact
+/// points.
 Depth penetration_depth(const Body& a, const Body& b, const Options& options = {});
 
-/// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching ones, -distance^2 of disjoint ones. Its
-/// signed root is the least h(u) / |u| over all directions u, a continuous function of where the bodies are.
+/// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching
+/// ones, -distance^2 of disjoint ones. Its signed root is the least h(u) / |u| over all directions
+/// u, a continuous function of where the bodies are.
 mpq_class signed_square(const Depth& depth);
 
-/// How clear an answer is: the least squared distance from O of a facet plane of P that is larger than depth^2. Returns nullopt if all
-/// facets of P tie. Exact, for bodies of any rank. `penetration` is that of the two bodies, found by any method. Throws
-/// std::invalid_argument if it leaves optima unlisted.
-std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
-                                                Monitor* monitor = nullptr, Workspace* workspace = nullptr);
-/// The same for bodies in the form in which they were given.
-std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration, Monitor* monitor = nullptr,
+/// How clear an answer is: the least squared distance from O of a facet plane of P that is larger
+/// than depth^2. Returns nullopt if all facets of P tie. Exact, for bodies of any rank.
+/// `penetration` is that of the two bodies, found by any method. Throws std::invalid_argument if it
+/// leaves optima unlisted.
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b,
+                                                const Penetration& penetration, Monitor* monitor = nullptr,
                                                 Workspace* workspace = nullptr);
+/// The same for bodies in the form in which they were given.
+std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration,
+                                                Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
 // The words for the values of an answer, the same in every format.
 

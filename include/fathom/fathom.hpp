@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library in one include. Not included: fathom/cgal.hpp, which needs CGAL; fathom/check.hpp, the independent checker of certificates;
-// and fathom/fathom.h, the library for C.
+// The library in one include. Not included: fathom/cgal.hpp, which needs CGAL; fathom/check.hpp,
+// the independent checker of certificates; and fathom/fathom.h, the library for C.
 #pragma once
 
 #include "fathom/answer.hpp"

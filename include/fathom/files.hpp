@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies from files: meshes (OFF, OBJ, PLY, STL, plain points), and cases of two bodies as JSON, one a line or one a file.
+// Bodies from files: meshes (OFF, OBJ, PLY, STL, plain points), and cases of two bodies as JSON,
+// one a line or one a file.
 #pragma once
 
 #include <cstddef>
@@ -41,15 +42,18 @@ class InputError : public std::runtime_error {
 /// The mesh formats that are read. PLY and STL may be text or binary, as the file itself says.
 enum class MeshFormat { off, obj, ply, stl, xyz };
 
-/// Returns the points of the mesh in the file `path`, exactly, in order of appearance; repeated points stay (an STL repeats each corner).
-/// Binary floats, hexadecimal floats, integers and ratios p/q are taken as they are. `decimals` says what a decimal stands for: the nearest
-/// binary64, which is what other programs read, or its own value.
-/// Faces are kept as they are, once their indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh
-/// without faces is a point set. The extension tells the format (.off .obj .ply .stl .xyz .txt .pts), else the first bytes do.
-/// Throws InputError, with file and line (in binary files, the byte), for anything missing, truncated, out of range or not a number.
+/// Returns the points of the mesh in the file `path`, exactly, in order of appearance; repeated
+/// points stay (an STL repeats each corner). Binary floats, hexadecimal floats, integers and ratios
+/// p/q are taken as they are. `decimals` says what a decimal stands for: the nearest binary64,
+/// which is what other programs read, or its own value. Faces are kept as they are, once their
+/// indices are checked. Whatever else a mesh holds (normals, colours, texture) is skipped; a mesh
+/// without faces is a point set. The extension tells the format (.off .obj .ply .stl .xyz .txt
+/// .pts), else the first bytes do. Throws InputError, with file and line (in binary files, the
+/// byte), for anything missing, truncated, out of range or not a number.
 Body read_mesh(const std::string& path, Decimals decimals = Decimals::binary64);
 
-/// The same for a mesh in memory; `name` is its file name, which may tell the format and appears in messages.
+/// The same for a mesh in memory; `name` is its file name, which may tell the format and appears in
+/// messages.
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals = Decimals::binary64);
 
 /// The same for a known format.
@@ -57,15 +61,16 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 
 // ---- cases ----
 //
-// A case is a JSON object of the schema fathom/case/1 (schemas/case.schema.json).
-// A JSON number means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is an error.
-// A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as an affine map: a matrix of 3 or 4 rows, a
-// quaternion or angles and a translation, or text as on the command line. "pose_rounding": "binary64", in the case or in one body, then
-// rounds the placed vertices once. Unknown fields are skipped. A known field that is given twice is an error, since readers differ in which
-// one they take. null stands for an optional field that is not given.
+// A case is a JSON object of the schema fathom/case/1 (schemas/case.schema.json). A JSON number
+// means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is
+// an error. A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as
+// an affine map: a matrix of 3 or 4 rows, a quaternion or angles and a translation, or text as on
+// the command line. "pose_rounding": "binary64", in the case or in one body, then rounds the placed
+// vertices once. Unknown fields are skipped. A known field that is given twice is an error, since
+// readers differ in which one they take. null stands for an optional field that is not given.
 
-/// What may be a slip in a case that can be read: a field that is not read and looks like one that is ("poze"), or a pose that is no
-/// rotation and translation. One sentence for the user.
+/// What may be a slip in a case that can be read: a field that is not read and looks like one that
+/// is ("poze"), or a pose that is no rotation and translation. One sentence for the user.
 struct CaseNote {
   enum Kind { field, pose };  ///< what the note is about
   Kind kind;                  ///< of the two
@@ -74,28 +79,33 @@ struct CaseNote {
 
 /// One case of a stream, or the reason why it cannot be read.
 struct CaseItem {
-  std::size_t line = 1;                    ///< where it begins
-  std::string id;                          ///< its id, else its line number as text; also of a bad case, if it could be read
+  std::size_t line = 1;  ///< where it begins
+  std::string id;        ///< its id, else its line number as text; also of a bad case, if it could be read
   std::variant<Case, InputError> outcome;  ///< the case, or why there is none
   std::vector<CaseNote> notes = {};        ///< of a case that could be read
 
   /// Which of the two it is.
   [[nodiscard]] bool ok() const { return std::holds_alternative<Case>(outcome); }
-  [[nodiscard]] const Case& value() const { return std::get<Case>(outcome); }              ///< throws std::bad_variant_access unless ok()
+  [[nodiscard]] const Case& value() const {
+    return std::get<Case>(outcome);
+  }  ///< throws std::bad_variant_access unless ok()
   [[nodiscard]] const InputError& error() const { return std::get<InputError>(outcome); }  ///< throws it if ok()
 };
 
-/// Reads the case in `text`, which begins on line `line` of the input called `name`. Throws nothing on bad input.
+/// Reads the case in `text`, which begins on line `line` of the input called `name`. Throws nothing
+/// on bad input.
 CaseItem parse_case(std::string_view text, const std::string& name, std::size_t line = 1);
 
 /// How cases lie in an input.
 enum class CaseLayout {
-  lines,    ///< one a line; but a line that is "{" alone starts a case that runs until its braces balance (or an unindented "{")
+  lines,    ///< one a line; but a line that is "{" alone starts a case that runs until its braces balance (or an
+            ///< unindented "{")
   document  ///< a single case, however it is broken into lines
 };
 
-/// Reads cases one after another: each can be answered before the line after it is read. Blank lines are skipped.
-/// A bad case is an item of its own, and the stream goes on. An input without any case yields one error.
+/// Reads cases one after another: each can be answered before the line after it is read. Blank
+/// lines are skipped. A bad case is an item of its own, and the stream goes on. An input without
+/// any case yields one error.
 class CaseStream {
  public:
   /// Reads `input`, which must outlive the stream; `name` is for messages.
@@ -104,12 +114,13 @@ class CaseStream {
   CaseStream& operator=(CaseStream&&) noexcept;  ///< in the same way
   ~CaseStream();
 
-  /// Opens a file; "-" is `standard_input`, named "<stdin>". A .json file is a document, unless more follows its first value.
-  /// Throws InputError if it cannot be read.
+  /// Opens a file; "-" is `standard_input`, named "<stdin>". A .json file is a document, unless
+  /// more follows its first value. Throws InputError if it cannot be read.
   static CaseStream open(const std::string& path, std::istream& standard_input);
 
-  /// Returns the next case, or nullopt at the end. A case of more than 256 MiB is a bad one. Throws std::bad_alloc if memory runs out:
-  /// the case, which begins on line case_line(), is skipped then, and the stream can go on.
+  /// Returns the next case, or nullopt at the end. A case of more than 256 MiB is a bad one. Throws
+  /// std::bad_alloc if memory runs out: the case, which begins on line case_line(), is skipped
+  /// then, and the stream can go on.
   std::optional<CaseItem> next();
   [[nodiscard]] std::size_t case_line() const;  ///< where the latest case begins
 

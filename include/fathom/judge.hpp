@@ -22,19 +22,24 @@ namespace fathom {
 
 // ---- the answer under test ----
 
-/// The type that the implementation computes in, and to which the points are rounded before it sees them.
+/// The type that the implementation computes in, and to which the points are rounded before it sees
+/// them.
 enum class Precision { binary32, binary64 };
 
 /// "binary32", "binary64".
-constexpr std::string_view name(Precision precision) { return precision == Precision::binary32 ? "binary32" : "binary64"; }
+constexpr std::string_view name(Precision precision) {
+  return precision == Precision::binary32 ? "binary32" : "binary64";
+}
 
-/// The numbers that an implementation works with. A Precision stands for that of both, in the unit of the bodies.
+/// The numbers that an implementation works with. A Precision stands for that of both, in the unit
+/// of the bodies.
 struct NumberFormat {
   Precision points = Precision::binary64;   ///< to which coordinates are rounded before it sees them
   Precision answers = Precision::binary64;  ///< of the numbers in its answers
-  long exponent = 0;                        ///< the lengths that it sees and answers are 2^exponent times those of the bodies
-  NumberFormat() = default;                 ///< both in binary64
-  NumberFormat(Precision both) : points(both), answers(both) {}  ///< the same for both; NOLINT(google-explicit-constructor)
+  long exponent = 0;         ///< the lengths that it sees and answers are 2^exponent times those of the bodies
+  NumberFormat() = default;  ///< both in binary64
+  NumberFormat(Precision both)
+      : points(both), answers(both) {}  ///< the same for both; NOLINT(google-explicit-constructor)
   /// points, answers, exponent
   NumberFormat(Precision of_points, Precision of_answers, long exponent_of_unit = 0)
       : points(of_points), answers(of_answers), exponent(exponent_of_unit) {}
@@ -46,12 +51,15 @@ struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
   enum class Sign { positive, negative };             ///< of a depth
   enum class Body { a, b };                           ///< which of the two
-  enum class Claims { minimum, separating };          ///< of a translation: that none is shorter; or that it separates, at its own price
-  Touching touching = Touching::either;               ///< of bodies that touch
-  Sign depth = Sign::positive;                        ///< of the depth of bodies that overlap
-  Body moves = Body::a;                               ///< the body that |depth| * direction moves apart
-  bool unit = true;                                   ///< whether directions are promised to have length 1
-  Claims claims = Claims::minimum;                    ///< what a depth with a direction means
+  enum class Claims {
+    minimum,
+    separating
+  };  ///< of a translation: that none is shorter; or that it separates, at its own price
+  Touching touching = Touching::either;  ///< of bodies that touch
+  Sign depth = Sign::positive;           ///< of the depth of bodies that overlap
+  Body moves = Body::a;                  ///< the body that |depth| * direction moves apart
+  bool unit = true;                      ///< whether directions are promised to have length 1
+  Claims claims = Claims::minimum;       ///< what a depth with a direction means
 };
 
 /// x, y, z.
@@ -64,30 +72,41 @@ struct ContactPoint {
   friend bool operator==(const ContactPoint&, const ContactPoint&) = default;
 };
 
-/// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32 numbers are given as their equal doubles.
+/// The answer, in the numbers of the implementation: NaN and infinities are judged too. Binary32
+/// numbers are given as their equal doubles.
 struct Reply {
   bool overlap = false;         ///< whether the bodies overlap, or penetrate
   std::optional<double> depth;  ///< of the overlap; read only if overlap
   // Read beside a depth or a distance:
-  std::optional<Triple> direction;             ///< in which a body moves apart, or farther apart
-  std::optional<Triple> witness_a, witness_b;  ///< a point of each body, with b - a = the translation of A that makes the bodies touch
-  std::optional<double> distance;              ///< of the bodies, at least 0; read only if they are said to be apart
-  std::vector<ContactPoint> contacts;          ///< one or more; the largest of their depths is `depth`. Read only beside a depth
+  std::optional<Triple> direction;  ///< in which a body moves apart, or farther apart
+  std::optional<Triple> witness_a,
+      witness_b;  ///< a point of each body, with b - a = the translation of A that makes the bodies touch
+  std::optional<double> distance;  ///< of the bodies, at least 0; read only if they are said to be apart
+  std::vector<ContactPoint>
+      contacts;  ///< one or more; the largest of their depths is `depth`. Read only beside a depth
 };
 
-/// Which translations pass that are longer than need be, with a depth that is the price of their own direction.
+/// Which translations pass that are longer than need be, with a depth that is the price of their
+/// own direction.
 struct Policy {
-  enum class Kind { declared, minimum, separating, within };  ///< what the conventions claim; none; all; prices up to (1 + most) depths
-  Kind kind = Kind::declared;                                 ///< what is asked
-  mpq_class most = 0;                                         ///< of `within`
+  enum class Kind {
+    declared,
+    minimum,
+    separating,
+    within
+  };                           ///< what the conventions claim; none; all; prices up to (1 + most) depths
+  Kind kind = Kind::declared;  ///< what is asked
+  mpq_class most = 0;          ///< of `within`
   friend bool operator==(const Policy&, const Policy&) = default;
 };
 
-/// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps * ulp(depth). The extent is the longest side of
-/// the bodies' boxes, the larger of the two; an ulp is that of the implementation's precision at the depth. Of a claimed distance it is
-/// the true distance that counts in the depth's place. Negative values count as 0.
-/// Of shapes that the implementation grew by radii of its own, the depth and the extent are those without these; see ShapeTruth.
-/// Besides, an answer may be off by what rounding each of its numbers to nearest costs, or an error of `ulps` in each.
+/// How wrong an answer may be: by the largest of relative * depth, absolute * extent, ulps *
+/// ulp(depth). The extent is the longest side of the bodies' boxes, the larger of the two; an ulp
+/// is that of the implementation's precision at the depth. Of a claimed distance it is the true
+/// distance that counts in the depth's place. Negative values count as 0. Of shapes that the
+/// implementation grew by radii of its own, the depth and the extent are those without these; see
+/// ShapeTruth. Besides, an answer may be off by what rounding each of its numbers to nearest costs,
+/// or an error of `ulps` in each.
 struct Tolerance {
   mpq_class relative{1, 1000};       ///< of the depth
   mpq_class absolute{1, 1'000'000};  ///< of the extent
@@ -97,9 +116,11 @@ struct Tolerance {
 
 // ---- the verdict ----
 
-/// In order of rank: if several hold of one answer, the first is the verdict. The last two are passes.
+/// In order of rank: if several hold of one answer, the first is the verdict. The last two are
+/// passes.
 enum class Verdict {
-  // There is no answer that could be judged. `judge` never returns these; programs that run implementations do.
+  // There is no answer that could be judged. `judge` never returns these; programs that run
+  // implementations do.
   crash,     ///< the program ended by a signal, or with a failure, while it held the case
   time_out,  ///< no answer in the time that was given
   silent,    ///< the program ended well, or closed its output, without an answer
@@ -117,8 +138,9 @@ enum class Verdict {
   too_near,          ///< the distance is smaller than that of the bodies
   not_separating,    ///< the bodies still overlap after the translation that it gives
   inconsistent,      ///< the depth, or the distance, is not that of its own direction
-  witness_off,       ///< a witness point is not on its body, or they do not differ by the translation; or a contact is not in both
-  not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
+  witness_off,    ///< a witness point is not on its body, or they do not differ by the translation; or a contact is not
+                  ///< in both
+  not_invariant,  ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
   // Passes.
@@ -136,12 +158,14 @@ constexpr bool passes(Verdict verdict) { return verdict >= Verdict::touching_by_
 /// Whether it is neither a pass nor `unsupported`.
 constexpr bool fails(Verdict verdict) { return verdict < Verdict::unsupported; }
 
-/// The best class that a right depth or distance is in; u_r_16 is within 16 u R, the unit roundoff times the largest coordinate.
+/// The best class that a right depth or distance is in; u_r_16 is within 16 u R, the unit roundoff
+/// times the largest coordinate.
 enum class Accuracy { correctly_rounded, ulps_4, u_r_16, millionth, tolerance };
 /// "correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance".
 std::string_view name(Accuracy accuracy);
 
-/// low <= value <= high: a length, rounded outward; equal only if it is known and a double. Infinite beyond binary64.
+/// low <= value <= high: a length, rounded outward; equal only if it is known and a double.
+/// Infinite beyond binary64.
 struct Between {
   double low, high;  ///< the bounds
   friend bool operator==(const Between&, const Between&) = default;
@@ -159,41 +183,51 @@ struct Judgement {
   mpq_class distance_squared;                       ///< the truth about polytopes; 0 unless disjoint
   std::optional<Between> signed_depth;              ///< the truth about shapes
 
-  // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are infinite beyond binary64.
-  // Of shapes, a residual that is not known is the least one that the bounds of the truth allow, rounded towards 0: at least so much is
-  // wrong. Of a claimed depth, or distance: how much larger it is than the true one, correctly rounded to nearest; negative if it is
-  // smaller.
-  std::optional<double> error, error_ulps, error_relative, error_u_r;  ///< no relative error and no ulps of one that is 0
-  // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the bodies are apart. Of polytopes.
-  std::optional<mpq_class> price_squared;   ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
-  std::optional<mpq_class> travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
-  std::optional<double> inconsistency;      ///< the claimed depth, or minus the claimed distance, less the price
-  std::optional<double> overlap_left;       ///< travel less the claimed depth, if that is positive
-  std::optional<double> dearer;             ///< price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
-  // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead out of it.
+  // Residuals of the claim, with its conventions undone. They do not depend on the verdict, and are
+  // infinite beyond binary64. Of shapes, a residual that is not known is the least one that the
+  // bounds of the truth allow, rounded towards 0: at least so much is wrong. Of a claimed depth, or
+  // distance: how much larger it is than the true one, correctly rounded to nearest; negative if it
+  // is smaller.
+  std::optional<double> error, error_ulps, error_relative,
+      error_u_r;  ///< no relative error and no ulps of one that is 0
+  // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the
+  // bodies are apart. Of polytopes.
+  std::optional<mpq_class> price_squared;  ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
+  std::optional<mpq_class>
+      travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
+  std::optional<double> inconsistency;  ///< the claimed depth, or minus the claimed distance, less the price
+  std::optional<double> overlap_left;   ///< travel less the claimed depth, if that is positive
+  std::optional<double>
+      dearer;  ///< price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
+  // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead
+  // out of it.
   std::optional<Between> price, witness_a_distance, witness_b_distance;  ///< lengths
-  // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of (b - a) - translation, rounded;
-  // if no direction is claimed, | |b - a| - depth |.
+  // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of
+  // (b - a) - translation, rounded; if no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
   std::optional<double> witness_gap;                              ///< 0 if they fit
   // The same of the contact that is farthest from A, and of that from B.
   std::optional<mpq_class> contact_a_squared, contact_b_squared;  ///< of polytopes
   std::optional<Between> contact_a_distance, contact_b_distance;  ///< of shapes
-  std::optional<double> deepest;                                  ///< the largest depth of a contact less the claimed depth
-  // Of unions there is no price and no travel; `overlap_left` is the depth after the claimed translation, and `inconsistency` its negative,
-  // or the distance then. These two are the least that the way from a root to a rational allows, if that matters to their rounding.
-  std::optional<UnionBounds> bounds;        ///< of unions that overlap: what the deepest pair of pieces, and the hulls, would say
-  std::optional<mpq_class> deeper_squared;  ///< (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
+  std::optional<double> deepest;  ///< the largest depth of a contact less the claimed depth
+  // Of unions there is no price and no travel; `overlap_left` is the depth after the claimed
+  // translation, and `inconsistency` its negative, or the distance then. These two are the least
+  // that the way from a root to a rational allows, if that matters to their rounding.
+  std::optional<UnionBounds>
+      bounds;  ///< of unions that overlap: what the deepest pair of pieces, and the hulls, would say
+  std::optional<mpq_class>
+      deeper_squared;  ///< (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };
 
 // ---- judging ----
 
-/// Judges the reply about two bodies with coordinates in binary64; they are rounded to the format first. Any numbers in `reply` are
-/// judged. Throws std::invalid_argument if a body is empty, or a coordinate is not finite or overflows the format.
-Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions = {},
-                const NumberFormat& format = {}, const Tolerance& tolerance = {});
+/// Judges the reply about two bodies with coordinates in binary64; they are rounded to the format
+/// first. Any numbers in `reply` are judged. Throws std::invalid_argument if a body is empty, or a
+/// coordinate is not finite or overflows the format.
+Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply,
+                const Conventions& conventions = {}, const NumberFormat& format = {}, const Tolerance& tolerance = {});
 
 /// Two bodies as the implementation saw them, and the exact answer.
 struct Truth {
@@ -201,16 +235,17 @@ struct Truth {
   Depth depth;       ///< the exact answer
 };
 
-/// Returns the points rounded to nearest, which is what an implementation of this format sees, in the unit that they were given in; nullopt
-/// if a coordinate overflows.
+/// Returns the points rounded to nearest, which is what an implementation of this format sees, in
+/// the unit that they were given in; nullopt if a coordinate overflows.
 std::optional<GivenPoints> seen(const GivenPoints& points, const NumberFormat& format);
 
-/// Returns the truth about two bodies, to judge several replies by. Throws as penetration_depth does.
+/// Returns the truth about two bodies, to judge several replies by. Throws as penetration_depth
+/// does.
 Truth truth_about(GivenPoints a, GivenPoints b, const Options& options = {});
 
 /// Judges the reply by a truth that is known.
-Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
-                const Tolerance& tolerance = {});
+Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {},
+                const NumberFormat& format = {}, const Tolerance& tolerance = {});
 
 // ---- shapes ----
 
@@ -218,19 +253,19 @@ Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conve
 struct ShapeTruth {
   Shape a, b;         ///< the shapes that it saw
   SignedDepth depth;  ///< exact, or bounds
-  /// What of their radii the implementation added itself, at most the whole. It is no excuse: tolerances and classes are relative to the
-  /// bodies, and to a depth, without it.
+  /// What of their radii the implementation added itself, at most the whole. It is no excuse:
+  /// tolerances and classes are relative to the bodies, and to a depth, without it.
   mpq_class added_a = 0, added_b = 0;
 };
 
 /// Returns the truth about two shapes, to judge several replies by. Throws as signed_depth does.
 ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {});
 
-/// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for every value within the bounds of the
-/// truth; where they leave that open, closer bounds are asked for, to 160 bits at most. A touching case is one whose bodies are proved to
-/// touch.
-Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
-                const Tolerance& tolerance = {});
+/// Judges the reply by a truth that is known. Something is found to be wrong only if it is so for
+/// every value within the bounds of the truth; where they leave that open, closer bounds are asked
+/// for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
+Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {},
+                const NumberFormat& format = {}, const Tolerance& tolerance = {});
 
 // ---- unions of convex pieces ----
 
@@ -240,12 +275,14 @@ struct UnionTruth {
   UnionDepth depth;  ///< the exact answer, complete and with its bounds
 };
 
-/// Returns the truth about two unions, to judge several replies by. Throws as union_depth does, and Interrupted if the search is stopped.
+/// Returns the truth about two unions, to judge several replies by. Throws as union_depth does, and
+/// Interrupted if the search is stopped.
 UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options = {});
 
-/// Judges the reply by a truth that is known. A claimed translation is judged by what it leaves: the depth or the distance after it is
-/// found anew, which may take as long as the truth did, and may be stopped by the monitor; then Interrupted is thrown.
-Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {}, const NumberFormat& format = {},
-                const Tolerance& tolerance = {}, Monitor* monitor = nullptr);
+/// Judges the reply by a truth that is known. A claimed translation is judged by what it leaves:
+/// the depth or the distance after it is found anew, which may take as long as the truth did, and
+/// may be stopped by the monitor; then Interrupted is thrown.
+Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {},
+                const NumberFormat& format = {}, const Tolerance& tolerance = {}, Monitor* monitor = nullptr);
 
 }  // namespace fathom

@@ -8,7 +8,8 @@
 
 namespace fathom {
 
-/// A position with exact rational coordinates, each in lowest terms: what takes points throws std::invalid_argument at others.
+/// A position with exact rational coordinates, each in lowest terms: what takes points throws
+/// std::invalid_argument at others.
 struct Point {
   mpq_class x, y, z;  ///< the coordinates
   friend bool operator==(const Point&, const Point&) = default;
@@ -21,7 +22,8 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
-/// An exact integer vector: a direction, a facet normal, or a position in multiples of a common unit.
+/// An exact integer vector: a direction, a facet normal, or a position in multiples of a common
+/// unit.
 using Vector = Vec3<mpz_class>;
 
 /// The share of an input point in a convex combination of a body's points.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Convex bodies that need not be polytopes: spheres, capsules, rounded hulls, cylinders, cones, ellipsoids, half-spaces, and sums of them.
+// Convex bodies that need not be polytopes: spheres, capsules, rounded hulls, cylinders, cones,
+// ellipsoids, half-spaces, and sums of them.
 //
-// Every body is a core and the ball of a radius around each of its points. A core is a half-space, or a Minkowski sum of terms; a term is
-// the convex hull of atoms; an atom is a point, or a disc or ball under an affine map. All numbers are rational, so a body is exactly what
-// its numbers say. Lengths are in the unit of the coordinates.                                                         [proofs/shapes.md]
+// Every body is a core and the ball of a radius around each of its points. A core is a half-space,
+// or a Minkowski sum of terms; a term is the convex hull of atoms; an atom is a point, or a disc or
+// ball under an affine map. All numbers are rational, so a body is exactly what its numbers say.
+// Lengths are in the unit of the coordinates.                                    [proofs/shapes.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -17,8 +19,8 @@
 
 namespace fathom {
 
-/// The points center + sum of y_i axes[i], for y with |y| <= 1: a point without axes, a disc with two, a ball with three. The axes need not
-/// be orthogonal, nor independent: an atom may be flat.
+/// The points center + sum of y_i axes[i], for y with |y| <= 1: a point without axes, a disc with
+/// two, a ball with three. The axes need not be orthogonal, nor independent: an atom may be flat.
 struct Atom {
   Point center;             ///< of the point, disc or ball
   std::vector<Point> axes;  ///< none, two or three
@@ -47,15 +49,18 @@ struct Shape {
 
 // ---- bodies by name ----
 //
-// Each is centred at O and lies along the axis named, unless its points are given. All lengths must be > 0, except for a margin, which may
-// be 0, and all numbers in lowest terms: std::invalid_argument is thrown otherwise, with a sentence that says what is wrong.
+// Each is centred at O and lies along the axis named, unless its points are given. All lengths must
+// be > 0, except for a margin, which may be 0, and all numbers in lowest terms:
+// std::invalid_argument is thrown otherwise, with a sentence that says what is wrong.
 
 enum class Axis { x, y, z };  ///< of the frame
 
 Shape sphere(const mpq_class& radius);  ///< the ball around O
-/// The points at most `radius` away from the segment between -half_length and half_length on the axis: the caps come on top.
+/// The points at most `radius` away from the segment between -half_length and half_length on the
+/// axis: the caps come on top.
 Shape capsule(const mpq_class& radius, const mpq_class& half_length, Axis axis = Axis::z);
-/// The convex hull of two balls: one around -half_length on the axis, of radius `low`, and one around half_length, of radius `high`.
+/// The convex hull of two balls: one around -half_length on the axis, of radius `low`, and one
+/// around half_length, of radius `high`.
 Shape tapered_capsule(const mpq_class& low, const mpq_class& high, const mpq_class& half_length, Axis axis = Axis::z);
 /// The points with |x| <= half.x, |y| <= half.y, |z| <= half.z.
 Shape box(const Point& half);
@@ -63,7 +68,8 @@ Shape box(const Point& half);
 Shape cylinder(const mpq_class& radius, const mpq_class& half_length, Axis axis = Axis::z);
 /// Its base is at -half_length on the axis, its apex at half_length.
 Shape cone(const mpq_class& radius, const mpq_class& half_length, Axis axis = Axis::z);
-/// A cone that is cut off: the end face at -half_length has the radius `low`, that at half_length the radius `high`.
+/// A cone that is cut off: the end face at -half_length has the radius `low`, that at half_length
+/// the radius `high`.
 Shape frustum(const mpq_class& low, const mpq_class& high, const mpq_class& half_length, Axis axis = Axis::z);
 /// The radii are those along x, y and z.
 Shape ellipsoid(const Point& radii);
@@ -79,8 +85,8 @@ Shape with_margin(Shape shape, const mpq_class& margin);
 /// The Minkowski sum. Throws std::invalid_argument if one of the cores is a half-space.
 Shape minkowski_sum(const Shape& a, const Shape& b);
 
-/// Returns whether the body has no interior: its core lies in a plane, and its radius is 0. Throws std::invalid_argument as signed_depth
-/// does for a shape that is none.
+/// Returns whether the body has no interior: its core lies in a plane, and its radius is 0. Throws
+/// std::invalid_argument as signed_depth does for a shape that is none.
 bool is_flat(const Shape& shape);
 
 // ---- poses ----
@@ -94,12 +100,14 @@ struct Quaternion {
   friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-/// The rotation and then the translation: rational, and exactly orthogonal for every quaternion but 0, as those of doubles are. No root is
-/// taken, nothing is normalised. Throws std::invalid_argument if the quaternion is 0 or a number is not in lowest terms.
+/// The rotation and then the translation: rational, and exactly orthogonal for every quaternion but
+/// 0, as those of doubles are. No root is taken, nothing is normalised. Throws
+/// std::invalid_argument if the quaternion is 0 or a number is not in lowest terms.
 Pose rigid_pose(const Quaternion& rotation, const Point& translation);
 
-/// The shape with its core mapped by the pose, exactly. The radius is a length in the world, it stays: a capsule is a capsule, whatever a
-/// matrix of doubles, which is hardly ever a rotation, does to its segment. Discs and balls of a core are mapped as points are. Throws
+/// The shape with its core mapped by the pose, exactly. The radius is a length in the world, it
+/// stays: a capsule is a capsule, whatever a matrix of doubles, which is hardly ever a rotation,
+/// does to its segment. Discs and balls of a core are mapped as points are. Throws
 /// std::invalid_argument if M is singular or a number is not in lowest terms.
 Shape moved(const Shape& shape, const Pose& pose);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies, each the union of convex pieces.
-// Output  the exact penetration depth of the two unions, squared, with every optimum.                             [proofs/unions.md]
+// Output  the exact penetration depth of the two unions, squared, with every optimum.
+//                                                                                [proofs/unions.md]
 //
-// Pieces may overlap, and abut: where two of them meet in a common face, the body has no gap. A + t and B overlap if their interiors have a
-// common point, and the depth is the least |t| for which they do not. A path from O to t is not asked for.
+// Pieces may overlap, and abut: where two of them meet in a common face, the body has no gap. A + t
+// and B overlap if their interiors have a common point, and the depth is the least |t| for which
+// they do not. A path from O to t is not asked for.
 #pragma once
 
 #include <cstdint>
@@ -20,22 +22,24 @@ namespace fathom {
 
 /// How to compute the depth of unions. The answer does not depend on it.
 struct UnionOptions {
-  Monitor* monitor = nullptr;  ///< hears of progress and may stop the work, which then ends with an enclosure; may be null
-  bool bounds = true;          ///< whether UnionDepth::bounds is found
+  Monitor* monitor =
+      nullptr;         ///< hears of progress and may stop the work, which then ends with an enclosure; may be null
+  bool bounds = true;  ///< whether UnionDepth::bounds is found
 };
 
 /// A piece of A and a piece of B that touch.
 struct PieceContact {
   std::uint32_t a, b;  ///< the pieces' indices
-  Vector direction;    ///< primitive, in the interior of the cone of all planes between the two pieces: points from B to A
-  Contact contact;     ///< the faces of the two pieces that meet, by the indices of points in the pieces
+  Vector
+      direction;    ///< primitive, in the interior of the cone of all planes between the two pieces: points from B to A
+  Contact contact;  ///< the faces of the two pieces that meet, by the indices of points in the pieces
 };
 
 /// A shortest way out.
 struct UnionOptimum {
   Point translation;  ///< moving A by it, the interiors are disjoint
-  /// Whether translations as near as one likes leave a gap between the bodies. False for an exact fit: all around it the bodies overlap
-  /// or touch, as a key does in a slot of its own width.
+  /// Whether translations as near as one likes leave a gap between the bodies. False for an exact
+  /// fit: all around it the bodies overlap or touch, as a key does in a slot of its own width.
   bool clearance;
   std::vector<PieceContact> contacts;  ///< of all pairs of pieces that touch after the translation, sorted by a, then b
 };
@@ -48,7 +52,8 @@ struct UnionDistance {
 
 /// What simpler measures say: deepest_pair <= depth^2 <= hulls.
 struct UnionBounds {
-  mpq_class deepest_pair;      ///< the largest squared depth of a piece of A and a piece of B; if the work was stopped, of those it came to
+  mpq_class deepest_pair;  ///< the largest squared depth of a piece of A and a piece of B; if the work was stopped, of
+                           ///< those it came to
   std::uint32_t a = 0, b = 0;  ///< the first pair that has it; 0 and 0 if no two pieces overlap
   mpq_class hulls;             ///< the squared depth of the convex hulls of the unions
 };
@@ -63,10 +68,11 @@ struct UnionCounters {
 
 /// The answer about two unions.
 struct UnionDepth {
-  Status status = Status::disjoint;    ///< touching if interiors are disjoint but pieces meet
-  bool complete = true;                ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
-  mpq_class low, high;                 ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
-  std::vector<UnionOptimum> optima;    ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
+  Status status = Status::disjoint;  ///< touching if interiors are disjoint but pieces meet
+  bool complete = true;  ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
+  mpq_class low, high;   ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
+  std::vector<UnionOptimum>
+      optima;  ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
   std::optional<UnionDistance> apart;  ///< if disjoint
   std::optional<UnionBounds> bounds;   ///< if asked for
   UnionCounters counters;              ///< what the search did
@@ -75,22 +81,27 @@ struct UnionDepth {
   [[nodiscard]] const mpq_class& squared() const;
 };
 
-/// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and how deep or how far apart they are.
-/// Exact, and complete in its ties. No bound on the time is claimed: it grows with what lies of the boundaries of differences of pieces
-/// within the depth of O. Throws std::invalid_argument if a body has no pieces, a piece is flat (the message names it) or a coordinate is
-/// not in lowest terms; Interrupted if the work is stopped before the depth of the hulls is known.
+/// Returns whether two unions, whose pieces have interiors, penetrate, touch or are disjoint, and
+/// how deep or how far apart they are. Exact, and complete in its ties. No bound on the time is
+/// claimed: it grows with what lies of the boundaries of differences of pieces within the depth of
+/// O. Throws std::invalid_argument if a body has no pieces, a piece is flat (the message names it)
+/// or a coordinate is not in lowest terms; Interrupted if the work is stopped before the depth of
+/// the hulls is known.
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
-/// Returns the pieces of a body: those that it has, or a polytope as the only one. Throws std::invalid_argument for a shape.
+/// Returns the pieces of a body: those that it has, or a polytope as the only one. Throws
+/// std::invalid_argument for a shape.
 Pieces pieces_of(const Body& body);
 
 // ---- pieces from files ----
 
-/// Returns the convex pieces of a body in an OBJ file: for each object (a line "o" begins a new one) and group in it (lines "g") the
-/// corners of its faces, in the order of their numbers. Groups come in the order of their first faces; a file without them is one piece. Of
-/// a folder, the pieces of all files in it that end in .off, .obj, .ply and .stl, in the natural order of their names, piece_2 before
-/// piece_10: the vertices of each, and of OBJ files the groups. Throws InputError of fathom/files.hpp, with file and line, as read_mesh
-/// does, and if there are no faces, or no files.
+/// Returns the convex pieces of a body in an OBJ file: for each object (a line "o" begins a new
+/// one) and group in it (lines "g") the corners of its faces, in the order of their numbers. Groups
+/// come in the order of their first faces; a file without them is one piece. Of a folder, the
+/// pieces of all files in it that end in .off, .obj, .ply and .stl, in the natural order of their
+/// names, piece_2 before piece_10: the vertices of each, and of OBJ files the groups. Throws
+/// InputError of fathom/files.hpp, with file and line, as read_mesh does, and if there are no
+/// faces, or no files.
 Pieces read_pieces(const std::string& path, Decimals decimals = Decimals::binary64);
 
 /// The same for an OBJ file in memory; `name` appears in messages.

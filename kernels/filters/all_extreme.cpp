@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A direction u of doubles is an exact direction, so it proves that p is extreme if <u,p> is greater than <u,q> for every other q by more
-// than twice the error of the computed values.                                                [proofs/kernels.md, "Error bounds"]
+// A direction u of doubles is an exact direction, so it proves that p is extreme if <u,p> is
+// greater than <u,q> for every other q by more than twice the error of the computed values.
+//                                                               [proofs/kernels.md, "Error bounds"]
 //
-// The search. In the metric in which the points spread alike in all directions, the way from their centre to p is a good guess for u.
-// While some q is farther, u is turned towards p - q.
+// The search. In the metric in which the points spread alike in all directions, the way from their
+// centre to p is a good guess for u. While some q is farther, u is turned towards p - q.
 #include "kernels/filters/all_extreme.hpp"
 
 #include <algorithm>
@@ -45,7 +46,8 @@ double quotient(const mpq_class& q) {
 const mpq_class& coordinate(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 double coordinate(const Triple& p, int axis) { return p[static_cast<std::size_t>(axis)]; }
 
-// Doubles are compared as bits: small ones may be flushed to zero. So 0 and -0 differ, and then nothing is said.
+// Doubles are compared as bits: small ones may be flushed to zero. So 0 and -0 differ, and then
+// nothing is said.
 bool is_zero(const mpq_class& c) { return c == 0; }
 bool is_zero(double c) { return std::bit_cast<std::uint64_t>(c) == 0; }
 bool equal(const Point& p, const Point& q) { return p == q; }
@@ -59,10 +61,13 @@ template <class P>
 struct Image {
   Triple at;
   const P* exact;
-  [[nodiscard]] bool same_as(const Image& other) const { return exact == other.exact || (at == other.at && equal(*exact, *other.exact)); }
+  [[nodiscard]] bool same_as(const Image& other) const {
+    return exact == other.exact || (at == other.at && equal(*exact, *other.exact));
+  }
 };
 
-/// Scales one coordinate of all points. False if its numbers are too large or too small for doubles.
+/// Scales one coordinate of all points. False if its numbers are too large or too small for
+/// doubles.
 template <class P>
 bool scale(std::vector<Image<P>>& points, int axis) {
   double size = 0;
@@ -71,13 +76,15 @@ bool scale(std::vector<Image<P>>& points, int axis) {
     size = std::max(size, std::abs(p.at[axis]));
   }
   if (!std::isfinite(size)) return false;
-  if (size < least_size) return std::ranges::all_of(points, [&](const Image<P>& p) { return is_zero(coordinate(*p.exact, axis)); });
+  if (size < least_size)
+    return std::ranges::all_of(points, [&](const Image<P>& p) { return is_zero(coordinate(*p.exact, axis)); });
   const double unit = std::ldexp(1, -std::ilogb(size) - 1);  // to multiply by it rounds as ldexp does
   for (Image<P>& p : points) p.at[axis] *= unit;
   return true;
 }
 
-/// Points in boxes within boxes. The computed value of a box's corner is no less than that of any point in it: rounding is monotone.
+/// Points in boxes within boxes. The computed value of a box's corner is no less than that of any
+/// point in it: rounding is monotone.
 template <class Image>
 class Boxes {
  public:
@@ -118,14 +125,16 @@ class Boxes {
     const auto axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
     const std::size_t middle = begin + (end - begin) / 2;
     const auto to = [&](std::size_t i) { return points_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(to(begin), to(middle), to(end), [&](const Image& p, const Image& q) { return p.at[axis] < q.at[axis]; });
+    std::nth_element(to(begin), to(middle), to(end),
+                     [&](const Image& p, const Image& q) { return p.at[axis] < q.at[axis]; });
     split(begin, middle);
     boxes_[at].second = split(middle, end);
     return at;
   }
 
   static double bound(const Box& box, const Triple& u) {
-    return product(u, {u[0] < 0 ? box.low[0] : box.high[0], u[1] < 0 ? box.low[1] : box.high[1], u[2] < 0 ? box.low[2] : box.high[2]});
+    return product(u, {u[0] < 0 ? box.low[0] : box.high[0], u[1] < 0 ? box.low[1] : box.high[1],
+                       u[2] < 0 ? box.low[2] : box.high[2]});
   }
 
   void look(std::size_t at, Search& search) const {
@@ -148,7 +157,8 @@ class Boxes {
   std::vector<Box> boxes_;
 };
 
-/// The inverse of the points' covariance, which is kept away from singular: times(v) by its Cholesky factor.
+/// The inverse of the points' covariance, which is kept away from singular: times(v) by its
+/// Cholesky factor.
 class Metric {
  public:
   template <class Image>
@@ -211,7 +221,8 @@ bool all_seen(std::span<const P> exact) {
     for (int c = 0; c < 3; ++c) centre[c] += p.at[c] / static_cast<double>(points.size());
   const Boxes boxes(points);
   const Metric metric(points, centre);
-  return std::ranges::all_of(points, [&](const Image<P>& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
+  return std::ranges::all_of(
+      points, [&](const Image<P>& p) { return seen_extreme(p, boxes, metric.times(minus(p.at, centre)), metric); });
 }
 
 }  // namespace

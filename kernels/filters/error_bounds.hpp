@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error bounds of the floating-point filters. They hold in every rounding mode, for images within 2^-53 of values of size at most 1
-// unless said otherwise.                                                                       [proofs/kernels.md, "Error bounds"]
+// The error bounds of the floating-point filters. They hold in every rounding mode, for images
+// within 2^-53 of values of size at most 1 unless said otherwise.
+//                                                               [proofs/kernels.md, "Error bounds"]
 #pragma once
 
 namespace fathom::kernels::error_bound {
 
 inline constexpr double unit = 0x1p-52;  ///< of one operation in binary64, relative to its result
-/// The same for any floating-point numbers. Bounds that are multiples of it hold for each kind of numbers.
+/// The same for any floating-point numbers. Bounds that are multiples of it hold for each kind of
+/// numbers.
 template <class Number>
 inline constexpr double unit_of = Number::unit;
 template <>
@@ -24,22 +26,26 @@ inline constexpr double height_over_line_of = 96 * unit_of<Number>;  ///< of <p 
 template <class Number>
 inline constexpr double squared_length_of = 112 * unit_of<Number>;  ///< of |d x e|^2
 inline constexpr double height_over_line = height_over_line_of<double>, squared_length = squared_length_of<double>;
-inline constexpr double difference_of_heights = 0x1p-46;  ///< of <u,p> - <u,q>, for exact u and images of rational points
+inline constexpr double difference_of_heights =
+    0x1p-46;  ///< of <u,p> - <u,q>, for exact u and images of rational points
 
 // Factors that make up for the roundings of a few operations.
 
-inline constexpr double raised_bound = 1 + 16 * unit;    ///< of a squared distance that a computed one must exceed
-inline constexpr double lowered_bound = 1 - 16 * unit;   ///< of a squared distance that a computed one must stay below
-inline constexpr double raised_quotient = 1 + 8 * unit;  ///< of a quotient of numbers truncated to 53 bits: an upper bound
-inline constexpr double below_raised = 1 - 0x1p-47;      ///< of that upper bound: a lower bound
-inline constexpr double raised_root = 1 + 0x1p-40;       ///< of the root of a quotient, and of a product with it
+inline constexpr double raised_bound = 1 + 16 * unit;   ///< of a squared distance that a computed one must exceed
+inline constexpr double lowered_bound = 1 - 16 * unit;  ///< of a squared distance that a computed one must stay below
+inline constexpr double raised_quotient =
+    1 + 8 * unit;                                    ///< of a quotient of numbers truncated to 53 bits: an upper bound
+inline constexpr double below_raised = 1 - 0x1p-47;  ///< of that upper bound: a lower bound
+inline constexpr double raised_root = 1 + 0x1p-40;   ///< of the root of a quotient, and of a product with it
 template <class Number>
 inline constexpr double frame_length =
     512 * unit_of<Number>;  ///< more than 1: of a root, where lengths are measured in a nearly orthonormal frame
 template <class Number>
-inline constexpr double frame_volume = 256 * unit_of<Number>;  ///< absolute: of that frame's determinant, which is nearly 1
+inline constexpr double frame_volume =
+    256 * unit_of<Number>;  ///< absolute: of that frame's determinant, which is nearly 1
 template <class Number>
-inline constexpr double orthonormal = 16 * unit_of<Number>;  ///< absolute: of the computed products of that frame's directions
+inline constexpr double orthonormal =
+    16 * unit_of<Number>;  ///< absolute: of the computed products of that frame's directions
 
 // Of Taylor models, and of the parabolas that lines are fitted with.
 
@@ -57,16 +63,20 @@ template <class Number>
 inline double tuple(double t) {
   return unit_of<Number> * (16 + 32 * (t < 0 ? -t : t));
 }
-inline constexpr double raised_radius = 1 + 64 * unit;  ///< factor of a sum of fewer than 30 products, none of them negative; besides it
-inline constexpr double underflow = 0x1p-1000;          ///< what all underflow of such a sum may add up to, by far
+inline constexpr double raised_radius =
+    1 + 64 * unit;  ///< factor of a sum of fewer than 30 products, none of them negative; besides it
+inline constexpr double underflow = 0x1p-1000;  ///< what all underflow of such a sum may add up to, by far
 
-// Of (q - p) x (r - p), and of its product with a step t - s, for points p, q, r, s, t. These follow the size of the triangle: u and v are
-// the largest components of the computed edges, `size` that of the computed normal, `length` that of the computed step.
+// Of (q - p) x (r - p), and of its product with a step t - s, for points p, q, r, s, t. These
+// follow the size of the triangle: u and v are the largest components of the computed edges, `size`
+// that of the computed normal, `length` that of the computed step.
 
 /// Of a component of the normal.
 inline double normal(double u, double v) { return 0x1p-49 * (u + v + u * v) + 0x1p-98; }
 /// Of the product, where `error` bounds that of the normal's components.
-inline double height(double size, double error, double length) { return 0x1p-48 * size * (1 + length) + (4 * length + 0x1p-48) * error; }
+inline double height(double size, double error, double length) {
+  return 0x1p-48 * size * (1 + length) + (4 * length + 0x1p-48) * error;
+}
 
 /// The same for points within 2^-52 of values of size at most 2.
 struct WidePlane {

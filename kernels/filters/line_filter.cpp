@@ -16,7 +16,8 @@ namespace {
 
 // Each step below is justified in proofs/closest_lines.md, "Filter".
 
-// Two neighbours at a time, or one. A vector type of the compiler, since -O2 alone would not vectorise these loops.
+// Two neighbours at a time, or one. A vector type of the compiler, since -O2 alone would not
+// vectorise these loops.
 typedef double Lanes __attribute__((vector_size(16)));
 constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
 
@@ -51,7 +52,8 @@ struct Farther {
     const Lane wx = d.y * ez - d.z * ey;
     const Lane wy = d.z * ex - d.x * ez;
     const Lane wz = d.x * ey - d.y * ex;
-    const Lane height = (p.x - load<Lane>(many.px, j)) * wx + (p.y - load<Lane>(many.py, j)) * wy + (p.z - load<Lane>(many.pz, j)) * wz;
+    const Lane height =
+        (p.x - load<Lane>(many.px, j)) * wx + (p.y - load<Lane>(many.py, j)) * wy + (p.z - load<Lane>(many.pz, j)) * wz;
     const Lane least = larger<Lane>(larger<Lane>(height, -height) - error_bound::height_over_line, Lane{});
     return least * least - bound * (wx * wx + wy * wy + wz * wz + error_bound::squared_length);
   }
@@ -69,11 +71,13 @@ struct OnOneSide {
   }
 };
 
-// Positive only if the arcs one and j do not cross. They cross when <f,e>, -<t,e>, -<f',d> and <t',d> have one sign, for the ends
-// f, t of the one and f', t' of the other, on the circles d and e.
+// Positive only if the arcs one and j do not cross. They cross when <f,e>, -<t,e>, -<f',d> and
+// <t',d> have one sign, for the ends f, t of the one and f', t' of the other, on the circles d and
+// e.
 double not_crossing(const LineSet& lines, std::size_t one, const LineSet& many, std::size_t j) {
   const auto side = [](const ArcImages& a, std::size_t i, const LineImages& l, std::size_t k) {
-    return std::pair(a.fx[i] * l.dx[k] + a.fy[i] * l.dy[k] + a.fz[i] * l.dz[k], a.tx[i] * l.dx[k] + a.ty[i] * l.dy[k] + a.tz[i] * l.dz[k]);
+    return std::pair(a.fx[i] * l.dx[k] + a.fy[i] * l.dy[k] + a.fz[i] * l.dz[k],
+                     a.tx[i] * l.dx[k] + a.ty[i] * l.dy[k] + a.tz[i] * l.dz[k]);
   };
   const auto [from, to] = side(lines.arcs, one, many.images, j);
   const auto [many_from, many_to] = side(many.arcs, j, lines.images, one);
@@ -82,7 +86,8 @@ double not_crossing(const LineSet& lines, std::size_t one, const LineSet& many, 
   return smaller(most, -least) - error_bound::product;
 }
 
-// Replaces `unsure` by the indices j in the run whose margin is not positive. Most blocks have none, and end with one comparison.
+// Replaces `unsure` by the indices j in the run whose margin is not positive. Most blocks have
+// none, and end with one comparison.
 template <class Test, class Many>
 void collect(const Test& test, const Many& many, LineRun run, std::vector<std::uint32_t>& unsure) {
   constexpr std::size_t block = 64;
@@ -121,16 +126,19 @@ Crossing crossing(const Vec3<double>& s, const LineImages& a, std::size_t i, con
   return {dot(s, w), dot(w, w)};
 }
 
-// The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from above, W - S the length from below.
+// The reverse of the proof that a line is farther: 0 <= height' <= H + E bounds the height from
+// above, W - S the length from below.
 CornerVerdict verdict(const Crossing& c, const LineBound& bound) {
   const double low = c.height - error_bound::height_over_line;
-  if (low > 0 && low * low - bound.above * error_bound::raised_bound * (c.squared_length + error_bound::squared_length) > 0) {
+  if (low > 0 &&
+      low * low - bound.above * error_bound::raised_bound * (c.squared_length + error_bound::squared_length) > 0) {
     return CornerVerdict::beyond;
   }
   const double high = c.height + error_bound::height_over_line;
   if (high <= 0) return CornerVerdict::within;
   const double shortest = c.squared_length - error_bound::squared_length;
-  if (shortest > 0 && bound.below * error_bound::lowered_bound * shortest - high * high > 0) return CornerVerdict::within;
+  if (shortest > 0 && bound.below * error_bound::lowered_bound * shortest - high * high > 0)
+    return CornerVerdict::within;
   return CornerVerdict::unsure;
 }
 
@@ -158,12 +166,14 @@ double image_bound(const mpz_class& numerator, const mpz_class& denominator, lon
   const double d = mpz_get_d_2exp(&d_exponent, denominator.get_mpz_t());
   const long shift = n_exponent - d_exponent - 2 * exponent;
   if (shift > 1000 && n > 0) return std::numeric_limits<double>::infinity();
-  // Truncation makes n too small by less than one unit, and d no larger; quotient and product round by one unit each: 8 are enough.
+  // Truncation makes n too small by less than one unit, and d no larger; quotient and product round
+  // by one unit each: 8 are enough.
   return std::max(std::ldexp(n / d * error_bound::raised_quotient, static_cast<int>(std::max(shift, -4000L))),
                   std::numeric_limits<double>::min());
 }
 
-void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound, std::vector<std::uint32_t>& unsure) {
+void not_farther(const LineImages& lines, std::size_t one, const LineImages& many, double bound,
+                 std::vector<std::uint32_t>& unsure) {
   not_farther(lines, one, many, {0, many.size()}, bound, unsure);
 }
 
@@ -189,21 +199,25 @@ void ArcImages::push_back(const Vector& from, const Vector& to) {
 void crossing_and_not_farther(const LineSet& lines, std::size_t one, const LineSet& many, double bound,
                               std::vector<std::uint32_t>& unsure) {
   const Farther farther(lines.images, one, bound);
-  // Short arcs seldom meet the great circle: this test comes first, over all, and the two that cost more over the rest.
+  // Short arcs seldom meet the great circle: this test comes first, over all, and the two that cost
+  // more over the rest.
   collect(OnOneSide{farther.d}, many.arcs, {0, many.images.size()}, unsure);
-  std::erase_if(unsure,
-                [&](std::uint32_t j) { return farther.margin<double>(many.images, j) > 0 || not_crossing(lines, one, many, j) > 0; });
+  std::erase_if(unsure, [&](std::uint32_t j) {
+    return farther.margin<double>(many.images, j) > 0 || not_crossing(lines, one, many, j) > 0;
+  });
 }
 
 LineBound line_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
   LineBound bound{image_bound(numerator, denominator, exponent), 0};
-  // image_bound exceeds the value by less than a part in 2^48, unless it was raised to the least normal number or cut at infinity.
+  // image_bound exceeds the value by less than a part in 2^48, unless it was raised to the least
+  // normal number or cut at infinity.
   const bool raised = bound.above <= 2 * std::numeric_limits<double>::min();
   if (std::isfinite(bound.above) && !raised) bound.below = bound.above * error_bound::below_raised;
   return bound;
 }
 
-CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block, const LineBound& bound) {
+CornerVerdict corners_beyond(const LineImages& rows, const LineImages& columns, const Block& block,
+                             const LineBound& bound) {
   const Vec3<double> s = columns.point(block.columns.middle) - rows.point(block.rows.middle);
   CornerVerdict worst = CornerVerdict::beyond;
   for (const std::size_t i : {block.rows.first, block.rows.last}) {
@@ -235,7 +249,8 @@ const WideLine& WideLines::operator[](std::size_t i) const {
 }
 
 WideFloat wide_bound(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
-  return WideFloat::scaled(numerator, 2 * exponent) / WideFloat::scaled(denominator, 0) * (1 + WideFloat(8 * WideFloat::unit));
+  return WideFloat::scaled(numerator, 2 * exponent) / WideFloat::scaled(denominator, 0) *
+         (1 + WideFloat(8 * WideFloat::unit));
 }
 
 // As the filter in binary64, with smaller units.

@@ -25,10 +25,13 @@ struct Quadratic {
 
   [[nodiscard]] Quadratic swapped() const { return {t, s, tt, st, ss}; }
   // t = 1 and t = -1.
-  [[nodiscard]] Number on_edge(double sign) const { return tt + sign * t + least_of_parabola<Number>(ss, s + sign * st); }
+  [[nodiscard]] Number on_edge(double sign) const {
+    return tt + sign * t + least_of_parabola<Number>(ss, s + sign * st);
+  }
 };
 
-// t leaves: tt t^2 + (t + st s) t is at least -(t + st s)^2 / (4 tt), attained when that t lies in [-1, 1]. Only for tt > 0.
+// t leaves: tt t^2 + (t + st s) t is at least -(t + st s)^2 / (4 tt), attained when that t lies in
+// [-1, 1]. Only for tt > 0.
 template <class Number>
 Number without_t(const Quadratic<Number>& q) {
   const Number k = q.st / (2 * q.tt);
@@ -97,7 +100,9 @@ using Models = std::array<TaylorModel<Number>, 3>;
 template <class Number>
 Models<Number> cross(const Models<Number>& d, const Models<Number>& e) {
   using taylor::product_of_sides;
-  const auto minor = [&](std::size_t i, std::size_t j) { return product_of_sides(d[i], e[j]) - product_of_sides(d[j], e[i]); };
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return product_of_sides(d[i], e[j]) - product_of_sides(d[j], e[i]);
+  };
   return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
@@ -121,7 +126,8 @@ double size_of_terms(const LineFrame<Number>& f, std::size_t i) {
 template <class Number>
 using Basis = std::array<Vec3<Number>, 3>;
 
-// Three directions, the first along w, the second towards d. Orthonormal up to 16u in each product, or else there is none.
+// Three directions, the first along w, the second towards d. Orthonormal up to 16u in each product,
+// or else there is none.
 template <class Number>
 bool orthonormal(const Vec3<Number>& w, const Vec3<Number>& d, Basis<Number>& basis) {
   if (!(truncated(fathom::dot(w, w)) > 0x1p-500)) return false;
@@ -143,7 +149,8 @@ bool orthonormal(const Vec3<Number>& w, const Vec3<Number>& d, Basis<Number>& ba
 template <class Number>
 Models<Number> turned(const LineFrame<Number>& f, std::size_t from, const Basis<Number>& basis, bool in_t) {
   std::array<double, 3> reach;
-  for (std::size_t j = 0; j < 3; ++j) reach[j] = f.r[from + j] + error_bound::parabola<Number> * size_of_terms(f, from + j);
+  for (std::size_t j = 0; j < 3; ++j)
+    reach[j] = f.r[from + j] + error_bound::parabola<Number> * size_of_terms(f, from + j);
   const auto part = [from](const LineTuple<Number>& x) { return Vec3<Number>{x[from], x[from + 1], x[from + 2]}; };
   const Vec3<Number> m = part(f.m), e = part(f.e), k = part(f.k);
   Models<Number> models;
@@ -160,7 +167,8 @@ Models<Number> turned(const LineFrame<Number>& f, std::size_t from, const Basis<
 
 using Wide3 = Vec3<WideFloat>;
 
-// Rounding of what is computed here in binary64: sums and products of a few dozen numbers, none negative.
+// Rounding of what is computed here in binary64: sums and products of a few dozen numbers, none
+// negative.
 constexpr double raised = 1 + 0x1p-40, lowered = 1 - 0x1p-40;
 
 // The direction's or the point's coordinates of a tuple.
@@ -181,7 +189,8 @@ struct Sizes {
   double centre;    // |m|
   double extent;    // at least |e s + k s^2|
   double residual;  // at least the distance of a line's tuple from the parabola
-  Sizes(const Wide3& m, const Wide3& e, const Wide3& k, double r) : centre(length(m)), extent(length(e) + length(k)), residual(r) {}
+  Sizes(const Wide3& m, const Wide3& e, const Wide3& k, double r)
+      : centre(length(m)), extent(length(e) + length(k)), residual(r) {}
   // At least the size of any tuple, residual included.
   [[nodiscard]] double whole() const { return centre + extent + residual; }
 };
@@ -206,22 +215,26 @@ struct Offsets {
   }
 
  private:
-  bool set_kappa(const LineFrame<WideFloat>& a, const LineFrame<WideFloat>& b, double between, double size, double rho) {
+  bool set_kappa(const LineFrame<WideFloat>& a, const LineFrame<WideFloat>& b, double between, double size,
+                 double rho) {
     const Sizes d(direction(a.m), direction(a.e), direction(a.k), length(a.r, 0));
     const Sizes e(direction(b.m), direction(b.e), direction(b.k), length(b.r, 0));
     // Of S, the difference of the points.
     const double s_extent = length(point(a.e)) + length(point(a.k)) + length(point(b.e)) + length(point(b.k));
     const double s_residual = length(a.r, 3) + length(b.r, 3), s_whole = between + s_extent + s_residual;
-    const double w_extent = d.extent * e.whole() + d.whole() * e.extent, w_residual = d.residual * e.whole() + d.whole() * e.residual;
+    const double w_extent = d.extent * e.whole() + d.whole() * e.extent,
+                 w_residual = d.residual * e.whole() + d.whole() * e.residual;
     const double w_least = size * lowered - w_extent * raised;
     if (!(w_least > 0)) return false;
     const double of_height = s_residual * w_extent + d.residual * (s_extent * e.whole() + s_whole * e.extent) +
                              e.residual * (s_extent * d.whole() + s_whole * d.extent) + s_residual * w_residual +
                              s_whole * d.residual * e.residual;
-    const double of_length = w_residual * w_residual / (2 * w_least) + 2 * w_extent * w_residual / w_least + d.residual * e.extent +
-                             d.extent * e.residual + d.residual * e.residual;
-    // Rounding of the linear parts, and of the points' and directions' tuples that they were made of.
-    const double scale = (1 + d.whole()) * (1 + e.whole()) * (1 + s_whole + rho), all = d.residual + e.residual + s_residual;
+    const double of_length = w_residual * w_residual / (2 * w_least) + 2 * w_extent * w_residual / w_least +
+                             d.residual * e.extent + d.extent * e.residual + d.residual * e.residual;
+    // Rounding of the linear parts, and of the points' and directions' tuples that they were made
+    // of.
+    const double scale = (1 + d.whole()) * (1 + e.whole()) * (1 + s_whole + rho),
+                 all = d.residual + e.residual + s_residual;
     kappa = (of_height + rho * of_length + 0x1p-100 * scale * all) * raised;
     return std::isfinite(kappa);
   }
@@ -233,9 +246,10 @@ struct Part {
   std::uint32_t line;
 };
 
-// The parts of all lines of a run, ascending: the residual's and the smooth model's linear s + quadratic s^2. False if a line has none.
-bool parts_of(const FramedRun& of, const LineTuple<WideFloat>& gradient, const WideFloat& linear, const WideFloat& quadratic,
-              std::vector<Part>& parts) {
+// The parts of all lines of a run, ascending: the residual's and the smooth model's linear s +
+// quadratic s^2. False if a line has none.
+bool parts_of(const FramedRun& of, const LineTuple<WideFloat>& gradient, const WideFloat& linear,
+              const WideFloat& quadratic, std::vector<Part>& parts) {
   const ParabolicFit<WideLines> fit(of.lines, of.run);
   double slope = 0;
   for (const WideFloat& g : gradient) slope += std::fabs(truncated(g));
@@ -252,20 +266,27 @@ bool parts_of(const FramedRun& of, const LineTuple<WideFloat>& gradient, const W
   return true;
 }
 
-// At least the smooth model's constant part less what is not in the lines' parts: c4 s t, the radius, and rounding.
+// At least the smooth model's constant part less what is not in the lines' parts: c4 s t, the
+// radius, and rounding.
 WideFloat least_of_rest(const TaylorModel<WideFloat>& smooth) {
-  return smooth.c[0] - abs(smooth.c[4]) - taylor::rounded_up(smooth.radius + error_bound::taylor_least<WideFloat> * smooth.norm());
+  return smooth.c[0] - abs(smooth.c[4]) -
+         taylor::rounded_up(smooth.radius + error_bound::taylor_least<WideFloat> * smooth.norm());
 }
 
 }  // namespace
 
 template <class Lines>
 ParabolicFit<Lines>::ParabolicFit(const Lines& lines, std::span<const std::uint32_t> run)
-    : lines_(lines), c_(lines.direction(run[run.size() / 2])), o_(lines.point(run[run.size() / 2])), cc_(fathom::dot(c_, c_)) {
+    : lines_(lines),
+      c_(lines.direction(run[run.size() / 2])),
+      o_(lines.point(run[run.size() / 2])),
+      cc_(fathom::dot(c_, c_)) {
   inverse_cc_ = 1 / cc_;
   LineTuple<Number> first, middle, last;
   double error = 0;
-  if (!tuple(run.front(), first, error) || !tuple(run.back(), last, error) || !tuple(run[run.size() / 2], middle, error)) return;
+  if (!tuple(run.front(), first, error) || !tuple(run.back(), last, error) ||
+      !tuple(run[run.size() / 2], middle, error))
+    return;
   for (std::size_t i = 0; i < 6; ++i) {
     frame_.m[i] = (first[i] + last[i]) * 0.5;
     frame_.e[i] = (last[i] - first[i]) * 0.5;
@@ -282,7 +303,8 @@ ParabolicFit<Lines>::ParabolicFit(const Lines& lines, std::span<const std::uint3
 
 // D = (<c,c>/<d,c>) d and Q = p - t D with <Q - o, c> near 0, for the middle line (o, c).
 template <class Lines>
-[[gnu::always_inline]] inline bool ParabolicFit<Lines>::tuple(std::size_t i, LineTuple<Number>& result, double& error) const {
+[[gnu::always_inline]] inline bool ParabolicFit<Lines>::tuple(std::size_t i, LineTuple<Number>& result,
+                                                              double& error) const {
   const Vec3<Number> d = lines_.direction(i), p = lines_.point(i);
   const Number along = fathom::dot(d, c_);
   if (!(along > cc_ * 0.25)) return false;
@@ -319,7 +341,8 @@ bool ParabolicFit<Lines>::place(std::size_t i, Place& place) const {
   double error = 0;
   if (!frame_.valid || !tuple(i, x, error)) return false;
   place.s = parameter(x);
-  for (std::size_t k = 0; k < 6; ++k) place.residual[k] = x[k] - (frame_.m[k] + (frame_.e[k] + frame_.k[k] * place.s) * place.s);
+  for (std::size_t k = 0; k < 6; ++k)
+    place.residual[k] = x[k] - (frame_.m[k] + (frame_.e[k] + frame_.k[k] * place.s) * place.s);
   place.error = error + error_of_terms_;
   return true;
 }
@@ -338,10 +361,11 @@ LineFrame<typename Lines::Number> line_frame(const Lines& lines, std::span<const
   return frame;
 }
 
-// |w| <= (1 + 256u) (y0 + (y1^2 + y2^2) / (2 y0)) for the components y of w in the basis, if y0 > 0. In this basis little else than what
-// matters varies, so that the models cut off little.
+// |w| <= (1 + 256u) (y0 + (y1^2 + y2^2) / (2 y0)) for the components y of w in the basis, if y0 >
+// 0. In this basis little else than what matters varies, so that the models cut off little.
 template <class Number>
-std::optional<TaylorModel<Number>> margin_model(const LineFrame<Number>& a, const LineFrame<Number>& b, const Number& bound) {
+std::optional<TaylorModel<Number>> margin_model(const LineFrame<Number>& a, const LineFrame<Number>& b,
+                                                const Number& bound) {
   if (!a.valid || !b.valid) return std::nullopt;
   const Vec3<Number> of_a{a.m[0], a.m[1], a.m[2]}, of_b{b.m[0], b.m[1], b.m[2]};
   Basis<Number> basis;
@@ -353,8 +377,10 @@ std::optional<TaylorModel<Number>> margin_model(const LineFrame<Number>& a, cons
   const TaylorModel<Number> length = combination<Number>(1, y[0], half, y[1] * y[1] + y[2] * y[2]);
   const Models<Number> p = turned(a, 3, basis, false), q = turned(b, 3, basis, true);
   const Number rho = sqrt(bound) * (1 + Number(error_bound::frame_length<Number>));
-  TaylorModel<Number> margin = combination<Number>(1, dot<Number>({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, y), -rho, length);
-  margin.radius = taylor::rounded_up(margin.radius + error_bound::frame_volume<Number> * (margin.norm() + margin.radius));
+  TaylorModel<Number> margin =
+      combination<Number>(1, dot<Number>({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, y), -rho, length);
+  margin.radius =
+      taylor::rounded_up(margin.radius + error_bound::frame_volume<Number> * (margin.norm() + margin.radius));
   return margin;
 }
 
@@ -368,9 +394,10 @@ template class ParabolicFit<LineImages>;
 template class ParabolicFit<WideLines>;
 template LineFrame<double> line_frame(const LineImages& lines, std::span<const std::uint32_t> run);
 template LineFrame<WideFloat> line_frame(const WideLines& lines, std::span<const std::uint32_t> run);
-template std::optional<TaylorModel<double>> margin_model(const LineFrame<double>& a, const LineFrame<double>& b, const double& bound);
-template std::optional<TaylorModel<WideFloat>> margin_model(const LineFrame<WideFloat>& a, const LineFrame<WideFloat>& b,
-                                                            const WideFloat& bound);
+template std::optional<TaylorModel<double>> margin_model(const LineFrame<double>& a, const LineFrame<double>& b,
+                                                         const double& bound);
+template std::optional<TaylorModel<WideFloat>> margin_model(const LineFrame<WideFloat>& a,
+                                                            const LineFrame<WideFloat>& b, const WideFloat& bound);
 
 std::optional<std::vector<LinePair>> pairs_left(const FramedRun& rows, const FramedRun& columns, const WideFloat& bound,
                                                 const TaylorModel<WideFloat>& smooth, std::size_t most) {
@@ -382,8 +409,8 @@ std::optional<std::vector<LinePair>> pairs_left(const FramedRun& rows, const Fra
     return std::nullopt;
   }
   // A pair may be near if the sum of its parts is at most this.
-  const double size = std::max({std::fabs(of_rows.front().least), std::fabs(of_rows.back().least), std::fabs(of_columns.front().least),
-                                std::fabs(of_columns.back().least)});
+  const double size = std::max({std::fabs(of_rows.front().least), std::fabs(of_rows.back().least),
+                                std::fabs(of_columns.front().least), std::fabs(of_columns.back().least)});
   const double rest = truncated(offsets.kappa - least_of_rest(smooth));
   const double limit = rest + std::fabs(rest) * 0x1p-50 + size * 0x1p-49 + error_bound::underflow;
   std::vector<LinePair> left;

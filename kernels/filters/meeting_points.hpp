@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points where planes meet, and on which side of other planes they lie: exactly, behind a filter in binary64; or by their images alone.
-//                                                                                           [proofs/kernels.md, "Error bounds"]
+// Points where planes meet, and on which side of other planes they lie: exactly, behind a filter in
+// binary64; or by their images alone.
+//                                                               [proofs/kernels.md, "Error bounds"]
 #pragma once
 
 #include <gmpxx.h>
@@ -14,8 +15,9 @@
 
 namespace fathom::kernels {
 
-// The integers of planes through differences of lattice points, of the points where these planes meet, and of what is computed from them:
-// of any size, or of fixed size where the lattice is narrow.                                     [proofs/unions.md, "Fixed integers"]
+// The integers of planes through differences of lattice points, of the points where these planes
+// meet, and of what is computed from them: of any size, or of fixed size where the lattice is
+// narrow.                                                      [proofs/unions.md, "Fixed integers"]
 
 struct AnyNumbers {
   using OfPlane = mpz_class;
@@ -44,7 +46,8 @@ decltype(auto) as(const Vec3<From>& v) {
   else return Vec3<Integer>{as<Integer>(v.x), as<Integer>(v.y), as<Integer>(v.z)};
 }
 
-/// Both sides of a plane's equation, scaled by powers of 2; the largest component of the normal lies in [1/2, 1].
+/// Both sides of a plane's equation, scaled by powers of 2; the largest component of the normal
+/// lies in [1/2, 1].
 struct PlaneImage {
   Vec3<double> normal{};
   double height = 0;
@@ -61,12 +64,14 @@ struct OrientedPlaneIn {
 };
 using OrientedPlane = OrientedPlaneIn<AnyNumbers>;
 
-/// The plane with its normal made primitive; the plane goes through a lattice point, so that height stays an integer. Points that it is
-/// asked about have coordinates of size about 2^exponent.
+/// The plane with its normal made primitive; the plane goes through a lattice point, so that height
+/// stays an integer. Points that it is asked about have coordinates of size about 2^exponent.
 template <class Numbers = AnyNumbers>
-OrientedPlaneIn<Numbers> oriented_plane(Vec3<typename Numbers::OfPlane> normal, typename Numbers::OfPlane height, long exponent);
+OrientedPlaneIn<Numbers> oriented_plane(Vec3<typename Numbers::OfPlane> normal, typename Numbers::OfPlane height,
+                                        long exponent);
 
-/// The point v / w, w > 0, and its image, scaled by 2^-exponent: each coordinate errs by at most 2^-49 of itself, and 2^-450.
+/// The point v / w, w > 0, and its image, scaled by 2^-exponent: each coordinate errs by at most
+/// 2^-49 of itself, and 2^-450.
 template <class Numbers>
 struct RationalPointIn {
   Vec3<typename Numbers::OfPoint> v;
@@ -77,7 +82,8 @@ struct RationalPointIn {
 using RationalPoint = RationalPointIn<AnyNumbers>;
 
 template <class Numbers = AnyNumbers>
-RationalPointIn<Numbers> rational_point(const Vec3<typename Numbers::Product>& v, const typename Numbers::Product& w, long exponent);
+RationalPointIn<Numbers> rational_point(const Vec3<typename Numbers::Product>& v, const typename Numbers::Product& w,
+                                        long exponent);
 
 /// The same point in other integers.
 template <class To, class From>
@@ -106,11 +112,12 @@ int compare(const RationalPointIn<Numbers>& p, const SquaredDistanceIn<Numbers>&
 template <class Numbers>
 bool farther(const OrientedPlaneIn<Numbers>& plane, const SquaredDistanceIn<Numbers>& squared);
 
-// The points where planes meet, in binary64 with a bound on the error: for searches that ask of most such points no more than which side of
-// other planes they lie on.                                                    [proofs/kernels.md, "Points where planes meet, without
-// integers"]
+// The points where planes meet, in binary64 with a bound on the error: for searches that ask of
+// most such points no more than which side of
+// other planes they lie on.       [proofs/kernels.md, "Points where planes meet, without integers"]
 
-/// The image of a point: each coordinate errs by at most `error`. If that is no finite number, nothing is known.
+/// The image of a point: each coordinate errs by at most `error`. If that is no finite number,
+/// nothing is known.
 struct PointImage {
   Vec3<double> at{};
   double error = 0;

@@ -2,6 +2,7 @@
 #include "kernels/filters/plane.hpp"
 
 #include <CGAL/Interval_nt.h>
+
 #include <algorithm>
 
 #include "kernels/predicates/direction.hpp"
@@ -43,7 +44,8 @@ BoxedPoints::BoxedPoints(std::span<const Vector> exact) : exact_(exact) {
   }
 }
 
-Plane::Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r) : points_(&points), p_(p), q_(q), r_(r) {
+Plane::Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r)
+    : points_(&points), p_(p), q_(q), r_(r) {
   const Vec3<double> u = points.rounded(q) - points.rounded(p), v = points.rounded(r) - points.rounded(p);
   image_ = cross(u, v);
   size_ = largest(image_);
@@ -58,8 +60,8 @@ Sign Plane::rise(std::uint32_t s, std::uint32_t t) const {
   };
   const Vec3<double> step = points_->rounded(t) - points_->rounded(s);
   if (const auto sure = sure_sign(dot(image_, step), error_bound::height(size_, error_, largest(step)))) return *sure;
-  return filtered_sign(HeightOrder<ExactKernel>{}, HeightOrder<IntervalKernel>{}, Normal{*this}, PointOperand{*points_, s},
-                       PointOperand{*points_, t});
+  return filtered_sign(HeightOrder<ExactKernel>{}, HeightOrder<IntervalKernel>{}, Normal{*this},
+                       PointOperand{*points_, s}, PointOperand{*points_, t});
 }
 
 bool Plane::degenerate() const {
@@ -73,7 +75,8 @@ bool Plane::degenerate() const {
 const Vec3<DoubleInterval>& Plane::box() const {
   if (!box_) {
     const Interval::Protector upward;
-    const auto n = normal_of(to_intervals(points_->box(p_)), to_intervals(points_->box(q_)), to_intervals(points_->box(r_)));
+    const auto n =
+        normal_of(to_intervals(points_->box(p_)), to_intervals(points_->box(q_)), to_intervals(points_->box(r_)));
     box_ = {enclosure(n.x()), enclosure(n.y()), enclosure(n.z())};
   }
   return *box_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where points lie about the plane through three of them: doubles with a bound on the error, then intervals, integers when the interval
-// holds zero. For questions asked many times of one plane, among points of one set.              [proofs/kernels.md, "Plain doubles"]
+// Where points lie about the plane through three of them: doubles with a bound on the error, then
+// intervals, integers when the interval holds zero. For questions asked many times of one plane,
+// among points of one set.                                     [proofs/kernels.md, "Plain doubles"]
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,9 @@ class BoxedPoints {
   std::vector<Vec3<double>> images_;
 };
 
-/// The oriented plane through points p, q, r; n = (q - p) x (r - p) points to the side from which they appear counter-clockwise.
-/// Refers to the points, which must outlive it. Not to be shared between threads: answers are remembered.
+/// The oriented plane through points p, q, r; n = (q - p) x (r - p) points to the side from which
+/// they appear counter-clockwise. Refers to the points, which must outlive it. Not to be shared
+/// between threads: answers are remembered.
 class Plane {
  public:
   Plane(const BoxedPoints& points, std::uint32_t p, std::uint32_t q, std::uint32_t r);
@@ -49,14 +51,16 @@ class Plane {
 
   const BoxedPoints* points_;
   std::uint32_t p_, q_, r_;
-  Vec3<double> image_;                               // of n, up to the points' scale
-  double size_, error_;                              // the image's largest component, and a bound on the error of each
-  mutable std::optional<Vec3<DoubleInterval>> box_;  // of n, in the same scale. Computed when the image is unsure for the first time
-  mutable std::optional<Vector> normal_;             // Computed when the box is unsure for the first time
+  Vec3<double> image_;   // of n, up to the points' scale
+  double size_, error_;  // the image's largest component, and a bound on the error of each
+  mutable std::optional<Vec3<DoubleInterval>>
+      box_;  // of n, in the same scale. Computed when the image is unsure for the first time
+  mutable std::optional<Vector> normal_;  // Computed when the box is unsure for the first time
 };
 
-/// The points as seen along coordinate `axis` (0, 1, 2 for x, y, z) from its positive end, where the two coordinates that follow it
-/// cyclically point right and up: positive if p, q, r turn left, zero if they lie on one line.
+/// The points as seen along coordinate `axis` (0, 1, 2 for x, y, z) from its positive end, where
+/// the two coordinates that follow it cyclically point right and up: positive if p, q, r turn left,
+/// zero if they lie on one line.
 Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r);
 
 }  // namespace fathom::kernels

@@ -36,6 +36,8 @@ std::optional<Sign> RoundedPlane::side(const Vec3<double>& s) const {
   return sure_sign(dot(n_, w), error(largest(w)));
 }
 
-bool RoundedPlane::surely_beyond(double radius) const { return height_ > 0 && height_ > radius * length_ * error_bound::raised_root; }
+bool RoundedPlane::surely_beyond(double radius) const {
+  return height_ > 0 && height_ > radius * length_ * error_bound::raised_root;
+}
 
 }  // namespace fathom::kernels

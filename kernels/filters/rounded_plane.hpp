@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an expanding polytope asks in binary64: planes through three points, with a bound on their error, which return the answers that are
-// certain and say when none is; and the images of integers in place.
+// What an expanding polytope asks in binary64: planes through three points, with a bound on their
+// error, which return the answers that are certain and say when none is; and the images of integers
+// in place.
 #pragma once
 
 #include <algorithm>
@@ -9,27 +10,30 @@
 #include <optional>
 
 #include "kernels/filters/error_bounds.hpp"
-#include "kernels/vector.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 
-/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it. `numerator` >= 0, `denominator` > 0.
+/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it.
+/// `numerator` >= 0, `denominator` > 0.
 double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent);
 inline double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
   return root_from_above(numerator.get_mpz_t(), denominator.get_mpz_t(), exponent);
 }
 
-/// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of size at most 2; n = (q - p) x (r - p).
-/// What it says of sides and of distance holds for the exact points, in every rounding mode.          [proofs/kernels.md]
+/// The oriented plane through points p, q, r of which only images are known, within 2^-52 and of
+/// size at most 2; n = (q - p) x (r - p). What it says of sides and of distance holds for the exact
+/// points, in every rounding mode.                                              [proofs/kernels.md]
 class RoundedPlane {
  public:
   RoundedPlane(const Vec3<double>& p, const Vec3<double>& q, const Vec3<double>& r);
 
   /// The sign of <n, s - p>; nullopt if unsure.
   [[nodiscard]] std::optional<Sign> side(const Vec3<double>& s) const;
-  /// True only if <n, p> > radius * |n| for certain: O lies below the plane, farther from it than `radius` >= 0.
+  /// True only if <n, p> > radius * |n| for certain: O lies below the plane, farther from it than
+  /// `radius` >= 0.
   [[nodiscard]] bool surely_beyond(double radius) const;
   /// An estimate of <n, p> / |n|, finite, without an error bound.
   [[nodiscard]] double estimated_distance() const { return distance_; }
@@ -71,8 +75,10 @@ double image(const FixedInteger<Bits>& c, long exponent) {
 inline double image(std::int64_t c, long exponent) {
   const std::uint64_t magnitude = c < 0 ? -static_cast<std::uint64_t>(c) : static_cast<std::uint64_t>(c);
   const int beyond = 11 - std::countl_zero(magnitude);  // bits beyond 53
-  const std::int64_t kept = beyond > 0 ? static_cast<std::int64_t>(magnitude >> beyond << beyond) : static_cast<std::int64_t>(magnitude);
-  const double scaled = static_cast<double>(kept) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
+  const std::int64_t kept =
+      beyond > 0 ? static_cast<std::int64_t>(magnitude >> beyond << beyond) : static_cast<std::int64_t>(magnitude);
+  const double scaled =
+      static_cast<double>(kept) * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
   return c < 0 ? -scaled : scaled;
 }
 
@@ -106,7 +112,8 @@ DirectionImage direction_image_for(const Vec3<FixedInteger<Bits>>& u, long expon
   return {v.x, v.y, v.z, slack_of(bits + exponent)};
 }
 
-/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it, as that of mpz_class does.
+/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it,
+/// as that of mpz_class does.
 template <unsigned Bits>
 double root_from_above(const FixedInteger<Bits>& numerator, const FixedInteger<Bits>& denominator, long exponent) {
   mpz_t n, d;

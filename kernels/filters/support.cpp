@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The support function of a finite point set: a filter in binary64 over all points, exact arithmetic for the few it leaves undecided.
-// [proofs/kernels.md, "Error bounds"]
+// The support function of a finite point set: a filter in binary64 over all points, exact
+// arithmetic for the few it leaves undecided. [proofs/kernels.md, "Error bounds"]
 #include "kernels/filters/support.hpp"
 
 #include <algorithm>
@@ -11,14 +11,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/filters/plane.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/predicates/direction.hpp"
-#include "kernels/filters/plane.hpp"
 
 namespace fathom::kernels {
 namespace {
 
-constexpr std::size_t block_size = 128;  // of points: small enough that a second look is cheap, large enough to skip well
+constexpr std::size_t block_size =
+    128;  // of points: small enough that a second look is cheap, large enough to skip well
 
 // The least e >= 0 with |c| <= 2^e.
 long exponent_of(const mpz_class& c) {
@@ -31,7 +32,8 @@ long exponent_of(const mpz_class& c) {
 Vec3<long> exponents_of(std::span<const Vector> points) {
   Vec3<long> e{0, 0, 0};
   const auto cover = [](long& exponent, const mpz_class& c) {
-    if (mpz_sizeinbase(c.get_mpz_t(), 2) > static_cast<std::size_t>(exponent)) exponent = std::max(exponent, exponent_of(c));
+    if (mpz_sizeinbase(c.get_mpz_t(), 2) > static_cast<std::size_t>(exponent))
+      exponent = std::max(exponent, exponent_of(c));
   };
   for (const Vector& p : points) {
     cover(e.x, p.x);
@@ -61,7 +63,8 @@ struct Values {
   }
 };
 
-// A vector type of the compiler, since the order of the maxima is ours to choose and -O2 would not choose it.
+// A vector type of the compiler, since the order of the maxima is ours to choose and -O2 would not
+// choose it.
 typedef double Lanes __attribute__((vector_size(16)));
 
 double greatest(const Images& images, const DirectionImage& u, std::size_t begin, std::size_t end) {
@@ -89,7 +92,8 @@ void find_maxima(const Images& images, const DirectionImage& u, std::vector<doub
 
 // Calls visit(index, value) for every point whose computed value is at least `level`, in order.
 template <class Visit>
-void visit_from(const Images& images, const DirectionImage& u, const std::vector<double>& maxima, double level, Visit visit) {
+void visit_from(const Images& images, const DirectionImage& u, const std::vector<double>& maxima, double level,
+                Visit visit) {
   const Values<double> value{u.x, u.y, u.z};
   for (std::size_t block = 0; block < maxima.size(); ++block) {
     if (maxima[block] < level) continue;
@@ -126,7 +130,8 @@ mpz_class shifted(const mpz_class& c, long exponent) { return c << static_cast<m
 double slack_of(long bits) { return bits + 2 <= 53 ? 0 : 2 * error_bound::product; }
 
 PointCloud::PointCloud(std::vector<Vector> points, long exponent) : points_(std::move(points)), exponent_(exponent) {
-  if (exponent < binary_exponent(points_)) throw std::invalid_argument("the exponent of a point cloud is below that of its points");
+  if (exponent < binary_exponent(points_))
+    throw std::invalid_argument("the exponent of a point cloud is below that of its points");
   make_images({exponent, exponent, exponent});
 }
 
@@ -213,7 +218,8 @@ std::uint32_t likely_extreme_point(const Images& images, const Vec3<double>& u) 
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u) {
   std::vector<std::uint32_t> extreme;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const mpz_class ahead = extreme.empty() ? mpz_class(1) : mpz_class(dot(u, points[i]) - dot(u, points[extreme.front()]));
+    const mpz_class ahead =
+        extreme.empty() ? mpz_class(1) : mpz_class(dot(u, points[i]) - dot(u, points[extreme.front()]));
     if (ahead > 0) extreme.clear();
     if (ahead >= 0) extreme.push_back(i);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The support function of a finite point set, by a filtered linear scan; and what a walk to an extreme point asks of two or three points.
+// The support function of a finite point set, by a filtered linear scan; and what a walk to an
+// extreme point asks of two or three points.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +12,21 @@
 
 namespace fathom::kernels {
 
-/// The binary64 images of points, one array per coordinate. Each lies in [-1, 1], within 2^-52 of the scaled coordinate.
+/// The binary64 images of points, one array per coordinate. Each lies in [-1, 1], within 2^-52 of
+/// the scaled coordinate.
 struct Images {
   std::span<const double> x, y, z;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-/// The image of a direction: components in [-1, 1], within 2^-53 of those of the exact direction after scaling.
+/// The image of a direction: components in [-1, 1], within 2^-53 of those of the exact direction
+/// after scaling.
 struct DirectionImage {
   double x, y, z;
   double slack;  ///< how much less than the greatest computed value that of the farthest point can be
 };
-/// The slack for directions of which `bits` bounds bits of a component and of a coordinate together: 0 if all is exact in binary64.
+/// The slack for directions of which `bits` bounds bits of a component and of a coordinate
+/// together: 0 if all is exact in binary64.
 [[nodiscard]] double slack_of(long bits);
 
 /// What a scan needs to remember; reused, it allocates nothing.
@@ -31,20 +35,22 @@ struct ScanMemory {
   std::vector<std::uint32_t> near;  // the result
 };
 
-/// Sets `memory.near` to the indices, ascending, of all points that may be extreme in direction u: those within the slack of the greatest
-/// value. If the slack is 0 they are extreme. There must be a point.
+/// Sets `memory.near` to the indices, ascending, of all points that may be extreme in direction u:
+/// those within the slack of the greatest value. If the slack is 0 they are extreme. There must be
+/// a point.
 void near_extreme(const Images& images, const DirectionImage& u, ScanMemory& memory);
 
-/// Returns the index of a point that is extreme in direction u by its image, without a guarantee; of several the lowest. There must be a
-/// point.
+/// Returns the index of a point that is extreme in direction u by its image, without a guarantee;
+/// of several the lowest. There must be a point.
 std::uint32_t likely_extreme_point(const Images& images, const Vec3<double>& u);
 
-/// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of coordinate * 2^-(axis exponent).
+/// Integer points and their binary64 images. Image coordinates lie in [-1, 1], each within 2^-52 of
+/// coordinate * 2^-(axis exponent).
 class PointCloud {
  public:
   PointCloud() = default;
-  /// With one exponent for all axes, so that clouds can share it. Throws std::invalid_argument if it is less than binary_exponent(points):
-  /// images must stay in [-1, 1].
+  /// With one exponent for all axes, so that clouds can share it. Throws std::invalid_argument if
+  /// it is less than binary_exponent(points): images must stay in [-1, 1].
   PointCloud(std::vector<Vector> points, long exponent);
   /// With the least exponent for each axis: a body stretched along the axes looks like others.
   explicit PointCloud(std::vector<Vector> points);
@@ -72,14 +78,16 @@ class PointCloud {
 long binary_exponent(std::span<const Vector> points);
 inline long binary_exponent(const Vector& v) { return binary_exponent(std::span(&v, 1)); }
 
-/// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations and exact ones only for near ties.
-/// u may be zero (then every point is extreme). An empty cloud gives an empty list.
+/// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations and exact
+/// ones only for near ties. u may be zero (then every point is extreme). An empty cloud gives an
+/// empty list.
 std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u);
 
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
 
-/// Returns those of `listed` whose value is greatest, in their order. `set(value, i)` writes the value of i, a Number.
+/// Returns those of `listed` whose value is greatest, in their order. `set(value, i)` writes the
+/// value of i, a Number.
 template <class Number, class Set>
 std::vector<std::uint32_t> greatest(std::span<const std::uint32_t> listed, const Set& set) {
   std::vector<std::uint32_t> result;
@@ -101,13 +109,14 @@ std::vector<std::uint32_t> greatest(std::span<const std::uint32_t> listed, const
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);
 std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k);
 
-/// Returns those of `listed` whose value// Points of one cloud as they appear with a direction u pointing up: who is higher, and who lies
-/// to which side as seen from a third.
+/// Returns those of `listed` whose value// Points of one cloud as they appear with a direction u
+/// pointing up: who is higher, and who lies to which side as seen from a third.
 // Binary64 first, exact integers when it is unsure.
 
-/// Projects along a generic direction to a plane in which u points up: coordinates (<t,p>, <u,p>) with t = e_i + epsilon e_j, where
-/// epsilon is a positive infinitesimal and u, e_i, e_j are linearly independent. So only the null vector projects to 0, and two
-/// vectors project to parallel ones only if they are parallel themselves or both level.
+/// Projects along a generic direction to a plane in which u points up: coordinates (<t,p>, <u,p>)
+/// with t = e_i + epsilon e_j, where epsilon is a positive infinitesimal and u, e_i, e_j are
+/// linearly independent. So only the null vector projects to 0, and two vectors project to parallel
+/// ones only if they are parallel themselves or both level.
 class PlanarView {
  public:
   /// u must not be zero; the cloud must outlive the view.
@@ -115,7 +124,8 @@ class PlanarView {
 
   /// The sign of <u, q - p>: positive if q is higher.
   [[nodiscard]] Sign rise(std::uint32_t p, std::uint32_t q) const;
-  /// Positive if the way from o to q appears to the left of the way from o to p; zero if they are parallel, or both level.
+  /// Positive if the way from o to q appears to the left of the way from o to p; zero if they are
+  /// parallel, or both level.
   [[nodiscard]] Sign turn(std::uint32_t o, std::uint32_t p, std::uint32_t q) const;
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integers of bounded size that live in place: no allocation, no pointer. Sign and magnitude, like GMP's, and over GMP's own mpn functions;
-// what fits one limb is done without a call.                                                          [proofs/number.md, "Fixed integers"]
+// Integers of bounded size that live in place: no allocation, no pointer. Sign and magnitude, like
+// GMP's, and over GMP's own mpn functions; what fits one limb is done without a call.
+//                                                              [proofs/number.md, "Fixed integers"]
 #pragma once
 
 #include <gmpxx.h>
@@ -15,8 +16,9 @@ namespace fathom::kernels {
 
 static_assert(GMP_LIMB_BITS == 64 && GMP_NAIL_BITS == 0, "limbs have 64 bits");
 
-/// An integer of at most `Bits` bits and a sign. Only the limbs in use are touched, so a wide type costs memory and no time. Sums and
-/// products are exact; one that needs more than `Bits` + 64 bits throws std::overflow_error, and whoever computes proves that none does.
+/// An integer of at most `Bits` bits and a sign. Only the limbs in use are touched, so a wide type
+/// costs memory and no time. Sums and products are exact; one that needs more than `Bits` + 64 bits
+/// throws std::overflow_error, and whoever computes proves that none does.
 template <unsigned Bits>
 class FixedInteger {
  public:
@@ -25,7 +27,10 @@ class FixedInteger {
   static constexpr int capacity = static_cast<int>(Bits / 64) + 1;
 
   FixedInteger() = default;
-  FixedInteger(long value) : size_(value == 0 ? 0 : value < 0 ? -1 : 1) {  // NOLINT(google-explicit-constructor): as mpz_class
+  FixedInteger(long value)
+      : size_(value == 0  ? 0
+              : value < 0 ? -1
+                          : 1) {  // NOLINT(google-explicit-constructor): as mpz_class
     limbs_[0] = value < 0 ? -static_cast<mp_limb_t>(value) : static_cast<mp_limb_t>(value);
   }
   explicit FixedInteger(const mpz_class& value) {

@@ -9,7 +9,8 @@ namespace fathom::kernels {
 
 Monomial operator*(Monomial s, Monomial t) {
   for (unsigned k = 1; k <= Monomial::variables; ++k) {
-    if (s.exponent(k) + t.exponent(k) > Monomial::largest_exponent) throw std::overflow_error("exponent of an infinitesimal");
+    if (s.exponent(k) + t.exponent(k) > Monomial::largest_exponent)
+      throw std::overflow_error("exponent of an infinitesimal");
   }
   Monomial product;
   product.packed_ = s.packed_ + t.packed_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ordered ring Z[e1, ..., ek] of infinitesimals: 1 >> e1 >> e2 >> ..., each positive and smaller than any positive power of the one
-// before.                                                                                  [proofs/perturbation.md]
+// The ordered ring Z[e1, ..., ek] of infinitesimals: 1 >> e1 >> e2 >> ..., each positive and
+// smaller than any positive power of the one before.                       [proofs/perturbation.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -14,8 +14,9 @@
 
 namespace fathom::kernels {
 
-/// A product of powers of infinitesimals, packed so that comparing the packed numbers compares sizes: the exponent of the smallest
-/// infinitesimal stands in the highest bits. A lower number is a larger monomial; 0 is the monomial 1.
+/// A product of powers of infinitesimals, packed so that comparing the packed numbers compares
+/// sizes: the exponent of the smallest infinitesimal stands in the highest bits. A lower number is
+/// a larger monomial; 0 is the monomial 1.
 class Monomial {
  public:
   static constexpr unsigned variables = 12;  ///< e1, ..., e12
@@ -23,8 +24,10 @@ class Monomial {
   static constexpr unsigned largest_exponent = 31;
 
   constexpr Monomial() = default;
-  /// e_k to the power `exponent`, 1 <= k <= 12 and exponent <= 31: constants of the caller, not checked.
-  constexpr explicit Monomial(unsigned k, unsigned exponent = 1) : packed_(std::uint64_t{exponent} << (bits * (k - 1))) {}
+  /// e_k to the power `exponent`, 1 <= k <= 12 and exponent <= 31: constants of the caller, not
+  /// checked.
+  constexpr explicit Monomial(unsigned k, unsigned exponent = 1)
+      : packed_(std::uint64_t{exponent} << (bits * (k - 1))) {}
 
   [[nodiscard]] constexpr unsigned exponent(unsigned k) const { return packed_ >> (bits * (k - 1)) & largest_exponent; }
   /// Throws std::overflow_error when an exponent would exceed the largest.
@@ -44,8 +47,9 @@ class Monomial {
   std::uint64_t packed_ = 0;
 };
 
-/// A sparse polynomial in the infinitesimals with integer coefficients; its sign is that of the coefficient of its largest monomial.
-/// A commutative ordered ring without zero divisors: s < t implies s + u < t + u, and s, t > 0 imply s t > 0. Exact.
+/// A sparse polynomial in the infinitesimals with integer coefficients; its sign is that of the
+/// coefficient of its largest monomial. A commutative ordered ring without zero divisors: s < t
+/// implies s + u < t + u, and s, t > 0 imply s t > 0. Exact.
 class Infinitesimal {
  public:
   using Term = std::pair<Monomial, mpz_class>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL's traits of the ring of infinitesimals: an integral domain without division, ordered like the reals. With them
-// CGAL::Simple_cartesian<Infinitesimal> is a kernel for every construction and predicate that does not divide: no intersections.
+// CGAL's traits of the ring of infinitesimals: an integral domain without division, ordered like
+// the reals. With them CGAL::Simple_cartesian<Infinitesimal> is a kernel for every construction and
+// predicate that does not divide: no intersections.
 #pragma once
 
 #include <CGAL/Algebraic_structure_traits.h>

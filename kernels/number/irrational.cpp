@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surds, cosines and sines: each is enclosed, and the enclosure refined until both of its ends round alike (Ziv's strategy). This ends,
-// since an irrational number never lies on the border between two roundings; a rational one is rounded directly.  [proofs/number.md]
+// Surds, cosines and sines: each is enclosed, and the enclosure refined until both of its ends
+// round alike (Ziv's strategy). This ends,
+// since an irrational number never lies on the border between two roundings; a rational one is
+// rounded directly.  [proofs/number.md]
 #include "kernels/number/irrational.hpp"
 
 #include <mpfr.h>
@@ -76,7 +78,8 @@ class Mpfr {
   mpfr_t value_;
 };
 
-/// MPFR's exponent range belongs to the thread and may have been narrowed: the whole range for a while.
+/// MPFR's exponent range belongs to the thread and may have been narrowed: the whole range for a
+/// while.
 class WholeRange {
  public:
   WholeRange() : least_(mpfr_get_emin()), greatest_(mpfr_get_emax()) {
@@ -94,8 +97,9 @@ class WholeRange {
   mpfr_exp_t least_, greatest_;
 };
 
-// Decimals around a surd. MPFR, always rounding down, yields the digits of a number just below the value; the exact comparison with two
-// neighbouring decimals then decides. Nothing returned from here rests on a floating-point result.
+// Decimals around a surd. MPFR, always rounding down, yields the digits of a number just below the
+// value; the exact comparison with two neighbouring decimals then decides. Nothing returned from
+// here rests on a floating-point result.
 
 /// digits * 10^exponent.
 struct Decimal {
@@ -114,8 +118,8 @@ void set_below(Mpfr& result, const Surd& value, mpfr_prec_t precision) {
   else mpfr_add(result.get(), result.get(), root.get(), MPFR_RNDD);
 }
 
-/// A decimal of exactly `count` digits below or at the value > 0; the next one or the one after is above it if the precision suffices:
-/// see proofs/number.md.
+/// A decimal of exactly `count` digits below or at the value > 0; the next one or the one after is
+/// above it if the precision suffices: see proofs/number.md.
 std::optional<Decimal> decimal_below(const Surd& value, std::size_t count, mpfr_prec_t precision) {
   const WholeRange range;
   Mpfr below(precision);
@@ -145,16 +149,19 @@ Decimal next(Decimal decimal, std::size_t count) {
   return decimal;
 }
 
-/// The sign of value - decimal. In integers, over the common denominator of the decimal and the rational part.
+/// The sign of value - decimal. In integers, over the common denominator of the decimal and the
+/// rational part.
 int compare(const Surd& value, const Decimal& decimal) {
-  const mpz_class power = power_of_ten(static_cast<std::size_t>(decimal.exponent < 0 ? -decimal.exponent : decimal.exponent));
+  const mpz_class power =
+      power_of_ten(static_cast<std::size_t>(decimal.exponent < 0 ? -decimal.exponent : decimal.exponent));
   mpz_class unit = value.rational.get_den(), rational = value.rational.get_num(), digits = decimal.digits * unit;
   if (decimal.exponent < 0) (unit *= power, rational *= power);
   else digits *= power;
   rational -= digits;
   const int a = sgn(rational), b = sgn(value.root);
   if (a * b >= 0) return a != 0 ? a : b;
-  const int larger = cmp(mpz_class(rational * rational * value.root.get_den()), mpz_class(abs(value.root.get_num()) * unit * unit));
+  const int larger =
+      cmp(mpz_class(rational * rational * value.root.get_den()), mpz_class(abs(value.root.get_num()) * unit * unit));
   return larger == 0 ? 0 : larger > 0 ? a : b;
 }
 
@@ -201,9 +208,11 @@ Enclosure decimals_around(const Surd& value, std::size_t digits) {
   }
 }
 
-// By Niven's theorem the sine of a rational number of degrees is rational at odd multiples of 30 and at multiples of 90 alone, hence the
-// cosine at multiples of 60 and of 90; of a rational number of radians both are transcendental but at 0 (Lindemann). Elsewhere a value is
-// therefore no number of 53 bits, nor between two such in the middle, and enough precision tells to which it is nearest.
+// By Niven's theorem the sine of a rational number of degrees is rational at odd multiples of 30
+// and at multiples of 90 alone, hence the cosine at multiples of 60 and of 90; of a rational number
+// of radians both are transcendental but at 0 (Lindemann). Elsewhere a value is therefore no number
+// of 53 bits, nor between two such in the middle, and enough precision tells to which it is
+// nearest.
 
 using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
@@ -331,7 +340,9 @@ int sign(const Surd& value) {
 
 int compare(const Surd& left, const mpq_class& right) { return sign({left.rational - right, left.root}); }
 
-int compare(const Surd& left, const Surd& right) { return kernels::sign_of_sum(left.rational - right.rational, left.root, -right.root); }
+int compare(const Surd& left, const Surd& right) {
+  return kernels::sign_of_sum(left.rational - right.rational, left.root, -right.root);
+}
 
 double round_binary64(const Surd& value, Rounding mode) {
   const kernels::DefaultFloatEnvironment environment;

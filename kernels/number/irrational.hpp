@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real numbers that are no rationals: between two rationals, as sums with a square root, and as values of cosine and sine.
-//                                                                                                            [proofs/number.md]
+// Real numbers that are no rationals: between two rationals, as sums with a square root, and as
+// values of cosine and sine.
+//                                                                                [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -18,8 +19,12 @@ struct RationalInterval {
   mpq_class low, high;
 };
 
-inline RationalInterval operator+(const RationalInterval& x, const RationalInterval& y) { return {x.low + y.low, x.high + y.high}; }
-inline RationalInterval operator-(const RationalInterval& x, const RationalInterval& y) { return {x.low - y.high, x.high - y.low}; }
+inline RationalInterval operator+(const RationalInterval& x, const RationalInterval& y) {
+  return {x.low + y.low, x.high + y.high};
+}
+inline RationalInterval operator-(const RationalInterval& x, const RationalInterval& y) {
+  return {x.low - y.high, x.high - y.low};
+}
 inline RationalInterval operator-(const RationalInterval& x) { return {-x.high, -x.low}; }
 /// min(x, y), and max(x, 0).
 inline RationalInterval lesser(const RationalInterval& x, const RationalInterval& y) {
@@ -36,8 +41,8 @@ RationalInterval quotient(const RationalInterval& x, const RationalInterval& y);
 /// Encloses the value, its root to `bits` bits or one more; a rational value is known.
 RationalInterval enclosed(const Surd& value, unsigned bits);
 
-// More about sums of a rational and square roots than fathom/numbers.hpp offers. With it the judge tells how far a claimed number is from
-// a depth, which is a root.
+// More about sums of a rational and square roots than fathom/numbers.hpp offers. With it the judge
+// tells how far a claimed number is from a depth, which is a root.
 
 /// Returns the signed root of x, if it is rational.
 std::optional<mpq_class> rational_root(const mpq_class& x);
@@ -51,7 +56,8 @@ std::string exact_surd_text(const Surd& value);
 /// Returns the exact sign of rational + signed root of x + signed root of y.
 int sign_of_sum(const mpq_class& rational, const mpq_class& x, const mpq_class& y);
 
-/// Correctly rounded to nearest, ties to even; infinite beyond binary64. A value that rounds to zero gives +0.
+/// Correctly rounded to nearest, ties to even; infinite beyond binary64. A value that rounds to
+/// zero gives +0.
 double nearest_binary64(const Surd& value);
 
 /// sqrt(value), rounded in the same way. Throws std::domain_error when the value is negative.
@@ -63,8 +69,8 @@ struct CosineAndSine {
   mpq_class cosine, sine;
 };
 
-/// Returns the cosine and the sine of the angle, each rounded to the nearest number of 53 bits, whatever its exponent. They are exact where
-/// they can be: at multiples of 30 degrees.
+/// Returns the cosine and the sine of the angle, each rounded to the nearest number of 53 bits,
+/// whatever its exponent. They are exact where they can be: at multiples of 30 degrees.
 CosineAndSine cosine_and_sine(const mpq_class& angle, AngleUnit unit);
 
 }  // namespace fathom::kernels

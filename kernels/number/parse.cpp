@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One scan serves decimals and hex floats: digits, point, digits, exponent. GMP sees nothing but checked digits.
+// One scan serves decimals and hex floats: digits, point, digits, exponent. GMP sees nothing but
+// checked digits.
 #include "kernels/number/parse.hpp"
 
 #include <algorithm>
@@ -16,8 +17,10 @@
 
 namespace fathom::kernels {
 
-// GMP takes and yields longs. Exponents up to 10^15 are longs here, and 64-bit numbers go into GMP as longs in other rooms.
-static_assert(std::numeric_limits<long>::digits >= 63, "fathom needs a long of 64 bits; verify/check alone does without");
+// GMP takes and yields longs. Exponents up to 10^15 are longs here, and 64-bit numbers go into GMP
+// as longs in other rooms.
+static_assert(std::numeric_limits<long>::digits >= 63,
+              "fathom needs a long of 64 bits; verify/check alone does without");
 
 namespace {
 
@@ -47,7 +50,8 @@ struct Scan {
   std::string fault;  ///< empty unless the token is malformed
 };
 
-/// The exponent with these digits, saturated at 10^15: no token is so long that its places could make up for that.
+/// The exponent with these digits, saturated at 10^15: no token is so long that its places could
+/// make up for that.
 long saturated_exponent(bool negative, std::string_view digits) {
   constexpr long bound = 1'000'000'000'000'000;
   long value = 0;
@@ -124,7 +128,8 @@ ParsedNumber exact_decimal(Scan scanned) {
 
 ParsedNumber binary64_decimal(Scan scanned) {
   const Decimal decimal(std::move(scanned));
-  // Far outside the range of binary64 the answer is known without the power of ten, which may be huge.
+  // Far outside the range of binary64 the answer is known without the power of ten, which may be
+  // huge.
   if (decimal.digits.empty() || decimal.magnitude() < -330) return {mpq_class(0), {}};
   const double rounded = decimal.magnitude() > 310 ? HUGE_VAL : round_binary64(decimal.fraction(), Rounding::rn);
   if (std::isinf(rounded)) return refused("beyond binary64");
@@ -155,7 +160,9 @@ ParsedNumber parse_hex(std::string_view text) {
 }
 
 ParsedNumber parse_ratio(std::string_view numerator, std::string_view denominator) {
-  const auto all_digits = [](std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_decimal_digit); };
+  const auto all_digits = [](std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, is_decimal_digit);
+  };
   if (!all_digits(numerator)) return refused("expected digits only before '/'");
   if (!all_digits(denominator)) return refused("expected digits only after '/'");
   mpq_class value(whole_number(numerator, 10), whole_number(denominator, 10));
@@ -180,8 +187,9 @@ ParsedNumber parse_unsigned(std::string_view text, Decimals decimals) {
 
 }  // namespace
 
-// std::from_chars rounds correctly, but some of its shortcuts follow the rounding mode that an interval filter may have set.
-// Falls back to parse_number for inf, nan, integers over 53 bits and underflow.
+// std::from_chars rounds correctly, but some of its shortcuts follow the rounding mode that an
+// interval filter may have set. Falls back to parse_number for inf, nan, integers over 53 bits and
+// underflow.
 std::optional<double> quick_number(std::string_view token, Decimals decimals) {
   constexpr long exact_up_to = 1L << 53;
   constexpr std::size_t short_enough = 64;
@@ -208,8 +216,8 @@ namespace fathom {
 ParsedNumber parse_number(std::string_view token, Decimals decimals) {
   if (token.empty()) return kernels::refused("expected a number, found nothing");
   if (token.size() > longest_number) {
-    return kernels::refused("expected a number, found " + kernels::shown(token) + ": longer than " + std::to_string(longest_number) +
-                            " characters");
+    return kernels::refused("expected a number, found " + kernels::shown(token) + ": longer than " +
+                            std::to_string(longest_number) + " characters");
   }
   const bool negative = token.front() == '-';
   ParsedNumber result = kernels::parse_unsigned(token.substr(kernels::is_sign(token.front()) ? 1 : 0), decimals);

@@ -9,8 +9,9 @@
 
 namespace fathom::kernels {
 
-/// Returns the value of parse_number(token, decimals), its naive twin, in binary64; or nullopt, and parse_number has to read the token.
-/// Reads decimals only in binary64 mode and while rounding is to nearest.
+/// Returns the value of parse_number(token, decimals), its naive twin, in binary64; or nullopt, and
+/// parse_number has to read the token. Reads decimals only in binary64 mode and while rounding is
+/// to nearest.
 std::optional<double> quick_number(std::string_view token, Decimals decimals);
 
 }  // namespace fathom::kernels

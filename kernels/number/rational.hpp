@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational numbers: in lowest terms, and as a word of bits times a power of two, which is what binary64 holds.
+// Rational numbers: in lowest terms, and as a word of bits times a power of two, which is what
+// binary64 holds.
 #pragma once
 
 #include <gmpxx.h>
@@ -19,9 +20,11 @@ inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
   return result;
 }
 
-// All exact arithmetic relies on lowest terms, which the public functions check: GMP computes wrongly with mpq_class(2, -4).
+// All exact arithmetic relies on lowest terms, which the public functions check: GMP computes
+// wrongly with mpq_class(2, -4).
 
-/// Returns whether the number is in lowest terms over a positive denominator, as mpq_class::canonicalize leaves it.
+/// Returns whether the number is in lowest terms over a positive denominator, as
+/// mpq_class::canonicalize leaves it.
 bool in_lowest_terms(const mpq_class& value);
 
 /// Throws std::invalid_argument unless it is.
@@ -50,12 +53,12 @@ inline Dyadic dyadic(double value) {
   return normalised(bits >> 63 != 0 ? -magnitude : magnitude, std::max(biased, 1L) - 1075);
 }
 
-/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a positive denominator, or has a
-/// numerator of 2^63 or more.
+/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a
+/// positive denominator, or has a numerator of 2^63 or more.
 std::optional<Dyadic> dyadic(const mpq_class& value);
 
-/// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its range. Not in line: there g++ 12.2
-/// leaves two out of three coordinates as they are.
+/// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its
+/// range. Not in line: there g++ 12.2 leaves two out of three coordinates as they are.
 double nearest_binary32(double value);
 
 /// The number in binary64; nullopt if it is none.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and whether anything was cut off. These
-// two decide every mode. For a root, floor(sqrt(x)) = isqrt(floor(x)) makes the same cut exact.
+// Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and
+// whether anything was cut off. These two decide every mode. For a root, floor(sqrt(x)) =
+// isqrt(floor(x)) makes the same cut exact.
 #include "kernels/number/rounding.hpp"
 
 #include <algorithm>
@@ -20,15 +21,16 @@
 namespace fathom::kernels {
 namespace {
 
-/// A binary format: its finite numbers are m 2^e with |m| < 2^precision, e >= least_exponent and |m 2^e| < 2^top.
+/// A binary format: its finite numbers are m 2^e with |m| < 2^precision, e >= least_exponent and |m
+/// 2^e| < 2^top.
 struct Format {
   long precision, least_exponent, top;
 };
 constexpr Format binary64{53, -1074, 1024};
 constexpr Format binary32{24, -149, 128};
 
-/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells whether v is not the left end. `bits` has at
-/// most two bits more than the precision.
+/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells
+/// whether v is not the left end. `bits` has at most two bits more than the precision.
 struct Cut {
   std::uint64_t bits;
   long exponent;
@@ -48,8 +50,11 @@ mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {
 /// 2^(k-1) < q < 2^(k+1). For q > 0.
 long magnitude(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
 
-/// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of the format's least number.
-long cut_exponent(long low, const Format& format) { return std::max(low - format.precision, format.least_exponent - 1); }
+/// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of
+/// the format's least number.
+long cut_exponent(long low, const Format& format) {
+  return std::max(low - format.precision, format.least_exponent - 1);
+}
 
 static_assert(sizeof(unsigned long) >= sizeof(Cut::bits), "get_ui() would lose bits");
 
@@ -71,20 +76,25 @@ Cut cut_root(const mpq_class& q, const Format& format) {
   return cut;
 }
 
-/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives it. The cut may be one for a finer format.
+/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives
+/// it. The cut may be one for a finer format.
 std::uint64_t rounded_significand(const Cut& cut, const Format& format, Rounding mode, long& exponent) {
   // The half bit, and what lies below it.
-  const long dropped = std::max(static_cast<long>(std::bit_width(cut.bits)) - format.precision, format.least_exponent - cut.exponent);
+  const long dropped =
+      std::max(static_cast<long>(std::bit_width(cut.bits)) - format.precision, format.least_exponent - cut.exponent);
   exponent = cut.exponent + dropped;
-  if (dropped > std::numeric_limits<std::uint64_t>::digits) return mode == Rounding::ru && (cut.bits != 0 || cut.rest) ? 1 : 0;
+  if (dropped > std::numeric_limits<std::uint64_t>::digits)
+    return mode == Rounding::ru && (cut.bits != 0 || cut.rest) ? 1 : 0;
   const std::uint64_t half_bit = std::uint64_t{1} << (dropped - 1);
   std::uint64_t significand = cut.bits / half_bit / 2;
-  const bool half = (cut.bits & half_bit) != 0, below = cut.rest || (cut.bits & (half_bit - 1)) != 0, odd = significand % 2 != 0;
+  const bool half = (cut.bits & half_bit) != 0, below = cut.rest || (cut.bits & (half_bit - 1)) != 0,
+             odd = significand % 2 != 0;
   if (mode == Rounding::ru ? half || below : mode == Rounding::rn && half && (below || odd)) ++significand;
   return significand;
 }
 
-/// For a cut of a positive value. The double is exact: at most 53 bits, and never finer than the format.
+/// For a cut of a positive value. The double is exact: at most 53 bits, and never finer than the
+/// format.
 double assemble(const Cut& cut, const Format& format, Rounding mode) {
   long exponent = 0;
   const std::uint64_t significand = rounded_significand(cut, format, mode, exponent);
@@ -95,7 +105,9 @@ double assemble(const Cut& cut, const Format& format, Rounding mode) {
   return std::ldexp(static_cast<double>(largest), static_cast<int>(format.top - format.precision));
 }
 
-Rounding mirrored(Rounding mode) { return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn; }
+Rounding mirrored(Rounding mode) {
+  return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn;
+}
 
 double round_value(const mpq_class& value, const Format& format, Rounding mode) {
   const int sign = sgn(value);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All roundings of one number at once, and numbers in hexadecimal, for results that print them.   [proofs/number.md]
+// All roundings of one number at once, and numbers in hexadecimal, for results that print them.
+//                                                                                [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -19,11 +20,12 @@ struct Roundings {
   EveryMode<float> binary32;
 };
 
-/// Returns what round_binary64 and round_binary32, the naive twins, say in each mode, by one division.
+/// Returns what round_binary64 and round_binary32, the naive twins, say in each mode, by one
+/// division.
 Roundings roundings(const mpq_class& value);
 
-/// Returns what root_binary64 and root_binary32, the naive twins, say in each mode, by one division and one integer root. Throws
-/// std::domain_error if `squared` is negative.
+/// Returns what root_binary64 and root_binary32, the naive twins, say in each mode, by one division
+/// and one integer root. Throws std::domain_error if `squared` is negative.
 Roundings roundings_of_root(const mpq_class& squared);
 
 /// Appends hex_text(value) to `text`.

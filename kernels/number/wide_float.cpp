@@ -11,7 +11,9 @@ namespace {
 constexpr int double_bits = 53;
 
 // 2^exponent, for -1022 <= exponent <= 1023.
-double power_of_two(std::int64_t exponent) { return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52); }
+double power_of_two(std::int64_t exponent) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
 
 }  // namespace
 
@@ -37,7 +39,8 @@ WideFloat WideFloat::scaled(const mpz_class& c, long exponent) {
 }
 
 double WideFloat::leading() const {
-  return static_cast<double>(static_cast<std::int64_t>(magnitude(significand_) >> (bits - double_bits))) * power_of_two(-double_bits);
+  return static_cast<double>(static_cast<std::int64_t>(magnitude(significand_) >> (bits - double_bits))) *
+         power_of_two(-double_bits);
 }
 
 double WideFloat::truncated() const {
@@ -47,7 +50,8 @@ double WideFloat::truncated() const {
   return significand_ < 0 ? -size : size;
 }
 
-// Newton's steps from a reciprocal, or the reciprocal of a root, in binary64: each doubles the number of digits.
+// Newton's steps from a reciprocal, or the reciprocal of a root, in binary64: each doubles the
+// number of digits.
 WideFloat operator/(const WideFloat& a, const WideFloat& b) {
   WideFloat x(1 / b.leading());
   x.exponent_ -= b.exponent_ + WideFloat::bits;

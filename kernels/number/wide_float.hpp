@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A floating-point number of 122 bits, made of integers: the rounding mode does not matter, and nothing overflows or underflows. For
-// filters that ties beyond the reach of binary64 ask for more digits.                                   [proofs/number.md, "Wide floats"]
+// A floating-point number of 122 bits, made of integers: the rounding mode does not matter, and
+// nothing overflows or underflows. For filters that ties beyond the reach of binary64 ask for more
+// digits.                                                         [proofs/number.md, "Wide floats"]
 #pragma once
 
 #include <gmpxx.h>
@@ -11,7 +12,8 @@
 
 namespace fathom::kernels {
 
-/// significand * 2^exponent. Every operation returns its exact result times 1 + e, |e| <= unit; sums are 0 only if they are exactly 0.
+/// significand * 2^exponent. Every operation returns its exact result times 1 + e, |e| <= unit;
+/// sums are 0 only if they are exactly 0.
 class WideFloat {
  public:
   static constexpr double unit = 0x1p-118;

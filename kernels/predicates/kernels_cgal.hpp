@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CGAL kernels of the tiers, and the way of an operand into each of them.                               [docs/kernel_concept.md]
+// The CGAL kernels of the tiers, and the way of an operand into each of them.
+//                                                                          [docs/kernel_concept.md]
 #pragma once
 
 #include <CGAL/Filtered_predicate.h>
@@ -18,7 +19,8 @@ namespace fathom::kernels {
 
 /// Binary64 without any guarantee: the static filters compare its values with proved error bounds.
 using ImageKernel = CGAL::Simple_cartesian<double>;
-/// Closed intervals of binary64. Who computes with them rounds upward: CGAL::Filtered_predicate does, or an IntervalKernel::FT::Protector.
+/// Closed intervals of binary64. Who computes with them rounds upward: CGAL::Filtered_predicate
+/// does, or an IntervalKernel::FT::Protector.
 using IntervalKernel = CGAL::Simple_cartesian<CGAL::Interval_nt<false>>;
 /// GMP integers.
 using ExactKernel = CGAL::Simple_cartesian<mpz_class>;
@@ -41,8 +43,8 @@ inline IntervalKernel::Vector_3 to_intervals(const Vec3<DoubleInterval>& e) {
   return {Interval(e.x.low, e.x.high), Interval(e.y.low, e.y.high), Interval(e.z.low, e.z.high)};
 }
 
-/// An operand of a filtered predicate is anything with exact(), a Vector, and enclosure(), a Vec3<DoubleInterval> that holds a positive
-/// multiple of it.
+/// An operand of a filtered predicate is anything with exact(), a Vector, and enclosure(), a
+/// Vec3<DoubleInterval> that holds a positive multiple of it.
 struct ToExact {
   template <class Operand>
   ExactKernel::Vector_3 operator()(const Operand& operand) const {

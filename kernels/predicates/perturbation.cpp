@@ -11,7 +11,9 @@ constexpr unsigned tilt_a = 9, tilt_b = 10, tilt_c = 11;
 using Matrix = std::array<Vec3<Infinitesimal>, 3>;  // rows
 
 // Products with 0 are left out: many components are.
-Infinitesimal scaled(const Infinitesimal& s, const mpz_class& by) { return by == 0 ? Infinitesimal() : s * Infinitesimal(by); }
+Infinitesimal scaled(const Infinitesimal& s, const mpz_class& by) {
+  return by == 0 ? Infinitesimal() : s * Infinitesimal(by);
+}
 
 Vec3<Infinitesimal> times(const Matrix& m, const Vector& d) {
   const auto row = [&](const Vec3<Infinitesimal>& r) { return scaled(r.x, d.x) + scaled(r.y, d.y) + scaled(r.z, d.z); };
@@ -38,7 +40,9 @@ Vector Perturbation::tilt_of_vertical(unsigned level) const {
 }
 
 Vec3<Infinitesimal> Perturbation::moved(const Vector& d, Role role, unsigned level) const {
-  const auto e = [&](unsigned i) { return rank[i] <= level ? Infinitesimal(Monomial(rank[i]), sign[i]) : Infinitesimal(); };
+  const auto e = [&](unsigned i) {
+    return rank[i] <= level ? Infinitesimal(Monomial(rank[i]), sign[i]) : Infinitesimal();
+  };
   switch (role) {
     case Role::fixed: break;
     case Role::node_of_a:

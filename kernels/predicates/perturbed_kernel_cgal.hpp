@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the tiers meet: doubles with a proved bound on the error, then intervals; exact integers when the interval holds zero;
-// infinitesimals only when the exact sign is zero.
+// Where the tiers meet: doubles with a proved bound on the error, then intervals; exact integers
+// when the interval holds zero; infinitesimals only when the exact sign is zero.
 #pragma once
 
 #include <stdexcept>
@@ -29,9 +29,10 @@ Sign UnperturbedKernel::decide(const Directions&... directions) const {
   return sign;
 }
 
-// All four. The infinitesimals are let in one after another, from the largest: the terms without e_(k+1), e_(k+2), ... outweigh all
-// others, so the first level with a term other than zero decides, and most zeros never see a long polynomial. As long as only the
-// vertical moves there is no polynomial at all: the predicates are linear in it, and so is it in each infinitesimal.
+// All four. The infinitesimals are let in one after another, from the largest: the terms without
+// e_(k+1), e_(k+2), ... outweigh all others, so the first level with a term other than zero
+// decides, and most zeros never see a long polynomial. As long as only the vertical moves there is
+// no polynomial at all: the predicates are linear in it, and so is it in each infinitesimal.
 template <template <class> class P, class... Directions>
 Sign PerturbedKernel::decide(const Directions&... directions) const {
   if (const Sign sign = unperturbed_.decide<P>(directions...); sign != Sign::zero) return sign;
@@ -41,7 +42,8 @@ Sign PerturbedKernel::decide(const Directions&... directions) const {
   bool only_vertical = true;
   for (unsigned level = 1; level <= infinitesimals; ++level) {
     if (!(p.concerns(directions.role(), level) || ...)) continue;
-    only_vertical = only_vertical && !((directions.role() != Role::vertical && p.concerns(directions.role(), level)) || ...);
+    only_vertical =
+        only_vertical && !((directions.role() != Role::vertical && p.concerns(directions.role(), level)) || ...);
     if (only_vertical) {
       const Vector tilt = p.tilt_of_vertical(level);
       const mpz_class r = P<ExactKernel>::value(with_vertical(directions, tilt)...);
@@ -49,8 +51,8 @@ Sign PerturbedKernel::decide(const Directions&... directions) const {
       count_decision(Monomial(level));
       return sign_of(r);
     }
-    const Infinitesimal r =
-        P<InfinitesimalKernel>::value(to_cgal<InfinitesimalKernel>(p.moved(directions.exact(), directions.role(), level))...);
+    const Infinitesimal r = P<InfinitesimalKernel>::value(
+        to_cgal<InfinitesimalKernel>(p.moved(directions.exact(), directions.role(), level))...);
     if (const int sign = sgn(r)) {
       count_decision(r.leading());
       return sign_of(sign);

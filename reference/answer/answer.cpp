@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The accessors of an answer, for every kind of bodies: whatever differs between the kinds stands here.
+// The accessors of an answer, for every kind of bodies: whatever differs between the kinds stands
+// here.
 #include "fathom/answer.hpp"
 
 #include <stdexcept>
@@ -19,7 +20,8 @@ using rounded::coordinates;
 
 constexpr std::string_view only_bounds = "only bounds of the signed depth are known: nothing follows from them exactly";
 constexpr std::string_view stopped = "the search was stopped: only bounds of the depth are known";
-constexpr std::string_view no_one_direction = "the unions touch: there is no one direction, but one for each two pieces";
+constexpr std::string_view no_one_direction =
+    "the unions touch: there is no one direction, but one for each two pieces";
 constexpr std::string_view witness_if_disjoint = "unions have a pair of witness points only if they are disjoint";
 constexpr std::string_view no_union = "no body is a union of pieces: there is one pair, and the hulls are the bodies";
 constexpr std::string_view not_asked = "the bounds beside the depth were not asked for";
@@ -128,17 +130,18 @@ Part<SurdWitness> Answer::witness() const {
 }
 
 const Contact* Answer::contact() const {
-  return std::visit(ByKind{[](const UnionDepth& unions) { return unions.apart ? &unions.apart->distance.contact : nullptr; },
-                           [](const auto& pair) { return pair.contact(); }},
-                    found);
+  return std::visit(
+      ByKind{[](const UnionDepth& unions) { return unions.apart ? &unions.apart->distance.contact : nullptr; },
+             [](const auto& pair) { return pair.contact(); }},
+      found);
 }
 
 std::size_t Answer::ways_out() const {
   if (status() != Status::penetrating || !exact()) return 0;
-  return std::visit(
-      ByKind{[](const SignedDepth& shapes) { return shapes.translations().size(); },
-             [](const UnionDepth& unions) { return unions.optima.size(); }, [](const Depth& depth) { return depth.optima().size(); }},
-      found);
+  return std::visit(ByKind{[](const SignedDepth& shapes) { return shapes.translations().size(); },
+                           [](const UnionDepth& unions) { return unions.optima.size(); },
+                           [](const Depth& depth) { return depth.optima().size(); }},
+                    found);
 }
 
 WayOut Answer::way_out(std::size_t index) const {
@@ -166,7 +169,8 @@ Part<UnionBounds> Answer::union_bounds() const {
 }
 
 Answer exact_answer(const Body& a, const Body& b, const Question& question) {
-  if (a.pieces || b.pieces) return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
+  if (a.pieces || b.pieces)
+    return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
   if (!a.shape && !b.shape) return {penetration_depth(a, b, question.options)};
   return {signed_depth(files::shape_of(a), files::shape_of(b), {.cores = question.options, .bits = question.bits})};
 }
@@ -180,13 +184,16 @@ BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
                     answer.found);
 }
 
-std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id, Monitor* monitor) {
-  return std::visit(ByKind{[&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
-                           [&](const SignedDepth& shapes) {
-                             return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest, monitor);
-                           },
-                           [&](const UnionDepth& unions) { return certificate_text(pieces_of(a), pieces_of(b), unions, id, monitor); }},
-                    answer.found);
+std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id,
+                             Monitor* monitor) {
+  return std::visit(
+      ByKind{
+          [&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
+          [&](const SignedDepth& shapes) {
+            return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest, monitor);
+          },
+          [&](const UnionDepth& unions) { return certificate_text(pieces_of(a), pieces_of(b), unions, id, monitor); }},
+      answer.found);
 }
 
 }  // namespace fathom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two bodies made ready for many rays: on one lattice, with the position of O, hulls and their hierarchies; and conversions from lattice
+// Two bodies made ready for many rays: on one lattice, with the position of O, hulls and their
+// hierarchies; and conversions from lattice
 // units to results.  [AGHRS, section 3]
 #pragma once
 
@@ -34,8 +35,8 @@ class BodyPair {
   [[nodiscard]] const polytope::Hierarchy& b() const { return solid_->hierarchy_b; }
   /// factor * u, from the lattice's unit to that of the input.
   [[nodiscard]] Point translation(const mpq_class& factor, const Vector& u) const;
-  /// The contact in direction n, the outward normal of a facet of P, and points a and b of it with b - a = t: nullopt if the faces moved by
-  /// t do not meet.
+  /// The contact in direction n, the outward normal of a facet of P, and points a and b of it with
+  /// b - a = t: nullopt if the faces moved by t do not meet.
   struct Meeting {
     Contact contact;
     std::optional<Witness> witness;

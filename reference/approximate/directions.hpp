@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A grid of rational directions that covers the sphere as densely as a (1 + delta)-approximation needs.
-//                                                                      [AGHRS, APPROX-SEPARATION, step 1; proofs/approximate.md]
-// Departs from the paper: directions are rational, one for each cell of a grid on the faces of a cube; and the criterion is
-// tan^2(angle) <= 2 delta + delta^2, which is decided exactly and suffices for every delta > 0. [proofs/errata.md]
+// A grid of rational directions that covers the sphere as densely as a (1 + delta)-approximation
+// needs.
+//                                         [AGHRS, APPROX-SEPARATION, step 1; proofs/approximate.md]
+// Departs from the paper: directions are rational, one for each cell of a grid on the faces of a
+// cube; and the criterion is tan^2(angle) <= 2 delta + delta^2, which is decided exactly and
+// suffices for every delta > 0. [proofs/errata.md]
 #pragma once
 
 #include <array>
@@ -13,8 +15,8 @@
 
 namespace fathom::approximate {
 
-/// Whether <v,p> > 0 and (1 + delta)^2 <v,p>^2 >= |v|^2 |p|^2: then a ray along p is at most 1 + delta times as long as the one along v
-/// to the plane whose normal is v.
+/// Whether <v,p> > 0 and (1 + delta)^2 <v,p>^2 >= |v|^2 |p|^2: then a ray along p is at most 1 +
+/// delta times as long as the one along v to the plane whose normal is v.
 bool covers(const Vector& p, const Vector& v, const mpq_class& delta);
 
 /// The least delta that is accepted: smaller ones would need more directions than any run can try.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The depth along a direction, by one ray; and that by the gauge of a polytope, by a ray for each of its vertices.
+// The depth along a direction, by one ray; and that by the gauge of a polytope, by a ray for each
+// of its vertices.
 #include "reference/approximate/metric.hpp"
 
 #include <algorithm>
@@ -18,13 +19,15 @@ namespace {
 /// The primitive integer vector of the same direction; direction = `unit` times it.
 Vector integral(const Point& direction, mpq_class& unit) {
   const mpz_class d = lcm(lcm(direction.x.get_den(), direction.y.get_den()), direction.z.get_den());
-  const Vector v{mpq_class(d * direction.x).get_num(), mpq_class(d * direction.y).get_num(), mpq_class(d * direction.z).get_num()};
+  const Vector v{mpq_class(d * direction.x).get_num(), mpq_class(d * direction.y).get_num(),
+                 mpq_class(d * direction.z).get_num()};
   unit = kernels::ratio(gcd(gcd(v.x, v.y), v.z), d);
   return primitive(v);
 }
 
 void require_direction(const Point& direction) {
-  for (const mpq_class* component : {&direction.x, &direction.y, &direction.z}) kernels::require_lowest_terms(*component);
+  for (const mpq_class* component : {&direction.x, &direction.y, &direction.z})
+    kernels::require_lowest_terms(*component);
   if (direction == Point{0, 0, 0}) throw std::invalid_argument("the direction of a ray may not be zero");
 }
 
@@ -39,16 +42,19 @@ bool contains_opposites(std::vector<Vector> vertices) {
 }
 
 void require_interior_origin(const polytope::PlacedPair& pair) {
-  if (polytope::affine_rank(pair.a.points()) < 3) throw NoUnitBall("the unit ball is flat: its points lie in one plane");
+  if (polytope::affine_rank(pair.a.points()) < 3)
+    throw NoUnitBall("the unit ball is flat: its points lie in one plane");
   const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
-  if (origin.position == polytope::Position::outside) throw NoUnitBall("the unit ball does not contain O, which must lie inside it");
-  if (origin.position == polytope::Position::boundary) throw NoUnitBall("the unit ball has O on its boundary, which must lie inside it");
+  if (origin.position == polytope::Position::outside)
+    throw NoUnitBall("the unit ball does not contain O, which must lie inside it");
+  if (origin.position == polytope::Position::boundary)
+    throw NoUnitBall("the unit ball has O on its boundary, which must lie inside it");
 }
 
 }  // namespace
 
-MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const UnitBall& ball,
-                         const Vector& shift) {
+MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                         const UnitBall& ball, const Vector& shift) {
   const kernels::DefaultFloatEnvironment environment;
   const RayShooter shooter(a, b);
   MetricDepth result;
@@ -96,7 +102,8 @@ DirectionalDepth Hierarchies::directional_depth(const Point& direction, Monitor*
   mpq_class unit;
   const Vector u = approximate::integral(direction, unit);
   const approximate::RayHit hit = approximate::shoot_ray(pair.a(), pair.b(), u);
-  if (!hit.hits || sgn(hit.factor) <= 0) throw std::logic_error("a ray from the interior of P found it flat or missed it");
+  if (!hit.hits || sgn(hit.factor) <= 0)
+    throw std::logic_error("a ray from the interior of P found it flat or missed it");
   const Point t = pair.translation(hit.factor, u);
   BodyPair::Meeting meeting = pair.meeting(hit.normal, t);
   if (!meeting.witness) throw std::logic_error("a ray leaves P beside the facet that it hits");
@@ -104,7 +111,8 @@ DirectionalDepth Hierarchies::directional_depth(const Point& direction, Monitor*
   return {{pair.facts(), RayExit{factor, t, hit.normal, std::move(meeting.contact), *meeting.witness, hit.steps}}};
 }
 
-DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction, Monitor* monitor) {
+DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction,
+                                   Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   approximate::require_direction(direction);
   return Hierarchies(a, b, monitor).directional_depth(direction, monitor);
@@ -113,7 +121,8 @@ DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Poi
 UnitBall unit_ball(std::span<const Point> points) {
   const kernels::DefaultFloatEnvironment environment;
   const Point origin{0, 0, 0};
-  const polytope::PlacedPair pair = polytope::place(points, {&origin, 1});  // the lattice's origin is the first point of what stands second
+  const polytope::PlacedPair pair =
+      polytope::place(points, {&origin, 1});  // the lattice's origin is the first point of what stands second
   approximate::require_interior_origin(pair);
   polytope::Polytope hull = polytope::convex_hull(pair.a.points());
   UnitBall ball;
@@ -136,7 +145,8 @@ MetricResult Hierarchies::metric_depth(const UnitBall& ball, Monitor* monitor) c
   if (pair.separation()) return {{pair.facts(), *pair.separation()}};
   const approximate::MetricDepth found = approximate::metric_depth(context, pair.a(), pair.b(), ball);
   if (found.deciding.empty()) throw std::logic_error("a ray from the interior of P found it flat or missed it");
-  // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1 / denominator of the bodies.
+  // found.depth vectors of the ball's lattice, each ball.denominator times a vertex, in units of 1
+  // / denominator of the bodies.
   MetricPenetration result{found.depth * ball.denominator / pair.placed().denominator, {}, found.rays};
   for (const approximate::MetricDepth::Deciding& d : found.deciding) {
     const Point t = pair.translation(found.depth, ball.vertices[d.vertex]);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   two bodies, and a convex polytope Q with O in its interior: the unit ball of a norm if Q is symmetric about O, else of a gauge.
-// Output  the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q makes the interiors disjoint.
-//         [AGHRS, section 3.1, Corollary 3.4]
+// Input   two bodies, and a convex polytope Q with O in its interior: the unit ball of a norm if Q
+//         is symmetric about O, else of a gauge.
+// Output  the exact Q-depth: the least s >= 0 such that some translation of A by a vector of s Q
+//         makes the interiors disjoint. [AGHRS, section 3.1, Corollary 3.4]
 // Time    one ray of O(log^2(m + n)) steps for each of Q's k vertices, once the hierarchies stand.
 #pragma once
 
@@ -27,8 +28,9 @@ struct MetricDepth {
   std::vector<Deciding> deciding;
 };
 
-/// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`, without new hierarchies.
-MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const UnitBall& ball,
-                         const Vector& shift = {0, 0, 0});
+/// P = B (+) (-A), seen from the point `shift` of the lattice in place of O: A moved by `shift`,
+/// without new hierarchies.
+MetricDepth metric_depth(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                         const UnitBall& ball, const Vector& shift = {0, 0, 0});
 
 }  // namespace fathom::approximate

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First a ray from a point inside P to the start tells where the start lies; its portal and that point make a tetrahedron that holds
-// the start. From there the ray itself goes on. Positions are multiplied by 4, so that the centroid of four points is integral.
+// First a ray from a point inside P to the start tells where the start lies; its portal and that
+// point make a tetrahedron that holds the start. From there the ray itself goes on. Positions are
+// multiplied by 4, so that the centroid of four points is integral.
 #include "reference/approximate/ray.hpp"
 
 #include <algorithm>
@@ -21,7 +22,8 @@
 
 namespace fathom::approximate {
 
-/// Support queries of 4 P, where P = B (+) (-A) plus the segments from -t to t for each t of `thickness`.
+/// Support queries of 4 P, where P = B (+) (-A) plus the segments from -t to t for each t of
+/// `thickness`.
 struct SupportOfSum {
   const polytope::Hierarchy* a;
   const polytope::Hierarchy* b;
@@ -48,21 +50,24 @@ Vector SupportOfSum::operator()(const Vector& u) {
 
 namespace {
 
-// Portals: a ray leaves a convex polytope that is known by its support function alone. A triangle of its points that the ray pierces (a
-// portal) is moved outward until its plane supports the polytope.                                                [proofs/ray.md]
+// Portals: a ray leaves a convex polytope that is known by its support function alone. A triangle
+// of its points that the ray pierces (a portal) is moved outward until its plane supports the
+// polytope.                                                                         [proofs/ray.md]
 
-/// A ray from start + e pushes[0] + e^2 pushes[1] + ... with an infinitesimal e > 0. Direction and pushes span space, so that in
-/// projection along the direction the start lies on no line through two points that differ there.
+/// A ray from start + e pushes[0] + e^2 pushes[1] + ... with an infinitesimal e > 0. Direction and
+/// pushes span space, so that in projection along the direction the start lies on no line through
+/// two points that differ there.
 struct PushedRay {
   Vector direction, start;
   std::vector<Vector> pushes;
 
-  /// Seen with the direction pointing at the viewer: 1 if the start lies to the left of the way from p to q, -1 if to the right; 0 only
-  /// if that way is parallel to the direction.
+  /// Seen with the direction pointing at the viewer: 1 if the start lies to the left of the way
+  /// from p to q, -1 if to the right; 0 only if that way is parallel to the direction.
   [[nodiscard]] int side(const Vector& p, const Vector& q) const;
 };
 
-/// Corners of a triangle that the ray pierces in its interior, counter-clockwise seen with the ray's direction pointing at the viewer.
+/// Corners of a triangle that the ray pierces in its interior, counter-clockwise seen with the
+/// ray's direction pointing at the viewer.
 using Portal = std::array<Vector, 3>;
 
 Vector normal_of(const Portal& p) { return cross(p[1] - p[0], p[2] - p[0]); }
@@ -92,7 +97,8 @@ Portal portal_of_tetrahedron(const std::array<Vector, 4>& corners, const PushedR
   throw std::logic_error("a ray from inside a tetrahedron that pierces none of its sides");
 }
 
-/// The triangle of p and a side of the portal that the ray pierces: the side where the line from p through the ray leaves the portal.
+/// The triangle of p and a side of the portal that the ray pierces: the side where the line from p
+/// through the ray leaves the portal.
 Portal moved_to(const Portal& portal, const Vector& p, const PushedRay& ray) {
   const Vector across = cross(ray.start - p, ray.direction);
   std::array<int, 3> sides{};
@@ -107,11 +113,13 @@ Portal moved_to(const Portal& portal, const Vector& p, const PushedRay& ray) {
   throw std::logic_error("a ray that misses its portal");
 }
 
-/// Moves the portal outward until its plane supports a polytope, given by extreme points; or, when `within` is given, only until that
-/// point lies strictly on the inner side. Returns nullopt after more than `patience` queries. The portal's corners must be points of the
-/// polytope, and its plane must pass through the interior or support it.
+/// Moves the portal outward until its plane supports a polytope, given by extreme points; or, when
+/// `within` is given, only until that point lies strictly on the inner side. Returns nullopt after
+/// more than `patience` queries. The portal's corners must be points of the polytope, and its plane
+/// must pass through the interior or support it.
 std::optional<Portal> refine(Portal portal, const PushedRay& ray, const std::function<Vector(const Vector&)>& extreme,
-                             const Vector* within = nullptr, std::uint64_t patience = std::numeric_limits<std::uint64_t>::max()) {
+                             const Vector* within = nullptr,
+                             std::uint64_t patience = std::numeric_limits<std::uint64_t>::max()) {
   for (;; --patience) {
     const Vector normal = normal_of(portal);
     if (within && dot(normal, *within - portal[0]) < 0) return portal;
@@ -122,7 +130,8 @@ std::optional<Portal> refine(Portal portal, const PushedRay& ray, const std::fun
   }
 }
 
-// Descent of both hierarchies: the same facet in O(log m log n) steps whatever the shapes, when portals take too long. [proofs/ray.md]
+// Descent of both hierarchies: the same facet in O(log m log n) steps whatever the shapes, when
+// portals take too long. [proofs/ray.md]
 
 Vector times_4(const Vector& v) { return {4 * v.x, 4 * v.y, 4 * v.z}; }
 
@@ -231,8 +240,9 @@ class Levels {
   polytope::Steps steps_ = 0;
 };
 
-/// Returns the last portal, which lies in the facet. `anchors` are corners of a tetrahedron in 4 P, with the start of the ray strictly
-/// inside; P is thickened as SupportOfSum says. Adds its steps to `support`.
+/// Returns the last portal, which lies in the facet. `anchors` are corners of a tetrahedron in 4 P,
+/// with the start of the ray strictly inside; P is thickened as SupportOfSum says. Adds its steps
+/// to `support`.
 Portal refine_by_levels(const std::array<Vector, 4>& anchors, const PushedRay& ray, SupportOfSum& support) {
   return Levels(anchors, ray, support).run();
 }
@@ -243,7 +253,8 @@ const std::array<Vector, 3> axes{Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 
 
 bool parallel(const Vector& v, const Vector& w) { return is_zero(cross(v, w)); }
 
-/// A basis of the directions orthogonal to `span`, a list of at most two linearly independent vectors.
+/// A basis of the directions orthogonal to `span`, a list of at most two linearly independent
+/// vectors.
 std::vector<Vector> orthogonal_to(const std::vector<Vector>& span) {
   if (span.empty()) return {axes.begin(), axes.end()};
   if (span.size() == 2) return {cross(span[0], span[1])};
@@ -288,12 +299,14 @@ std::uint64_t patience_of(const polytope::Hierarchy& a, const polytope::Hierarch
 
 Portal leave(const std::array<Vector, 4>& around, const PushedRay& ray, SupportOfSum& support, std::uint64_t patience,
              const Vector* within = nullptr) {
-  if (const auto portal = refine(portal_of_tetrahedron(around, ray), ray, std::ref(support), within, patience)) return *portal;
+  if (const auto portal = refine(portal_of_tetrahedron(around, ray), ray, std::ref(support), within, patience))
+    return *portal;
   return refine_by_levels(around, ray, support);
 }
 
 /// By a ray from the centroid of the corners. `start` is multiplied by 4.
-Location locate(const Vector& start, const std::array<Vector, 4>& corners, SupportOfSum& support, std::uint64_t patience) {
+Location locate(const Vector& start, const std::array<Vector, 4>& corners, SupportOfSum& support,
+                std::uint64_t patience) {
   Vector centre;
   for (const Vector& c : corners) centre = centre + Vector{c.x / 4, c.y / 4, c.z / 4};
   if (start == centre) return {-1, corners, {axes.begin(), axes.end()}, {}};
@@ -307,7 +320,8 @@ Location locate(const Vector& start, const std::array<Vector, 4>& corners, Suppo
 
 }  // namespace
 
-RayShooter::RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b) : RayShooter(a, b, patience_of(a, b)) {}
+RayShooter::RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b)
+    : RayShooter(a, b, patience_of(a, b)) {}
 
 RayShooter::RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b, std::uint64_t patience)
     : a_(&a), b_(&b), patience_(patience) {
@@ -373,7 +387,8 @@ RayHit RayShooter::shoot_flat(const Vector& direction, const Vector& start, Supp
   return hit;
 }
 
-RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction, const Vector& start) {
+RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction,
+                 const Vector& start) {
   return RayShooter(a, b).shoot(direction, start);
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   hierarchies of two convex polytopes A and B; a direction, not zero; a point in place of O.
-// Output  where the ray from that point leaves P = B (+) (-A), as an exact factor of the direction, and a facet of P that it leaves
-//         through. P is never built.                                                                          [AGHRS, section 3]
-// Time    O(log^2 (m + n)) steps a ray, whatever the shapes, where m and n count vertices; as a rule some 10 to 30 support queries of P,
-//         each O(log m + log n).                                                                            [proofs/ray.md]
+// Input   hierarchies of two convex polytopes A and B; a direction, not zero; a point in place of
+//         O.
+// Output  where the ray from that point leaves P = B (+) (-A), as an exact factor of the direction,
+//         and a facet of P that it leaves through. P is never built.             [AGHRS, section 3]
+// Time    O(log^2 (m + n)) steps a ray, whatever the shapes, where m and n count vertices; as a
+//         rule some 10 to 30 support queries of P, each O(log m + log n).           [proofs/ray.md]
 #pragma once
 
 #include <array>
@@ -17,14 +18,15 @@ namespace fathom::approximate {
 
 /// Below, h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
 struct RayHit {
-  /// Whether the start lies in P, inside or on the boundary. If not, the factor is 0, and `normal` and `height` prove it:
-  /// <normal, start> > height.
+  /// Whether the start lies in P, inside or on the boundary. If not, the factor is 0, and `normal`
+  /// and `height` prove it: <normal, start> > height.
   bool hits = false;
   bool interior = false;  ///< whether the start lies in the interior of P
-  /// The greatest f with start + f direction in P: exact, >= 0; 0 where the ray leaves P at once, and always when P is flat.
+  /// The greatest f with start + f direction in P: exact, >= 0; 0 where the ray leaves P at once,
+  /// and always when P is flat.
   mpq_class factor;
-  /// Primitive outward normal n of a facet of P that holds the hit point, with <n, direction> > 0. When P is flat, the normal of a plane
-  /// that holds P, with <n, direction> >= 0.
+  /// Primitive outward normal n of a facet of P that holds the hit point, with <n, direction> > 0.
+  /// When P is flat, the normal of a plane that holds P, with <n, direction> >= 0.
   Vector normal;
   mpz_class height;           ///< h(normal)
   std::uint64_t queries = 0;  ///< support queries of P
@@ -33,17 +35,18 @@ struct RayHit {
 
 struct SupportOfSum;
 
-/// Shoots many rays through the same bodies: computes once what does not depend on the ray. The hierarchies must outlive it. Exact for
-/// integers of any size; bodies of any rank.
+/// Shoots many rays through the same bodies: computes once what does not depend on the ray. The
+/// hierarchies must outlive it. Exact for integers of any size; bodies of any rank.
 class RayShooter {
  public:
   RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b);
-  /// After `patience` support queries a search becomes a descent of both hierarchies, which takes O(log m log n) steps whatever the shapes,
-  /// but more than a usual search. Answers do not depend on it.
+  /// After `patience` support queries a search becomes a descent of both hierarchies, which takes
+  /// O(log m log n) steps whatever the shapes, but more than a usual search. Answers do not depend
+  /// on it.
   RayShooter(const polytope::Hierarchy& a, const polytope::Hierarchy& b, std::uint64_t patience);
 
-  /// From `start`, in lattice units. Moving A by t moves P by -t: shoot from t instead; nothing is prepared anew.
-  /// Throws std::invalid_argument when the direction is zero.
+  /// From `start`, in lattice units. Moving A by t moves P by -t: shoot from t instead; nothing is
+  /// prepared anew. Throws std::invalid_argument when the direction is zero.
   [[nodiscard]] RayHit shoot(const Vector& direction, const Vector& start = {0, 0, 0}) const;
 
   /// Of P.
@@ -56,13 +59,15 @@ class RayShooter {
   const polytope::Hierarchy* a_;
   const polytope::Hierarchy* b_;
   std::uint64_t patience_;
-  /// A basis of the directions orthogonal to P; empty for a solid P. A flat P is thickened by the segments from -t to t.
+  /// A basis of the directions orthogonal to P; empty for a solid P. A flat P is thickened by the
+  /// segments from -t to t.
   std::vector<Vector> thickness_;
   /// Affinely independent points of 4 P, thickened.
   std::array<Vector, 4> corners_;
 };
 
 /// Shoots one ray.
-RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction, const Vector& start = {0, 0, 0});
+RayHit shoot_ray(const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& direction,
+                 const Vector& start = {0, 0, 0});
 
 }  // namespace fathom::approximate

@@ -38,10 +38,12 @@ class Search {
   [[nodiscard]] const ApproxSeparation& result() const { return result_; }
 
  private:
-  // The hit point lies on the plane <n,x> = height. Squared distances height^2 / <n,n> are compared.
+  // The hit point lies on the plane <n,x> = height. Squared distances height^2 / <n,n> are
+  // compared.
   void offer(const Vector& n, const mpz_class& height) {
     if (!is_zero(result_.normal)) {
-      const mpz_class mine = result_.height * result_.height * dot(n, n), other = height * height * dot(result_.normal, result_.normal);
+      const mpz_class mine = result_.height * result_.height * dot(n, n),
+                      other = height * height * dot(result_.normal, result_.normal);
       if (other > mine || (other == mine && !lexicographically_less(n, result_.normal))) return;
     }
     result_.normal = n;
@@ -51,8 +53,8 @@ class Search {
   ApproxSeparation result_;
 };
 
-ApproxSeparation search(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const DirectionGrid& grid,
-                        std::uint64_t rays, const Vector& shift) {
+ApproxSeparation search(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                        const DirectionGrid& grid, std::uint64_t rays, const Vector& shift) {
   const RayShooter shooter(a, b);
   Search search;
   for (std::uint64_t i = 0; i < rays; ++i) {
@@ -88,8 +90,8 @@ void require_delta(const mpq_class& delta) {
 
 }  // namespace
 
-ApproxSeparation approx_separation(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
-                                   const mpq_class& delta, const Vector& shift) {
+ApproxSeparation approx_separation(kernels::Context& context, const polytope::Hierarchy& a,
+                                   const polytope::Hierarchy& b, const mpq_class& delta, const Vector& shift) {
   const kernels::DefaultFloatEnvironment environment;
   const DirectionGrid grid(context, delta);
   return search(context, a, b, grid, grid.size(), shift);
@@ -111,7 +113,9 @@ ApproxDepth Hierarchies::approx_depth(const mpq_class& delta, Monitor* monitor) 
   kernels::Context context(monitor);
   const BodyPair& pair = *pair_;
   if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
-  return {{pair.facts(), approximate::result_of(pair, delta, approximate::approx_separation(context, pair.a(), pair.b(), delta))}, delta};
+  return {{pair.facts(),
+           approximate::result_of(pair, delta, approximate::approx_separation(context, pair.a(), pair.b(), delta))},
+          delta};
 }
 
 ApproxDepth approx_depth(std::span<const Point> a, std::span<const Point> b, const mpq_class& delta, Monitor* monitor) {
@@ -126,7 +130,8 @@ ApproxDepth approx_width(std::span<const Point> points, const mpq_class& delta, 
   kernels::Context context(monitor);
   const BodyPair pair(context, points, points);
   if (pair.separation()) return {{pair.facts(), *pair.separation()}, delta};
-  return {{pair.facts(), approximate::result_of(pair, delta, approximate::approx_width(context, pair.a(), delta))}, delta};
+  return {{pair.facts(), approximate::result_of(pair, delta, approximate::approx_width(context, pair.a(), delta))},
+          delta};
 }
 
 }  // namespace fathom

@@ -12,9 +12,9 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/approximate/directions.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/approximate/directions.hpp"
 
 namespace fathom::approximate {
 namespace {
@@ -34,7 +34,8 @@ std::vector<Vector> directions(kernels::Context& context, const mpq_class& delta
   return result;
 }
 
-/// Whether the angle between u and v is smaller than that between u and w; both are less than right ones.
+/// Whether the angle between u and v is smaller than that between u and w; both are less than right
+/// ones.
 bool closer(const Vector& u, const Vector& v, const Vector& w) {
   const mpz_class along_v = dot(u, v), along_w = dot(u, w);
   return along_v * along_v * dot(w, w) > along_w * along_w * dot(v, v);
@@ -131,7 +132,8 @@ class Walk {
   void leave(const SumFacet& facet) {
     for (const SumEdge& edge : surface_.edges(facet)) {
       ++counts_.steps;
-      if (!edges_.insert({edge.a, edge.b}).second) continue;  // seen from its other side: left alone there, or crossed to here
+      if (!edges_.insert({edge.a, edge.b}).second)
+        continue;  // seen from its other side: left alone there, or crossed to here
       ++counts_.edges;
       if (ball_.meets(surface_.from(edge), surface_.to(edge))) meet(surface_.across(edge, &counts_.steps));
     }
@@ -153,8 +155,8 @@ const mpq_class& checked(const mpq_class& delta) {
 }
 
 /// The facets that the rays hit, each once.
-std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface, const polytope::Hierarchy& a,
-                                 const polytope::Hierarchy& b) {
+std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurface& surface,
+                                 const polytope::Hierarchy& a, const polytope::Hierarchy& b) {
   std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
   for (const NearRay& ray : rays) normals.insert(ray.normal);
   std::vector<SumFacet> facets;
@@ -162,9 +164,10 @@ std::vector<SumFacet> facets_hit(const std::vector<NearRay>& rays, const SumSurf
   return facets;
 }
 
-/// Whether the sum of the faces with these vertices, which lie in parallel planes, is two-dimensional.
-bool span_a_facet(const polytope::Polytope& a, const std::vector<polytope::VertexId>& face_a, const polytope::Polytope& b,
-                  const std::vector<polytope::VertexId>& face_b) {
+/// Whether the sum of the faces with these vertices, which lie in parallel planes, is
+/// two-dimensional.
+bool span_a_facet(const polytope::Polytope& a, const std::vector<polytope::VertexId>& face_a,
+                  const polytope::Polytope& b, const std::vector<polytope::VertexId>& face_b) {
   if (face_a.size() > 2 || face_b.size() > 2) return true;
   if (face_a.size() < 2 || face_b.size() < 2) return false;
   return !is_zero(cross(a.vertices[face_a[1]] - a.vertices[face_a[0]], b.vertices[face_b[1]] - b.vertices[face_b[0]]));
@@ -192,8 +195,9 @@ mpq_class GaugeBound::along_axes(const std::array<mpq_class, 3>& r) const {
   return sum;
 }
 
-// With u = s k + r, s >= 0, the gauge of u is at most s gauge(k) plus that of r along the axes. As a function of s this is convex and
-// linear in pieces: it is least at s = 0, or where a component of r vanishes.
+// With u = s k + r, s >= 0, the gauge of u is at most s gauge(k) plus that of r along the axes. As
+// a function of s this is convex and linear in pieces: it is least at s = 0, or where a component
+// of r vanishes.
 mpq_class GaugeBound::along(const Vector& u, const Known& known) const {
   const std::array<mpz_class, 3> to{u.x, u.y, u.z}, k{known.direction.x, known.direction.y, known.direction.z};
   mpq_class least = along_axes({to[0], to[1], to[2]});
@@ -235,7 +239,8 @@ bool Ball::holds(const Vector& p) const {
   return denominator * dot(r, r) <= numerator;
 }
 
-// The nearest point of the line is p + t (q - p) with t = -<r,d>/<d,d>; if that is not between p and q, an end is nearest.
+// The nearest point of the line is p + t (q - p) with t = -<r,d>/<d,d>; if that is not between p
+// and q, an end is nearest.
 bool Ball::meets(const Vector& p, const Vector& q) const {
   const Vector r = p - centre, d = q - p;
   if (dot(r, d) >= 0) return holds(p);
@@ -244,16 +249,21 @@ bool Ball::meets(const Vector& p, const Vector& q) const {
   return denominator * dot(moment, moment) <= numerator * dot(d, d);
 }
 
-WalkCounts walk(kernels::Context& context, const SumSurface& surface, const Ball& ball, std::span<const SumFacet> starts,
-                const VisitFacet& visit) {
+WalkCounts walk(kernels::Context& context, const SumSurface& surface, const Ball& ball,
+                std::span<const SumFacet> starts, const VisitFacet& visit) {
   Walk walk(context, surface, ball, visit);
   for (const SumFacet& facet : starts) walk.meet(facet);
   return walk.run();
 }
 
-ShallowPenetration::ShallowPenetration(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
-                                       const mpq_class& delta)
-    : a_(&a), b_(&b), shooter_(a, b), surface_(a.polytope(), b.polytope()), delta_(checked(delta)), grids_(context, delta / 4) {}
+ShallowPenetration::ShallowPenetration(kernels::Context& context, const polytope::Hierarchy& a,
+                                       const polytope::Hierarchy& b, const mpq_class& delta)
+    : a_(&a),
+      b_(&b),
+      shooter_(a, b),
+      surface_(a.polytope(), b.polytope()),
+      delta_(checked(delta)),
+      grids_(context, delta / 4) {}
 
 ShallowResult ShallowPenetration::query(kernels::Context& context, const Vector& shift) const {
   const kernels::DefaultFloatEnvironment environment;
@@ -279,7 +289,8 @@ ShallowResult ShallowPenetration::query(kernels::Context& context, const Vector&
   return result;
 }
 
-kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy& a, const polytope::Hierarchy& b, const Vector& shift) {
+kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
+                         const Vector& shift) {
   kernels::Report report;
   report.expect(result.inside != result.nearest.empty(), "nearest planes exactly if O is inside P");
   const polytope::Polytope &hull_a = a.polytope(), &hull_b = b.polytope();
@@ -287,8 +298,9 @@ kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy&
     const std::vector<polytope::VertexId> face_a = a.extreme_face(-n), face_b = b.extreme_face(n);
     report.expect(span_a_facet(hull_a, face_a, hull_b, face_b), "a nearest direction is not that of a facet");
     const mpz_class height = dot(n, hull_b.vertices[face_b.front()] - hull_a.vertices[face_a.front()] - shift);
-    report.expect(height > 0 && height * height * result.nearest.denominator() == result.nearest.numerator() * dot(n, n),
-                  "a nearest facet is at another distance");
+    report.expect(
+        height > 0 && height * height * result.nearest.denominator() == result.nearest.numerator() * dot(n, n),
+        "a nearest facet is at another distance");
   }
   return report;
 }
@@ -297,7 +309,8 @@ kernels::Report validate(const ShallowResult& result, const polytope::Hierarchy&
 
 namespace fathom {
 
-Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options, const mpq_class& delta) {
+Depth shallow_depth(std::span<const Point> a, std::span<const Point> b, const Options& options,
+                    const mpq_class& delta) {
   const kernels::DefaultFloatEnvironment environment;
   approximate::checked(delta);
   depth::require_listed(options.optima);

@@ -34,7 +34,8 @@ Boundary boundary(const Summand& body, const Face& face) {
   return result;
 }
 
-/// The order of directions in a plane with normal n by the angle, in [0, 2 pi), that they make with a first one.
+/// The order of directions in a plane with normal n by the angle, in [0, 2 pi), that they make with
+/// a first one.
 class AngleOrder {
  public:
   AngleOrder(const Vector& n, const Vector& first) : n_(n), first_(first), left_(cross(n, first)) {}
@@ -67,11 +68,13 @@ SumEdge edge_of_both(const FaceEdge& s, const FaceEdge& t) {
   return {Face::of_edge(s.edge), Face::of_edge(t.edge), s.from, s.to, t.from, t.to};
 }
 
-/// The boundary of the sum of two convex polygons (an edge counts as one of two sides): all sides in the order of their directions.
+/// The boundary of the sum of two convex polygons (an edge counts as one of two sides): all sides
+/// in the order of their directions.
 std::vector<SumEdge> merged(const Boundary& a, const Boundary& b, const Vector& n) {
   const AngleOrder order(n, a.directions.front());
   const std::size_t first =
-      std::ranges::min_element(b.directions, [&](const Vector& u, const Vector& v) { return order(u, v) < 0; }) - b.directions.begin();
+      std::ranges::min_element(b.directions, [&](const Vector& u, const Vector& v) { return order(u, v) < 0; }) -
+      b.directions.begin();
   const std::size_t count_a = a.sides.size(), count_b = b.sides.size();
   std::vector<SumEdge> edges;
   std::size_t i = 0, j = 0;
@@ -154,7 +157,8 @@ std::vector<FaceEdge> Summand::sides(const Face& face) const {
   const std::vector<VertexId>& corners = polytope_->corners;
   std::vector<FaceEdge> sides;
   sides.reserve(f.end - f.begin);
-  for (Index i = f.begin; i < f.end; ++i) sides.push_back({corners[i], corners[i + 1 == f.end ? f.begin : i + 1], edge_after_[i]});
+  for (Index i = f.begin; i < f.end; ++i)
+    sides.push_back({corners[i], corners[i + 1 == f.end ? f.begin : i + 1], edge_after_[i]});
   if (reflected_) {
     std::ranges::reverse(sides);
     for (FaceEdge& s : sides) std::swap(s.from, s.to);
@@ -166,7 +170,9 @@ std::span<const Summand::Spoke> Summand::star(VertexId v) const {
   return std::span(spokes_).subspan(first_spoke_[v], first_spoke_[v.next()] - first_spoke_[v]);
 }
 
-Index Summand::edge_between(VertexId v, VertexId w) const { return std::ranges::lower_bound(star(v), w, {}, &Spoke::other)->edge; }
+Index Summand::edge_between(VertexId v, VertexId w) const {
+  return std::ranges::lower_bound(star(v), w, {}, &Spoke::other)->edge;
+}
 
 /// The facet to the right when the edge is walked from `from`, seen from outside.
 FacetId Summand::right_of(Index edge, VertexId from) const {
@@ -183,7 +189,8 @@ FacetId Summand::common_facet(Index edge, Index other_edge, const Vector& n) con
   throw std::logic_error("two edges of one face have no facet in common");
 }
 
-// The arc of the edge runs from the facet on its left to the one on its right, about the edge's direction.
+// The arc of the edge runs from the facet on its left to the one on its right, about the edge's
+// direction.
 Turn Summand::turn_at_edge(Index edge, VertexId from) const {
   const FacetId facet = right_of(edge, from);
   if (facet.is_none()) return {};
@@ -193,7 +200,8 @@ Turn Summand::turn_at_edge(Index edge, VertexId from) const {
   return {false, vertices_[*corner] - vertices_[from], Face::of(facet)};
 }
 
-// A neighbour x becomes extreme at an angle in (0, pi], the earlier of two x, y being x exactly if det(d, x, y) > 0.
+// A neighbour x becomes extreme at an angle in (0, pi], the earlier of two x, y being x exactly if
+// det(d, x, y) > 0.
 Turn Summand::turn(const Face& face, VertexId from, const Vector& d, std::uint64_t* steps) const {
   ++*steps;
   if (face.kind == Face::Kind::edge) return turn_at_edge(face.index, from);
@@ -226,7 +234,9 @@ SumFacet SumSurface::facet(const std::vector<polytope::VertexId>& face_a, const 
   return {minus_a_.face_of(face_a, n), b_.face_of(face_b, n), primitive(n)};
 }
 
-Vector SumSurface::point(const SumFacet& facet) const { return minus_a_.vertex(minus_a_.corner(facet.a)) + b_.vertex(b_.corner(facet.b)); }
+Vector SumSurface::point(const SumFacet& facet) const {
+  return minus_a_.vertex(minus_a_.corner(facet.a)) + b_.vertex(b_.corner(facet.b));
+}
 
 std::vector<SumEdge> SumSurface::edges(const SumFacet& facet) const {
   const Boundary a = boundary(minus_a_, facet.a), b = boundary(b_, facet.b);
@@ -237,7 +247,8 @@ std::vector<SumEdge> SumSurface::edges(const SumFacet& facet) const {
   return edges;
 }
 
-// The body whose face grows first when the normal is turned about the edge decides; both grow, if both do so at the same angle.
+// The body whose face grows first when the normal is turned about the edge decides; both grow, if
+// both do so at the same angle.
 SumFacet SumSurface::across(const SumEdge& edge, std::uint64_t* steps) const {
   const Vector d = to(edge) - from(edge);
   const Turn a = minus_a_.turn(edge.a, edge.from_a, d, steps), b = b_.turn(edge.b, edge.from_b, d, steps);

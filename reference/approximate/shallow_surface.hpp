@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary of P = B (+) (-A), implicitly: a facet's edges, and the facet beyond an edge, from the two bodies' faces alone. Gift
-// wrapping with local adjacency: parallel edges, common normals and facets of any number of corners are not special cases.
-// [proofs/shallow.md]
+// The boundary of P = B (+) (-A), implicitly: a facet's edges, and the facet beyond an edge, from
+// the two bodies' faces alone. Gift wrapping with local adjacency: parallel edges, common normals
+// and facets of any number of corners are not special cases. [proofs/shallow.md]
 #pragma once
 
 #include <compare>
@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
-#include "reference/polytope/polytope.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
+#include "reference/polytope/polytope.hpp"
 
 namespace fathom::approximate {
 
-// One summand of P = B (+) (-A), with what a walk over P needs: the edges at a vertex, the edges around a face, and which face
-// becomes extreme next when a direction is turned about an edge of P.
+// One summand of P = B (+) (-A), with what a walk over P needs: the edges at a vertex, the edges
+// around a face, and which face becomes extreme next when a direction is turned about an edge of P.
 
 /// A face of a polytope: vertex, edge or facet `index`. A polygon has two facets.
 struct Face {
@@ -49,8 +49,8 @@ struct Turn {
 
 class Summand {
  public:
-  /// B itself, or -A for colour a: the same numbering, each vertex and normal negated. The polytope, a value that convex_hull
-  /// returned, must outlive it. Time O(n log n), space O(n).
+  /// B itself, or -A for colour a: the same numbering, each vertex and normal negated. The
+  /// polytope, a value that convex_hull returned, must outlive it. Time O(n log n), space O(n).
   Summand(const polytope::Polytope& polytope, gaussian::Colour colour);
 
   [[nodiscard]] const polytope::Polytope& polytope() const { return *polytope_; }
@@ -65,9 +65,10 @@ class Summand {
   /// Counter-clockwise seen from outside. A vertex has no sides, an edge two: there and back.
   [[nodiscard]] std::vector<FaceEdge> sides(const Face& face) const;
 
-  /// `face`, a vertex or an edge along d, is extreme in all directions just after n when n is turned about d, where <n,d> = 0, by a
-  /// right-handed rotation; `from` is a vertex of it, the end from which d comes if it is an edge. Returns what becomes extreme next,
-  /// before half a turn is over. A vertex costs its degree, which is added to *steps.
+  /// `face`, a vertex or an edge along d, is extreme in all directions just after n when n is
+  /// turned about d, where <n,d> = 0, by a right-handed rotation; `from` is a vertex of it, the end
+  /// from which d comes if it is an edge. Returns what becomes extreme next, before half a turn is
+  /// over. A vertex costs its degree, which is added to *steps.
   [[nodiscard]] Turn turn(const Face& face, polytope::VertexId from, const Vector& d, std::uint64_t* steps) const;
 
  private:
@@ -87,17 +88,20 @@ class Summand {
   kernels::IdVector<polytope::VertexId, Vector> vertices_;
   kernels::IdVector<polytope::VertexId, std::uint32_t> first_spoke_;  // and one past the last
   std::vector<Spoke> spokes_;                                         // those of a vertex in ascending order of `other`
-  std::vector<std::uint32_t> edge_after_;  // of each of the polytope's corners: the edge to the next corner of its facet
+  std::vector<std::uint32_t>
+      edge_after_;  // of each of the polytope's corners: the edge to the next corner of its facet
 };
 
-/// A facet of P: the faces of -A and of B that are extreme in the direction of its normal. The faces alone tell which facet it is.
+/// A facet of P: the faces of -A and of B that are extreme in the direction of its normal. The
+/// faces alone tell which facet it is.
 struct SumFacet {
   Face a, b;
   Vector normal;  ///< outward, primitive
 };
 
-/// An edge of a facet of P, counter-clockwise seen from outside: a vertex or an edge of either body, not both vertices; two edges
-/// are parallel, and walked in the same sense. The faces alone tell which edge of P it is.
+/// An edge of a facet of P, counter-clockwise seen from outside: a vertex or an edge of either
+/// body, not both vertices; two edges are parallel, and walked in the same sense. The faces alone
+/// tell which edge of P it is.
 struct SumEdge {
   Face a, b;
   polytope::VertexId from_a, to_a, from_b, to_b;  ///< vertices; from = to for a vertex
@@ -105,12 +109,15 @@ struct SumEdge {
 
 class SumSurface {
  public:
-  /// The polytopes, values that convex_hull returned, must outlive it. P must have an interior. O(m + n) space, nearly O(m + n) time.
-  SumSurface(const polytope::Polytope& a, const polytope::Polytope& b) : minus_a_(a, gaussian::Colour::a), b_(b, gaussian::Colour::b) {}
+  /// The polytopes, values that convex_hull returned, must outlive it. P must have an interior. O(m
+  /// + n) space, nearly O(m + n) time.
+  SumSurface(const polytope::Polytope& a, const polytope::Polytope& b)
+      : minus_a_(a, gaussian::Colour::a), b_(b, gaussian::Colour::b) {}
 
-  /// The facet with outward normal n, given all vertices of A that minimise <n,.> and all of B that maximise it.
-  [[nodiscard]] SumFacet facet(const std::vector<polytope::VertexId>& face_a, const std::vector<polytope::VertexId>& face_b,
-                               const Vector& n) const;
+  /// The facet with outward normal n, given all vertices of A that minimise <n,.> and all of B that
+  /// maximise it.
+  [[nodiscard]] SumFacet facet(const std::vector<polytope::VertexId>& face_a,
+                               const std::vector<polytope::VertexId>& face_b, const Vector& n) const;
 
   /// A point of the facet; and the ends of an edge.
   [[nodiscard]] Vector point(const SumFacet& facet) const;
@@ -120,7 +127,8 @@ class SumSurface {
   /// All edges, in cyclic order: linear in the number of corners of both faces.
   [[nodiscard]] std::vector<SumEdge> edges(const SumFacet& facet) const;
 
-  /// The facet beyond an edge of a facet. O(1), except for the degrees of the vertices that the edge is made of: *steps grows by them.
+  /// The facet beyond an edge of a facet. O(1), except for the degrees of the vertices that the
+  /// edge is made of: *steps grows by them.
   [[nodiscard]] SumFacet across(const SumEdge& edge, std::uint64_t* steps) const;
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The segment trees. A node's strip is [first, last) in elementary strips, of which strip i lies between walls i - 1 and i; the first and
-// the last are unbounded. The trees are never stored: a depth-first descent carries, strip by strip, the arcs that still concern it.
+// The segment trees. A node's strip is [first, last) in elementary strips, of which strip i lies
+// between walls i - 1 and i; the first and the last are unbounded. The trees are never stored: a
+// depth-first descent carries, strip by strip, the arcs that still concern it.
 #include "reference/canonical/canonical_subsets.hpp"
 
 #include <algorithm>
@@ -31,8 +32,9 @@ Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::Cha
           a.right != chart::at_infinity ? chart.wall_of[a.right].value + 1 : strips};
 }
 
-// The queries that one node of a segment tree has answered, filed under the canonical subsets that they cross. Over the node's list of
-// stored arcs stands a balanced tree in heap order, whose subtrees are the canonical subsets.
+// The queries that one node of a segment tree has answered, filed under the canonical subsets that
+// they cross. Over the node's list of stored arcs stands a balanced tree in heap order, whose
+// subtrees are the canonical subsets.
 class Filing {
  public:
   struct Entry {
@@ -53,8 +55,9 @@ class Filing {
     }
   }
 
-  /// Calls visit(first, last, rising, entries) for each subset [first, last) and sense that has entries, these in the order in which
-  /// they cross the stored arcs from left to right. Afterwards nothing is filed.
+  /// Calls visit(first, last, rising, entries) for each subset [first, last) and sense that has
+  /// entries, these in the order in which they cross the stored arcs from left to right. Afterwards
+  /// nothing is filed.
   template <class Visit>
   void take(std::size_t size, Visit visit) {
     sort();
@@ -63,7 +66,8 @@ class Filing {
       while (j < entries_.size() && entries_[j].subset == entries_[i].subset) ++j;
       const std::size_t heap = entries_[i].subset / 2, width = leaves / std::bit_floor(heap);
       const std::size_t first = (heap - std::bit_floor(heap)) * width;
-      visit(first, std::min(first + width, size), entries_[i].subset % 2 == 1, std::span<const Entry>(entries_).subspan(i, j - i));
+      visit(first, std::min(first + width, size), entries_[i].subset % 2 == 1,
+            std::span<const Entry>(entries_).subspan(i, j - i));
     }
     entries_.clear();
   }
@@ -80,9 +84,9 @@ Filing::Filing(const chart::Charts& charts, gaussian::Colour query_of) {
   for (const chart::ChartArcId i : charts.of[query_of].arcs.ids()) strips_.push_back(strips_of(charts, query_of, i));
 }
 
-// Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later than one above it and a falling arc
-// later than one below it, and ids are in height order; of two others the left one crosses first.
-// [proofs/canonical_subsets.md, "Grid"]
+// Within one subset and sense: of two queries whose x-ranges overlap, a rising arc crosses later
+// than one above it and a falling arc later than one below it, and ids are in height order; of two
+// others the left one crosses first. [proofs/canonical_subsets.md, "Grid"]
 void Filing::sort() {
   std::ranges::sort(entries_, [&](const Entry& e, const Entry& f) {
     if (e.subset != f.subset) return e.subset < f.subset;
@@ -99,8 +103,8 @@ struct Stored {
   Strip strips;
 };
 
-// What is known of a query's height over one abscissa: stored arcs over it with an id below `above` pass below the query, those with an
-// id from `below` on pass above it. The rest has to be asked.
+// What is known of a query's height over one abscissa: stored arcs over it with an id below `above`
+// pass below the query, those with an id from `below` on pass above it. The rest has to be asked.
 struct Reach {
   chart::ChartArcId above, below = chart::ChartArcId::none();
 };
@@ -149,10 +153,12 @@ class CanonicalBuilder {
 
   void run() {
     std::vector<Query> queries = all_queries();
-    if (stored_of_ == gaussian::Colour::b) std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
+    if (stored_of_ == gaussian::Colour::b)
+      std::erase_if(queries, [&](const Query& q) { return !q.strips.ends_inside(root_); });
     std::vector<Stored> partial;
     list_.clear();
-    for (const chart::ChartArcId i : stored_arcs_.ids()) sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
+    for (const chart::ChartArcId i : stored_arcs_.ids())
+      sort_in({i, strips_of(charts_, stored_of_, i)}, root_, partial);
     if (!list_.empty()) {
       for (Query& q : queries) ask(root_, q.arc, q.left, q.right);
       file(root_);
@@ -185,8 +191,9 @@ class CanonicalBuilder {
     }
   }
 
-  // `stored` overlap the strip and do not span it; `queries` end inside it. T_A: these query both children, if they overlap them. T_B:
-  // they query the children that they end inside. Depth is the binary logarithm of the number of walls.
+  // `stored` overlap the strip and do not span it; `queries` end inside it. T_A: these query both
+  // children, if they overlap them. T_B: they query the children that they end inside. Depth is the
+  // binary logarithm of the number of walls.
   void descend(Strip strip, std::vector<Stored> stored, std::vector<Query> queries) {
     if (stored.empty() || queries.empty() || strip.last - strip.first == 1) return;
     report(strip);
@@ -200,7 +207,9 @@ class CanonicalBuilder {
       if (list_.empty()) continue;
       for (std::size_t i = 0; i < queries.size(); ++i) {
         Query& q = queries[i];
-        if (!(stored_of_ == gaussian::Colour::a ? q.strips.overlaps(children[side]) : q.strips.ends_inside(children[side]))) continue;
+        if (!(stored_of_ == gaussian::Colour::a ? q.strips.overlaps(children[side])
+                                                : q.strips.ends_inside(children[side])))
+          continue;
         ask(children[side], q.arc, side == 0 || q.strips.first >= middle ? q.left : at_middle[i],
             side == 1 || q.strips.last <= middle ? q.right : at_middle[i]);
       }
@@ -228,8 +237,9 @@ class CanonicalBuilder {
     context_.report("canonical subsets", (share + (stored_of_ == gaussian::Colour::a ? 0 : 1)) / 2);
   }
 
-  // Calls search(test), where test(arc) says whether the query passes above a stored arc on the wall between strips `wall` - 1 and `wall`.
-  // The wall is not at infinity: a query that reaches infinity ends there.
+  // Calls search(test), where test(arc) says whether the query passes above a stored arc on the
+  // wall between strips `wall` - 1 and `wall`. The wall is not at infinity: a query that reaches
+  // infinity ends there.
   template <class Search>
   auto with_test(chart::ChartArcId query, std::uint32_t wall, Search search) {
     const chart::ChartArc& q = charts_.of[query_of_].arcs[query];
@@ -242,7 +252,8 @@ class CanonicalBuilder {
         ++probed_;
         return sign == kernels::Sign::positive;
       }
-      return chart::above_on_wall(kernel_, charts_, query_of_, q, stored_of_, stored_arcs_[s], w) == kernels::Sign::positive;
+      return chart::above_on_wall(kernel_, charts_, query_of_, q, stored_of_, stored_arcs_[s], w) ==
+             kernels::Sign::positive;
     });
   }
 
@@ -257,18 +268,20 @@ class CanonicalBuilder {
     return {first, std::lower_bound(first, list_.cend(), reach.below)};
   }
 
-  // Where the list passes from below to above the query on a wall. Only a gap asks predicates, and the reach learns from the answers.
+  // Where the list passes from below to above the query on a wall. Only a gap asks predicates, and
+  // the reach learns from the answers.
   Iterator rank(chart::ChartArcId query, std::uint32_t wall, Reach& reach, Gap gap, Iterator hint) {
     if (gap.size() == 0) return gap.first;
     hint = std::clamp(hint, gap.first, gap.last);
-    const Iterator found = with_test(query, wall, [&](const auto& test) { return partition_point_near(gap.first, gap.last, hint, test); });
+    const Iterator found =
+        with_test(query, wall, [&](const auto& test) { return partition_point_near(gap.first, gap.last, hint, test); });
     if (found != gap.first) reach.above = std::prev(found)->next();
     if (found != gap.last) reach.below = *found;
     return found;
   }
 
-  // The query crosses all arcs that are below it at one end of its part in the strip and above it at the other. Most cross none, and
-  // where the one end lies is a good guess for the other.
+  // The query crosses all arcs that are below it at one end of its part in the strip and above it
+  // at the other. Most cross none, and where the one end lies is a good guess for the other.
   void ask(Strip strip, chart::ChartArcId query, Reach& left, Reach& right) {
     const Iterator from = std::ranges::lower_bound(std::as_const(list_), std::min(left.above, right.above));
     if (from == list_.cend() || *from >= std::max(left.below, right.below)) return;
@@ -286,16 +299,18 @@ class CanonicalBuilder {
     filing_.file(list_.size(), index(low), index(high), at_left < at_right, query);
   }
 
-  // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset and sense of crossing.
+  // Turns the filed queries into pairs (A_i, B_i), one for each canonical subset and sense of
+  // crossing.
   void file(Strip strip) {
     if (filing_.empty()) return;
     const std::uint64_t base = append(stored_of_, list_).first;
-    filing_.take(list_.size(), [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
-      CanonicalSubsets::Record record{stored_of_, rising, strip, {}};
-      record.arcs[stored_of_] = {base + first, base + last};
-      record.arcs[query_of_] = append(query_of_, entries, &Filing::Entry::query);
-      out_.records_.push_back(record);
-    });
+    filing_.take(list_.size(),
+                 [&](std::size_t first, std::size_t last, bool rising, std::span<const Filing::Entry> entries) {
+                   CanonicalSubsets::Record record{stored_of_, rising, strip, {}};
+                   record.arcs[stored_of_] = {base + first, base + last};
+                   record.arcs[query_of_] = append(query_of_, entries, &Filing::Entry::query);
+                   out_.records_.push_back(record);
+                 });
   }
 
   template <class Projection = std::identity>
@@ -341,7 +356,8 @@ CanonicalSubsets canonical_subsets(kernels::Context& context, const chart::Chart
   context.report("canonical subsets");
   const kernels::PerturbedKernel kernel(charts.perturbation, context.counters.predicates);
   CanonicalSubsets result;
-  for (const gaussian::Colour stored_of : gaussian::both_colours) CanonicalBuilder(context, kernel, charts, stored_of, result).run();
+  for (const gaussian::Colour stored_of : gaussian::both_colours)
+    CanonicalBuilder(context, kernel, charts, stored_of, result).run();
   return result;
 }
 
@@ -356,18 +372,21 @@ std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>> crossings_naive(con
       const kernels::Direction& d = a.arcs[i].circle;
       const kernels::Direction& g = b.arcs[j].circle;
       for (const kernels::Sign sign : gaussian::perturbed_crossings(kernel, a, a.arcs[i], b, b.arcs[j])) {
-        if (sign * kernel.order_at_infinity(d, g, charts.frame.z) == kernels::Sign::positive) result.emplace_back(i.value, j.value);
+        if (sign * kernel.order_at_infinity(d, g, charts.frame.z) == kernels::Sign::positive)
+          result.emplace_back(i.value, j.value);
       }
     }
   }
   return result;
 }
 
-// What the canonical pairs say about all pairs of arcs is checked, and the grid that each canonical pair forms.
+// What the canonical pairs say about all pairs of arcs is checked, and the grid that each canonical
+// pair forms.
 namespace {
 
-// Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a rising r is still below s and a falling
-// one above it. The crossing has the direction +-(d_q x d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
+// Query q crosses s further left than query r does, both in one sense: at q's crossing with s, a
+// rising r is still below s and a falling one above it. The crossing has the direction +-(d_q x
+// d_s), and in either sense det(d_q, d_s, d_r) < 0, all d oriented upward.
 bool crosses_first(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, gaussian::Colour of_queries,
                    const chart::ChartArc& q, const chart::ChartArc& r, const chart::ChartArc& s) {
   const chart::ColourChart &queries = charts.of[of_queries], &stored = charts.of[gaussian::other(of_queries)];
@@ -385,17 +404,19 @@ std::vector<const chart::ChartArc*> arcs_of(const chart::ColourChart& chart, con
   return arcs;
 }
 
-void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
-                const gaussian::PerColour<std::vector<const chart::ChartArc*>>& arcs) {
+void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts,
+                const CanonicalPair& pair, const gaussian::PerColour<std::vector<const chart::ChartArc*>>& arcs) {
   const gaussian::Colour of_stored = pair.stored_of, of_queries = gaussian::other(of_stored);
   const std::vector<const chart::ChartArc*>&stored = arcs[of_stored], &queries = arcs[of_queries];
   for (std::size_t i = 1; i < stored.size(); ++i) {
-    report.expect(chart::above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == kernels::Sign::positive,
-                  "stored arcs are not in height order");
+    report.expect(
+        chart::above_same_colour(kernel, charts, of_stored, *stored[i], *stored[i - 1]) == kernels::Sign::positive,
+        "stored arcs are not in height order");
   }
   for (const chart::ChartArc* s : stored) {
     for (std::size_t k = 0; k < queries.size(); ++k) {
-      const bool from_below = chart::above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == kernels::Sign::negative;
+      const bool from_below =
+          chart::above_far_left(kernel, charts, of_queries, *queries[k], of_stored, *s) == kernels::Sign::negative;
       report.expect(from_below == pair.rising, "a query crosses in the other sense");
       report.expect(k == 0 || crosses_first(kernel, charts, of_queries, *queries[k - 1], *queries[k], *s),
                     "queries are not in the order in which they cross");
@@ -403,20 +424,23 @@ void check_grid(kernels::Report& report, const kernels::PerturbedKernel& kernel,
   }
 }
 
-// In the strip the query comes from one side of the stored arc and leaves on the other, unless it ends in there.
+// In the strip the query comes from one side of the stored arc and leaves on the other, unless it
+// ends in there.
 bool crosses_inside(const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair,
                     const chart::ChartArc& query, Strip of_query, const chart::ChartArc& stored) {
   const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
   const auto above_at = [&](std::uint32_t wall) {
     const chart::Wall& w = charts.walls[chart::WallId(wall - 1)];
-    return chart::above_on_wall(kernel, charts, of_queries, query, pair.stored_of, stored, w) == kernels::Sign::positive;
+    return chart::above_on_wall(kernel, charts, of_queries, query, pair.stored_of, stored, w) ==
+           kernels::Sign::positive;
   };
   const bool from = pair.strip.first <= of_query.first || above_at(pair.strip.first) != pair.rising;
   const bool to = pair.strip.last >= of_query.last || above_at(pair.strip.last) == pair.rising;
   return from && to && of_query.overlaps(pair.strip);
 }
 
-void check_strip(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts, const CanonicalPair& pair) {
+void check_strip(kernels::Report& report, const kernels::PerturbedKernel& kernel, const chart::Charts& charts,
+                 const CanonicalPair& pair) {
   const gaussian::Colour of_queries = gaussian::other(pair.stored_of);
   const auto ids = [&](gaussian::Colour colour) {
     std::vector<chart::ChartArcId> result;
@@ -432,8 +456,8 @@ void check_strip(kernels::Report& report, const kernels::PerturbedKernel& kernel
   for (const chart::ChartArcId s : ids(pair.stored_of)) {
     report.expect(pair.strip.within(strips_of(charts, pair.stored_of, s)), "a stored arc does not span the strip");
     for (const chart::ChartArcId q : queries) {
-      report.expect(crosses_inside(kernel, charts, pair, charts.of[of_queries].arcs[q], strips_of(charts, of_queries, q),
-                                   charts.of[pair.stored_of].arcs[s]),
+      report.expect(crosses_inside(kernel, charts, pair, charts.of[of_queries].arcs[q],
+                                   strips_of(charts, of_queries, q), charts.of[pair.stored_of].arcs[s]),
                     "a crossing is outside the strip");
     }
   }
@@ -453,14 +477,18 @@ kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& c
   for (std::size_t k = 0; k < subsets.size(); ++k) {
     const CanonicalPair pair = subsets[k];
     report.expect(!pair.a.empty() && !pair.b.empty(), "a canonical pair has an empty side");
-    const gaussian::PerColour<std::vector<const chart::ChartArc*>> arcs{arcs_of(charts.of.a, pair.a), arcs_of(charts.of.b, pair.b)};
-    if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(), "C1: an id is not an arc of the chart")) continue;
+    const gaussian::PerColour<std::vector<const chart::ChartArc*>> arcs{arcs_of(charts.of.a, pair.a),
+                                                                        arcs_of(charts.of.b, pair.b)};
+    if (!report.expect(arcs.a.size() == pair.a.size() && arcs.b.size() == pair.b.size(),
+                       "C1: an id is not an arc of the chart"))
+      continue;
     check_once(report, arcs.a);
     check_once(report, arcs.b);
     check_strip(report, kernel, charts, pair);
     check_grid(report, kernel, charts, pair, arcs);
     for (const chart::ChartArc* e : arcs.a) {
-      for (const chart::ChartArc* f : arcs.b) ++reported[{gaussian::EdgeOfA(e->arc.value), gaussian::EdgeOfB(f->arc.value)}];
+      for (const chart::ChartArc* f : arcs.b)
+        ++reported[{gaussian::EdgeOfA(e->arc.value), gaussian::EdgeOfB(f->arc.value)}];
     }
   }
   const auto name = [](const std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>& pair) {
@@ -471,7 +499,8 @@ kernels::Report validate(const CanonicalSubsets& subsets, const chart::Charts& c
     report.expect(reported[crossing] <= 1, "crossing pair " + name(crossing) + " is reported more than once");
     reported.erase(crossing);
   }
-  for (const auto& [pair, count] : reported) report.expect(false, "C2: reported pair " + name(pair) + " does not cross");
+  for (const auto& [pair, count] : reported)
+    report.expect(false, "C2: reported pair " + name(pair) + " does not cross");
   return report;
 }
 

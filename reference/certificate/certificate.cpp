@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of polytopes: how they are made, the naive check of them, and their text, format 1.                [verify/check/FORMAT.md]
+// Certificates of polytopes: how they are made, the naive check of them, and their text, format 1.
+//                                                                          [verify/check/FORMAT.md]
 #include "reference/certificate/certificate.hpp"
 
 #include <algorithm>
@@ -13,12 +14,12 @@
 #include "fathom/certificate.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
+#include "reference/certificate/writer.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/deciding_points.hpp"
-#include "kernels/vector.hpp"
-#include "reference/certificate/writer.hpp"
 
 namespace fathom::certificate {
 namespace {
@@ -35,8 +36,10 @@ Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, ClaimK
   throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
 }
 
-// Q, found anew unless the answer brought it along. The search does not look at the answer, so this is a check of it too.
-InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b, const Penetration& answer, Monitor* monitor) {
+// Q, found anew unless the answer brought it along. The search does not look at the answer, so this
+// is a check of it too.
+InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b, const Penetration& answer,
+                             Monitor* monitor) {
   if (answer.inner) return *answer.inner;
   Options search;
   search.method = Method::certificate;
@@ -46,7 +49,8 @@ InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b,
   if (!found.penetration()) contradiction("O is not in the interior of P");
   if (found.squared() != answer.squared()) contradiction("another depth");
   const auto same = [](const Optimum& one, const Optimum& other) { return one.direction == other.direction; };
-  if (found.optima_count() != answer.optima.size() + answer.unlisted || !std::ranges::equal(found.optima(), answer.optima, same))
+  if (found.optima_count() != answer.optima.size() + answer.unlisted ||
+      !std::ranges::equal(found.optima(), answer.optima, same))
     contradiction("other optima");
   return std::move(*std::get<Penetration>(found.outcome).inner);
 }
@@ -62,7 +66,8 @@ Certificate proof_of_touch(std::span<const Point> a, std::span<const Point> b, c
   const polytope::PlacedPair pair = polytope::place(a, b);
   polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
   if (origin.position != polytope::Position::boundary) contradiction("the bodies do not touch");
-  if (is_zero(answer.direction) || support_sign(a, b, answer.direction) != 0) contradiction("no plane through O supports P");
+  if (is_zero(answer.direction) || support_sign(a, b, answer.direction) != 0)
+    contradiction("no plane through O supports P");
   certificate.directions = {answer.direction};
   certificate.weights_a = std::move(origin.a);
   certificate.weights_b = std::move(origin.b);
@@ -70,7 +75,8 @@ Certificate proof_of_touch(std::span<const Point> a, std::span<const Point> b, c
 }
 
 Certificate proof_of_distance(std::span<const Point> a, std::span<const Point> b, const Distance& answer) {
-  if (is_zero(answer.direction) || support_sign(a, b, answer.direction) >= 0) contradiction("the direction does not separate the bodies");
+  if (is_zero(answer.direction) || support_sign(a, b, answer.direction) >= 0)
+    contradiction("the direction does not separate the bodies");
   const polytope::PlacedPair pair = polytope::place(a, b);
   polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
   if (nearest.normal != answer.direction) contradiction("another direction");
@@ -99,7 +105,8 @@ class Check {
     for (const Vector& n : c_.directions)
       if (report_.expect(!is_zero(n), "the zero direction")) direction(n);
     if (c_.claim == ClaimKind::depth) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive depth");
-    if (c_.claim == ClaimKind::bounds) report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
+    if (c_.claim == ClaimKind::bounds)
+      report_.expect(c_.low >= 0 && c_.high >= c_.low && c_.high > 0, "not a lower and an upper bound");
     if (c_.claim == ClaimKind::apart) report_.expect(c_.low > 0 && c_.low == c_.high, "not one positive distance");
     if (c_.claim == ClaimKind::depth || c_.claim == ClaimKind::bounds) inner_polytope();
     if (c_.claim == ClaimKind::depth) all_optima();
@@ -119,10 +126,16 @@ class Check {
   void direction(const Vector& n) {
     const mpq_class h = support(n), square = dot(n, n);
     switch (c_.claim) {
-      case ClaimKind::depth: report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth"); break;
-      case ClaimKind::bounds: report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound"); break;
+      case ClaimKind::depth:
+        report_.expect(h > 0 && h * h == c_.low * square, "a direction does not show the depth");
+        break;
+      case ClaimKind::bounds:
+        report_.expect(h > 0 && h * h <= c_.high * square, "the direction does not show the upper bound");
+        break;
       case ClaimKind::touching: report_.expect(h == 0, "the plane through O does not support P"); break;
-      case ClaimKind::apart: report_.expect(h < 0 && h * h == c_.low * square, "the direction does not show the distance"); break;
+      case ClaimKind::apart:
+        report_.expect(h < 0 && h * h == c_.low * square, "the direction does not show the distance");
+        break;
     }
   }
 
@@ -132,7 +145,8 @@ class Check {
       vertices_.push_back(c_.b[j] - c_.a[i]);
     }
     for (const std::vector<std::uint32_t>& facet : c_.inner.facets) {
-      const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
+      const bool in_range =
+          std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
       if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return false;
     }
     return report_.expect(c_.inner.facets.size() >= 4, "Q has fewer than four facets");
@@ -144,8 +158,10 @@ class Check {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const std::vector<std::uint32_t>& facet : c_.inner.facets)
       for (std::size_t k = 0; k < facet.size(); ++k)
-        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second, "two facets of Q run along an edge in one sense");
-    for (const auto& [u, v] : edges) report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
+                       "two facets of Q run along an edge in one sense");
+    for (const auto& [u, v] : edges)
+      report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
   }
 
   void facet_of_q(const std::vector<std::uint32_t>& facet) {
@@ -184,8 +200,9 @@ class Check {
     }
     if (!c_.complete) return;
     for (const Point& m : tight_)
-      report_.expect(std::any_of(c_.directions.begin(), c_.directions.end(), [&](const Vector& n) { return parallel(n, m); }),
-                     "an optimum is missing");
+      report_.expect(
+          std::any_of(c_.directions.begin(), c_.directions.end(), [&](const Vector& n) { return parallel(n, m); }),
+          "an optimum is missing");
   }
 
   Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
@@ -300,7 +317,8 @@ std::string escaped(std::string_view id) {
 
 namespace fathom {
 
-Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer, Monitor* monitor) {
+Certificate make_certificate(std::span<const Point> a, std::span<const Point> b, const Depth& answer,
+                             Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   polytope::require_bodies(a, b);
   if (answer.touch()) return certificate::proof_of_touch(a, b, *answer.touch());
@@ -313,15 +331,16 @@ Certificate make_certificate(std::span<const Point> a, std::span<const Point> b,
   return certificate;
 }
 
-Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low, const mpq_class& high,
-                                    const std::optional<Vector>& hint, Monitor* monitor) {
+Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Point> b, const mpq_class& low,
+                                    const mpq_class& high, const std::optional<Vector>& hint, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   for (const mpq_class* bound : {&low, &high}) kernels::require_lowest_terms(*bound);
   if (low < 0) throw std::invalid_argument("the lower bound of a squared depth is negative");
   kernels::Context context(monitor);
   const polytope::PlacedPair pair = polytope::place(a, b);
   const mpz_class unit = pair.denominator * pair.denominator;
-  expanding::BallExpansion expansion = expanding::expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
+  expanding::BallExpansion expansion =
+      expanding::expand_to_ball(context, pair.a, pair.b, low * unit, high * unit, hint);
   if (expansion.end != expanding::ExpansionEnd::proved) throw std::invalid_argument("the bodies do not penetrate");
   if (!expansion.low_holds) throw std::invalid_argument("the lower bound exceeds the squared depth");
   if (!expansion.high_holds) throw std::invalid_argument("the upper bound is below the squared depth");
@@ -335,10 +354,13 @@ Certificate make_bounds_certificate(std::span<const Point> a, std::span<const Po
 
 std::string certificate_text(const Certificate& certificate) {
   const bool inner = certificate.claim == ClaimKind::depth || certificate.claim == ClaimKind::bounds;
-  certificate::Writer out(certificate::likely_size(certificate.a.size() + certificate.b.size(), inner ? &certificate.inner : nullptr));
-  // Format 1 cannot say how far bodies are apart; in all that is written here format 2 differs from it by its number alone.
+  certificate::Writer out(
+      certificate::likely_size(certificate.a.size() + certificate.b.size(), inner ? &certificate.inner : nullptr));
+  // Format 1 cannot say how far bodies are apart; in all that is written here format 2 differs from
+  // it by its number alone.
   const std::size_t format = certificate.claim == ClaimKind::apart ? 2 : 1;
-  certificate::write_head(out, format, certificate.id, std::span<const Point>(certificate.a), std::span<const Point>(certificate.b));
+  certificate::write_head(out, format, certificate.id, std::span<const Point>(certificate.a),
+                          std::span<const Point>(certificate.b));
   certificate::write_claim(out, certificate);
   if (inner) {
     certificate::write_inner(out, certificate.inner);
@@ -352,16 +374,17 @@ std::string certificate_text(const Certificate& certificate) {
   return out.take();
 }
 
-std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer, std::string_view id,
-                             Monitor* monitor) {
+std::string certificate_text(std::span<const Point> a, std::span<const Point> b, const Depth& answer,
+                             std::string_view id, Monitor* monitor) {
   const Penetration* penetration = answer.penetration();
-  if (penetration == nullptr || !penetration->inner) return certificate::text_of(make_certificate(a, b, answer, monitor), id);
+  if (penetration == nullptr || !penetration->inner)
+    return certificate::text_of(make_certificate(a, b, answer, monitor), id);
   polytope::require_bodies(a, b);
   return certificate::text_of_depth(id, a, b, *penetration);
 }
 
-std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Depth& answer,
-                             std::string_view id, Monitor* monitor) {
+std::string certificate_text(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b,
+                             const Depth& answer, std::string_view id, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const Penetration* penetration = answer.penetration();
   if (penetration == nullptr || !penetration->inner)

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/certificate/certificate.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <set>
@@ -9,14 +7,15 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
+#include "reference/certificate/certificate.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/solve/deciding_points.hpp"
 
 namespace fathom::certificate {
 namespace {
 
-// The rays of a cone without lineality in the order in which its faces go round it. Seen from the first ray the others follow each other
-// within less than half a turn.
+// The rays of a cone without lineality in the order in which its faces go round it. Seen from the
+// first ray the others follow each other within less than half a turn.
 std::vector<Vector> in_cyclic_order(std::vector<Vector> rays) {
   const Vector first = rays.front();
   std::sort(rays.begin() + 1, rays.end(), [&](const Vector& u, const Vector& v) { return det(first, u, v) > 0; });
@@ -25,7 +24,8 @@ std::vector<Vector> in_cyclic_order(std::vector<Vector> rays) {
 
 class Prover {
  public:
-  Prover(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone) : a_(a), b_(b), proof_{cone, {}} {}
+  Prover(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone)
+      : a_(a), b_(b), proof_{cone, {}} {}
 
   ConeProof run() {
     const std::vector<Vector>& rays = proof_.cone.rays;
@@ -40,7 +40,9 @@ class Prover {
     std::vector<std::uint32_t> a, b;
   };
 
-  [[nodiscard]] Face face(const Vector& u) const { return {solve::extreme_points(a_, -u), solve::extreme_points(b_, u)}; }
+  [[nodiscard]] Face face(const Vector& u) const {
+    return {solve::extreme_points(a_, -u), solve::extreme_points(b_, u)};
+  }
 
   // Adds the difference of the face that lies farthest in the direction w.
   Point add(const Face& face, const Vector& w) {
@@ -54,7 +56,8 @@ class Prover {
     return b_[found.second] - a_[found.first];
   }
 
-  // Two neighbouring rays span a facet of the cone, whose plane is orthogonal to an edge or a line of differences.
+  // Two neighbouring rays span a facet of the cone, whose plane is orthogonal to an edge or a line
+  // of differences.
   void facets(const std::vector<Vector>& rays) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const std::size_t next = (i + 1) % rays.size(), other = (i + 2) % rays.size();
@@ -76,7 +79,8 @@ class Prover {
     if (spanning.size() == 1) around(face(sum), spanning.front());
   }
 
-  // Differences of a face in the plane orthogonal to p, each of which has one to its left: each next one is the farthest to the left.
+  // Differences of a face in the plane orthogonal to p, each of which has one to its left: each
+  // next one is the farthest to the left.
   void around(const Face& face, const Vector& p) {
     std::vector<Vector> found;
     Vector w = is_zero(cross(p, {1, 0, 0})) ? Vector{0, 1, 0} : cross(p, {1, 0, 0});
@@ -124,10 +128,12 @@ class Rules {
 
   void many_rays() {
     std::set<Indices> facets;
-    for (const Indices& zeros : zeros_) report_.expect(zeros.size() == 2, "a difference is not orthogonal to exactly two rays");
+    for (const Indices& zeros : zeros_)
+      report_.expect(zeros.size() == 2, "a difference is not orthogonal to exactly two rays");
     facets.insert(zeros_.begin(), zeros_.end());
     for (std::size_t k = 0; k < rays_.size(); ++k) {
-      const auto around = std::count_if(facets.begin(), facets.end(), [&](const Indices& zeros) { return zeros.contains(k); });
+      const auto around =
+          std::count_if(facets.begin(), facets.end(), [&](const Indices& zeros) { return zeros.contains(k); });
       report_.expect(around >= 2, "a ray lies in fewer than two facets");
     }
   }
@@ -164,7 +170,9 @@ class Rules {
 
 }  // namespace
 
-ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone) { return Prover(a, b, cone).run(); }
+ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone) {
+  return Prover(a, b, cone).run();
+}
 
 kernels::Report validate(const ConeProof& proof, std::span<const Point> a, std::span<const Point> b) {
   kernels::Report report = rounded::validate(proof.cone, a, b);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of signed depths, format 2: proofs about the cores, found as for point sets, and the radii beside them; the naive check of
-// them; and their text.                                                                                       [verify/check/FORMAT.md]
+// Certificates of signed depths, format 2: proofs about the cores, found as for point sets, and the
+// radii beside them; the naive check of them; and their text.              [verify/check/FORMAT.md]
 #include <algorithm>
 #include <optional>
 #include <span>
@@ -86,7 +86,8 @@ void prove(const Bracket& bracket, const SignedDepth& answer, ShapeCertificate& 
   certificate.weights_b = bracket.weights_b;
 }
 
-// ---- the naive check: in rationals, by the definitions; what is about points alone is left to that of format 1 ----
+// ---- the naive check: in rationals, by the definitions; what is about points alone is left to
+// that of format 1 ----
 
 // The square with the sign of x.
 mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
@@ -131,7 +132,8 @@ class ShapeCheck {
     if (const HalfSpace* half = side.half()) {
       const mpq_class along = dot(side.outward, half->normal), square = dot(side.outward, side.outward);
       const bool parallel = along > 0 && along * along == square * dot(half->normal, half->normal);
-      if (report_.expect(parallel, "the direction is not the normal of the half-space")) side.most = half->offset * square / along;
+      if (report_.expect(parallel, "the direction is not the normal of the half-space"))
+        side.most = half->offset * square / along;
       return;
     }
     const std::vector<Term>& terms = std::get<std::vector<Term>>(side.shape.core);
@@ -169,7 +171,8 @@ class ShapeCheck {
       const AtomPoint& place = point[i];
       if (!report_.expect(place.atom < terms[i].atoms.size(), "an inner point names no atom")) return;
       const Atom& atom = terms[i].atoms[place.atom];
-      if (!report_.expect(place.local.size() == atom.axes.size(), "a place has not one parameter for each axis")) return;
+      if (!report_.expect(place.local.size() == atom.axes.size(), "a place has not one parameter for each axis"))
+        return;
       mpq_class square;
       sum = sum + atom.center;
       for (std::size_t k = 0; k < place.local.size(); ++k) {
@@ -199,22 +202,43 @@ class ShapeCheck {
       return;
     }
     const ClaimKind claim = c_.claim == ShapeClaim::depth ? ClaimKind::depth : ClaimKind::touching;
-    add(validate({{}, a.points, b.points, claim, c_.low, c_.high, c_.directions, c_.complete, c_.inner, c_.weights_a, c_.weights_b}));
+    add(validate({{},
+                  a.points,
+                  b.points,
+                  claim,
+                  c_.low,
+                  c_.high,
+                  c_.directions,
+                  c_.complete,
+                  c_.inner,
+                  c_.weights_a,
+                  c_.weights_b}));
     if (c_.cone) add(validate(*c_.cone, a.points, b.points));
   }
 
   void bounds(const Side& a, const Side& b) {
     const mpq_class rho = c_.a.radius + c_.b.radius, square = dot(c_.directions.front(), c_.directions.front());
     report_.expect(c_.low <= c_.high, "the bounds are the wrong way round");
-    report_.expect(compare(Surd{rho, signed_square(*a.most + *b.most) / square}, c_.high) <= 0, "the upper bound is too low");
+    report_.expect(compare(Surd{rho, signed_square(*a.most + *b.most) / square}, c_.high) <= 0,
+                   "the upper bound is too low");
     if (a.half() != nullptr || b.half() != nullptr) {
-      report_.expect(compare(Surd{rho, signed_square(a.least() + b.least()) / square}, c_.low) >= 0, "the lower bound is too high");
+      report_.expect(compare(Surd{rho, signed_square(a.least() + b.least()) / square}, c_.low) >= 0,
+                     "the lower bound is too high");
     } else if (c_.inner.vertices.empty()) {
       report_.expect(compare(Surd{rho, -squared_gap(a.points, b.points)}, c_.low) >= 0, "the lower bound is too high");
     } else {
       const mpq_class low = std::max(mpq_class(0), mpq_class(c_.low - rho)), height = a.least() + b.least();
-      add(validate(
-          {{}, a.points, b.points, ClaimKind::bounds, low * low, signed_square(height) / square, c_.directions, false, c_.inner, {}, {}}));
+      add(validate({{},
+                    a.points,
+                    b.points,
+                    ClaimKind::bounds,
+                    low * low,
+                    signed_square(height) / square,
+                    c_.directions,
+                    false,
+                    c_.inner,
+                    {},
+                    {}}));
     }
   }
 
@@ -235,7 +259,9 @@ class ShapeCheck {
     return sum;
   }
 
-  void add(const kernels::Report& report) { report_.faults.insert(report_.faults.end(), report.faults.begin(), report.faults.end()); }
+  void add(const kernels::Report& report) {
+    report_.faults.insert(report_.faults.end(), report.faults.begin(), report.faults.end());
+  }
 
   const ShapeCertificate& c_;
   kernels::Report report_;
@@ -273,9 +299,12 @@ class ShapeWriter {
     return out_.word(name).word(count);
   }
 
-  void body(const Shape& shape, std::string_view points, std::string_view terms, std::string_view half, std::string_view radius) {
-    if (const HalfSpace* core = std::get_if<HalfSpace>(&shape.core)) out_.word(half).words(core->normal).word(core->offset).end();
-    else if (const auto& all = std::get<std::vector<Term>>(shape.core); c_.claim == ShapeClaim::signed_bounds) write_terms(all, terms);
+  void body(const Shape& shape, std::string_view points, std::string_view terms, std::string_view half,
+            std::string_view radius) {
+    if (const HalfSpace* core = std::get_if<HalfSpace>(&shape.core))
+      out_.word(half).words(core->normal).word(core->offset).end();
+    else if (const auto& all = std::get<std::vector<Term>>(shape.core); c_.claim == ShapeClaim::signed_bounds)
+      write_terms(all, terms);
     else write_hull(all.front(), points);
     if (shape.radius != 0) out_.word(radius).word(shape.radius).end();
   }
@@ -382,18 +411,22 @@ ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDe
   ShapeCertificate certificate;
   certificate.a = shapes::simplified(a);
   certificate.b = shapes::simplified(b);
-  if (certificate.a.radius != answer.radius_a || certificate.b.radius != answer.radius_b) certificate::contradiction("other radii");
+  if (certificate.a.radius != answer.radius_a || certificate.b.radius != answer.radius_b)
+    certificate::contradiction("other radii");
   std::visit([&](const auto& core) { certificate::prove(core, answer, certificate, monitor); }, answer.core);
   return certificate;
 }
 
-std::string certificate_text(const ShapeCertificate& certificate) { return certificate::ShapeWriter(certificate).text(); }
+std::string certificate_text(const ShapeCertificate& certificate) {
+  return certificate::ShapeWriter(certificate).text();
+}
 
-std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& answer, std::string_view id, ShapeFormat format,
-                             Monitor* monitor) {
+std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& answer, std::string_view id,
+                             ShapeFormat format, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const Depth* const cores = std::get_if<Depth>(&answer.core);
-  if (cores != nullptr && certificate::bare(a) && certificate::bare(b) && (format == ShapeFormat::shortest || !cores->touch()))
+  if (cores != nullptr && certificate::bare(a) && certificate::bare(b) &&
+      (format == ShapeFormat::shortest || !cores->touch()))
     return certificate_text(certificate::points_of(a), certificate::points_of(b), *cores, id, monitor);
   ShapeCertificate certificate = make_certificate(a, b, answer, monitor);
   certificate.id = id;

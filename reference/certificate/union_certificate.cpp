@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate of unions as text: format 3.                                                        [verify/check/FORMAT.md, section 12]
+// The certificate of unions as text: format 3.                 [verify/check/FORMAT.md, section 12]
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -71,7 +71,8 @@ class UnionWriter {
     contradiction("no pieces touch");
   }
 
-  // Each pair has a direction in which it is as far apart as it is; the first nearest one has the nearest points.
+  // Each pair has a direction in which it is as far apart as it is; the first nearest one has the
+  // nearest points.
   std::string disjoint(kernels::Context& context, const UnionDistance& answer) {
     const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
     std::vector<Vector> directions;
@@ -139,7 +140,8 @@ class UnionWriter {
 
 namespace fathom {
 
-std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth& answer, std::string_view id, Monitor* monitor) {
+std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth& answer, std::string_view id,
+                             Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   kernels::Context context(monitor);
   if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");

@@ -3,13 +3,14 @@
 // Output  the text that they make, with one blank between two words of a line.
 #pragma once
 
+#include <gmpxx.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <gmpxx.h>
 #include <iterator>
 #include <span>
 #include <string>
@@ -107,7 +108,9 @@ class Writer {
   }
 
   // With the sign, and what mpz_get_str needs; 2^128 has 39 digits.
-  static std::size_t size_of(const mpz_class& n) { return mpz_size(n.get_mpz_t()) <= 2 ? 42 : mpz_sizeinbase(n.get_mpz_t(), 10) + 2; }
+  static std::size_t size_of(const mpz_class& n) {
+    return mpz_size(n.get_mpz_t()) <= 2 ? 42 : mpz_sizeinbase(n.get_mpz_t(), 10) + 2;
+  }
   static char* put(char* at, std::uint64_t n) { return std::to_chars(at, at + 20, n).ptr; }
   static char* put(char* at, const mpz_class& number) {
     const mpz_srcptr n = number.get_mpz_t();
@@ -132,7 +135,8 @@ class Writer {
   bool line_start_ = true;
 };
 
-/// An id as one word. Blanks are escaped too: a line may not end with one, and ids are easier to read out of a line without.
+/// An id as one word. Blanks are escaped too: a line may not end with one, and ids are easier to
+/// read out of a line without.
 std::string escaped(std::string_view id);
 
 template <class P>

@@ -28,36 +28,41 @@ Frame chart_frame(Hemisphere hemisphere) {
           kernels::Direction(Vector{0, 0, hemisphere == Hemisphere::upper ? 1 : -1}, kernels::Role::pole)};
 }
 
-kernels::Sign node_above_arc(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_node, gaussian::NodeId node,
-                             gaussian::Colour of_arc, const ChartArc& arc) {
+kernels::Sign node_above_arc(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_node,
+                             gaussian::NodeId node, gaussian::Colour of_arc, const ChartArc& arc) {
   return orientation(arc) * kernel.side_of_arc(charts.of[of_node].node(node), charts.of[of_arc].circle(arc));
 }
 
-kernels::Sign above_on_wall(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
-                            gaussian::Colour of_f, const ChartArc& f, const Wall& wall) {
+kernels::Sign above_on_wall(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e,
+                            const ChartArc& e, gaussian::Colour of_f, const ChartArc& f, const Wall& wall) {
   return orientation(e) * orientation(f) *
-         kernel.order_on_vertical(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.node(wall), charts.frame.v);
+         kernel.order_on_vertical(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.node(wall),
+                                  charts.frame.v);
 }
 
-kernels::Sign above_far_left(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
-                             gaussian::Colour of_f, const ChartArc& f) {
-  return orientation(e) * orientation(f) * kernel.order_at_infinity(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.frame.z);
+kernels::Sign above_far_left(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e,
+                             const ChartArc& e, gaussian::Colour of_f, const ChartArc& f) {
+  return orientation(e) * orientation(f) *
+         kernel.order_at_infinity(charts.of[of_e].circle(e), charts.of[of_f].circle(f), charts.frame.z);
 }
 
-kernels::Sign above_same_colour(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour, const ChartArc& e,
-                                const ChartArc& f) {
+kernels::Sign above_same_colour(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour,
+                                const ChartArc& e, const ChartArc& f) {
   const auto wall = [&](gaussian::NodeId node) { return charts.of[colour].wall_of[node]; };
-  // An end that only one of them has lies off the other, since arcs of one diagram meet in common ends only.
+  // An end that only one of them has lies off the other, since arcs of one diagram meet in common
+  // ends only.
   if (e.left != f.left) {
     const bool later = f.left == at_infinity || (e.left != at_infinity && wall(e.left) > wall(f.left));
-    return later ? node_above_arc(kernel, charts, colour, e.left, colour, f) : -node_above_arc(kernel, charts, colour, f.left, colour, e);
+    return later ? node_above_arc(kernel, charts, colour, e.left, colour, f)
+                 : -node_above_arc(kernel, charts, colour, f.left, colour, e);
   }
   if (e.right != f.right) {
     const bool earlier = f.right == at_infinity || (e.right != at_infinity && wall(e.right) < wall(f.right));
     return earlier ? node_above_arc(kernel, charts, colour, e.right, colour, f)
                    : -node_above_arc(kernel, charts, colour, f.right, colour, e);
   }
-  // Both run from one node to the same infinity, or from it to one node: the order there is that of their slopes.
+  // Both run from one node to the same infinity, or from it to one node: the order there is that of
+  // their slopes.
   const kernels::Sign far_left = above_far_left(kernel, charts, colour, e, colour, f);
   return e.left == at_infinity ? far_left : -far_left;
 }
@@ -78,7 +83,9 @@ void find_nodes(const kernels::PerturbedKernel& kernel, const Charts& charts, Co
 
 void find_arcs(const kernels::PerturbedKernel& kernel, const Charts& charts, ColourChart& chart) {
   const gaussian::GaussianDiagram& diagram = *chart.diagram;
-  const auto end = [&](gaussian::NodeId node) { return node.is_none() || chart.wall_of[node].is_none() ? at_infinity : node; };
+  const auto end = [&](gaussian::NodeId node) {
+    return node.is_none() || chart.wall_of[node].is_none() ? at_infinity : node;
+  };
   for (const gaussian::ArcId i : diagram.arcs.ids()) {
     const gaussian::Arc& arc = diagram.arcs[i];
     const gaussian::NodeId from = end(arc.from), to = end(arc.to);
@@ -99,7 +106,8 @@ void draw_circles(ColourChart& chart) {
 
 // The order "above" of a colour's arcs, as one list.
 
-// Indices 0, 1, ... grouped by a key below `keys`: those of key k are items[begin[k], begin[k + 1]), ascending.
+// Indices 0, 1, ... grouped by a key below `keys`: those of key k are items[begin[k], begin[k +
+// 1]), ascending.
 struct Groups {
   std::vector<std::uint32_t> begin, items;
 };
@@ -113,9 +121,10 @@ Groups group(std::uint32_t count, std::uint32_t keys, Key key) {
   return groups;
 }
 
-// Puts the arcs of a chart into height order: where two overlap in an x-interval, the higher one comes later. It asks no predicate: an
-// arc leads from the face below it to the face above it, and the faces are sorted topologically. Linear, not recursive. Throws
-// std::logic_error if the arcs lead around in a circle: then they are not a diagram.                     [proofs/chart.md, "Height order"]
+// Puts the arcs of a chart into height order: where two overlap in an x-interval, the higher one
+// comes later. It asks no predicate: an arc leads from the face below it to the face above it, and
+// the faces are sorted topologically. Linear, not recursive. Throws std::logic_error if the arcs
+// lead around in a circle: then they are not a diagram.           [proofs/chart.md, "Height order"]
 void sort_by_height(ColourChart& chart) {
   const std::vector<ChartArc>& arcs = chart.arcs;
   const auto above = [&](const ChartArc& arc) { return chart.vertex_above(arc).value; };
@@ -144,8 +153,9 @@ void sort_by_height(ColourChart& chart) {
   chart.arcs = std::move(sorted);
 }
 
-// The walls through the nodes of both colours, sorted. Abscissae in binary64 propose an order, and the predicate decides: it sorts each
-// group of walls that lie close together, then checks all neighbours. If it finds any in the wrong order, it sorts all walls.
+// The walls through the nodes of both colours, sorted. Abscissae in binary64 propose an order, and
+// the predicate decides: it sorts each group of walls that lie close together, then checks all
+// neighbours. If it finds any in the wrong order, it sorts all walls.
 
 struct Candidate {
   double x;
@@ -169,11 +179,12 @@ std::vector<Candidate> candidates(const Charts& charts) {
 
 bool close_together(double x, double y) { return !(std::abs(y - x) > 0x1p-40 * (1 + std::abs(x))); }
 
-// Fills in the walls, and in wall_of their ids, for the nodes whose wall_of is not none. Sorts exactly, in O(N log N); where abscissae
-// are well apart, with one predicate a wall.
+// Fills in the walls, and in wall_of their ids, for the nodes whose wall_of is not none. Sorts
+// exactly, in O(N log N); where abscissae are well apart, with one predicate a wall.
 void raise_walls(const kernels::PerturbedKernel& kernel, Charts& charts) {
   const auto left_of = [&](const Candidate& s, const Candidate& t) {
-    return s.wall != t.wall && kernel.x_order(charts.node(s.wall), charts.node(t.wall), charts.frame.v) == kernels::Sign::positive;
+    return s.wall != t.wall &&
+           kernel.x_order(charts.node(s.wall), charts.node(t.wall), charts.frame.v) == kernels::Sign::positive;
   };
   std::vector<Candidate> all = candidates(charts);
   std::ranges::sort(all, {}, &Candidate::x);
@@ -193,8 +204,8 @@ void raise_walls(const kernels::PerturbedKernel& kernel, Charts& charts) {
 
 // The places of one colour's nodes, and of its arcs' ends, in the other colour's diagram.
 
-// The arcs of one colour that cross the sweep line, by id, which is from bottom to top. A balanced tree in heap order; each node holds the
-// greatest id in its subtree.
+// The arcs of one colour that cross the sweep line, by id, which is from bottom to top. A balanced
+// tree in heap order; each node holds the greatest id in its subtree.
 class SweepLine {
  public:
   SweepLine(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour)
@@ -206,7 +217,8 @@ class SweepLine {
         highest_(2 * leaves_, ChartArcId::none()) {}
 
   void insert(ChartArcId arc) {
-    for (std::size_t i = leaves_ + arc.value; i > 0 && (highest_[i].is_none() || highest_[i] < arc); i /= 2) highest_[i] = arc;
+    for (std::size_t i = leaves_ + arc.value; i > 0 && (highest_[i].is_none() || highest_[i] < arc); i /= 2)
+      highest_[i] = arc;
   }
 
   void erase(ChartArcId arc) {
@@ -230,10 +242,12 @@ class SweepLine {
       kernel_.count_calls(Predicate::side_of_arc, 1);
       return side == kernels::Sign::positive;
     }
-    return node_above_arc(kernel_, charts_, gaussian::other(colour_), node, colour_, chart_.arcs[arc]) == kernels::Sign::positive;
+    return node_above_arc(kernel_, charts_, gaussian::other(colour_), node, colour_, chart_.arcs[arc]) ==
+           kernels::Sign::positive;
   }
 
-  // Of the arcs on the sweep line the highest that passes below the node. Asks a predicate only where both subtrees hold arcs.
+  // Of the arcs on the sweep line the highest that passes below the node. Asks a predicate only
+  // where both subtrees hold arcs.
   [[nodiscard]] ChartArcId highest_below(gaussian::NodeId node) const {
     const Vec3<double> at = kernels::image(charts_.of[gaussian::other(colour_)].node(node));
     ChartArcId below = ChartArcId::none();
@@ -275,7 +289,8 @@ class Incidence {
     for (const ChartArc& arc : chart.arcs) ends(arc, [&](gaussian::NodeId node) { ++begin_[node]; });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     arcs_.resize(begin_.back());
-    for (const ChartArcId i : chart.arcs.ids()) ends(chart.arcs[i], [&](gaussian::NodeId node) { arcs_[--begin_[node]] = i; });
+    for (const ChartArcId i : chart.arcs.ids())
+      ends(chart.arcs[i], [&](gaussian::NodeId node) { arcs_[--begin_[node]] = i; });
   }
 
   [[nodiscard]] std::span<const ChartArcId> at(gaussian::NodeId node) const {
@@ -295,13 +310,15 @@ struct Ends {
 constexpr Ends left_ends{&ChartArc::left, &ChartArc::left_height};
 constexpr Ends right_ends{&ChartArc::right, &ChartArc::right_height};
 
-// The arcs of each colour that reach to one infinity are sorted there by id. Merges both colours by height.
+// The arcs of each colour that reach to one infinity are sorted there by id. Merges both colours by
+// height.
 void locate_at_infinity(const kernels::PerturbedKernel& kernel, Charts& charts, const Ends& side) {
   const bool at_left = side.node == left_ends.node;
   gaussian::PerColour<std::vector<ChartArcId>> ends;
   for (const gaussian::Colour c : gaussian::both_colours) {
     const kernels::IdVector<ChartArcId, ChartArc>& arcs = charts.of[c].arcs;
-    std::ranges::copy_if(arcs.ids(), std::back_inserter(ends[c]), [&](ChartArcId i) { return arcs[i].*side.node == at_infinity; });
+    std::ranges::copy_if(arcs.ids(), std::back_inserter(ends[c]),
+                         [&](ChartArcId i) { return arcs[i].*side.node == at_infinity; });
   }
   gaussian::PerColour<std::size_t> next{};
   gaussian::PerColour<ChartArcId> height{};  // the id after the last arc that was taken
@@ -309,8 +326,8 @@ void locate_at_infinity(const kernels::PerturbedKernel& kernel, Charts& charts, 
   while (next.a < ends.a.size() || next.b < ends.b.size()) {
     gaussian::Colour lower = next.a < ends.a.size() ? gaussian::Colour::a : gaussian::Colour::b;
     if (next.a < ends.a.size() && next.b < ends.b.size()) {
-      const bool a_above = above_far_left(kernel, charts, gaussian::Colour::a, arc(gaussian::Colour::a), gaussian::Colour::b,
-                                          arc(gaussian::Colour::b)) == kernels::Sign::positive;
+      const bool a_above = above_far_left(kernel, charts, gaussian::Colour::a, arc(gaussian::Colour::a),
+                                          gaussian::Colour::b, arc(gaussian::Colour::b)) == kernels::Sign::positive;
       lower = a_above == at_left ? gaussian::Colour::b : gaussian::Colour::a;
     }
     arc(lower).*side.height = height[gaussian::other(lower)];
@@ -318,9 +335,10 @@ void locate_at_infinity(const kernels::PerturbedKernel& kernel, Charts& charts, 
   }
 }
 
-// Fills in place_of for the nodes of a colour, by a plane sweep over all walls and the other colour's arcs, which must be in height order.
-// A wall belongs to one node of one colour: there arcs leave the sweep line and enter it, or the node is located. O((m + n) log(m + n))
-// steps; each node asks at most about as many predicates as the logarithm of the arcs over its abscissa.
+// Fills in place_of for the nodes of a colour, by a plane sweep over all walls and the other
+// colour's arcs, which must be in height order. A wall belongs to one node of one colour: there
+// arcs leave the sweep line and enter it, or the node is located. O((m + n) log(m + n)) steps; each
+// node asks at most about as many predicates as the logarithm of the arcs over its abscissa.
 void locate_nodes(const kernels::PerturbedKernel& kernel, Charts& charts, gaussian::Colour colour) {
   kernels::IdVector<gaussian::NodeId, NodePlace>& places = charts.of[colour].place_of;
   places.assign(charts.of[colour].diagram->nodes.size(), {});
@@ -345,7 +363,8 @@ void locate_nodes(const kernels::PerturbedKernel& kernel, Charts& charts, gaussi
   }
 }
 
-// Fills in the heights of all arcs' ends: from the places of the nodes, and at infinity by merging both colours' lists. Linear.
+// Fills in the heights of all arcs' ends: from the places of the nodes, and at infinity by merging
+// both colours' lists. Linear.
 void locate_ends(const kernels::PerturbedKernel& kernel, Charts& charts) {
   for (const gaussian::Colour c : gaussian::both_colours) {
     ColourChart& chart = charts.of[c];
@@ -359,8 +378,8 @@ void locate_ends(const kernels::PerturbedKernel& kernel, Charts& charts) {
 
 }  // namespace
 
-Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b,
-                   const Frame& frame, const kernels::Perturbation& perturbation) {
+Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& minus_a,
+                   const gaussian::GaussianDiagram& b, const Frame& frame, const kernels::Perturbation& perturbation) {
   Charts charts{perturbation, frame, {}, {}};
   charts.of.a.diagram = &minus_a;
   charts.of.b.diagram = &b;
@@ -401,7 +420,8 @@ kernels::Report validate(const Charts& charts) {
   PredicateCounts uncounted;
   const kernels::PerturbedKernel kernel(charts.perturbation, uncounted);
   for (std::uint32_t i = 1; i < charts.walls.size(); ++i) {
-    const kernels::Direction &left = charts.node(charts.walls[WallId(i - 1)]), &right = charts.node(charts.walls[WallId(i)]);
+    const kernels::Direction &left = charts.node(charts.walls[WallId(i - 1)]),
+                             &right = charts.node(charts.walls[WallId(i)]);
     report.expect(kernel.x_order(left, right, charts.frame.v) == kernels::Sign::positive,
                   "wall " + std::to_string(i) + " is not right of the one before");
   }

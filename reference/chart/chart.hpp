@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the Gaussian diagrams of -A and of B.
-// Output  the charts of one hemisphere: both diagrams, perturbed, projected centrally to a plane, where arcs are segments, rays and lines,
-//         and the walls through their endpoints.                                               [AGHRS, section 2.2, "Computing F"]
-// Departs from the paper: arcs are not cut at the equator. An arc that crosses it is a ray in either chart, because <v,z> = 0 puts the
+// Output  the charts of one hemisphere: both diagrams, perturbed, projected centrally to a plane,
+//         where arcs are segments, rays and lines, and the walls through their endpoints.
+//                                                               [AGHRS, section 2.2, "Computing F"]
+// Departs from the paper: arcs are not cut at the equator. An arc that crosses it is a ray in
+// either chart, because <v,z> = 0 puts the
 //         equator at x = -infinity and x = +infinity.
 #pragma once
 
 #include "kernels/context.hpp"
-
-
 #include "kernels/predicates/direction.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "kernels/report.hpp"
@@ -25,11 +25,12 @@ struct Frame {
   kernels::Direction v, z;
 };
 
-/// v = (0,1,0) and z = (0,0,1), or (0,0,-1) for the lower hemisphere; tilted infinitesimally by the perturbation.
+/// v = (0,1,0) and z = (0,0,1), or (0,0,-1) for the lower hemisphere; tilted infinitesimally by the
+/// perturbation.
 Frame chart_frame(Hemisphere hemisphere);
 
-/// Indices in a chart. The arcs of one colour are numbered in height order: where two overlap in an x-interval, the higher one has the
-/// greater index. Walls are numbered from left to right.
+/// Indices in a chart. The arcs of one colour are numbered in height order: where two overlap in an
+/// x-interval, the higher one has the greater index. Walls are numbered from left to right.
 using ChartArcId = kernels::Id<struct ChartArc>;
 using WallId = kernels::Id<struct Wall>;
 
@@ -49,13 +50,15 @@ struct ChartArc {
   gaussian::ArcId arc;           ///< the whole arc
   gaussian::NodeId left, right;  ///< or at_infinity
   bool flipped;                  ///< <circle,v> < 0: above and below change places
-  /// For each end: the other colour's arcs over its abscissa, or over the same infinity, pass below the end if their index is below this
-  /// height, and above it otherwise.
+  /// For each end: the other colour's arcs over its abscissa, or over the same infinity, pass below
+  /// the end if their index is below this height, and above it otherwise.
   ChartArcId left_height, right_height;
 };
 
 /// Of the arc's circle: positive if it points upward.
-constexpr kernels::Sign orientation(const ChartArc& arc) { return arc.flipped ? kernels::Sign::negative : kernels::Sign::positive; }
+constexpr kernels::Sign orientation(const ChartArc& arc) {
+  return arc.flipped ? kernels::Sign::negative : kernels::Sign::positive;
+}
 
 /// Where a node lies among the arcs of the other colour.
 struct NodePlace {
@@ -90,8 +93,9 @@ struct ColourChart {
   [[nodiscard]] gaussian::VertexId vertex_below(const ChartArc& arc) const;
 };
 
-/// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of the other colour or on the equator,
-/// and no arc lies on a vertical: the perturbation separates whatever coincides on the input.
+/// Charts of both colours over one frame. No two nodes share an abscissa, no node lies on an arc of
+/// the other colour or on the equator, and no arc lies on a vertical: the perturbation separates
+/// whatever coincides on the input.
 struct Charts {
   kernels::Perturbation perturbation;
   Frame frame;
@@ -102,29 +106,33 @@ struct Charts {
   [[nodiscard]] const kernels::Direction& node(const Wall& wall) const { return of[wall.colour].node(wall.node); }
 };
 
-/// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are located by a plane sweep.
-Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b,
-                   const Frame& frame, const kernels::Perturbation& perturbation = {});
+/// The diagrams must outlive the charts. O((m + n) log(m + n)): walls are sorted, and nodes are
+/// located by a plane sweep.
+Charts make_charts(kernels::Context& context, const gaussian::GaussianDiagram& minus_a,
+                   const gaussian::GaussianDiagram& b, const Frame& frame,
+                   const kernels::Perturbation& perturbation = {});
 
-/// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each face that the arcs below it come before
-/// those above it; then the arcs are in height order [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.
+/// Checks the order of neighbouring walls, the orientation and the ends of every arc, and at each
+/// face that the arcs below it come before those above it; then the arcs are in height order
+/// [proofs/chart.md]. Linear. The validate of vertex_facet checks the places.
 [[nodiscard]] kernels::Report validate(const Charts& charts);
 
-// What searches ask about the nodes and arcs of a chart: the predicates of kernels/ with the arcs oriented from left to right. No answer is
-// zero.
+// What searches ask about the nodes and arcs of a chart: the predicates of kernels/ with the arcs
+// oriented from left to right. No answer is zero.
 
 /// Positive: the node lies above the line of the arc. Not for an end of the arc.
-kernels::Sign node_above_arc(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_node, gaussian::NodeId node,
-                             gaussian::Colour of_arc, const ChartArc& arc);
+kernels::Sign node_above_arc(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_node,
+                             gaussian::NodeId node, gaussian::Colour of_arc, const ChartArc& arc);
 /// Positive: arc e lies above arc f on the wall.
-kernels::Sign above_on_wall(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
-                            gaussian::Colour of_f, const ChartArc& f, const Wall& wall);
+kernels::Sign above_on_wall(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e,
+                            const ChartArc& e, gaussian::Colour of_f, const ChartArc& f, const Wall& wall);
 /// Positive: arc e lies above arc f far to the left.
-kernels::Sign above_far_left(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e, const ChartArc& e,
-                             gaussian::Colour of_f, const ChartArc& f);
-/// Positive: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges overlap in more than a point: they do not
-/// cross, so the later of the left ends decides; if they share it, the earlier of the right ends.        [degree 3, no wall needed]
-kernels::Sign above_same_colour(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour, const ChartArc& e,
-                                const ChartArc& f);
+kernels::Sign above_far_left(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour of_e,
+                             const ChartArc& e, gaussian::Colour of_f, const ChartArc& f);
+/// Positive: e lies above f over their common x-range. Both are arcs of one colour whose x-ranges
+/// overlap in more than a point: they do not cross, so the later of the left ends decides; if they
+/// share it, the earlier of the right ends.                              [degree 3, no wall needed]
+kernels::Sign above_same_colour(const kernels::PerturbedKernel& kernel, const Charts& charts, gaussian::Colour colour,
+                                const ChartArc& e, const ChartArc& f);
 
 }  // namespace fathom::chart

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "kernels/number/rational.hpp"
-#include "reference/polytope/lattice.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/oracle.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -60,7 +60,9 @@ class Names {
 
  private:
   struct Before {
-    bool operator()(const AtomPoint& p, const AtomPoint& q) const { return p.atom != q.atom ? p.atom < q.atom : p.local < q.local; }
+    bool operator()(const AtomPoint& p, const AtomPoint& q) const {
+      return p.atom != q.atom ? p.atom < q.atom : p.local < q.local;
+    }
     bool operator()(const InnerPoint& p, const InnerPoint& q) const {
       return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), *this);
     }
@@ -70,7 +72,8 @@ class Names {
   std::map<InnerPoint, std::uint32_t, Before> names_;
 };
 
-// Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is larger than the weight.
+// Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is
+// larger than the weight.
 std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned bits) {
   std::vector<mpz_class> result;
   mpz_class rest = mpz_class(1) << bits;
@@ -115,18 +118,21 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
   return result;
 }
 
-std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, const Vector& n,
+std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
+                                        const std::vector<Term>& b, const Vector& n,
                                         std::span<const TermHeight> heights) {
   const FaceTerms of_a(a, -n, heights.first(a.size()));
   FaceTerms of_b(b, n, heights.subspan(a.size()));
   mpq_class height;
   for (const TermHeight& h : heights) height += h.height;
-  for (Atom& atom : of_b.terms.front().atoms) atom.center = atom.center - (height / mpq_class(dot(n, n))) * n;  // the foot to O
+  for (Atom& atom : of_b.terms.front().atoms)
+    atom.center = atom.center - (height / mpq_class(dot(n, n))) * n;  // the foot to O
   const Lattice face = lattice(of_a.terms, of_b.terms, face_fine);
   Oracle oracle(context, face, most_face_calls);
   const polytope::Difference first = oracle.ask({1, 0, 0}, face_fine);
   const auto apart = [&](const polytope::SimplexFoot&) { return oracle.lowest()->height < 0; };
-  const NearestFoot nearest = find_nearest(oracle, first, apart, [](const polytope::SimplexFoot&) { return face_fine; });
+  const NearestFoot nearest =
+      find_nearest(oracle, first, apart, [](const polytope::SimplexFoot&) { return face_fine; });
   if (nearest.end != NearestEnd::common) return std::nullopt;
   Combination result;
   for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
@@ -138,7 +144,9 @@ std::optional<Combination> foot_in_face(kernels::Context& context, const std::ve
   return result;
 }
 
-mpq_class signed_square(const mpq_class& height, const Vector& n) { return height * abs(height) / mpq_class(dot(n, n)); }
+mpq_class signed_square(const mpq_class& height, const Vector& n) {
+  return height * abs(height) / mpq_class(dot(n, n));
+}
 
 std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, const Vector& n, const Goal& goal) {
   const bool exact = std::all_of(heights.begin(), heights.end(), [](const TermHeight& h) { return h.exact; });
@@ -201,7 +209,8 @@ void Assembly::set_weights(const Combination& combination) {
   bracket_ = {};
   Names name_a(bracket_.inner_a), name_b(bracket_.inner_b);
   std::vector<polytope::Difference> ids;
-  for (std::size_t i = 0; i < combination.weights.size(); ++i) ids.emplace_back(name_a(combination.a[i]), name_b(combination.b[i]));
+  for (std::size_t i = 0; i < combination.weights.size(); ++i)
+    ids.emplace_back(name_a(combination.a[i]), name_b(combination.b[i]));
   bracket_.weights_a = polytope::weights_of(ids, combination.weights, &polytope::Difference::first);
   bracket_.weights_b = polytope::weights_of(ids, combination.weights, &polytope::Difference::second);
 }
@@ -224,9 +233,10 @@ bool Assembly::meets_in_face() {
   if (!std::all_of(heights.begin(), heights.end(), [](const TermHeight& h) { return h.exact; })) return false;
   const std::optional<Combination> foot = foot_in_face(context_, a_, b_, n, heights);
   if (!foot) return false;
-  lower_ = signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class(),
-                                         [](const mpq_class& sum, const TermHeight& h) { return mpq_class(sum + h.height); }),
-                         n);
+  lower_ = signed_square(
+      std::accumulate(heights.begin(), heights.end(), mpq_class(),
+                      [](const mpq_class& sum, const TermHeight& h) { return mpq_class(sum + h.height); }),
+      n);
   set_weights(*foot);
   return true;
 }
@@ -237,10 +247,11 @@ CurvedBounds Assembly::take() {
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(a_.size());
   bracket_.heights_a.assign(heights.begin(), middle);
   bracket_.heights_b.assign(middle, heights.end());
-  const mpq_class upper = signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class()), bracket_.direction);
+  const mpq_class upper =
+      signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class()), bracket_.direction);
   const bool equal = lower_ == upper;
-  return {equal ? goal_.exact_or_below(lower_) : goal_.from_below(lower_), equal ? goal_.exact_or_above(upper) : goal_.from_above(upper),
-          std::move(bracket_), oracle_.calls()};
+  return {equal ? goal_.exact_or_below(lower_) : goal_.from_below(lower_),
+          equal ? goal_.exact_or_above(upper) : goal_.from_above(upper), std::move(bracket_), oracle_.calls()};
 }
 
 }  // namespace fathom::curved

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds with their proof: what the searches found, in short numbers, and where both bounds meet.       [proofs/shapes_curved.md, lemma 4]
+// Bounds with their proof: what the searches found, in short numbers, and where both bounds meet.
+//                                                                [proofs/shapes_curved.md, lemma 4]
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ struct Combination {
   std::vector<mpq_class> weights;
 };
 
-/// The point of the hull's face in direction n, or the atom, if it lies in the face as a whole: `height` is the support of the term.
+/// The point of the hull's face in direction n, or the atom, if it lies in the face as a whole:
+/// `height` is the support of the term.
 struct TightAtom {
   std::uint32_t atom;            ///< its index in the term
   bool whole;                    ///< it lies in the face
@@ -31,30 +33,37 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
 /// The point center + sum of local_i axes[i].
 Point place(const Atom& atom, std::span<const mpq_class> local);
 
-/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a combination whose difference is the foot
-/// of O on the plane <n,x> = sum of the heights, or nullopt if none was found.
-std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, const Vector& n,
+/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a
+/// combination whose difference is the foot of O on the plane <n,x> = sum of the heights, or
+/// nullopt if none was found.
+std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
+                                        const std::vector<Term>& b, const Vector& n,
                                         std::span<const TermHeight> heights);
 
 /// The square of height/|n| with the sign of the height.
 mpq_class signed_square(const mpq_class& height, const Vector& n);
 
-/// The heights as they are, if all are exact; else rounded up, so far that it does not show in the bounds.
+/// The heights as they are, if all are exact; else rounded up, so far that it does not show in the
+/// bounds.
 std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, const Vector& n, const Goal& goal);
 
 class Assembly {
  public:
-  Assembly(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, Oracle& oracle, const Goal& goal)
+  Assembly(kernels::Context& context, const std::vector<Term>& a, const std::vector<Term>& b, Oracle& oracle,
+           const Goal& goal)
       : context_(context), a_(a), b_(b), oracle_(oracle), goal_(goal) {}
 
   /// Takes a point of P as the lower side.
   void set_lower(const NearestFoot& nearest);
-  /// Takes a polytope inside P, whose vertices name points of the oracle twice, with the squared distance of its nearest facet.
+  /// Takes a polytope inside P, whose vertices name points of the oracle twice, with the squared
+  /// distance of its nearest facet.
   void set_lower(const mpq_class& squared, InnerPolytope inner);
-  /// Requires the lowest height to be at most 0. Whether the bounds meet there; if so that is the lower side.
+  /// Requires the lowest height to be at most 0. Whether the bounds meet there; if so that is the
+  /// lower side.
   bool meets_in_face();
 
-  /// What the lower side says of the cores, squared, with its sign; and whether both sides are one number.
+  /// What the lower side says of the cores, squared, with its sign; and whether both sides are one
+  /// number.
   [[nodiscard]] const mpq_class& lower() const { return lower_; }
   [[nodiscard]] bool closed() const;
   /// -|z|^2 in the shapes' unit.

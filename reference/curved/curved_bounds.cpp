@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the bounds: directions that people like, then the nearest point of P, then a polytope inside P that grows.
+// The search for the bounds: directions that people like, then the nearest point of P, then a
+// polytope inside P that grows.
 #include "reference/curved/curved_bounds.hpp"
 
 #include <numeric>
@@ -8,12 +9,12 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/curved/assembly.hpp"
-#include "reference/curved/lattice.hpp"
 #include "reference/curved/growth.hpp"
+#include "reference/curved/lattice.hpp"
 #include "reference/curved/oracle.hpp"
 #include "reference/expanding/surface.hpp"
-#include "kernels/vector.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -23,7 +24,8 @@ namespace {
 // The least multiple > 0 of a vector of rationals that is integral and primitive.
 mpq_class factor_of(const Point& m) {
   const mpz_class denominator = lcm(lcm(m.x.get_den(), m.y.get_den()), m.z.get_den());
-  const mpz_class factor = gcd(gcd(mpz_class(m.x * denominator), mpz_class(m.y * denominator)), mpz_class(m.z * denominator));
+  const mpz_class factor =
+      gcd(gcd(mpz_class(m.x * denominator), mpz_class(m.y * denominator)), mpz_class(m.z * denominator));
   mpq_class result(denominator, factor);
   result.canonicalize();
   return result;
@@ -61,7 +63,8 @@ CurvedBounds half_space_bounds(kernels::Context& context, const HalfSpace& plane
   const mpq_class offset = plane.offset * factor;
   mpq_class low = offset;
   for (std::size_t t = 0; t < terms.size(); ++t) low += dot(s, place(terms[t].atoms[inner[t].atom], inner[t].local));
-  const mpq_class lower = signed_square(low, n), upper = signed_square(std::accumulate(rounded.begin(), rounded.end(), offset), n);
+  const mpq_class lower = signed_square(low, n),
+                  upper = signed_square(std::accumulate(rounded.begin(), rounded.end(), offset), n);
   result.low = lower == upper ? goal.exact_or_below(lower) : goal.from_below(lower);
   result.high = lower == upper ? goal.exact_or_above(upper) : goal.from_above(upper);
   (plane_is_a ? result.bracket.heights_b : result.bracket.heights_a) = std::move(rounded);
@@ -74,12 +77,14 @@ CurvedBounds half_space_bounds(kernels::Context& context, const HalfSpace& plane
 constexpr std::size_t directions_tried = 4;
 constexpr unsigned further_bits[] = {80, 160};  // of the extent, where the status is open
 
-// The points' coordinates are multiples of so small a part of the axes that it does not show in the bounds.
+// The points' coordinates are multiples of so small a part of the axes that it does not show in the
+// bounds.
 unsigned fine_for(unsigned bits) { return bits + 6; }
 
 class Search {
  public:
-  Search(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, unsigned status_bits, std::size_t budget)
+  Search(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, unsigned status_bits,
+         std::size_t budget)
       : a_(std::get<std::vector<Term>>(a.core)),
         b_(std::get<std::vector<Term>>(b.core)),
         lattice_(lattice(a_, b_, fine_for(status_bits))),
@@ -113,7 +118,8 @@ class Search {
     };
     const auto gap = [&](const polytope::SimplexFoot& z) { return estimates.ceiling(*oracle_.lowest()) + distance(z); };
     const auto enough = [&](const polytope::SimplexFoot& z) {
-      return estimates.perhaps_met(-distance(z), estimates.ceiling(*oracle_.lowest())) && assembly_.met(assembly_.square_of(z));
+      return estimates.perhaps_met(-distance(z), estimates.ceiling(*oracle_.lowest())) &&
+             assembly_.met(assembly_.square_of(z));
     };
     const auto precision = [&](const polytope::SimplexFoot& z) { return estimates.precision(gap(z)); };
     const NearestFoot nearest = find_nearest(oracle_, {0, 0}, enough, precision);
@@ -158,11 +164,14 @@ bool open(const CurvedBounds& bounds) { return bounds.low < bounds.high && !Goal
 
 }  // namespace
 
-CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits, std::size_t support_calls) {
+CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits,
+                           std::size_t support_calls) {
   const kernels::DefaultFloatEnvironment environment;
   const auto search = [&](unsigned status_bits, std::size_t budget) {
-    if (const auto* plane = std::get_if<HalfSpace>(&a.core)) return half_space_bounds(context, *plane, b, true, a.radius, status_bits);
-    if (const auto* plane = std::get_if<HalfSpace>(&b.core)) return half_space_bounds(context, *plane, a, false, b.radius, status_bits);
+    if (const auto* plane = std::get_if<HalfSpace>(&a.core))
+      return half_space_bounds(context, *plane, b, true, a.radius, status_bits);
+    if (const auto* plane = std::get_if<HalfSpace>(&b.core))
+      return half_space_bounds(context, *plane, a, false, b.radius, status_bits);
     return Search(context, a, b, bits, status_bits, budget).run();
   };
   CurvedBounds result = search(bits, support_calls);

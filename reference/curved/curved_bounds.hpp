@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two shapes of which at most one is a half-space.
-// Output  rational low <= signed depth <= high, both proved: a direction with rational heights, and points inside the cores.
-//         The search is that of engines, GJK and EPA, on a support of which both sides are rational.        [proofs/shapes_curved.md]
+// Output  rational low <= signed depth <= high, both proved: a direction with rational heights, and
+//         points inside the cores. The search is that of engines, GJK and EPA, on a support of
+//         which both sides are rational.                                  [proofs/shapes_curved.md]
 #pragma once
 
 #include <cstddef>
@@ -18,14 +19,17 @@ struct CurvedBounds {
   std::size_t support_calls = 0;  ///< that the search took
 };
 
-/// Searches until high - low is at most 2^-bits of both bounds, where they have one sign, or of the extent, or until the support of P has
-/// been asked for `support_calls` times, at least once. Bounds without a sign are searched again, to 2^-80 of the extent and then 2^-160,
-/// as long as calls are left: so they are narrower than was asked for. Where they have one, the search ends early if, as the bounds have
-/// closed in so far, the calls that are left will not do. The extent is the longest side of a box around P', in which each atom counts as
-/// its center +- the sums of its axes' magnitudes. The shapes keep the laws that signed_depth demands; bits is at most most_bound_bits.
-/// Bounds that are equal are found where a facet, an axis or the centers give the direction, or where it is short. Throws InputError as
-/// `lattice` does, and Interrupted.
-CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits = 40, std::size_t support_calls = 5000);
+/// Searches until high - low is at most 2^-bits of both bounds, where they have one sign, or of the
+/// extent, or until the support of P has been asked for `support_calls` times, at least once.
+/// Bounds without a sign are searched again, to 2^-80 of the extent and then 2^-160, as long as
+/// calls are left: so they are narrower than was asked for. Where they have one, the search ends
+/// early if, as the bounds have closed in so far, the calls that are left will not do. The extent
+/// is the longest side of a box around P', in which each atom counts as its center +- the sums of
+/// its axes' magnitudes. The shapes keep the laws that signed_depth demands; bits is at most
+/// most_bound_bits. Bounds that are equal are found where a facet, an axis or the centers give the
+/// direction, or where it is short. Throws InputError as `lattice` does, and Interrupted.
+CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits = 40,
+                           std::size_t support_calls = 5000);
 
 /// Checks the proof by the definitions, in rationals: the naive twin of the checkers.
 [[nodiscard]] kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/curved/lattice.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"
+#include "reference/curved/lattice.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {
@@ -17,7 +16,8 @@ namespace {
 
 constexpr std::size_t most_hull_points = 200;  // a term of more has no facets tried
 constexpr std::size_t most_frames = 6;
-constexpr unsigned short_by = 7;  // a fraction stands out if it is nearer by this many bits than one of its length has to be
+constexpr unsigned short_by =
+    7;  // a fraction stands out if it is nearer by this many bits than one of its length has to be
 
 Vector scaled(const mpz_class& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
@@ -56,7 +56,9 @@ class FacetNormals {
     if (found == points_.end()) return std::nullopt;
     return static_cast<std::uint32_t>(found - points_.begin());
   }
-  [[nodiscard]] Corner corner(std::uint32_t i) const { return {{i, i}, points_[i], kernels::image(points_[i], exponent_)}; }
+  [[nodiscard]] Corner corner(std::uint32_t i) const {
+    return {{i, i}, points_[i], kernels::image(points_[i], exponent_)};
+  }
   void add(const Corner& corner) {
     for (const expanding::TriangleId t : surface_.triangles().ids()) {
       if (!surface_.triangles()[t].alive || surface_.side(t, corner) <= 0) continue;
@@ -183,8 +185,9 @@ class Directions {
   std::vector<Vector> found_, lines_;
 };
 
-// The convergent of p/q, |p| <= q, before the greatest partial quotient, if that is large. A random number has none; one that is near to a
-// fraction has it there. Quotients of convergents whose denominator squared is beyond q are not looked at: they are noise.
+// The convergent of p/q, |p| <= q, before the greatest partial quotient, if that is large. A random
+// number has none; one that is near to a fraction has it there. Quotients of convergents whose
+// denominator squared is beyond q are not looked at: they are noise.
 std::optional<mpq_class> short_fraction(const mpz_class& p, const mpz_class& q) {
   mpz_class number = abs(p), divisor = q, quotient, rest;
   mpz_class above = 1, below = 0, last_above = 0, last_below = 1;  // the convergent, and the one before
@@ -210,16 +213,19 @@ std::optional<mpq_class> short_fraction(const mpz_class& p, const mpz_class& q) 
 // A multiple > 0 of the short vector that n is near to.
 std::optional<Vector> short_vector(const Vector& n) {
   const mpz_class longest = std::max({mpz_class(abs(n.x)), mpz_class(abs(n.y)), mpz_class(abs(n.z))});
-  const std::optional<mpq_class> x = short_fraction(n.x, longest), y = short_fraction(n.y, longest), z = short_fraction(n.z, longest);
+  const std::optional<mpq_class> x = short_fraction(n.x, longest), y = short_fraction(n.y, longest),
+                                 z = short_fraction(n.z, longest);
   if (!x || !y || !z) return std::nullopt;
   const mpz_class multiple = lcm(lcm(x->get_den(), y->get_den()), z->get_den());
   return Vector{mpz_class(*x * multiple), mpz_class(*y * multiple), mpz_class(*z * multiple)};
 }
 
-// Three independent vectors: the axes of a ball, or of a disc with its normal, which is as long if they are orthogonal and of one length.
+// Three independent vectors: the axes of a ball, or of a disc with its normal, which is as long if
+// they are orthogonal and of one length.
 std::optional<std::array<Vector, 3>> frame_of(const LatticeAtom& atom) {
   if (atom.axes.empty()) return std::nullopt;
-  std::array<Vector, 3> frame{atom.axes[0], atom.axes[1], atom.axes.size() == 3 ? atom.axes[2] : cross(atom.axes[0], atom.axes[1])};
+  std::array<Vector, 3> frame{atom.axes[0], atom.axes[1],
+                              atom.axes.size() == 3 ? atom.axes[2] : cross(atom.axes[0], atom.axes[1])};
   if (sgn(det(frame[0], frame[1], frame[2])) == 0) return std::nullopt;
   if (atom.axes.size() == 3) return frame;
   mpz_class length, rest;
@@ -252,6 +258,8 @@ std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n) {
   return result;
 }
 
-std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most) { return Directions(lattice).run(most); }
+std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most) {
+  return Directions(lattice).run(most);
+}
 
 }  // namespace fathom::curved

@@ -35,7 +35,8 @@ mpz_class rounded_up(const mpq_class& value) {
 }
 
 long binary_order(const mpq_class& value) {
-  return static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+  return static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
+         static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
 }
 
 Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)

@@ -32,10 +32,13 @@ bool Estimates::perhaps_met(double low, double high) const {
 
 unsigned Estimates::precision(double gap) const {
   if (!(gap > 0x1p-44)) return fine_;
-  return static_cast<unsigned>(std::min(std::max(6L - std::ilogb(gap), 8L), static_cast<long>(fine_)));  // few bits may be asked for
+  return static_cast<unsigned>(
+      std::min(std::max(6L - std::ilogb(gap), 8L), static_cast<long>(fine_)));  // few bits may be asked for
 }
 
-Growth::Corner Growth::corner(polytope::Difference d) const { return {d, oracle_[d], kernels::image(oracle_[d], oracle_.exponent())}; }
+Growth::Corner Growth::corner(polytope::Difference d) const {
+  return {d, oracle_[d], kernels::image(oracle_[d], oracle_.exponent())};
+}
 
 void Growth::start(const std::array<polytope::Difference, 4>& points) {
   refer_to(*oracle_.lowest());
@@ -45,7 +48,8 @@ void Growth::start(const std::array<polytope::Difference, 4>& points) {
 
 double Growth::key(const mpz_class& height, const Vector& normal) const {
   const mpz_class length = dot(normal, normal);
-  const mpz_class difference = height * abs(height) * reference_.length - reference_.square * length, scale = length * reference_.length;
+  const mpz_class difference = height * abs(height) * reference_.length - reference_.square * length,
+                  scale = length * reference_.length;
   long i = 0, j = 0;
   const double quotient = mpz_get_d_2exp(&i, difference.get_mpz_t()) / mpz_get_d_2exp(&j, scale.get_mpz_t());
   return std::ldexp(quotient, static_cast<int>(std::max(i - j - 2 * oracle_.exponent(), -1000L)));
@@ -67,7 +71,8 @@ void Growth::refer_to(const Ceiling& ceiling) {
     if (surface_.triangles()[w.triangle].alive) wait_for(w.triangle, w.exact);
 }
 
-// Binary64 decides nothing but the order. Planes that are not far, and those that come first, are asked for exactly.
+// Binary64 decides nothing but the order. Planes that are not far, and those that come first, are
+// asked for exactly.
 void Growth::wait_for(TriangleId t, bool exact) {
   const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
   const double far = distance(0x1p-8);
@@ -92,7 +97,8 @@ std::optional<Growth::Waiting> Growth::nearest() {
   return std::nullopt;
 }
 
-// A triangle that nothing is above lies as near to the boundary of P as points can: it is passed over.
+// A triangle that nothing is above lies as near to the boundary of P as points can: it is passed
+// over.
 void Growth::run() {
   while (const std::optional<Waiting> first = nearest()) {
     const Ceiling& lowest = *oracle_.lowest();
@@ -114,13 +120,16 @@ bool Growth::met() {
   if (!low) return false;
   const Ceiling& ceiling = *oracle_.lowest();
   const mpq_class& unit = oracle_.lattice().fine_unit;
-  const mpq_class high = kernels::ratio(ceiling.height * ceiling.height, dot(ceiling.direction, ceiling.direction)) * unit * unit;
+  const mpq_class high =
+      kernels::ratio(ceiling.height * ceiling.height, dot(ceiling.direction, ceiling.direction)) * unit * unit;
   return goal_.met(goal_.from_below(*low), goal_.from_above(high));
 }
 
-// Whether the gap is expected to stay too wide until all calls are spent. Never while the sign of the bounds is open. Where optima form a
-// continuum it shrinks by one factor whenever the calls double; if it did so at the last two checkpoints, it is expected to do so again.
-// Else it is expected to shrink by that factor with every as many calls as there were between them, though it will do so ever faster.
+// Whether the gap is expected to stay too wide until all calls are spent. Never while the sign of
+// the bounds is open. Where optima form a continuum it shrinks by one factor whenever the calls
+// double; if it did so at the last two checkpoints, it is expected to do so again. Else it is
+// expected to shrink by that factor with every as many calls as there were between them, though it
+// will do so ever faster.
 bool Growth::hopeless(double gap) {
   const std::size_t between = checkpoint_ / 2;
   checkpoint_ *= 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for cores that penetrate: a polytope inside P expands towards the supports of its nearest facets.
-//                                                                                                      [proofs/shapes_curved.md, lemma 2]
+// The search for cores that penetrate: a polytope inside P expands towards the supports of its
+// nearest facets.
+//                                                                [proofs/shapes_curved.md, lemma 2]
 #pragma once
 
 #include <array>
@@ -20,7 +21,8 @@ inline constexpr long most_exact_bits = 128;
 /// After so many calls the search looks for the first time at how fast it gets on.
 inline constexpr std::size_t first_checkpoint = 128;
 
-/// What binary64 says of bounds, of which it decides nothing: in the lattice's coordinates times 2^-exponent.
+/// What binary64 says of bounds, of which it decides nothing: in the lattice's coordinates times
+/// 2^-exponent.
 class Estimates {
  public:
   Estimates(const Lattice& lattice, const Goal& goal);
@@ -51,11 +53,12 @@ class Growth {
 
   /// The points must not lie in one plane.
   void start(const std::array<polytope::Difference, 4>& points);
-  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is left, or the calls that are left will not
-  /// do.
+  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is
+  /// left, or the calls that are left will not do.
   void run();
 
-  /// The squared distance of the nearest facet plane of Q, in the shapes' unit; nullopt if O is not in the interior of Q. Exact.
+  /// The squared distance of the nearest facet plane of Q, in the shapes' unit; nullopt if O is not
+  /// in the interior of Q. Exact.
   [[nodiscard]] std::optional<mpq_class> squared();
   /// Q; its vertices name points of the oracle twice.
   InnerPolytope polytope() { return expanding::inner_polytope(surface_, merge_); }
@@ -64,7 +67,8 @@ class Growth {
   using Corner = expanding::SurfaceVertex<mpz_class>;
   using TriangleId = expanding::TriangleId;
 
-  // By the squared distance, negative above O, less that of the reference: so near distances differ by many bits.
+  // By the squared distance, negative above O, less that of the reference: so near distances differ
+  // by many bits.
   struct Waiting {
     double key;
     bool exact;  ///< it comes from the exact plane

@@ -53,7 +53,8 @@ class Builder {
     LatticeTerm result;
     result.anchor = integers(term.atoms.front().center);
     const auto is_point = [](const Atom& atom) { return atom.axes.empty(); };
-    const bool many = std::count_if(term.atoms.begin(), term.atoms.end(), is_point) > static_cast<std::ptrdiff_t>(few_points);
+    const bool many =
+        std::count_if(term.atoms.begin(), term.atoms.end(), is_point) > static_cast<std::ptrdiff_t>(few_points);
     std::vector<Vector> points;
     for (std::uint32_t i = 0; i < term.atoms.size(); ++i) {
       LatticeAtom atom{integers(term.atoms[i].center) - result.anchor, {}, false};

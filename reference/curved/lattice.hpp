@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two cores on one lattice: the atoms of B and of -A as integers. P = B (+) (-A) is the sum of all their terms, those of A first.
-// And the directions of it that are worth a try.
+// Two cores on one lattice: the atoms of B and of -A as integers. P = B (+) (-A) is the sum of all
+// their terms, those of A first. And the directions of it that are worth a try.
 #pragma once
 
 #include <cstddef>
@@ -28,31 +28,37 @@ struct LatticeTerm {
   std::vector<std::uint32_t> cloud_names;
 };
 
-/// Points of P have integer coordinates in the fine unit, if their local parameters are multiples of 2^-fine.
+/// Points of P have integer coordinates in the fine unit, if their local parameters are multiples
+/// of 2^-fine.
 struct Lattice {
   mpq_class unit;     ///< of the atoms
   unsigned fine = 0;  ///< the fine unit is unit / 2^fine
   std::vector<LatticeTerm> terms;
   std::size_t terms_of_a = 0;
-  Vector offset;        ///< the sum of the anchors
-  long exponent = 0;    ///< |c| <= 2^exponent for the coordinates c of all points of P, in the fine unit
-  mpz_class extent;     ///< the longest side of a box around P, in the unit: of each atom, center +- the sum of the axes' magnitudes
+  Vector offset;      ///< the sum of the anchors
+  long exponent = 0;  ///< |c| <= 2^exponent for the coordinates c of all points of P, in the fine unit
+  mpz_class extent;   ///< the longest side of a box around P, in the unit: of each atom, center +- the sum of the axes'
+                      ///< magnitudes
   mpq_class fine_unit;  ///< unit / 2^fine
 };
 
-/// An atom has no axes, two or three, every term an atom, and all numbers are in lowest terms. Throws InputError if all integers together
-/// would take more than 256 MB: the numbers' denominators share too little.
+/// An atom has no axes, two or three, every term an atom, and all numbers are in lowest terms.
+/// Throws InputError if all integers together would take more than 256 MB: the numbers'
+/// denominators share too little.
 Lattice lattice(const std::vector<Term>& a, const std::vector<Term>& b, unsigned fine);
 
-// Directions in which people put shapes on, beside and into each other: there the support is rational, and the bounds can meet.
+// Directions in which people put shapes on, beside and into each other: there the support is
+// rational, and the bounds can meet.
 
-/// Returns the few directions with the least h(u)/|u|, as binary64 sees it, best first, of: the axes of the coordinates and of the atoms;
-/// normals of discs, and normals of two of them; normals of facets of terms of few points; the direction between the centers, and its part
-/// orthogonal to a disc's normal. All are primitive.
+/// Returns the few directions with the least h(u)/|u|, as binary64 sees it, best first, of: the
+/// axes of the coordinates and of the atoms; normals of discs, and normals of two of them; normals
+/// of facets of terms of few points; the direction between the centers, and its part orthogonal to
+/// a disc's normal. All are primitive.
 std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most);
 
-/// Returns directions near n whose components have short ratios, in the coordinates or in the frame of some atom's axes: the first
-/// fractions to which n is much nearer than to others of their length. Most directions have none. All are primitive, and other than n.
+/// Returns directions near n whose components have short ratios, in the coordinates or in the frame
+/// of some atom's axes: the first fractions to which n is much nearer than to others of their
+/// length. Most directions have none. All are primitive, and other than n.
 std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n);
 
 }  // namespace fathom::curved

@@ -35,12 +35,14 @@ void set_product(mpz_class& result, const Vector& a, const Vector& b) {
 
 int compare(const Ceiling& a, const Ceiling& b) {
   if (sgn(a.height) != sgn(b.height) || sgn(a.height) == 0) return sgn(a.height) - sgn(b.height);
-  const int order =
-      cmp(mpz_class(a.height * a.height * dot(b.direction, b.direction)), mpz_class(b.height * b.height * dot(a.direction, a.direction)));
+  const int order = cmp(mpz_class(a.height * a.height * dot(b.direction, b.direction)),
+                        mpz_class(b.height * b.height * dot(a.direction, a.direction)));
   return sgn(a.height) < 0 ? -order : order;
 }
 
-polytope::Difference Oracle::extreme(const Vector& u) { return spent() ? polytope::Difference{0, 0} : ask(shortened(u), lattice_.fine); }
+polytope::Difference Oracle::extreme(const Vector& u) {
+  return spent() ? polytope::Difference{0, 0} : ask(shortened(u), lattice_.fine);
+}
 
 Vector Oracle::shortened(const Vector& n) const {
   const long shift = static_cast<long>(lattice_.fine) + 10 - static_cast<long>(bit_length(n));

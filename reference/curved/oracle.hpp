@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The support of P, which is irrational in general, from both sides: a point of P, a little inside where it must be, and a height that no
-// point of P exceeds.                                                                                  [proofs/shapes_curved.md, lemma 1]
+// The support of P, which is irrational in general, from both sides: a point of P, a little inside
+// where it must be, and a height that no point of P exceeds.     [proofs/shapes_curved.md, lemma 1]
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 
 namespace fathom::curved {
 
-/// A point of one term: of the lattice atom, or cloud point, of this index; y in multiples of 2^-fine.
+/// A point of one term: of the lattice atom, or cloud point, of this index; y in multiples of
+/// 2^-fine.
 struct Pick {
   std::uint32_t atom = 0;
   bool of_cloud = false;
@@ -46,20 +47,23 @@ struct TermHeight {
   bool exact;        ///< it is the support
 };
 
-/// Its first three members make it a set of differences for the start of an expansion: a difference names a point twice.
+/// Its first three members make it a set of differences for the start of an expansion: a difference
+/// names a point twice.
 class Oracle {
  public:
   using Integer = mpz_class;
 
-  Oracle(kernels::Context& context, const Lattice& lattice, std::size_t budget) : context_(context), lattice_(lattice), budget_(budget) {}
+  Oracle(kernels::Context& context, const Lattice& lattice, std::size_t budget)
+      : context_(context), lattice_(lattice), budget_(budget) {}
 
   [[nodiscard]] const Vector& operator[](polytope::Difference d) const { return points_[d.first].place; }
   [[nodiscard]] long exponent() const { return lattice_.exponent; }
-  /// A point that is nearly extreme in direction u, of any length; the first one if no call is left.
+  /// A point that is nearly extreme in direction u, of any length; the first one if no call is
+  /// left.
   polytope::Difference extreme(const Vector& u);
 
-  /// Finds the height of direction n, and a point that falls short of it by about 2^-precision of an atom's axes at most; precision <=
-  /// fine. n is not zero. Throws Interrupted.
+  /// Finds the height of direction n, and a point that falls short of it by about 2^-precision of
+  /// an atom's axes at most; precision <= fine. n is not zero. Throws Interrupted.
   polytope::Difference ask(const Vector& n, unsigned precision);
   /// n times a positive number, nearly, with components of about as many bits as matter.
   [[nodiscard]] Vector shortened(const Vector& n) const;
@@ -102,8 +106,9 @@ class Oracle {
   std::array<mpz_class, 3> slope_;
 };
 
-// The search of Gilbert, Johnson and Keerthi on the support of P: the point of the hull of one to three points of P that is nearest to O,
-// while more points come.                                                                              [proofs/shapes_curved.md, lemma 3]
+// The search of Gilbert, Johnson and Keerthi on the support of P: the point of the hull of one to
+// three points of P that is nearest to O, while more points come.
+//                                                                [proofs/shapes_curved.md, lemma 3]
 
 enum class NearestEnd {
   common,  ///< the foot is O
@@ -118,7 +123,8 @@ struct NearestFoot {
   polytope::SimplexFoot foot;
 };
 
-/// Starts from a point that has been found. `enough` and `precision` are asked for each foot; the second says how fine the next point is.
+/// Starts from a point that has been found. `enough` and `precision` are asked for each foot; the
+/// second says how fine the next point is.
 template <class Enough, class Precision>
 NearestFoot find_nearest(Oracle& oracle, polytope::Difference first, Enough enough, Precision precision) {
   NearestFoot result{NearestEnd::open, {{first, oracle[first]}}, {}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive check of proved bounds: in rationals, by the definitions, over all pairs of facets and vertices.
+// The naive check of proved bounds: in rationals, by the definitions, over all pairs of facets and
+// vertices.
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -17,13 +18,19 @@ mpq_class square(const mpq_class& q) { return q * abs(q); }
 class Check {
  public:
   Check(const CurvedBounds& bounds, const Shape& a, const Shape& b)
-      : bounds_(bounds), p_(bounds.bracket), a_(a), b_(b), n_{p_.direction.x, p_.direction.y, p_.direction.z}, rho_(a.radius + b.radius) {}
+      : bounds_(bounds),
+        p_(bounds.bracket),
+        a_(a),
+        b_(b),
+        n_{p_.direction.x, p_.direction.y, p_.direction.z},
+        rho_(a.radius + b.radius) {}
 
   kernels::Report run() {
     report_.expect(bounds_.low <= bounds_.high, "the bounds are in the wrong order");
     if (!report_.expect(dot(n_, n_) > 0, "the direction is zero")) return report_;
     const mpq_class height = height_of(a_, -n_, p_.heights_a) + height_of(b_, n_, p_.heights_b);
-    report_.expect(square(height) <= square(bounds_.high - rho_) * dot(n_, n_), "the direction does not show the upper bound");
+    report_.expect(square(height) <= square(bounds_.high - rho_) * dot(n_, n_),
+                   "the direction does not show the upper bound");
     inner_points(a_, p_.inner_a, points_a_);
     inner_points(b_, p_.inner_b, points_b_);
     if (!report_.ok()) return report_;
@@ -36,7 +43,8 @@ class Check {
  private:
   mpq_class height_of(const Shape& shape, const Point& s, const std::vector<mpq_class>& heights) {
     if (const auto* plane = std::get_if<HalfSpace>(&shape.core)) {
-      report_.expect(cross(s, plane->normal) == Point{} && dot(s, plane->normal) > 0, "not the direction of the half-space");
+      report_.expect(cross(s, plane->normal) == Point{} && dot(s, plane->normal) > 0,
+                     "not the direction of the half-space");
       return plane->offset * dot(s, plane->normal) / dot(plane->normal, plane->normal);
     }
     const auto& terms = std::get<std::vector<Term>>(shape.core);
@@ -61,7 +69,9 @@ class Check {
       for (std::size_t t = 0; t < terms.size(); ++t) {
         if (!report_.expect(point[t].atom < terms[t].atoms.size(), "an inner point of no atom")) return;
         const Atom& atom = terms[t].atoms[point[t].atom];
-        if (!report_.expect(point[t].local.size() == atom.axes.size(), "an inner point with other parameters than its atom")) return;
+        if (!report_.expect(point[t].local.size() == atom.axes.size(),
+                            "an inner point with other parameters than its atom"))
+          return;
         mpq_class length;
         place = place + atom.center;
         for (std::size_t k = 0; k < atom.axes.size(); ++k) {
@@ -107,24 +117,30 @@ class Check {
     const std::vector<std::vector<std::uint32_t>>& facets = p_.polytope.facets;
     std::vector<Point> vertices;
     for (const auto& [i, j] : p_.polytope.vertices) {
-      if (!report_.expect(i < points_a_.size() && j < points_b_.size(), "a vertex of Q has an index out of range")) return;
+      if (!report_.expect(i < points_a_.size() && j < points_b_.size(), "a vertex of Q has an index out of range"))
+        return;
       vertices.push_back(points_b_[j] - points_a_[i]);
     }
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const std::vector<std::uint32_t>& facet : facets) {
-      const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices.size(); });
+      const bool in_range =
+          std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices.size(); });
       if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return;
       for (std::size_t k = 0; k < facet.size(); ++k)
-        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second, "two facets of Q run along an edge in one sense");
+        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
+                       "two facets of Q run along an edge in one sense");
       facet_of_q(vertices, facet);
     }
-    for (const auto& [u, v] : edges) report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+    for (const auto& [u, v] : edges)
+      report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
   }
 
   void facet_of_q(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& facet) {
     Point normal;
-    for (std::size_t k = 0; k < facet.size(); ++k) normal = normal + cross(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]);
-    const mpq_class height = dot(normal, vertices[facet.front()]), least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
+    for (std::size_t k = 0; k < facet.size(); ++k)
+      normal = normal + cross(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]);
+    const mpq_class height = dot(normal, vertices[facet.front()]),
+                    least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
     report_.expect(height > 0 && height * height >= least * least * dot(normal, normal), "a facet of Q is too near");
     std::size_t on_plane = 0;
     for (const Point& v : vertices) {
@@ -150,6 +166,8 @@ class Check {
 
 }  // namespace
 
-kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b) { return Check(bounds, a, b).run(); }
+kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b) {
+  return Check(bounds, a, b).run();
+}
 
 }  // namespace fathom::curved

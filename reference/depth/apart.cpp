@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/depth/apart.hpp"
 
-
 #include "kernels/number/rational.hpp"
 #include "kernels/parallel.hpp"
 #include "kernels/vector.hpp"
@@ -30,7 +29,8 @@ void find_nearest(kernels::Context& context, Beginning& state) {
 }
 
 void insist_on_nearest(const Beginning& state) {
-  if (state.nearest) kernels::insist(polytope::validate(*state.nearest, state.pair->a.points(), state.pair->b.points()));
+  if (state.nearest)
+    kernels::insist(polytope::validate(*state.nearest, state.pair->a.points(), state.pair->b.points()));
 }
 
 // In the direction of the nearest point of P the height is -distance: no shorter translation brings
@@ -60,7 +60,8 @@ void insist_on_made_hulls(const Beginning& state) {
   if (state.origin.position == Position::inside) insist_on_hulls(state.hulls, *state.pair);
 }
 
-constexpr Stage<Beginning> until_apart[] = {{locate_origin, insist_on_origin}, {find_nearest, insist_on_nearest}, {answer, nullptr}};
+constexpr Stage<Beginning> until_apart[] = {
+    {locate_origin, insist_on_origin}, {find_nearest, insist_on_nearest}, {answer, nullptr}};
 constexpr Stage<Beginning> until_hulls[] = {{make_hulls, insist_on_made_hulls}};
 
 }  // namespace

@@ -24,7 +24,9 @@ ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
 // facet.
 ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   if (corners_of_a >= 3) {
-    return corners_of_b == 1 ? ContactKind::facet_vertex : corners_of_b == 2 ? ContactKind::facet_edge : ContactKind::facet_facet;
+    return corners_of_b == 1   ? ContactKind::facet_vertex
+           : corners_of_b == 2 ? ContactKind::facet_edge
+                               : ContactKind::facet_facet;
   }
   if (corners_of_b >= 3) return corners_of_a == 1 ? ContactKind::vertex_facet : ContactKind::edge_facet;
   if (corners_of_a == 2 && corners_of_b == 2) return ContactKind::edge_edge;
@@ -32,13 +34,16 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
 }
 
 ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points) {
-  if (ids.size() == 1 || (ids.size() == 2 && points[0] != points[1])) return {std::move(points), {ids.begin(), ids.end()}};
+  if (ids.size() == 1 || (ids.size() == 2 && points[0] != points[1]))
+    return {std::move(points), {ids.begin(), ids.end()}};
   polytope::Polytope hull = polytope::convex_hull(points);
   for (std::uint32_t& id : hull.input_ids) id = ids[id];
   return {std::move(hull.vertices), std::move(hull.input_ids)};
 }
 
-FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) { return {face(pair.a, -n), face(pair.b, n)}; }
+FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) {
+  return {face(pair.a, -n), face(pair.b, n)};
+}
 
 Contact contact_of(FacingFaces faces) {
   const std::size_t a = faces.a.ids.size(), b = faces.b.ids.size();
@@ -49,7 +54,8 @@ Contact contact_of(FacingFaces faces) {
   return {kind, std::move(faces.a.ids), std::move(faces.b.ids)};
 }
 
-Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights) {
+Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points,
+                  const std::vector<Weight>& weights) {
   Point sum;
   for (const Weight& w : weights) {
     const Point p = pair.position(points[w.index]);
@@ -61,7 +67,8 @@ Point combination(const polytope::PlacedPair& pair, std::span<const Vector> poin
 }
 
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
-std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d) {
+std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v,
+                                      const mpz_class& d) {
   std::vector<Vector> moved_a, scaled_b;
   for (const Vector& p : faces.a.points) moved_a.push_back(d * p + v);
   for (const Vector& p : faces.b.points) scaled_b.push_back(d * p);

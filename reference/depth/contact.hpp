@@ -52,7 +52,8 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b);
 
 /// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or
 /// nullopt if there are none.
-std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v, const mpz_class& d);
+std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v,
+                                      const mpz_class& d);
 
 /// Returns the rational position of a convex combination of lattice points.
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
@@ -109,7 +110,8 @@ class Contacts {
 /// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and
 /// in lexicographic order. It lists the first `listed` optima, at least one.
 template <class Bodies, class Normals>
-Penetration penetration_along(const Bodies& bodies, const Normals& nearest, std::optional<std::size_t> listed = std::nullopt) {
+Penetration penetration_along(const Bodies& bodies, const Normals& nearest,
+                              std::optional<std::size_t> listed = std::nullopt) {
   const Contacts<Bodies> contacts(bodies);
   Penetration result;
   const std::size_t all = nearest.size(), most = std::min<std::size_t>(all, listed.value_or(all));

@@ -65,7 +65,8 @@ mpq_class squared_distance(const Vec3<Integer>& normal, const Vec3<Integer>& p) 
 // counter-clockwise seen from outside: the first plane about the edge, turned away from n, that has
 // no point of P above it. Every step turns farther back.
 template <class Differences, class Integer>
-Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, const Vec3<Integer>& p, const Vec3<Integer>& d) {
+Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, const Vec3<Integer>& p,
+                            const Vec3<Integer>& d) {
   Vec3<Integer> normal = cross(differences[differences.extreme(-n)] - p, d);
   for (;;) {
     const Vec3<Integer> highest = differences[differences.extreme(normal)] - p;
@@ -77,7 +78,8 @@ Vec3<Integer> normal_beyond(Differences& differences, const Vec3<Integer>& n, co
 // The least squared distance, other than `nearest`, of the facets that share an edge with the
 // nearest facet `optimum`.
 template <class Differences>
-void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest, std::optional<mpq_class>& least) {
+void look_around(Differences& differences, const Optimum& optimum, const mpq_class& nearest,
+                 std::optional<mpq_class>& least) {
   using Integer = typename Differences::Integer;
   const auto& [n_x, n_y, n_z] = optimum.direction;
   const Vec3<Integer> n{Integer(n_x), Integer(n_y), Integer(n_z)};
@@ -87,7 +89,8 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
   for (const std::uint32_t i : of_b) b.push_back(differences[{of_a.front(), i}]);
   for (const Vectors<Integer>* face : {&minus_a, &b}) {
     for (const Vec3<Integer>& d : edge_directions(*face, n)) {
-      const Vec3<Integer> outwards = cross(d, n), p = differences[{of_a[extreme(minus_a, outwards)], of_b[extreme(b, outwards)]}];
+      const Vec3<Integer> outwards = cross(d, n),
+                          p = differences[{of_a[extreme(minus_a, outwards)], of_b[extreme(b, outwards)]}];
       const mpq_class squared = squared_distance(normal_beyond(differences, n, p, d), p);
       if (squared != nearest && (!least || squared < *least)) least = squared;
     }
@@ -97,21 +100,22 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
 // The answer on one lattice: all neighbours, and then what an expansion finds that is nearer than
 // those. Returns nullopt if its integers are too short for it.
 template <class Bodies>
-std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies, const Penetration& penetration,
-                                                       Workspace& workspace) {
+std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies,
+                                                       const Penetration& penetration, Workspace& workspace) {
   const mpz_class units = bodies.units();
   const mpq_class square(units * units), nearest = penetration.squared() * square;
   std::optional<mpq_class> least;
   auto differences = bodies.differences();
   for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
   if (!least) return std::optional<mpq_class>();  // without one, whatever can be reached from a nearest facet is one
-  const std::optional<mpq_class> next = expanding::next_nearest_by_expansion(context, bodies, nearest, *least, workspace);
+  const std::optional<mpq_class> next =
+      expanding::next_nearest_by_expansion(context, bodies, nearest, *least, workspace);
   if (!next) return std::nullopt;
   return std::optional<mpq_class>(*next / square);
 }
 
-std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const polytope::Points& b, const Penetration& penetration,
-                                           Monitor* monitor, Workspace* workspace) {
+std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const polytope::Points& b,
+                                           const Penetration& penetration, Monitor* monitor, Workspace* workspace) {
   const kernels::DefaultFloatEnvironment environment;
   if (penetration.unlisted > 0)
     throw std::invalid_argument("the second nearest facet is looked for from all optima, and some are not listed");
@@ -133,13 +137,14 @@ std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const poly
 
 namespace fathom {
 
-std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b, const Penetration& penetration,
-                                                Monitor* monitor, Workspace* workspace) {
+std::optional<mpq_class> second_nearest_squared(std::span<const Point> a, std::span<const Point> b,
+                                                const Penetration& penetration, Monitor* monitor,
+                                                Workspace* workspace) {
   return depth::second_nearest_of(a, b, penetration, monitor, workspace);
 }
 
-std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration, Monitor* monitor,
-                                                Workspace* workspace) {
+std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, const Penetration& penetration,
+                                                Monitor* monitor, Workspace* workspace) {
   return depth::second_nearest_of(a.points, b.points, penetration, monitor, workspace);
 }
 

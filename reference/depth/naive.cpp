@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "kernels/filters/support.hpp"
-#include "reference/gaussian/gaussian_diagram.hpp"
-#include "reference/lines/closest_lines.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/gaussian/gaussian_diagram.hpp"
+#include "reference/lines/closest_lines.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::depth {
@@ -78,7 +78,8 @@ bool flat_contains_origin(const polytope::Polytope& p) {
 // Facets of `body` against the extreme vertices of `other`, given by their extreme point in the
 // facet's normal direction.
 template <class ExtremePoint>
-void offer_facets(const polytope::Polytope& a, const polytope::Polytope& b, ExtremePoint extreme, kernels::NearestPlanes& nearest) {
+void offer_facets(const polytope::Polytope& a, const polytope::Polytope& b, ExtremePoint extreme,
+                  kernels::NearestPlanes& nearest) {
   for (const polytope::Facet& facet : b.facets) {
     const Vector& n = facet.normal;
     nearest.offer(n, dot(n, b.vertices[b.corners[facet.begin]] - extreme(false, -n)));
@@ -89,16 +90,19 @@ void offer_facets(const polytope::Polytope& a, const polytope::Polytope& b, Extr
   }
 }
 
-void offer_crossing(const kernels::UnperturbedKernel& kernel, const gaussian::GaussianDiagram& of_a, const lines::EdgeLinesOfA& a,
-                    gaussian::EdgeOfA e, const gaussian::GaussianDiagram& of_b, const lines::EdgeLinesOfB& b, gaussian::EdgeOfB f,
-                    kernels::NearestPlanes& nearest) {
-  if (!gaussian::strict_crossings(kernel, of_a, of_a.arcs[gaussian::ArcId(e.value)], of_b, of_b.arcs[gaussian::ArcId(f.value)]).empty())
+void offer_crossing(const kernels::UnperturbedKernel& kernel, const gaussian::GaussianDiagram& of_a,
+                    const lines::EdgeLinesOfA& a, gaussian::EdgeOfA e, const gaussian::GaussianDiagram& of_b,
+                    const lines::EdgeLinesOfB& b, gaussian::EdgeOfB f, kernels::NearestPlanes& nearest) {
+  if (!gaussian::strict_crossings(kernel, of_a, of_a.arcs[gaussian::ArcId(e.value)], of_b,
+                                  of_b.arcs[gaussian::ArcId(f.value)])
+           .empty())
     lines::offer_edges(a, e, b, f, nearest);
 }
 
 kernels::ArcImages arc_images(const gaussian::GaussianDiagram& diagram) {
   kernels::ArcImages images;
-  for (const gaussian::Arc& arc : diagram.arcs) images.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
+  for (const gaussian::Arc& arc : diagram.arcs)
+    images.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
   return images;
 }
 
@@ -121,7 +125,8 @@ kernels::NearestPlanes nearest_facets_naive(const polytope::Polytope& a, const p
       nearest);
   PredicateCounts uncounted;
   const kernels::UnperturbedKernel kernel(uncounted);
-  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a), of_b = gaussian::gaussian_diagram(b);
+  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a),
+                                  of_b = gaussian::gaussian_diagram(b);
   const lines::EdgeLinesOfA lines_a(a, 0);
   const lines::EdgeLinesOfB lines_b(b, 0);
   for (const gaussian::EdgeOfA e : lines_a.ids()) {
@@ -142,7 +147,8 @@ kernels::NearestPlanes nearest_facets_scan(const polytope::Polytope& a, const po
       nearest);
   PredicateCounts uncounted;
   const kernels::UnperturbedKernel kernel(uncounted);
-  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a), of_b = gaussian::gaussian_diagram(b);
+  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a),
+                                  of_b = gaussian::gaussian_diagram(b);
   const lines::EdgeLinesOfA lines_a(a, exponent);
   const lines::EdgeLinesOfB lines_b(b, exponent);
   const bool arcs_have_ends = a.rank >= 2 && b.rank >= 2;
@@ -150,13 +156,15 @@ kernels::NearestPlanes nearest_facets_scan(const polytope::Polytope& a, const po
                            arcs_b = arcs_have_ends ? arc_images(of_b) : kernels::ArcImages();
   std::vector<std::uint32_t> unsure;
   for (const gaussian::EdgeOfA e : lines_a.ids()) {
-    const double bound = nearest.empty() ? HUGE_VAL : kernels::image_bound(nearest.numerator(), nearest.denominator(), exponent);
+    const double bound =
+        nearest.empty() ? HUGE_VAL : kernels::image_bound(nearest.numerator(), nearest.denominator(), exponent);
     if (arcs_have_ends) {
       kernels::crossing_and_not_farther({lines_a.images(), arcs_a}, e.value, {lines_b.images(), arcs_b}, bound, unsure);
     } else {
       kernels::not_farther(lines_a.images(), e.value, lines_b.images(), bound, unsure);
     }
-    for (const std::uint32_t f : unsure) offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, gaussian::EdgeOfB(f), nearest);
+    for (const std::uint32_t f : unsure)
+      offer_crossing(kernel, of_a, lines_a, e, of_b, lines_b, gaussian::EdgeOfB(f), nearest);
   }
   return nearest;
 }

@@ -23,19 +23,23 @@ struct Run {
   bool traced;                     ///< whether the search for closest lines is kept
   kernels::NearestPlanes nearest;  ///< of the planes that the steps have offered so far
 
-  [[nodiscard]] bool two_threads() const { return made.hulls.a.edges.size() + made.hulls.b.edges.size() >= worth_a_thread; }
+  [[nodiscard]] bool two_threads() const {
+    return made.hulls.a.edges.size() + made.hulls.b.edges.size() >= worth_a_thread;
+  }
 };
 
 template <class Work>
 void in_both_hemispheres(kernels::Context& context, const Run& run, const Work& work) {
   kernels::run_both(
-      run.two_threads(), context, [&](kernels::Context& own) { work(own, 0); }, [&](kernels::Context& own) { work(own, 1); });
+      run.two_threads(), context, [&](kernels::Context& own) { work(own, 0); },
+      [&](kernels::Context& own) { work(own, 1); });
 }
 
 void make_diagrams(kernels::Context& context, Run& run) {
   ExactStages& made = run.made;
   kernels::run_both(
-      run.two_threads(), context, [&](kernels::Context&) { made.diagrams.a = gaussian::gaussian_diagram_of_reflection(made.hulls.a); },
+      run.two_threads(), context,
+      [&](kernels::Context&) { made.diagrams.a = gaussian::gaussian_diagram_of_reflection(made.hulls.a); },
       [&](kernels::Context&) { made.diagrams.b = gaussian::gaussian_diagram(made.hulls.b); });
 }
 
@@ -75,7 +79,8 @@ void insist_on_vertex_facet_pairs(const Run& run) {
 
 void offer_vertex_facet_pairs(kernels::Context&, Run& run) {
   const auto& [a, b] = run.made.hulls;
-  for (std::size_t i = 0; i < run.made.charts.size(); ++i) vertex_facet::offer(run.made.pairs[i], run.made.charts[i], a, b, run.nearest);
+  for (std::size_t i = 0; i < run.made.charts.size(); ++i)
+    vertex_facet::offer(run.made.pairs[i], run.made.charts[i], a, b, run.nearest);
   if (run.traced) run.made.of_facets = run.nearest;
 }
 
@@ -96,7 +101,8 @@ void make_canonical_subsets(kernels::Context& context, Run& run) {
 struct LinesOfEdges {
   lines::EdgeLinesOfA a;
   lines::EdgeLinesOfB b;
-  explicit LinesOfEdges(const ExactStages& made) : a(made.hulls.a, made.pair->exponent()), b(made.hulls.b, made.pair->exponent()) {}
+  explicit LinesOfEdges(const ExactStages& made)
+      : a(made.hulls.a, made.pair->exponent()), b(made.hulls.b, made.pair->exponent()) {}
 };
 
 void insist_on_canonical_subsets(const Run& run) {
@@ -140,8 +146,9 @@ constexpr Stage<Run> exact_method[] = {
 };
 
 // What a run over bodies that do not penetrate leaves out, except for the search.
-constexpr Stage<Run> topology[] = {
-    {make_diagrams, insist_on_diagrams}, {make_charts, insist_on_charts}, {make_canonical_subsets, insist_on_canonical_subsets}};
+constexpr Stage<Run> topology[] = {{make_diagrams, insist_on_diagrams},
+                                   {make_charts, insist_on_charts},
+                                   {make_canonical_subsets, insist_on_canonical_subsets}};
 
 void run_exact(kernels::Context& context, Run& run) {
   ExactStages& made = run.made;
@@ -168,7 +175,8 @@ Depth penetration_depth(kernels::Context& context, const polytope::PlacedPair& p
   return std::move(stages.depth);
 }
 
-std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options) {
+std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair,
+                                          const ExactOptions& options) {
   auto stages = std::make_unique<ExactStages>();
   stages->pair = &pair;
   Run run{*stages, options, true, {}};

@@ -26,8 +26,8 @@ struct ExactOptions {
   ClosestLines closest_lines = ClosestLines::cutting;
   std::uint64_t seed = 1;                            ///< of the closest lines' random order
   std::optional<std::size_t> optima = std::nullopt;  ///< how many optima are listed; not set: all
-  bool validate = false;                             ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
-  kernels::Perturbation perturbation;                ///< how coincidences are resolved; results do not depend on it
+  bool validate = false;  ///< run `validate` on every stage and throw std::logic_error on any broken law; slow
+  kernels::Perturbation perturbation;  ///< how coincidences are resolved; results do not depend on it
 };
 
 /// Returns the answer, with the counters of `context`.
@@ -55,6 +55,7 @@ struct ExactStages : Beginning {
 
 /// Returns what penetration_depth returns, in `depth`, and the stages before it. The pair must
 /// outlive them.
-std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair, const ExactOptions& options = {});
+std::unique_ptr<ExactStages> exact_stages(kernels::Context& context, const polytope::PlacedPair& pair,
+                                          const ExactOptions& options = {});
 
 }  // namespace fathom::depth

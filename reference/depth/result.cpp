@@ -2,10 +2,9 @@
 // What fathom/depth.hpp declares beside the questions: words, accessors of Depth for every status,
 // and what follows from a few of an answer's numbers.
 
-#include "fathom/depth.hpp"
-
 #include <stdexcept>
 
+#include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
 
@@ -83,7 +82,8 @@ Point Optimum::translation() const { return mpq_class(support / dot(direction, d
 mpq_class Penetration::squared() const {
   // h(n) is in lowest terms, so only its numerator can share a factor with <n,n>.
   const Optimum& first = optima.front();
-  const mpz_class square = first.support.get_num() * first.support.get_num(), length = dot(first.direction, first.direction);
+  const mpz_class square = first.support.get_num() * first.support.get_num(),
+                  length = dot(first.direction, first.direction);
   const mpz_class shared = gcd(square, length);
   return {square / shared, first.support.get_den() * first.support.get_den() * (length / shared)};
 }
@@ -111,7 +111,9 @@ const std::vector<Optimum>& Depth::optima() const {
   return penetration() ? penetration()->optima : none;
 }
 
-std::size_t Depth::optima_count() const { return penetration() ? penetration()->optima.size() + penetration()->unlisted : 0; }
+std::size_t Depth::optima_count() const {
+  return penetration() ? penetration()->optima.size() + penetration()->unlisted : 0;
+}
 
 const Vector& Depth::direction() const {
   if (touch()) return touch()->direction;
@@ -130,6 +132,8 @@ std::optional<Witness> Depth::witness() const {
   return penetration() ? std::optional(penetration()->witness()) : std::nullopt;
 }
 
-mpq_class signed_square(const Depth& depth) { return depth.distance() ? mpq_class(-depth.distance()->squared) : depth.squared(); }
+mpq_class signed_square(const Depth& depth) {
+  return depth.distance() ? mpq_class(-depth.distance()->squared) : depth.squared();
+}
 
 }  // namespace fathom

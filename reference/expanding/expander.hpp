@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/depth.hpp"
 #include "kernels/context.hpp"
 #include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/expanding/surface.hpp"
-#include "fathom/depth.hpp"
-#include "kernels/filters/support.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
@@ -84,7 +84,8 @@ class Expander {
                 [&](TriangleId t) {
                   const Plane& plane = surface_.plane(t);
                   const Integer square = plane.height * plane.height, length = dot(plane.normal, plane.normal);
-                  const int order = radius ? cmp(Integer(square * radius->denominator), Integer(radius->numerator * length)) : -1;
+                  const int order =
+                      radius ? cmp(Integer(square * radius->denominator), Integer(radius->numerator * length)) : -1;
                   if (order > 0) return true;
                   if (order < 0) {
                     memory_.nearest.clear();
@@ -214,8 +215,8 @@ class Expander {
     const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
     if (rounded.trustworthy()) return rounded.estimated_distance();
     const Plane& plane = surface_.plane(t);
-    const double distance =
-        kernels::root_from_above(Integer(plane.height * plane.height), Integer(dot(plane.normal, plane.normal)), differences_.exponent());
+    const double distance = kernels::root_from_above(Integer(plane.height * plane.height),
+                                                     Integer(dot(plane.normal, plane.normal)), differences_.exponent());
     return sgn(plane.height) < 0 ? -distance : distance;
   }
 
@@ -224,7 +225,8 @@ class Expander {
     if (surface_.triangles()[t].rounded.surely_beyond(radius.from_above)) return true;
     const Plane& plane = surface_.plane(t);
     if (sgn(plane.height) <= 0) return false;
-    const Integer mine = plane.height * plane.height * radius.denominator, limit = radius.numerator * dot(plane.normal, plane.normal);
+    const Integer mine = plane.height * plane.height * radius.denominator,
+                  limit = radius.numerator * dot(plane.normal, plane.normal);
     const int order = cmp(mine, limit);
     return or_equal ? order >= 0 : order > 0;
   }

@@ -33,12 +33,15 @@ void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) 
 
 // Whether narrow integers hold everything, for coordinates up to 2^w and squared distances to
 // compare with of so many bits.
-bool fits(long w, long bits) { return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20; }
+bool fits(long w, long bits) {
+  return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20;
+}
 
 // Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances
 // that are compared with, at most.
 template <class F>
-auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits, F f) {
+auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits,
+                   F f) {
   require_clouds(a, b);
   if (fits(a.exponent(), bits)) {
     NarrowDifferences differences{{a, parts.scan}, {b, parts.scan}};
@@ -63,7 +66,8 @@ bool shows_bound(polytope::Differences& differences, const Vector& n, const mpq_
 }
 
 template <class Differences>
-Expansion nearest(kernels::Context& context, Differences& differences, Memory<typename Differences::Integer>& memory, std::size_t budget) {
+Expansion nearest(kernels::Context& context, Differences& differences, Memory<typename Differences::Integer>& memory,
+                  std::size_t budget) {
   Expander<Differences> expander(context, differences, memory, budget);
   Expansion result;
   result.end = expander.start() ? expander.find_nearest() : ExpansionEnd::not_inside;
@@ -77,12 +81,14 @@ Expansion nearest(kernels::Context& context, Differences& differences, Memory<ty
 }
 
 template <class Differences>
-mpq_class next_nearest(kernels::Context& context, Differences& differences, Memory<typename Differences::Integer>& memory,
-                       const mpq_class& nearest, const mpq_class& bound) {
+mpq_class next_nearest(kernels::Context& context, Differences& differences,
+                       Memory<typename Differences::Integer>& memory, const mpq_class& nearest,
+                       const mpq_class& bound) {
   Expander expander(context, differences, memory, unlimited);
   mpq_class next = bound;
   const ExpansionEnd end = expander.start() ? expander.find_next(nearest, next) : ExpansionEnd::not_inside;
-  if (end != ExpansionEnd::proved) throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");
+  if (end != ExpansionEnd::proved)
+    throw std::invalid_argument("the next nearest facet is sought of bodies that do not penetrate");
   return next;
 }
 
@@ -104,10 +110,12 @@ class Scratch {
 // points against every direction.
 class Check {
  public:
-  Check(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b) : expansion_(expansion), a_(a), b_(b) {}
+  Check(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b)
+      : expansion_(expansion), a_(a), b_(b) {}
 
   kernels::Report run() {
-    if (!report_.expect(expansion_.end == ExpansionEnd::proved && !expansion_.nearest.empty(), "nothing is proved")) return report_;
+    if (!report_.expect(expansion_.end == ExpansionEnd::proved && !expansion_.nearest.empty(), "nothing is proved"))
+      return report_;
     if (!resolve()) return report_;
     for (const std::vector<std::uint32_t>& facet : expansion_.inner.facets) check(facet);
     check_edges();
@@ -125,7 +133,8 @@ class Check {
       vertices_.push_back(b_[j] - a_[i]);
     }
     for (const std::vector<std::uint32_t>& facet : expansion_.inner.facets) {
-      const bool in_range = std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
+      const bool in_range =
+          std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
       if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return false;
     }
     return true;
@@ -134,7 +143,8 @@ class Check {
   // The sign of the distance of the plane <n,x> = height, less that of the nearest ones. height >
   // 0.
   [[nodiscard]] int order(const Vector& n, const mpz_class& height) const {
-    return cmp(mpz_class(height * height * expansion_.nearest.denominator()), mpz_class(expansion_.nearest.numerator() * dot(n, n)));
+    return cmp(mpz_class(height * height * expansion_.nearest.denominator()),
+               mpz_class(expansion_.nearest.numerator() * dot(n, n)));
   }
 
   void check(const std::vector<std::uint32_t>& facet) {
@@ -152,7 +162,8 @@ class Check {
     }
     report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
     for (std::size_t k = 0, size = facet.size(); k < size; ++k) {
-      const Vector &u = vertices_[facet[k]], &v = vertices_[facet[(k + 1) % size]], &w = vertices_[facet[(k + 2) % size]];
+      const Vector &u = vertices_[facet[k]], &v = vertices_[facet[(k + 1) % size]],
+                   &w = vertices_[facet[(k + 2) % size]];
       report_.expect(dot(n, cross(Vector(v - u), Vector(w - v))) > 0, "the corners of a facet of Q do not turn left");
     }
   }
@@ -161,8 +172,10 @@ class Check {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (const std::vector<std::uint32_t>& facet : expansion_.inner.facets)
       for (std::size_t k = 0; k < facet.size(); ++k)
-        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second, "two facets of Q run along an edge in one sense");
-    for (const auto& [u, v] : edges) report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
+                       "two facets of Q run along an edge in one sense");
+    for (const auto& [u, v] : edges)
+      report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
   }
 
   void check(const Vector& n) {
@@ -181,29 +194,31 @@ class Check {
 
 }  // namespace
 
-Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t budget,
-                               Workspace* workspace) {
+Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                               std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
   return with_integers(a, b, *scratch, own_bits(a),
                        [&](auto& differences, auto& memory) { return nearest(context, differences, memory, budget); });
 }
 
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget, Workspace* workspace) {
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget,
+                               Workspace* workspace) {
   const Scratch scratch(workspace);
   NarrowDifferences differences = bodies.differences();
   return nearest(context, differences, (*scratch).narrow, budget);
 }
 
-Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                      std::size_t budget, Workspace* workspace) {
+Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
+                                      const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
   require_clouds(a, b);
   polytope::Differences differences{a, b};
   return nearest(context, differences, (*scratch).wide, budget);
 }
 
-BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, const mpq_class& low,
-                             const mpq_class& high, const std::optional<Vector>& hint, std::size_t budget) {
+BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                             const mpq_class& low, const mpq_class& high, const std::optional<Vector>& hint,
+                             std::size_t budget) {
   const Scratch scratch(nullptr);
   return with_integers(a, b, *scratch, bits_of(low), [&]<class Differences>(Differences& differences, auto& memory) {
     Expander<Differences> expander(context, differences, memory, budget);
@@ -220,15 +235,18 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
   });
 }
 
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
-                                                   const mpq_class& bound, Workspace& workspace) {
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair,
+                                                   const mpq_class& nearest, const mpq_class& bound,
+                                                   Workspace& workspace) {
   const long bits = std::max(own_bits(pair.a), bits_of(bound));
-  return with_integers(pair.a, pair.b, *workspace.parts, bits,
-                       [&](auto& differences, auto& memory) { return next_nearest(context, differences, memory, nearest, bound); });
+  return with_integers(pair.a, pair.b, *workspace.parts, bits, [&](auto& differences, auto& memory) {
+    return next_nearest(context, differences, memory, nearest, bound);
+  });
 }
 
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
-                                                   const mpq_class& nearest, const mpq_class& bound, Workspace& workspace) {
+                                                   const mpq_class& nearest, const mpq_class& bound,
+                                                   Workspace& workspace) {
   if (!fits(bodies.exponent(), bits_of(bound))) return std::nullopt;
   NarrowDifferences differences = bodies.differences();
   return next_nearest(context, differences, workspace.parts->narrow, nearest, bound);

@@ -48,16 +48,18 @@ struct Expansion {
 Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same on a narrow lattice.
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget = unlimited,
-                               Workspace* workspace = nullptr);
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+                               std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same in integers of any size: the twin, and the way for lattices that are not narrow.
-Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                      std::size_t budget = unlimited, Workspace* workspace = nullptr);
+Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
+                                      const kernels::PointCloud& b, std::size_t budget = unlimited,
+                                      Workspace* workspace = nullptr);
 
 /// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it
 /// is no nearer than the nearest planes, touches them in one facet each, and these support P.
 /// Quadratic in the size of Q.
-[[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b);
+[[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a,
+                                       const kernels::PointCloud& b);
 
 /// A proof of low <= depth^2 <= high, all in the clouds' unit.
 struct BallExpansion {
@@ -69,19 +71,22 @@ struct BallExpansion {
 
 /// Grows Q until it holds the ball of squared radius `low`, and then until a direction shows
 /// `high`; `hint`, if given, is tried first.
-BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b, const mpq_class& low,
-                             const mpq_class& high, const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
+BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                             const mpq_class& low, const mpq_class& high,
+                             const std::optional<Vector>& hint = std::nullopt, std::size_t budget = unlimited);
 
 /// Requires O in the interior of P, `nearest` = depth^2, and `bound`, a larger squared distance of
 /// a facet plane of P. Returns the squared distance of a facet plane, larger than `nearest` and at
 /// most `bound`, such that no facet at a distance strictly between holds the foot
 /// point of O in its interior. All in the clouds' unit. Throws std::invalid_argument if O is not in
 /// the interior of P.  [proofs/gap.md, lemma 2]
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair, const mpq_class& nearest,
-                                                   const mpq_class& bound, Workspace& workspace);
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair,
+                                                   const mpq_class& nearest, const mpq_class& bound,
+                                                   Workspace& workspace);
 /// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt
 /// if `bound` has too many bits for it.
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
-                                                   const mpq_class& nearest, const mpq_class& bound, Workspace& workspace);
+                                                   const mpq_class& nearest, const mpq_class& bound,
+                                                   Workspace& workspace);
 
 }  // namespace fathom::expanding

@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/depth.hpp"
 #include "kernels/filters/rounded_plane.hpp"
 #include "kernels/id.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "fathom/depth.hpp"
 
 namespace fathom::expanding {
 
@@ -109,7 +109,9 @@ class Surface {
   /// point does not lie above it.
   const std::vector<TriangleId>& insert(const Vertex& vertex, TriangleId seen);
 
-  [[nodiscard]] const kernels::IdVector<TriangleId, Triangle>& triangles() const { return triangles_; }  ///< all that were ever alive
+  [[nodiscard]] const kernels::IdVector<TriangleId, Triangle>& triangles() const {
+    return triangles_;
+  }  ///< all that were ever alive
   [[nodiscard]] const kernels::IdVector<CornerId, Vertex>& vertices() const { return vertices_; }
   [[nodiscard]] std::size_t alive() const { return alive_; }
   [[nodiscard]] const SideCounts& sides() const { return sides_; }
@@ -144,7 +146,8 @@ class Surface {
   // Of the last insertion.
   std::vector<TriangleId> visible_, fresh_;
   std::vector<HorizonEdge> horizon_;
-  kernels::IdVector<CornerId, TriangleId> fan_;  // of each vertex on the horizon: the new triangle whose edge on the horizon begins there
+  kernels::IdVector<CornerId, TriangleId>
+      fan_;  // of each vertex on the horizon: the new triangle whose edge on the horizon begins there
 };
 
 template <class Integer>
@@ -176,7 +179,8 @@ void Surface<Integer>::start(std::array<Vertex, 4> corners) {
 template <class Integer>
 TriangleId Surface<Integer>::add(const std::array<CornerId, 3>& corners) {
   const TriangleId t(static_cast<std::uint32_t>(triangles_.size()));
-  const kernels::RoundedPlane rounded(vertices_[corners[0]].rounded, vertices_[corners[1]].rounded, vertices_[corners[2]].rounded);
+  const kernels::RoundedPlane rounded(vertices_[corners[0]].rounded, vertices_[corners[1]].rounded,
+                                      vertices_[corners[2]].rounded);
   triangles_.push_back({corners, {}, rounded, true, PoolIndex::none()});
   ++alive_;
   return t;
@@ -237,7 +241,8 @@ void Surface<Integer>::find_horizon(const Vertex& vertex, TriangleId seen) {
 
 template <class Integer>
 const std::vector<TriangleId>& Surface<Integer>::insert(const Vertex& vertex, TriangleId seen) {
-  if (!triangles_[seen].alive || side(seen, vertex) <= 0) throw std::logic_error("the new point does not lie above the triangle");
+  if (!triangles_[seen].alive || side(seen, vertex) <= 0)
+    throw std::logic_error("the new point does not lie above the triangle");
   find_horizon(vertex, seen);
   const CornerId apex(static_cast<std::uint32_t>(vertices_.size()));
   vertices_.push_back(vertex);
@@ -252,7 +257,8 @@ const std::vector<TriangleId>& Surface<Integer>::insert(const Vertex& vertex, Tr
   }
   for (const TriangleId t : fresh_) {
     const TriangleId following = fan_[triangles_[t].corners[1]];
-    if (following < fresh_.front() || triangles_.size() <= following.value || triangles_[following].corners[0] != triangles_[t].corners[1])
+    if (following < fresh_.front() || triangles_.size() <= following.value ||
+        triangles_[following].corners[0] != triangles_[t].corners[1])
       throw std::logic_error("the horizon of the new point is no cycle");
     triangles_[t].across[1] = following;
     triangles_[following].across[2] = t;
@@ -291,7 +297,9 @@ class Start {
   }
 
  private:
-  static Direction axis(int k, long sign) { return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)}; }
+  static Direction axis(int k, long sign) {
+    return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)};
+  }
 
   // The first extreme difference, over `directions`, that lies farther in its direction than
   // `from`.
@@ -366,7 +374,8 @@ class Merging {
   bool coplanar(TriangleId t, TriangleId other) {
     const std::array<CornerId, 3>& known = surface_.triangles()[t].corners;
     for (const CornerId corner : surface_.triangles()[other].corners)
-      if (std::find(known.begin(), known.end(), corner) == known.end()) return surface_.side(t, surface_.vertices()[corner]) == 0;
+      if (std::find(known.begin(), known.end(), corner) == known.end())
+        return surface_.side(t, surface_.vertices()[corner]) == 0;
     throw std::logic_error("two triangles of the expanding polytope have the same corners");
   }
 
@@ -435,7 +444,8 @@ class Merging {
     memory_.corners.clear();
     const std::size_t n = cycle.size();
     for (std::size_t i = 0; i < n; ++i) {
-      const bool kept = memory_.members.size() == 1 || !on_one_line(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n]);
+      const bool kept =
+          memory_.members.size() == 1 || !on_one_line(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n]);
       if (kept) memory_.corners.push_back(name(cycle[i]));
     }
     result_.facets.push_back(memory_.corners);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unlike vertices, which come by millions, these are read from a document: their objects are small, and some hold others.
-#include "reference/files/case_fields.hpp"
-
+// Unlike vertices, which come by millions, these are read from a document: their objects are small,
+// and some hold others.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -14,10 +13,11 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/case_fields.hpp"
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/shape_names.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
 
 namespace fathom::files {
 namespace {
@@ -41,7 +41,8 @@ const Json* given(const Json& object, std::string_view name) {
   return value && !value->is_null() ? value : nullptr;
 }
 
-/// Returns whether the field means something in a body: such a field must not be repeated, since readers differ in which one they take.
+/// Returns whether the field means something in a body: such a field must not be repeated, since
+/// readers differ in which one they take.
 bool is_ours(std::string_view key) {
   return is_field_of_shapes(key) || key == "pose" || key == "pose_rounding" || key == "unit" || pose_word(key);
 }
@@ -106,7 +107,8 @@ std::vector<mpq_class> Reader::numbers(const Json& value, std::size_t count, con
     result.resize(count, 1);
     return result;
   }
-  for (std::size_t i = 0; i < count; ++i) result.push_back(number(value.items()[i], path + "[" + std::to_string(i) + "]"));
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back(number(value.items()[i], path + "[" + std::to_string(i) + "]"));
   return result;
 }
 
@@ -158,14 +160,21 @@ GivenPose Reader::pose_of_words(const Json& value, const std::string& path, std:
     keys.emplace_back(key);
     if (!word || numbers_of_it->is_null()) continue;
     std::vector<mpq_class> read = numbers(*numbers_of_it, numbers_of(*word), path + "." + std::string(key));
-    if (!words.emplace(*word, std::move(read)).second) wrong = "expected one " + std::string(name(*word)) + ", found two";
+    if (!words.emplace(*word, std::move(read)).second)
+      wrong = "expected one " + std::string(name(*word)) + ", found two";
   }
-  if (const std::string sentence = misspelt_in_pose(keys); !sentence.empty()) notes.push_back({CaseNote::field, path + ": " + sentence});
+  if (const std::string sentence = misspelt_in_pose(keys); !sentence.empty())
+    notes.push_back({CaseNote::field, path + ": " + sentence});
   if (words.empty()) report(path, expected_pose, found(value));
   const Json* const unit_given = value.find("unit");
-  const std::string unit = !words.contains(PoseWord::rpy) ? R"("deg")" : unit_given ? unit_given->written().text() : "null";
-  if (unit != R"("deg")" && unit != R"("rad")") report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, readable));
-  return fault.empty() && wrong.empty() ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong) : GivenPose{};
+  const std::string unit = !words.contains(PoseWord::rpy) ? R"("deg")"
+                           : unit_given                   ? unit_given->written().text()
+                                                          : "null";
+  if (unit != R"("deg")" && unit != R"("rad")")
+    report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, readable));
+  return fault.empty() && wrong.empty()
+             ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong)
+             : GivenPose{};
 }
 
 ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std::string& path, NamedBody& words) {
@@ -180,7 +189,8 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
     if (!is_field_of_shapes(key) || value->is_null()) continue;
     const std::string place = path + "." + std::string(key);
     if (!has_field(shape, key)) report(place, "no such field of a " + std::string(shape.name), "one");
-    else if (const NumberField* const field = number_field(key)) result.numbers[std::string(key)] = numbers(*value, field->count, place);
+    else if (const NumberField* const field = number_field(key))
+      result.numbers[std::string(key)] = numbers(*value, field->count, place);
   }
   for (const NumberField& field : shape.numbers)
     if (!result.numbers.contains(field.name)) report(path, "a field '" + std::string(field.name) + "'", "none");
@@ -251,11 +261,14 @@ Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& pat
 
 void Reader::round(Shape& shape, const std::string& path) {
   if (!points_of(shape)) {
-    refuse(path + ".pose_rounding: expected a body of points, found one with discs, balls, terms or a plane, which are not rounded");
+    refuse(path +
+           ".pose_rounding: expected a body of points, found one with discs, balls, terms or a plane, which are not "
+           "rounded");
     return;
   }
   for (Atom& atom : std::get<std::vector<Term>>(shape.core).front().atoms)
-    if (!round_to_binary64(atom.center)) refuse(path + ": expected points within binary64 once placed, found a larger one");
+    if (!round_to_binary64(atom.center))
+      refuse(path + ": expected points within binary64 once placed, found a larger one");
 }
 
 // A piece, where its own pose puts it.
@@ -266,9 +279,11 @@ Body Reader::piece(const Json& json, const std::string& path) {
   if (json.find("pose_rounding")) report(path + ".pose_rounding", "no such field of a piece", "one");
   std::optional<std::vector<Point>> points = points_of(shape);
   if (!points) refuse(path + ": expected a hull, a box or a triangle, found another shape");
-  else if (shape.radius != 0) refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
+  else if (shape.radius != 0)
+    refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
   Body body{std::move(points).value_or(std::vector<Point>())};
-  if (const Json* const faces = json.find("faces"); faces && fault.empty()) refuse(read_faces(*faces, path + ".faces", body));
+  if (const Json* const faces = json.find("faces"); faces && fault.empty())
+    refuse(read_faces(*faces, path + ".faces", body));
   return body;
 }
 
@@ -278,7 +293,8 @@ Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
     if (is_field_of_shapes(key) && key != "pieces" && !value->is_null())
       report(path + "." + std::string(key), "no such field beside 'pieces'", "one");
   const Json& pieces = *json.find("pieces");
-  if (!pieces.is_array() || pieces.items().empty()) report(path + ".pieces", "an array of convex pieces", found(pieces));
+  if (!pieces.is_array() || pieces.items().empty())
+    report(path + ".pieces", "an array of convex pieces", found(pieces));
   rounded = is_rounded(json, path) || rounded;
   std::optional<GivenPose> placing;
   if (const Json* const there = given(json, "pose"); there && fault.empty()) placing = pose(*there, path + ".pose");
@@ -293,7 +309,8 @@ Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
   }
   if (!fault.empty()) return {};
   if (placing)
-    if (const std::string note = pose_note(*placing, false); !note.empty()) notes.push_back({CaseNote::pose, path + ".pose: " + note});
+    if (const std::string note = pose_note(*placing, false); !note.empty())
+      notes.push_back({CaseNote::pose, path + ".pose: " + note});
   return files::union_of(read);
 }
 
@@ -349,7 +366,8 @@ std::string read_faces(const Json& faces, const std::string& path, Body& body) {
     if (!face.is_array()) return place + ": expected an array of vertex indices, found " + shown(face);
     for (const Json& index : face.items()) {
       if (!index.is_natural() || index.number() >= static_cast<double>(body.points.size()))
-        return place + ": expected vertex indices below " + std::to_string(body.points.size()) + ", found " + shown(index);
+        return place + ": expected vertex indices below " + std::to_string(body.points.size()) + ", found " +
+               shown(index);
       read.corners.push_back(static_cast<std::uint32_t>(index.number()));
     }
     read.ends.push_back(static_cast<std::uint32_t>(read.corners.size()));

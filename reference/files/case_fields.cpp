@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields that a case may have, and the walk over all that was read of one, in its order, which says where the first fault is.
+// The fields that a case may have, and the walk over all that was read of one, in its order, which
+// says where the first fault is.
 #include "reference/files/case_fields.hpp"
 
 #include <algorithm>
@@ -16,9 +17,12 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 8> of_cases = {"schema", "id", "a", "b", "pose_rounding", "flags", "source", "comment"};
-constexpr std::array<std::string_view, 7> of_bodies = {"vertices", "faces", "pose", "shape", "margin", "pose_rounding", "pieces"};
-constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat", "xyzw", "rpy", "unit"};
+constexpr std::array<std::string_view, 8> of_cases = {"schema",        "id",    "a",      "b",
+                                                      "pose_rounding", "flags", "source", "comment"};
+constexpr std::array<std::string_view, 7> of_bodies = {"vertices", "faces",         "pose",  "shape",
+                                                       "margin",   "pose_rounding", "pieces"};
+constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat",
+                                                      "xyzw",        "rpy",        "unit"};
 
 void add_fields(const ShapeName& shape, Names& names) {
   for (const NumberField& field : shape.numbers) names.push_back(field.name);
@@ -41,7 +45,8 @@ bool is_near_one(std::string_view key, const Known& known) {
   return std::ranges::any_of(known, [key](std::string_view word) { return kernels::is_near(key, word); });
 }
 
-void note(const text::JsonValue& object, const std::string& path, std::span<const std::string_view> known, std::vector<CaseNote>& notes) {
+void note(const text::JsonValue& object, const std::string& path, std::span<const std::string_view> known,
+          std::vector<CaseNote>& notes) {
   std::vector<std::string> there;
   for (const auto& [key, value] : object.fields()) there.emplace_back(key);
   const std::string sentence = kernels::near_misses(there, known);
@@ -96,7 +101,8 @@ class CaseWalk {
     fault(path, "a number within the range of binary64", kernels::shown(value.text()));
   }
   CasePlace field(std::string_view key, CasePlace place, const Path& path, FieldsRead& seen);
-  /// Looks at the fields of a body, or of the case if there is none, and returns those that are ours.
+  /// Looks at the fields of a body, or of the case if there is none, and returns those that are
+  /// ours.
   FieldsRead all_fields(const JsonValue& object, const Path& path, BodyFields* body);
   void whole(const JsonValue& object, const Path& path);
   void body_of(const JsonValue& object, const Path& path, BodyFields& body);
@@ -152,8 +158,8 @@ void CaseWalk::string(const JsonValue& value, CasePlace place, const Path& path,
 void CaseWalk::skip(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body) {
   if (place == CasePlace::faces) body->has_faces = true;
   if (place == CasePlace::shape) body->is_shape = true;
-  const bool elsewhere =
-      place == CasePlace::other || place == CasePlace::shape || place == CasePlace::faces || (place == CasePlace::pose && body->is_shape);
+  const bool elsewhere = place == CasePlace::other || place == CasePlace::shape || place == CasePlace::faces ||
+                         (place == CasePlace::pose && body->is_shape);
   if (!elsewhere) wrong(path, place, value.is_object() ? "an object" : "an array");
   find_limits(value, path);
 }
@@ -206,7 +212,8 @@ void CaseWalk::vertices(const JsonValue& rows, const Path& path, BodyFields& bod
     }
     auto [x, y, z, more] = row(rows.items()[i], CasePlace::coordinate, place, body);
     points.push_back({std::move(x), std::move(y), std::move(z)});
-    if (rows.items()[i].items().size() != 3) wrong(place, CasePlace::vertex, std::to_string(rows.items()[i].items().size()));
+    if (rows.items()[i].items().size() != 3)
+      wrong(place, CasePlace::vertex, std::to_string(rows.items()[i].items().size()));
   }
   if (rows.items().empty()) fault(path, "at least one point", "none");
 }
@@ -221,7 +228,8 @@ void CaseWalk::pose(const JsonValue& rows, const Path& path, BodyFields& body) {
     }
     std::array<mpq_class, 4> entries = row(rows.items()[i], CasePlace::pose_entry, place, body);
     if (i < body.pose->size()) (*body.pose)[i] = std::move(entries);
-    if (rows.items()[i].items().size() != 4) wrong(place, CasePlace::pose_row, std::to_string(rows.items()[i].items().size()));
+    if (rows.items()[i].items().size() != 4)
+      wrong(place, CasePlace::pose_row, std::to_string(rows.items()[i].items().size()));
   }
   if (rows.items().size() == 4) body.is_shape = true;
   else if (rows.items().size() != 3) wrong(path, CasePlace::pose, std::to_string(rows.items().size()));
@@ -293,7 +301,9 @@ bool may_be_null(CasePlace place) {
          place == CasePlace::faces || place == CasePlace::rounding || place == CasePlace::body_rounding;
 }
 
-bool looks_misspelt(std::string_view key, bool of_body) { return of_body ? is_near_one(key, of_any_body()) : is_near_one(key, of_cases); }
+bool looks_misspelt(std::string_view key, bool of_body) {
+  return of_body ? is_near_one(key, of_any_body()) : is_near_one(key, of_cases);
+}
 
 std::string misspelt_in_pose(std::span<const std::string> keys) { return kernels::near_misses(keys, of_poses); }
 
@@ -325,10 +335,12 @@ CaseFields read_case_fields(std::string_view text, const text::JsonRead& read) {
   if (!read.whole) {
     const std::string place = column(read.error_at);
     if (!read.error.empty())
-      fields.fault = "expected JSON, found a syntax error at " + place + ": " + kernels::printable(read.error, readable_reason);
+      fields.fault =
+          "expected JSON, found a syntax error at " + place + ": " + kernels::printable(read.error, readable_reason);
   }
   // To the parser it is the end of the text: what follows would be passed over.
-  if (const std::size_t null = text.find('\0'); null != text.npos) fields.fault = "expected JSON, found a null byte at " + column(null);
+  if (const std::size_t null = text.find('\0'); null != text.npos)
+    fields.fault = "expected JSON, found a null byte at " + column(null);
   return fields;
 }
 

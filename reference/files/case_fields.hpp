@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of one case, read from JSON: where a value may stand, what belongs there, and what was read. Poses are not applied yet.
+// The fields of one case, read from JSON: where a value may stand, what belongs there, and what was
+// read. Poses are not applied yet.
 #pragma once
 
 #include <cstddef>
@@ -44,8 +45,8 @@ std::string expected_at(CasePlace place);
 CasePlace field_of_case(std::string_view key);
 CasePlace field_of_body(std::string_view key);
 
-/// Returns whether some body has a field called `key` that tells what it is: a number field, or "shape", "axis", "vertices", "faces",
-/// "terms", "pieces".
+/// Returns whether some body has a field called `key` that tells what it is: a number field, or
+/// "shape", "axis", "vertices", "faces", "terms", "pieces".
 bool is_field_of_shapes(std::string_view key);
 
 /// Returns whether this shape has that field. Each has a name and a margin; none has pieces.
@@ -54,13 +55,15 @@ bool has_field(const ShapeName& shape, std::string_view key);
 /// Returns whether null there means the same as no field.
 bool may_be_null(CasePlace place);
 
-/// Returns whether an unknown field of a case, or of a body, has a name near that of a known one. Quick: most names differ in length.
+/// Returns whether an unknown field of a case, or of a body, has a name near that of a known one.
+/// Quick: most names differ in length.
 bool looks_misspelt(std::string_view key, bool of_body);
 
 /// A sentence on the unknown fields of a pose, of all whose keys are given; or "".
 std::string misspelt_in_pose(std::span<const std::string> keys);
 
-/// Returns a note on the case, and on each body, with such fields, if the field that may be meant is missing.
+/// Returns a note on the case, and on each body, with such fields, if the field that may be meant
+/// is missing.
 std::vector<CaseNote> misspelt_fields(const text::JsonValue& document);
 
 /// One of the two bodies as it is written.
@@ -82,12 +85,12 @@ struct CaseFields {
   std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
 };
 
-/// Reads the JSON text of one case. `read` is what read_json finds in it. White space alone may follow the object, and at most 64 objects
-/// and arrays may be nested, in skipped fields too.
+/// Reads the JSON text of one case. `read` is what read_json finds in it. White space alone may
+/// follow the object, and at most 64 objects and arrays may be nested, in skipped fields too.
 CaseFields read_case_fields(std::string_view text, const text::JsonRead& read);
 
-/// Reads the fields of good cases in a fraction of the time, one case after another, each in the memory of the one before. One for each
-/// thread.
+/// Reads the fields of good cases in a fraction of the time, one case after another, each in the
+/// memory of the one before. One for each thread.
 class QuickCaseReader {
  public:
   QuickCaseReader();
@@ -95,8 +98,9 @@ class QuickCaseReader {
   QuickCaseReader& operator=(QuickCaseReader&&) noexcept;
   ~QuickCaseReader();
 
-  /// Returns what read_case_fields, its naive twin, returns for the text; or nullopt, and read_case_fields has to read it. It does so for
-  /// every text with a fault, and for a few good ones. Call it while rounding is to nearest.
+  /// Returns what read_case_fields, its naive twin, returns for the text; or nullopt, and
+  /// read_case_fields has to read it. It does so for every text with a fault, and for a few good
+  /// ones. Call it while rounding is to nearest.
   std::optional<CaseFields> fields(std::string_view text);
 
  private:
@@ -104,7 +108,8 @@ class QuickCaseReader {
   std::unique_ptr<Scratch> scratch_;
 };
 
-// ---- body_fields.cpp: bodies that are more than vertices and a matrix (shapes, margins, quaternions, pieces), and faces ----
+// ---- body_fields.cpp: bodies that are more than vertices and a matrix (shapes, margins,
+// quaternions, pieces), and faces ----
 
 /// Those bodies of a case that were asked for, or the first fault.
 struct ShapesOfCase {
@@ -113,12 +118,12 @@ struct ShapesOfCase {
   std::vector<CaseNote> notes;
 };
 
-/// Reads body a, or b, or both, of the object of a case. `rounded`: the case says that points are rounded once to the nearest binary64,
-/// which bodies with discs, balls, terms or planes refuse.
+/// Reads body a, or b, or both, of the object of a case. `rounded`: the case says that points are
+/// rounded once to the nearest binary64, which bodies with discs, balls, terms or planes refuse.
 ShapesOfCase read_shapes(const text::JsonValue& document, bool a, bool b, bool rounded);
 
-/// Reads faces, arrays of indices of points, into `body`, whose points were read. `path` names the field. Returns a sentence on what went
-/// wrong, or "".
+/// Reads faces, arrays of indices of points, into `body`, whose points were read. `path` names the
+/// field. Returns a sentence on what went wrong, or "".
 std::string read_faces(const text::JsonValue& faces, const std::string& path, Body& body);
 
 }  // namespace fathom::files

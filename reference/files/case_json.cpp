@@ -24,7 +24,9 @@ Json pose_json(const auto& given) {
           {"translation", Json::exact(given.place)}};
 }
 
-bool is_unmoved(const NamedBody& body) { return !body.matrix && body.turn == Quaternion{1, 0, 0, 0} && body.place == Point{}; }
+bool is_unmoved(const NamedBody& body) {
+  return !body.matrix && body.turn == Quaternion{1, 0, 0, 0} && body.place == Point{};
+}
 
 }  // namespace
 
@@ -56,7 +58,8 @@ Json body_json(const NamedBody& body, Defaults defaults) {
   if (shape.part == ShapePart::axis && (all || body.fields.axis != Axis::z))
     result["axis"] = body.fields.axis == Axis::x ? "x" : body.fields.axis == Axis::y ? "y" : "z";
   if (!body.fields.vertices.empty()) result["vertices"] = Json::array_of(body.fields.vertices, exact_point);
-  if (!body.terms.empty()) result["terms"] = Json::array_of(body.terms, [&](const NamedBody& term) { return body_json(term, defaults); });
+  if (!body.terms.empty())
+    result["terms"] = Json::array_of(body.terms, [&](const NamedBody& term) { return body_json(term, defaults); });
   numbers("margin");
   if (all || !is_unmoved(body)) result["pose"] = pose_json(body);
   return result;

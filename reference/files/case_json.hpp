@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases and their bodies as JSON, with every number exact for every reader.                                [schemas/case.schema.json]
+// Cases and their bodies as JSON, with every number exact for every reader.
+//                                                                        [schemas/case.schema.json]
 #pragma once
 
 #include <optional>
@@ -21,8 +22,8 @@ inline constexpr std::string_view case_schema = "fathom/case/1";
 /// Whether fields with their default values (axis z, identity pose) are written.
 enum class Defaults { left_out, written };
 
-/// A body by its words if it has some, else by its vertices, which are placed if there is a pose. Throws std::invalid_argument for a shape
-/// that is no polytope and has no words.
+/// A body by its words if it has some, else by its vertices, which are placed if there is a pose.
+/// Throws std::invalid_argument for a shape that is no polytope and has no words.
 text::Json body_json(const Body& body, const std::optional<Pose>& pose = std::nullopt);
 /// By its vertices, with the pose as it was given: a matrix, or a quaternion and a translation.
 text::Json body_json(const Body& body, const GivenPose& pose);

@@ -30,7 +30,8 @@ bool is_lone_brace(std::string_view text) {
   return brace != std::string_view::npos && text[brace] == '{' && is_blank(text.substr(brace + 1));
 }
 
-/// Counts braces and brackets outside strings, without caring which closes which: enough to see where a value ends.
+/// Counts braces and brackets outside strings, without caring which closes which: enough to see
+/// where a value ends.
 class Nesting {
  public:
   /// Takes text up to the end of the outermost value. Returns how much was taken.
@@ -76,7 +77,8 @@ std::string place(BodyFields& fields, bool rounded, const char* name, Body& body
     if (fields.pose) point = placed(point, *fields.pose);
     if (!rounded) continue;
     if (!round_to_binary64(point))
-      return std::string(name) + ".vertices[" + std::to_string(i) + "]: expected a point within binary64 once placed, found a larger one";
+      return std::string(name) + ".vertices[" + std::to_string(i) +
+             "]: expected a point within binary64 once placed, found a larger one";
     in_binary64.push_back({point.x.get_d(), point.y.get_d(), point.z.get_d()});
   }
   if (rounded) body.points = GivenPoints(std::move(in_binary64));
@@ -89,7 +91,8 @@ void note_pose(const BodyFields& body, const char* name, std::vector<CaseNote>& 
     notes.push_back({CaseNote::pose, std::string(name) + ".pose: " + note});
 }
 
-/// Whether the body has faces and is the hull of the points that they name: those of other shapes are not read.
+/// Whether the body has faces and is the hull of the points that they name: those of other shapes
+/// are not read.
 bool has_mesh(const BodyFields& fields, const Body& body) {
   return fields.has_faces && !body.shape && (!body.words || body.words->shape == "hull");
 }
@@ -108,8 +111,10 @@ std::string place(const text::JsonValue& document, CaseFields& fields, Case& res
     std::ranges::move(shapes.notes, std::back_inserter(notes));
     fault = std::move(shapes.fault);
   }
-  if (fault.empty() && has_mesh(fields.a, result.a)) fault = read_faces(*document.find("a")->find("faces"), "a.faces", result.a);
-  if (fault.empty() && has_mesh(fields.b, result.b)) fault = read_faces(*document.find("b")->find("faces"), "b.faces", result.b);
+  if (fault.empty() && has_mesh(fields.a, result.a))
+    fault = read_faces(*document.find("a")->find("faces"), "a.faces", result.a);
+  if (fault.empty() && has_mesh(fields.b, result.b))
+    fault = read_faces(*document.find("b")->find("faces"), "b.faces", result.b);
   return fault;
 }
 
@@ -133,7 +138,8 @@ void UnreadCases::take_back(std::string line) {
   --line_;
 }
 
-// `text` is a lone brace. Whatever starts with an unindented brace is a case of its own: this one was cut short.
+// `text` is a lone brace. Whatever starts with an unindented brace is a case of its own: this one
+// was cut short.
 void UnreadCases::read_rest_of_case(std::string& text) {
   Nesting nesting;
   nesting.take(text);
@@ -164,7 +170,9 @@ UnreadCase UnreadCases::refuse_long() {
   return failure(case_line_, std::string(limit) + (finished_ ? "one without an end" : "a longer one"));
 }
 
-UnreadCase UnreadCases::failure(std::size_t line, const std::string& message) const { return {line, "", InputError(name_, line, message)}; }
+UnreadCase UnreadCases::failure(std::size_t line, const std::string& message) const {
+  return {line, "", InputError(name_, line, message)};
+}
 
 std::optional<UnreadCase> UnreadCases::next() {
   if (finished_) return std::nullopt;

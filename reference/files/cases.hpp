@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of cases, one after another from a stream, not yet read: to find where a case ends is little work beside reading it, so that
-// one thread can hand out texts to many.
+// The texts of cases, one after another from a stream, not yet read: to find where a case ends is
+// little work beside reading it, so that one thread can hand out texts to many.
 #pragma once
 
 #include <cstddef>

@@ -14,10 +14,12 @@ constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view() : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+  return begin == std::string_view::npos ? std::string_view()
+                                         : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// The lines of a log. Behind the start of a failure, the words that a logger puts before each line are cut off.
+/// The lines of a log. Behind the start of a failure, the words that a logger puts before each line
+/// are cut off.
 class Log {
  public:
   Log(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
@@ -44,7 +46,9 @@ class Log {
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] std::size_t number() const { return number_; }
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
-    throw InputError(name_, number_, "expected " + expected + ", found " + (found.empty() ? "the end of the text" : kernels::shown(found)));
+    throw InputError(
+        name_, number_,
+        "expected " + expected + ", found " + (found.empty() ? "the end of the text" : kernels::shown(found)));
   }
 
  private:
@@ -103,7 +107,8 @@ Body box(const Log& log, std::string_view text) {
   const Point sides = three_numbers(log, in_brackets(without_scalar(text)), what);
   Body body;
   for (int corner = 0; corner < 8; ++corner)
-    body.points.push_back({(corner & 1 ? 1 : -1) * sides.x / 2, (corner & 2 ? 1 : -1) * sides.y / 2, (corner & 4 ? 1 : -1) * sides.z / 2});
+    body.points.push_back({(corner & 1 ? 1 : -1) * sides.x / 2, (corner & 2 ? 1 : -1) * sides.y / 2,
+                           (corner & 4 ? 1 : -1) * sides.z / 2});
   if (sides.x < 0 || sides.y < 0 || sides.z < 0) log.fail(what + ", none negative", text);
   return body;
 }
@@ -114,7 +119,8 @@ void read_points(const Log& log, Body& body) {
   for (std::size_t at = 0; (at = log.line().find(word, at)) != std::string_view::npos;) {
     at += word.size();
     const std::string_view rest = without_scalar(log.line().substr(at));
-    if (rest.starts_with('(')) body.points.push_back(three_numbers(log, in_brackets(rest), "the three coordinates of a point"));
+    if (rest.starts_with('('))
+      body.points.push_back(three_numbers(log, in_brackets(rest), "the three coordinates of a point"));
   }
 }
 
@@ -131,7 +137,8 @@ Body convex(Log& log, std::string_view end) {
   return body;
 }
 
-/// The shape whose text begins with `text`, which is the rest of its line or empty; leaves the log at the line with `end`.
+/// The shape whose text begins with `text`, which is the rest of its line or empty; leaves the log
+/// at the line with `end`.
 Body shape(Log& log, std::string_view text, std::string_view end) {
   if (text.empty()) {
     if (!log.next_with_text()) log.fail("a shape", {});
@@ -191,7 +198,8 @@ std::vector<FclFailure> read_fcl_text(std::string_view text, const std::string& 
     if (const std::size_t at = log.line().find("Shape 1:"); at != std::string_view::npos)
       failures.push_back(failure(log, at, std::exchange(message, {})));
   }
-  if (failures.empty()) throw InputError(name, 0, "expected the text of an exception of FCL, with 'Shape 1:', found none");
+  if (failures.empty())
+    throw InputError(name, 0, "expected the text of an exception of FCL, with 'Shape 1:', found none");
   return failures;
 }
 

@@ -2,15 +2,16 @@
 // Files by the calls of POSIX, and the sentence of an InputError.
 #include "reference/files/file_io.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <filesystem>
 #include <new>
-#include <sys/stat.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -89,7 +90,8 @@ std::string resolved(const std::string& path) {
   return target.string();
 }
 
-// A hidden file in the folder, of a name that none has: one may be left from a process that was killed.
+// A hidden file in the folder, of a name that none has: one may be left from a process that was
+// killed.
 int open_hidden(const std::filesystem::path& folder, std::string& name) {
   for (unsigned number = 0;; ++number) {
     const std::string id = std::to_string(::getpid()) + "-" + std::to_string(number);

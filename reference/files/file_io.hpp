@@ -9,18 +9,20 @@
 
 namespace fathom::files {
 
-/// The longest line of a stream, and the longest case, which may span many lines, in bytes: endless input must not use up the memory.
+/// The longest line of a stream, and the longest case, which may span many lines, in bytes: endless
+/// input must not use up the memory.
 inline constexpr std::size_t longest_line = std::size_t{256} << 20;
 
 enum class LineRead { whole, too_long, no_memory, none };
 
-/// Replaces `line` by the next line of `input`, without its line feed. Returns `none` at the end of the input. Skips a line that is longer
-/// than the limit, or than the memory allows, and leaves `line` empty; after sixteen times the limit it takes `input` for endless and sets
-/// its badbit.
+/// Replaces `line` by the next line of `input`, without its line feed. Returns `none` at the end of
+/// the input. Skips a line that is longer than the limit, or than the memory allows, and leaves
+/// `line` empty; after sixteen times the limit it takes `input` for endless and sets its badbit.
 LineRead read_line(std::istream& input, std::string& line);
 
-/// Returns the bytes of the whole file; reads pipes to their end. Throws InputError if it is missing, a directory, unreadable, or a pipe or
-/// device with more than `most_of_a_pipe` bytes, which may have no end.
+/// Returns the bytes of the whole file; reads pipes to their end. Throws InputError if it is
+/// missing, a directory, unreadable, or a pipe or device with more than `most_of_a_pipe` bytes,
+/// which may have no end.
 std::string read_file(const std::string& path, std::size_t most_of_a_pipe = std::size_t{1} << 30);
 
 /// Throws InputError if `path` is missing, a directory or unreadable. Does not open it.
@@ -29,11 +31,13 @@ void require_readable(const std::string& path);
 /// Whether `path` is a folder that is there.
 bool is_folder(const std::string& path);
 
-/// Returns the extension of the file's name in lower case and without the dot; empty if there is none.
+/// Returns the extension of the file's name in lower case and without the dot; empty if there is
+/// none.
 std::string extension(std::string_view path);
 
-/// A file that is being written: under a hidden name in the same folder, and then renamed, so that a file of the name that was there is
-/// replaced at once. A device or a pipe is written to as it is; a symbolic link stays one.
+/// A file that is being written: under a hidden name in the same folder, and then renamed, so that
+/// a file of the name that was there is replaced at once. A device or a pipe is written to as it
+/// is; a symbolic link stays one.
 class WholeFile {
  public:
   /// Throws std::system_error if nothing can be written there.

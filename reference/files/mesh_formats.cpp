@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of meshes share, and the door to them: a format is told by extension or first bytes.
+// What the readers of meshes share, and the door to them: a format is told by extension or first
+// bytes.
 #include "reference/files/mesh_formats.hpp"
 
 #include <algorithm>
@@ -26,7 +27,8 @@ mpq_class exact(Coordinate coordinate) {
 void CollectedPoints::add(std::array<Coordinate, 3> point) {
   auto& [x, y, z] = point;
   if (in_binary64_) {
-    const double *const u = std::get_if<double>(&x), *const v = std::get_if<double>(&y), *const w = std::get_if<double>(&z);
+    const double *const u = std::get_if<double>(&x), *const v = std::get_if<double>(&y),
+                        *const w = std::get_if<double>(&z);
     if (u && v && w) {
       binary64_.push_back({*u, *v, *w});
       return;
@@ -81,7 +83,8 @@ std::string other_content(std::string_view bytes, const std::string& name) {
        {"dae", "<COLLADA", "COLLADA, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
        {"urdf", "<robot", "a description of a robot, which is not read: name the mesh files that it lists"},
        {"sdf", "<sdf", "a description of a model, which is not read: name the mesh files that it lists"},
-       {"npy", "\x93NUMPY", "an array of numpy, which is not read: numpy.savetxt('points.xyz', array) writes lines x y z"},
+       {"npy", "\x93NUMPY",
+        "an array of numpy, which is not read: numpy.savetxt('points.xyz', array) writes lines x y z"},
        {"fbx", "Kaydara FBX", "FBX, which is not read: export the mesh as OBJ, PLY, STL or OFF"},
        {"step", "ISO-10303-21", "STEP, which is not read: export a mesh as OBJ, PLY, STL or OFF"}}};
   constexpr std::size_t head = 1024;
@@ -125,7 +128,9 @@ Coordinate parse_coordinate(std::string_view token, const TextScanner& scanner, 
   return *std::move(number.value);
 }
 
-Coordinate read_coordinate(TextScanner& scanner, Decimals decimals) { return parse_coordinate(scanner.next_token(), scanner, decimals); }
+Coordinate read_coordinate(TextScanner& scanner, Decimals decimals) {
+  return parse_coordinate(scanner.next_token(), scanner, decimals);
+}
 
 void read_point(TextScanner& scanner, Decimals decimals, CollectedPoints& points) {
   std::array<Coordinate, 3> point;
@@ -151,10 +156,14 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 
 Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decimals) {
   if (bytes.empty()) throw InputError(name, 0, "expected a mesh, found an empty file");
-  if (const std::optional<MeshFormat> format = files::mesh_format(bytes, name)) return parse_mesh(bytes, name, decimals, *format);
-  throw InputError(name, 1, "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + files::other_content(bytes, name));
+  if (const std::optional<MeshFormat> format = files::mesh_format(bytes, name))
+    return parse_mesh(bytes, name, decimals, *format);
+  throw InputError(name, 1,
+                   "expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found " + files::other_content(bytes, name));
 }
 
-Body read_mesh(const std::string& path, Decimals decimals) { return parse_mesh(files::read_file(path), path, decimals); }
+Body read_mesh(const std::string& path, Decimals decimals) {
+  return parse_mesh(files::read_file(path), path, decimals);
+}
 
 }  // namespace fathom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The readers of the mesh formats, and what they share: points that stay in binary64 for as long as every coordinate is.
+// The readers of the mesh formats, and what they share: points that stay in binary64 for as long as
+// every coordinate is.
 #pragma once
 
 #include <gmpxx.h>
@@ -62,7 +63,8 @@ Body mesh_body(CollectedPoints points, MeshFaces faces);
 /// Returns whether the size is that which the header of a binary STL announces.
 bool is_binary_stl(std::string_view bytes);
 
-/// Returns the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is not a number.
+/// Returns the coordinate in `token`. Throws InputError, with the place of `scanner`, if it is not
+/// a number.
 Coordinate parse_coordinate(std::string_view token, const TextScanner& scanner, Decimals decimals);
 
 /// The same with the next token of the line.
@@ -71,7 +73,8 @@ Coordinate read_coordinate(TextScanner& scanner, Decimals decimals);
 /// Adds the point of the next three tokens.
 void read_point(TextScanner& scanner, Decimals decimals, CollectedPoints& points);
 
-/// Reserves room for the items that a file announces, but never for more than `bytes_left` bytes can hold at `bytes_each` an item.
+/// Reserves room for the items that a file announces, but never for more than `bytes_left` bytes
+/// can hold at `bytes_each` an item.
 template <class Items>
 void reserve_within(Items& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
   const std::uint64_t possible = bytes_left / bytes_each + 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Folders of pieces in their natural order, and their union. The reader of groups is in text_formats.cpp.
+// Folders of pieces in their natural order, and their union. The reader of groups is in
+// text_formats.cpp.
 #include "reference/files/piece_files.hpp"
 
 #include <algorithm>
@@ -46,10 +47,13 @@ std::vector<Body> piece_bodies(const std::string& path, Decimals decimals) {
   std::vector<Body> pieces;
   for (const std::string& file : is_folder(path) ? piece_files(path) : std::vector{path}) {
     const std::string bytes = read_file(file);
-    if (mesh_format(bytes, file) == MeshFormat::obj) std::ranges::move(parse_obj_pieces(bytes, file, decimals), std::back_inserter(pieces));
+    if (mesh_format(bytes, file) == MeshFormat::obj)
+      std::ranges::move(parse_obj_pieces(bytes, file, decimals), std::back_inserter(pieces));
     else pieces.push_back(parse_mesh(bytes, file, decimals));
   }
-  if (pieces.empty()) throw InputError(path, 0, "expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
+  if (pieces.empty())
+    throw InputError(path, 0,
+                     "expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
   return pieces;
 }
 
@@ -129,6 +133,8 @@ Pieces parse_pieces(std::string_view text, const std::string& name, Decimals dec
   return files::points_of(files::parse_obj_pieces(text, name, decimals));
 }
 
-Pieces read_pieces(const std::string& path, Decimals decimals) { return files::points_of(files::piece_bodies(path, decimals)); }
+Pieces read_pieces(const std::string& path, Decimals decimals) {
+  return files::points_of(files::piece_bodies(path, decimals));
+}
 
 }  // namespace fathom

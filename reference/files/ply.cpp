@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY: the header says what follows; text and binary bodies differ only in how one value is taken. Values are exact whatever their declared
-// type: a binary float is itself, a text "0.1" is read like any other decimal.
+// PLY: the header says what follows; text and binary bodies differ only in how one value is taken.
+// Values are exact whatever their declared type: a binary float is itself, a text "0.1" is read
+// like any other decimal.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -119,8 +120,8 @@ PlyProperty read_property(TextScanner& scanner) {
   return {read_name(scanner), type, count_type};
 }
 
-// Lines by hand, not by the scanner: the first line decides how lines end, since after "end_header" CR a binary body
-// may itself begin with the byte LF.
+// Lines by hand, not by the scanner: the first line decides how lines end, since after "end_header"
+// CR a binary body may itself begin with the byte LF.
 class HeaderLines {
  public:
   HeaderLines(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
@@ -132,7 +133,8 @@ class HeaderLines {
   }
   TextScanner next() {
     const std::size_t start = next_;
-    const std::size_t end = separator_.empty() ? bytes_.size() : std::min(bytes_.find(separator_, start), bytes_.size());
+    const std::size_t end =
+        separator_.empty() ? bytes_.size() : std::min(bytes_.find(separator_, start), bytes_.size());
     next_ = std::min(end + separator_.size(), bytes_.size());
     TextScanner line(bytes_.substr(start, end - start), name_, {}, ++line_);
     line.next_line();
@@ -159,7 +161,8 @@ void read_line(std::string_view keyword, TextScanner& line, PlyHeader& header) {
   }
 }
 
-/// Throws InputError for anything but a complete header. Its lines end in LF, CR LF or CR, all like the first.
+/// Throws InputError for anything but a complete header. Its lines end in LF, CR LF or CR, all like
+/// the first.
 PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
   HeaderLines lines(bytes, name);
   PlyHeader header;
@@ -183,7 +186,8 @@ PlyHeader parse_ply_header(std::string_view bytes, const std::string& name) {
   }
 }
 
-// ---- one value after another from the body: as text, or as bytes; an error names the line, or the byte ----
+// ---- one value after another from the body: as text, or as bytes; an error names the line, or the
+// byte ----
 
 /// One of the items of an element, for messages.
 struct PlyItem {
@@ -223,7 +227,9 @@ class TextValues {
   void finish() {
     if (scanner_.next_line()) scanner_.fail("the end of the file", scanner_.rest_of_line());
   }
-  [[noreturn]] void fail(const std::string& expected, const std::string& found) const { scanner_.fail(expected, found); }
+  [[noreturn]] void fail(const std::string& expected, const std::string& found) const {
+    scanner_.fail(expected, found);
+  }
 
  private:
   TextScanner scanner_;
@@ -234,7 +240,10 @@ class TextValues {
 class BinaryValues {
  public:
   BinaryValues(std::string_view bytes, const std::string& name, const PlyHeader& header)
-      : bytes_(bytes), name_(name), next_(header.body), swap_((header.encoding == PlyEncoding::big_endian) != big_endian_machine) {}
+      : bytes_(bytes),
+        name_(name),
+        next_(header.body),
+        swap_((header.encoding == PlyEncoding::big_endian) != big_endian_machine) {}
 
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - next_; }
   void begin(const PlyItem& item) { item_ = item; }
@@ -331,7 +340,8 @@ void read_face(Values& values, const PlyElement& element, std::uint64_t vertices
   }
 }
 
-// Bytes that one element takes at least: what bounds the room reserved for a count that nobody has checked yet.
+// Bytes that one element takes at least: what bounds the room reserved for a count that nobody has
+// checked yet.
 std::size_t least_size(const PlyElement& element, PlyEncoding encoding) {
   std::size_t size = 0;
   for (const PlyProperty& property : element.properties)
@@ -345,7 +355,8 @@ Body read_elements(Values values, const PlyHeader& header, std::uint64_t vertice
   MeshFaces faces;
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // takes no room, whatever its count
-    if (element.name == "vertex") reserve_within(points, vertices, values.bytes_left(), least_size(element, header.encoding));
+    if (element.name == "vertex")
+      reserve_within(points, vertices, values.bytes_left(), least_size(element, header.encoding));
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values.begin({&element, i});
       if (element.name == "vertex") {
@@ -393,7 +404,8 @@ std::uint64_t require_vertices(const PlyHeader& header, const std::string& name)
 Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimals) {
   const PlyHeader header = parse_ply_header(bytes, name);
   const std::uint64_t vertices = require_vertices(header, name);
-  if (header.encoding == PlyEncoding::ascii) return read_elements(TextValues(bytes, name, header, decimals), header, vertices);
+  if (header.encoding == PlyEncoding::ascii)
+    return read_elements(TextValues(bytes, name, header, decimals), header, vertices);
   return read_elements(BinaryValues(bytes, name, header), header, vertices);
 }
 

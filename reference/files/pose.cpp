@@ -39,7 +39,9 @@ mpq_class determinant(const Rows& m) {
 
 /// Whether the rows are orthogonal and of one length, but for 1/100000 of its square.
 bool is_similarity(const Rows& m) {
-  const auto dot = [&](std::size_t i, std::size_t j) { return mpq_class(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2]); };
+  const auto dot = [&](std::size_t i, std::size_t j) {
+    return mpq_class(m[i][0] * m[j][0] + m[i][1] * m[j][1] + m[i][2] * m[j][2]);
+  };
   const mpq_class square = dot(0, 0), slack = square / 100000;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i; j < 3; ++j)
@@ -120,7 +122,8 @@ TypedRows rows_of(std::string_view text) {
       const std::size_t end = std::min(text.find_first_of(between, at), text.size());
       const std::string_view word = text.substr(at, end - at);
       at = end;
-      const bool call = at < text.size() && text[at] == '(' && is_letter(word.front());  // array([[..]]), as Python prints it
+      const bool call =
+          at < text.size() && text[at] == '(' && is_letter(word.front());  // array([[..]]), as Python prints it
       if (!call) rows.back().push_back({word, false});
     }
   }
@@ -141,7 +144,8 @@ std::string found_rows(const TypedRows& rows, std::string_view text) {
   const std::size_t width = rows.empty() ? 0 : rows[0].size();
   const bool even = std::ranges::all_of(rows, [&](const auto& row) { return row.size() == width; });
   if (!even || width < 2) return kernels::shown(text);
-  const std::string found = std::to_string(rows.size()) + " row" + (rows.size() == 1 ? "" : "s") + " of " + std::to_string(width);
+  const std::string found =
+      std::to_string(rows.size()) + " row" + (rows.size() == 1 ? "" : "s") + " of " + std::to_string(width);
   if (rows.size() == 3 && width == 3) return found + ": the translation, a fourth column, is missing";
   if (rows.size() == 4 && width == 3) return found + ": it looks transposed";
   if (rows.size() == 1 && width == 9) return found + ": the translation, a fourth column, is missing";
@@ -160,10 +164,12 @@ mpq_class number(const Entry& entry, Decimals decimals, const std::string& place
 GivenPose matrix(std::string_view text, Decimals decimals, std::string& fault) {
   TypedRows rows = rows_of(text);
   break_long_row(rows);
-  const bool good = (rows.size() == 3 || rows.size() == 4) && std::ranges::all_of(rows, [](const auto& row) { return row.size() == 4; });
+  const bool good = (rows.size() == 3 || rows.size() == 4) &&
+                    std::ranges::all_of(rows, [](const auto& row) { return row.size() == 4; });
   if (!good) {
     fault =
-        "expected three rows of four numbers, \"r11 r12 r13 t1; r21 ...; r31 ...\", or four rows, or xyz=X,Y,Z quat=W,X,Y,Z "
+        "expected three rows of four numbers, \"r11 r12 r13 t1; r21 ...; r31 ...\", or four rows, or xyz=X,Y,Z "
+        "quat=W,X,Y,Z "
         "(or xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg), found " +
         found_rows(rows, text);
     return {};
@@ -171,7 +177,8 @@ GivenPose matrix(std::string_view text, Decimals decimals, std::string& fault) {
   std::vector<std::array<mpq_class, 4>> numbers(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t j = 0; j < 4; ++j)
-      numbers[i][j] = number(rows[i][j], decimals, "row " + std::to_string(i + 1) + ", number " + std::to_string(j + 1), fault);
+      numbers[i][j] =
+          number(rows[i][j], decimals, "row " + std::to_string(i + 1) + ", number " + std::to_string(j + 1), fault);
   return pose_of(numbers, fault);
 }
 
@@ -218,7 +225,8 @@ class Words {
     text = text.substr(0, text.find_last_not_of(" \t\r\n,;)]}") + 1);
     if (word == PoseWord::rpy) {
       const bool degrees = text.ends_with("deg"), radians = text.ends_with("rad");
-      if (!degrees && !radians) return fail("expected rpy=ROLL,PITCH,YAW with deg or rad behind, found " + kernels::shown(text));
+      if (!degrees && !radians)
+        return fail("expected rpy=ROLL,PITCH,YAW with deg or rad behind, found " + kernels::shown(text));
       unit_ = degrees ? AngleUnit::degrees : AngleUnit::radians;
       text.remove_suffix(3);
     }
@@ -226,10 +234,12 @@ class Words {
     for (const auto& row : rows_of(text)) entries.insert(entries.end(), row.begin(), row.end());
     const std::string place(typed);
     if (entries.size() != numbers_of(word))
-      return fail(place + ": expected " + (numbers_of(word) == 4 ? "four" : "three") + " numbers, found " + std::to_string(entries.size()));
+      return fail(place + ": expected " + (numbers_of(word) == 4 ? "four" : "three") + " numbers, found " +
+                  std::to_string(entries.size()));
     std::vector<mpq_class> numbers;
     for (const Entry& entry : entries) numbers.push_back(number(entry, decimals_, place, *fault_));
-    if (!words_.emplace(word, std::move(numbers)).second) fail("expected one " + std::string(name(word)) + ", found two");
+    if (!words_.emplace(word, std::move(numbers)).second)
+      fail("expected one " + std::string(name(word)) + ", found two");
   }
 
   Decimals decimals_;
@@ -245,9 +255,13 @@ Quaternion product(const Quaternion& p, const Quaternion& q) {
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
-Point placed(const Point& p, const Pose& pose) { return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)}; }
+Point placed(const Point& p, const Pose& pose) {
+  return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)};
+}
 
-bool round_to_binary64(Point& point) { return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z); }
+bool round_to_binary64(Point& point) {
+  return round_coordinate(point.x) && round_coordinate(point.y) && round_coordinate(point.z);
+}
 
 Pose exact_pose(const GivenPose& given) { return given.matrix ? *given.matrix : rigid_pose(given.turn, given.place); }
 
@@ -255,7 +269,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
   if (!given.matrix) return "";
   std::string note = note_on(linear_part(*given.matrix));
   if (!note.empty() && has_radius)
-    note += "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
+    note +=
+        "; its radius or margin stays (of a tapered capsule the smaller radius: what the larger has more is mapped)";
   if (given.transposed) {
     note = "the last column is 0 0 0 1: this 4 x 4 is read as transposed" + (note.empty() ? "" : "; " + note);
   } else if (!note.empty() && is_rotation(by_columns(*given.matrix))) {
@@ -266,7 +281,8 @@ std::string pose_note(const GivenPose& given, bool has_radius) {
 
 void place(Body& body, const GivenPose& given) {
   const Pose pose = exact_pose(given);
-  const bool flattened = given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
+  const bool flattened =
+      given.matrix && determinant(linear_part(*given.matrix)) == 0;  // only points can be: there are no words for it
   if (body.words) body.words = flattened ? nullptr : std::make_shared<const NamedBody>(posed(*body.words, given));
   if (body.shape) {
     body.shape = moved(*body.shape, pose);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placing a body: an exact affine map, and the one rounding that a program in doubles would add; and poses as people write them.
-//                                                                                                            [docs/command_line.md]
+// Placing a body: an exact affine map, and the one rounding that a program in doubles would add;
+// and poses as people write them.
+//                                                                            [docs/command_line.md]
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 #include <vector>
 
 #include "fathom/body.hpp"
-#include "kernels/number/irrational.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/irrational.hpp"
 
 namespace fathom::files {
 
@@ -25,7 +26,8 @@ Quaternion product(const Quaternion& p, const Quaternion& q);
 /// Returns M p + t, exactly. M may be any matrix: it need be neither orthonormal nor regular.
 Point placed(const Point& p, const Pose& pose);
 
-/// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too large; then the point is unusable.
+/// Sets `point` to the nearest binary64 numbers, ties to even. Returns false if a coordinate is too
+/// large; then the point is unusable.
 bool round_to_binary64(Point& point);
 
 /// A pose as it was given: a matrix; or a rotation, and then a translation.
@@ -39,8 +41,9 @@ struct GivenPose {
 /// The map that it is, exactly. Throws as rigid_pose does.
 Pose exact_pose(const GivenPose& given);
 
-/// What there is to say of a pose that is no rotation and translation, as "det 0.98, not a rotation: the body is scaled or sheared by it";
-/// or of one that was transposed. Empty if the matrix is a rotation but for 1/100000: that of floats, or of decimals, is no exact one.
+/// What there is to say of a pose that is no rotation and translation, as "det 0.98, not a
+/// rotation: the body is scaled or sheared by it"; or of one that was transposed. Empty if the
+/// matrix is a rotation but for 1/100000: that of floats, or of decimals, is no exact one.
 /// `has_radius`: of a body with a radius, which no pose maps.
 std::string pose_note(const GivenPose& given, bool has_radius);
 
@@ -59,25 +62,30 @@ std::size_t numbers_of(PoseWord word);
 /// What was read for each word.
 using PoseWords = std::map<PoseWord, std::vector<mpq_class>>;
 
-/// The pose of these words, with as many numbers each as belong to it. A quaternion is (w, x, y, z), or (x, y, z, w) as `xyzw`. rpy: angles
-/// about the fixed axes x, then y, then z, as in URDF. The body is turned about each axis by the quaternion of the half angle's cosine and
-/// sine, both rounded to 53 bits: an exact rotation by an angle that is off by less than 2^-51, and not at all at multiples of 90 degrees.
-/// Returns a sentence in `fault` if the words do not go together.
+/// The pose of these words, with as many numbers each as belong to it. A quaternion is (w, x, y,
+/// z), or (x, y, z, w) as `xyzw`. rpy: angles about the fixed axes x, then y, then z, as in URDF.
+/// The body is turned about each axis by the quaternion of the half angle's cosine and sine, both
+/// rounded to 53 bits: an exact rotation by an angle that is off by less than 2^-51, and not at all
+/// at multiples of 90 degrees. Returns a sentence in `fault` if the words do not go together.
 GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
 
-/// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0 1; or the last column, and then it was
-/// written column by column. Returns a sentence in `fault` if neither is so.
+/// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0
+/// 1; or the last column, and then it was written column by column. Returns a sentence in `fault`
+/// if neither is so.
 GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string& fault);
 
 // ---- as text ----
 
 /// Reads a pose as people write it: one of
-///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes around one make it exact, as in JSON
-///   xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W rpy=ROLL,PITCH,YAWdeg (or rad), in any order, one of both may be missing
-/// Decimals mean what `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault` if it is neither.
+///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes
+///   around one make it exact, as in JSON xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W
+///   rpy=ROLL,PITCH,YAWdeg (or rad), in any order, one of both may be missing Decimals mean what
+///   `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault`
+///   if it is neither.
 GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& fault);
 
-/// The same of an argument; "@FILE" stands for what is in that file. Throws InputError that names `option`, or the file.
+/// The same of an argument; "@FILE" stands for what is in that file. Throws InputError that names
+/// `option`, or the file.
 GivenPose read_pose(const std::string& argument, const std::string& option, Decimals decimals);
 
 }  // namespace fathom::files

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// simdjson finds where values begin, and checks UTF-8, quotes and brackets. What a value is, is decided here from its text, which is why
-// fields that are not ours are looked at too. Each function returns false if the twin has to read the case.
+// simdjson finds where values begin, and checks UTF-8, quotes and brackets. What a value is, is
+// decided here from its text, which is why fields that are not ours are looked at too. Each
+// function returns false if the twin has to read the case.
+#include <simdjson.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstring>
-#include <simdjson.h>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -47,7 +49,8 @@ bool is_string(std::string_view token) {
   std::size_t at = token.starts_with('"') ? 1 : token.size();
   while (at < token.size() && token[at] != '"') {
     const bool escape = token[at++] == '\\';
-    if (escape && (at >= token.size() || std::string_view("\"\\/bfnrt").find(token[at++]) == std::string_view::npos)) return false;
+    if (escape && (at >= token.size() || std::string_view("\"\\/bfnrt").find(token[at++]) == std::string_view::npos))
+      return false;
   }
   return at + 1 == token.size();
 }
@@ -77,7 +80,8 @@ bool is_number(std::string_view text) {
   return at == end;
 }
 
-/// The nearest binary64, which is what a number of JSON means; nullopt beyond its range and in its lowest part.
+/// The nearest binary64, which is what a number of JSON means; nullopt beyond its range and in its
+/// lowest part.
 std::optional<double> binary64_of(std::string_view token) {
   double value = 0;
   if (!is_number(token)) return std::nullopt;
@@ -87,7 +91,8 @@ std::optional<double> binary64_of(std::string_view token) {
 
 /// A coordinate, or an entry of a pose: the one place where numbers are made of their texts.
 bool read_number(Value number, Coordinate& to) {
-  // In a text of at most 20 characters simdjson reads every number right; of more digits after "0." version 3.0.1 may lose some.
+  // In a text of at most 20 characters simdjson reads every number right; of more digits after "0."
+  // version 3.0.1 may lose some.
   constexpr std::size_t longest_short = 20;
   const std::string_view token = token_of(number);
   if (double value = 0; !token.starts_with('"') && token.size() <= longest_short) {
@@ -158,12 +163,14 @@ bool read_id(Value value, std::optional<std::string>& id) {
   const std::string_view token = token_of(value);
   if (token == "null") return true;
   const std::optional<std::string_view> content = content_of(token);
-  const bool is_short_natural = token.size() <= longest_id && is_number(token) && token.find_first_of("-.eE") == token.npos;
+  const bool is_short_natural =
+      token.size() <= longest_id && is_number(token) && token.find_first_of("-.eE") == token.npos;
   if (content || is_short_natural) id = std::string(content.value_or(token));
   return id.has_value();
 }
 
-/// The key that begins here; nullopt if there is an escape in it, or if no colon follows. The text ends with a zero.
+/// The key that begins here; nullopt if there is an escape in it, or if no colon follows. The text
+/// ends with a zero.
 std::optional<std::string_view> key_at(const char* begin) {
   const char* const end = begin + std::strcspn(begin, "\\\"");
   const bool ends = *end == '"' && end[1 + std::strspn(end + 1, " \t\r\n")] == ':';
@@ -188,7 +195,8 @@ bool for_each_field(Value value, const Read& read) {
 bool is_value(Value value, int depth) {
   if (depth > deepest) return false;
   const std::string_view token = token_of(value);
-  if (token == "{") return for_each_field(value, [depth](std::string_view, Value field) { return is_value(field, depth + 1); });
+  if (token == "{")
+    return for_each_field(value, [depth](std::string_view, Value field) { return is_value(field, depth + 1); });
   if (token == "[") {
     ondemand::array items;
     if (value.get_array().get(items)) return false;
@@ -202,7 +210,9 @@ bool is_value(Value value, int depth) {
 /// The fields of ours that an object may have once each.
 class OnceEach {
  public:
-  bool first(CasePlace place) { return place == CasePlace::other || !std::exchange(seen_[static_cast<std::size_t>(place)], true); }
+  bool first(CasePlace place) {
+    return place == CasePlace::other || !std::exchange(seen_[static_cast<std::size_t>(place)], true);
+  }
   [[nodiscard]] bool seen(CasePlace place) const { return seen_[static_cast<std::size_t>(place)]; }
 
  private:

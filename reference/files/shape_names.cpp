@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of shapes, bodies that keep the words they were given in, and shapes as one word of the command line.
+// The table of shapes, bodies that keep the words they were given in, and shapes as one word of the
+// command line.
 #include "reference/files/shape_names.hpp"
 
 #include <algorithm>
@@ -20,7 +21,9 @@ namespace {
 constexpr NumberField margin{"margin", 1};
 constexpr std::string_view rounded_prefix = "rounded_";
 
-const mpq_class& number(const ShapeFields& fields, std::string_view name) { return fields.numbers.find(name)->second.front(); }
+const mpq_class& number(const ShapeFields& fields, std::string_view name) {
+  return fields.numbers.find(name)->second.front();
+}
 
 Point triple(const ShapeFields& fields, std::string_view name) {
   const std::vector<mpq_class>& numbers = fields.numbers.find(name)->second;
@@ -43,7 +46,8 @@ Shape made_hull(const ShapeFields& f) { return hull(f.vertices); }
 Shape made_halfspace(const ShapeFields& f) { return halfspace(triple(f, "normal"), number(f, "offset")); }
 
 Shape made_triangle(const ShapeFields& f) {
-  if (f.vertices.size() != 3) throw std::invalid_argument("a triangle has three vertices, found " + std::to_string(f.vertices.size()));
+  if (f.vertices.size() != 3)
+    throw std::invalid_argument("a triangle has three vertices, found " + std::to_string(f.vertices.size()));
   return triangle(f.vertices[0], f.vertices[1], f.vertices[2]);
 }
 
@@ -55,7 +59,8 @@ Shape made_sum(const ShapeFields& f) {
 }
 
 const std::vector<ShapeName>& names() {
-  constexpr NumberField radius{"radius", 1}, half_length{"half_length", 1}, low{"radius_low", 1}, high{"radius_high", 1};
+  constexpr NumberField radius{"radius", 1}, half_length{"half_length", 1}, low{"radius_low", 1},
+      high{"radius_high", 1};
   static const std::vector<ShapeName> all{
       {"sphere", {radius}, ShapePart::none, made_sphere},
       {"capsule", {radius, half_length}, ShapePart::axis, made_capsule},
@@ -94,7 +99,9 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-std::string_view whole_name(std::string_view field) { return field == "r" ? "radius" : field == "h" ? "half_length" : field; }
+std::string_view whole_name(std::string_view field) {
+  return field == "r" ? "radius" : field == "h" ? "half_length" : field;
+}
 
 class ShapeText {
  public:
@@ -104,7 +111,8 @@ class ShapeText {
     const std::size_t colon = word_.find(':');
     const std::string name = word_.substr(0, colon);
     const NamedShape named = named_shape(name);
-    if (named.shape == nullptr) fail("expected one of the shapes " + list_of_shapes() + "; found " + kernels::shown(name));
+    if (named.shape == nullptr)
+      fail("expected one of the shapes " + list_of_shapes() + "; found " + kernels::shown(name));
     if (named.shape->part == ShapePart::terms || named.shape->part == ShapePart::vertices)
       fail("a " + std::string(named.shape->name) + " has no short form: give it in a case, or a mesh");
     for (const std::string_view part : split(std::string_view(word_).substr(colon + 1), ',')) field(*named.shape, part);
@@ -120,7 +128,9 @@ class ShapeText {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& sentence) const { throw InputError(kernels::printable(word_, readable), 0, sentence); }
+  [[noreturn]] void fail(const std::string& sentence) const {
+    throw InputError(kernels::printable(word_, readable), 0, sentence);
+  }
   void require(std::string_view name, bool there) const {
     if (!there) fail("expected a field '" + std::string(name) + "', found none");
   }
@@ -171,7 +181,8 @@ class ShapeText {
       const std::vector<mpq_class> q = numbers(value, 4);
       words_.turn = {q[0], q[1], q[2], q[3]};
     } else {
-      fail("expected a field of a " + std::string(shape.name) + ": " + fields(shape) + "; found " + kernels::shown(name));
+      fail("expected a field of a " + std::string(shape.name) + ": " + fields(shape) + "; found " +
+           kernels::shown(name));
     }
   }
 
@@ -204,8 +215,8 @@ const NumberField* number_field(std::string_view name) {
 }
 
 bool has_number(const ShapeName& shape, std::string_view name) {
-  return name == margin.name ||
-         std::any_of(shape.numbers.begin(), shape.numbers.end(), [&](const NumberField& field) { return field.name == name; });
+  return name == margin.name || std::any_of(shape.numbers.begin(), shape.numbers.end(),
+                                            [&](const NumberField& field) { return field.name == name; });
 }
 
 std::string list_of_shapes() {

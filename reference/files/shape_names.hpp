@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shapes that input may name, the fields of each, and bodies in such words: one vocabulary for JSON and for the command line.
-//                                                                                                            [docs/command_line.md]
+// The shapes that input may name, the fields of each, and bodies in such words: one vocabulary for
+// JSON and for the command line.
+//                                                                            [docs/command_line.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -45,7 +46,8 @@ struct ShapeName {
   std::string_view name;
   std::vector<NumberField> numbers;
   ShapePart part;
-  Shape (*made)(const ShapeFields&);  ///< of complete fields. Throws std::invalid_argument with a sentence about their values
+  Shape (*made)(
+      const ShapeFields&);  ///< of complete fields. Throws std::invalid_argument with a sentence about their values
 };
 
 /// All of them.
@@ -58,7 +60,8 @@ struct NamedShape {
 };
 NamedShape named_shape(std::string_view name);
 
-/// Returns the number field called `name` of any shape, "margin" included; null if no shape has one.
+/// Returns the number field called `name` of any shape, "margin" included; null if no shape has
+/// one.
 const NumberField* number_field(std::string_view name);
 
 /// Returns whether this shape has the number field called `name`. Each has a margin.
@@ -79,7 +82,7 @@ Shape shape_of(const Body& body);
 /// The body that this shape is: its points, if it is the hull of points and has no radius.
 Body body_of(Shape shape);
 
-// ---- as cases name them: what was read, and what can be printed again ----                                        [docs/shapes.md]
+// ---- as cases name them: what was read, and what can be printed again ----       [docs/shapes.md]
 
 /// A shape by its name and its fields, turned and then moved; or placed by a matrix.
 struct NamedBody {
@@ -107,7 +110,8 @@ NamedBody posed(NamedBody body, const GivenPose& pose);
 /// The pose that the body has.
 Pose pose_of(const NamedBody& body);
 
-/// Returns the shape that this is, placed: that of the case that is printed of it. Throws std::invalid_argument where its fields are bad.
+/// Returns the shape that this is, placed: that of the case that is printed of it. Throws
+/// std::invalid_argument where its fields are bad.
 Shape shape_of(const NamedBody& body);
 
 /// The body that this is, with these words.
@@ -115,13 +119,15 @@ Body body_of(NamedBody body);
 
 // ---- in one word of the command line ----
 
-/// Returns whether the word stands for a shape and not for a file: it begins with the name of a shape and a colon, "capsule:r=0.1,h=0.5",
-/// or with another word of small letters and a colon, and there are fields behind: `parse_shape` then says which shapes there are.
+/// Returns whether the word stands for a shape and not for a file: it begins with the name of a
+/// shape and a colon, "capsule:r=0.1,h=0.5", or with another word of small letters and a colon, and
+/// there are fields behind: `parse_shape` then says which shapes there are.
 bool is_shape_text(const std::string& word);
 
-/// Reads NAME:FIELD=VALUE,... with the fields of JSON, `r` for radius and `h` for half_length. Three numbers are joined by colons:
-/// box:half=1:2:3. `at` moves the shape, `quaternion` turns it before (w:x:y:z), `axis` is x, y or z. Hulls, triangles and sums have no
-/// such form. Throws InputError with a sentence on the first fault. `decimals` says what a decimal stands for.
+/// Reads NAME:FIELD=VALUE,... with the fields of JSON, `r` for radius and `h` for half_length.
+/// Three numbers are joined by colons: box:half=1:2:3. `at` moves the shape, `quaternion` turns it
+/// before (w:x:y:z), `axis` is x, y or z. Hulls, triangles and sums have no such form. Throws
+/// InputError with a sentence on the first fault. `decimals` says what a decimal stands for.
 Body parse_shape(const std::string& word, Decimals decimals);
 
 }  // namespace fathom::files

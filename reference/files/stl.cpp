@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL, text or binary. "solid" at the start does not tell them apart (binary headers begin so too): the size does, 84 + 50 n.
-// A corner is a vertex of its own each time it is written; normals are not read (many programs write zeros or nan).
+// STL, text or binary. "solid" at the start does not tell them apart (binary headers begin so too):
+// the size does, 84 + 50 n. A corner is a vertex of its own each time it is written; normals are
+// not read (many programs write zeros or nan).
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -22,19 +23,23 @@ std::uint32_t read_word(std::string_view bytes, std::size_t offset) {
   return word;
 }
 
-std::uint64_t announced_size(std::string_view bytes) { return header_size + facet_size * std::uint64_t{read_word(bytes, 80)}; }
+std::uint64_t announced_size(std::string_view bytes) {
+  return header_size + facet_size * std::uint64_t{read_word(bytes, 80)};
+}
 
 double read_float(std::string_view bytes, std::size_t offset, const std::string& name) {
   const float number = std::bit_cast<float>(read_word(bytes, offset));
   if (std::isfinite(number)) return static_cast<double>(number);
-  throw InputError(
-      name, 0,
-      std::string("expected a finite number, found ") + (std::isnan(number) ? "nan" : "inf") + " at byte " + std::to_string(offset));
+  throw InputError(name, 0,
+                   std::string("expected a finite number, found ") + (std::isnan(number) ? "nan" : "inf") +
+                       " at byte " + std::to_string(offset));
 }
 
 }  // namespace
 
-bool is_binary_stl(std::string_view bytes) { return bytes.size() >= header_size && bytes.size() == announced_size(bytes); }
+bool is_binary_stl(std::string_view bytes) {
+  return bytes.size() >= header_size && bytes.size() == announced_size(bytes);
+}
 
 namespace {
 
@@ -47,9 +52,10 @@ Body soup(GivenPoints points) {
 
 Body parse_binary(std::string_view bytes, const std::string& name) {
   if (!is_binary_stl(bytes)) {
-    const std::string expected = bytes.size() < header_size ? "at least 84 bytes of a binary STL, or 'solid'"
-                                                            : std::to_string(announced_size(bytes)) + " bytes for " +
-                                                                  std::to_string(read_word(bytes, 80)) + " triangles of a binary STL";
+    const std::string expected = bytes.size() < header_size
+                                     ? "at least 84 bytes of a binary STL, or 'solid'"
+                                     : std::to_string(announced_size(bytes)) + " bytes for " +
+                                           std::to_string(read_word(bytes, 80)) + " triangles of a binary STL";
     throw InputError(name, 0, "expected " + expected + ", found " + std::to_string(bytes.size()) + " bytes");
   }
   if (bytes.size() == header_size) throw InputError(name, 0, "expected at least one triangle, found 0");

@@ -14,10 +14,12 @@ namespace {
 
 // ---- OFF ----
 
-// OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex, one per face.
-// Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and plain OFF in the wild): not read.
+// OFF as in Geomview's manual, ASCII, three coordinates: a header, the counts, one line per vertex,
+// one per face. Vertex lines may carry more columns (normal, colour, texture: NOFF, COFF, STOFF and
+// plain OFF in the wild): not read.
 
-// "ST", "C" and "N" in front say which columns follow x y z. "4" and "n" change the meaning of the coordinates themselves.
+// "ST", "C" and "N" in front say which columns follow x y z. "4" and "n" change the meaning of the
+// coordinates themselves.
 bool is_off_header(std::string_view token) {
   if (token.starts_with("ST")) token.remove_prefix(2);
   if (token.starts_with("C")) token.remove_prefix(1);
@@ -43,18 +45,20 @@ std::string ordinal(const char* what, std::uint64_t i, std::uint64_t count) {
 
 // ---- Wavefront OBJ ----
 
-// Lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A '#' starts a comment, but
-// in the names of objects and groups, which run to the end of their line.
+// Lines "v x y z" and "f i/j/k ...", for pieces "o" and "g" too; skips every other kind of line. A
+// '#' starts a comment, but in the names of objects and groups, which run to the end of their line.
 
 // The vertex number that opens a corner "i", "i/j", "i//k" or "i/j/k". False: no such corner.
 bool parse_corner(std::string_view token, std::int64_t& index) {
   const char* const end = token.data() + token.size();
   const auto [stop, error] = std::from_chars(token.data(), end, index);
   if (error != std::errc() || index == 0) return false;
-  return stop == end || (*stop == '/' && std::string_view(stop, end).find_first_not_of("/-0123456789") == std::string_view::npos);
+  return stop == end ||
+         (*stop == '/' && std::string_view(stop, end).find_first_not_of("/-0123456789") == std::string_view::npos);
 }
 
-// Faces may come before the vertices that they name: the highest index is compared with the count at the end.
+// Faces may come before the vertices that they name: the highest index is compared with the count
+// at the end.
 struct HighestIndex {
   std::uint64_t index = 0;
   std::size_t line = 0;
@@ -72,20 +76,23 @@ void read_face(TextScanner& scanner, std::uint64_t vertices_so_far, HighestIndex
     } else if (static_cast<std::uint64_t>(index) > highest.index) {
       highest = {static_cast<std::uint64_t>(index), scanner.line()};
     }
-    faces.corners.push_back(static_cast<std::uint32_t>(index < 0 ? static_cast<std::int64_t>(vertices_so_far) + index : index - 1));
+    faces.corners.push_back(
+        static_cast<std::uint32_t>(index < 0 ? static_cast<std::int64_t>(vertices_so_far) + index : index - 1));
   }
   faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
 }
 
-void require_vertices(const TextScanner& scanner, const std::string& name, std::size_t points, const HighestIndex& highest) {
+void require_vertices(const TextScanner& scanner, const std::string& name, std::size_t points,
+                      const HighestIndex& highest) {
   if (points == 0) scanner.fail_at_end("at least one vertex 'v x y z'");
   if (highest.index <= points) return;
   throw InputError(name, highest.line,
-                   "expected a vertex index of at most " + std::to_string(points) + ", found '" + std::to_string(highest.index) + "'");
+                   "expected a vertex index of at most " + std::to_string(points) + ", found '" +
+                       std::to_string(highest.index) + "'");
 }
 
-/// Which piece the faces after a line 'o' or 'g' belong to. Each line 'o' begins an object, also of a name that was there; in it, groups of
-/// one name are one, and those without a name are new ones.
+/// Which piece the faces after a line 'o' or 'g' belong to. Each line 'o' begins an object, also of
+/// a name that was there; in it, groups of one name are one, and those without a name are new ones.
 class Groups {
  public:
   void object() {
@@ -118,20 +125,24 @@ Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
 // ---- plain points ----
 
 // One a line: x y z, or x,y,z. Skips further columns (normals, colours), if every line has as many.
-// A first line with a single whole number announces how many points follow (as in .pts files), and must be right.
+// A first line with a single whole number announces how many points follow (as in .pts files), and
+// must be right.
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\v\f\r";
   const std::size_t start = text.find_first_not_of(blanks);
-  return start == std::string_view::npos ? std::string_view{} : text.substr(start, text.find_last_not_of(blanks) - start + 1);
+  return start == std::string_view::npos ? std::string_view{}
+                                         : text.substr(start, text.find_last_not_of(blanks) - start + 1);
 }
 
-// A line with a comma is separated by commas alone: "1,5 2,5 3,5" (commas as decimal points) must not pass for numbers.
+// A line with a comma is separated by commas alone: "1,5 2,5 3,5" (commas as decimal points) must
+// not pass for numbers.
 void split(TextScanner& scanner, std::vector<std::string_view>& columns) {
   columns.clear();
   std::string_view line = scanner.rest_of_line();
   if (line.find(',') == std::string_view::npos) {
-    for (std::string_view token = scanner.next_token(); !token.empty(); token = scanner.next_token()) columns.push_back(token);
+    for (std::string_view token = scanner.next_token(); !token.empty(); token = scanner.next_token())
+      columns.push_back(token);
     return;
   }
   for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
@@ -169,7 +180,8 @@ Body parse_off(std::string_view text, const std::string& name, Decimals decimals
     if (!scanner.next_line()) scanner.fail_at_end(ordinal("face", i, faces));
     read_face(scanner, vertices, read);
   }
-  if (scanner.next_line()) scanner.fail("the end of the file after " + std::to_string(faces) + " faces", scanner.rest_of_line());
+  if (scanner.next_line())
+    scanner.fail("the end of the file after " + std::to_string(faces) + " faces", scanner.rest_of_line());
   return mesh_body(std::move(points), std::move(read));
 }
 
@@ -207,7 +219,8 @@ std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& nam
     read_face(scanner, points.size(), highest, faces[piece]);
   }
   require_vertices(scanner, name, points.size(), highest);
-  if (faces.empty()) scanner.fail_at_end("at least one face 'f i j k': a piece is what the faces of a group have as corners");
+  if (faces.empty())
+    scanner.fail_at_end("at least one face 'f i j k': a piece is what the faces of a group have as corners");
   std::vector<Body> pieces;
   for (MeshFaces& of_piece : faces) pieces.push_back(piece_of(points, std::move(of_piece)));
   return pieces;

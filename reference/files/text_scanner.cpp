@@ -19,7 +19,8 @@ TextScanner::TextScanner(std::string_view text, std::string file, ScanRules rule
   if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
-// The line [position_, line_end_) starts at next_; its comment and a joining backslash are left out.
+// The line [position_, line_end_) starts at next_; its comment and a joining backslash are left
+// out.
 void TextScanner::take_line() {
   line_ += started_ ? 1 : 0;
   started_ = true;
@@ -82,7 +83,9 @@ std::uint64_t TextScanner::count(const std::string& what) {
 }
 
 void TextScanner::fail(const std::string& expected, std::string_view token) const {
-  throw InputError(file_, line_, "expected " + expected + ", found " + (token.empty() ? "the end of the line" : kernels::shown(token)));
+  throw InputError(
+      file_, line_,
+      "expected " + expected + ", found " + (token.empty() ? "the end of the line" : kernels::shown(token)));
 }
 
 void TextScanner::fail_at_end(const std::string& expected) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and tokens of a text, with the place of each for messages. Looks at bytes only: no locale, no copies.
+// Lines and tokens of a text, with the place of each for messages. Looks at bytes only: no locale,
+// no copies.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +18,14 @@ struct ScanRules {
   bool continuation = false;  ///< a backslash that ends a line joins it to the next
 };
 
-/// Walks over a text it does not own. Lines end in LF, CR LF or a lone CR; a byte order mark is skipped.
+/// Walks over a text it does not own. Lines end in LF, CR LF or a lone CR; a byte order mark is
+/// skipped.
 class TextScanner {
  public:
   TextScanner(std::string_view text, std::string file, ScanRules rules = {}, std::size_t first_line = 1);
 
-  /// Goes to the next line that holds a token (or is joined to one that may). Returns false if none is left.
+  /// Goes to the next line that holds a token (or is joined to one that may). Returns false if none
+  /// is left.
   bool next_line();
   /// Returns the next token of the line, or an empty one at its end.
   std::string_view next_token();
@@ -32,7 +35,8 @@ class TextScanner {
   [[nodiscard]] std::string_view rest_of_line() const;
   /// The same of a name, which may hold the character that starts comments elsewhere.
   [[nodiscard]] std::string_view name_to_end_of_line() const;
-  /// Reads the next token of the line as a count: decimal digits only. `what` names it in the message: "the number of vertices".
+  /// Reads the next token of the line as a count: decimal digits only. `what` names it in the
+  /// message: "the number of vertices".
   std::uint64_t count(const std::string& what);
 
   [[nodiscard]] std::size_t line() const { return line_; }
@@ -40,7 +44,8 @@ class TextScanner {
   /// Returns the number of bytes after this line: a bound on all that can still come.
   [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
 
-  /// Throws InputError "file:line: expected ..., found ...". An empty `token` is called the end of the line.
+  /// Throws InputError "file:line: expected ..., found ...". An empty `token` is called the end of
+  /// the line.
   [[noreturn]] void fail(const std::string& expected, std::string_view token) const;
   /// The same where the text ends too early.
   [[noreturn]] void fail_at_end(const std::string& expected) const;

@@ -2,16 +2,15 @@
 // Which of the two bodies something belongs to.
 #pragma once
 
-#include "kernels/id.hpp"
-
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "kernels/id.hpp"
 #include "kernels/predicates/direction.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "kernels/predicates/perturbed_kernel.hpp"
 
 namespace fathom::gaussian {
 
@@ -32,8 +31,8 @@ struct PerColour {
 };
 
 // Input   a convex polytope of rank 0 to 3.
-// Output  its Gaussian diagram, or that of its reflection through O: nodes are outward facet normals, arcs are edges, faces are vertices.
-//         [AGHRS, section 2.2, "Computing F"]
+// Output  its Gaussian diagram, or that of its reflection through O: nodes are outward facet
+//         normals, arcs are edges, faces are vertices. [AGHRS, section 2.2, "Computing F"]
 // Size    linear.
 
 /// Indices in a diagram. Node i is facet i of the polytope, arc i is edge i.
@@ -54,10 +53,11 @@ using EdgeOf = kernels::Id<EdgeTag<c>>;
 using EdgeOfA = EdgeOf<Colour::a>;
 using EdgeOfB = EdgeOf<Colour::b>;
 
-/// The arc of an edge, from node `from` to node `to`, shorter than pi for rank 3: the normals of the planes that support the body at the
-/// edge. `circle` is normal to its great circle, a positive multiple of from x to.
-/// Rank 2: a half-circle, from = 0 and to = 1 antipodal; the order of its interior is that of rank 3 in the limit: it passes through
-/// circle x from. Rank 1: a full circle, no nodes: both are none.
+/// The arc of an edge, from node `from` to node `to`, shorter than pi for rank 3: the normals of
+/// the planes that support the body at the edge. `circle` is normal to its great circle, a positive
+/// multiple of from x to. Rank 2: a half-circle, from = 0 and to = 1 antipodal; the order of its
+/// interior is that of rank 3 in the limit: it passes through circle x from. Rank 1: a full circle,
+/// no nodes: both are none.
 struct Arc {
   kernels::Direction circle;
   NodeId from, to;
@@ -74,30 +74,35 @@ struct GaussianDiagram {
 /// The diagram of the polytope itself: what B contributes.
 GaussianDiagram gaussian_diagram(const polytope::Polytope& polytope);
 
-/// The diagram of -polytope: what A contributes. Node i is the negated normal of facet i, face i the vertex i, negated.
+/// The diagram of -polytope: what A contributes. Node i is the negated normal of facet i, face i
+/// the vertex i, negated.
 GaussianDiagram gaussian_diagram_of_reflection(const polytope::Polytope& polytope);
 
-/// Checks every node against its facet, the orientation of every arc, that both faces beside an arc are equally extreme at its ends, that
-/// the arcs around each face close up, and V - E + F = 2 for rank 3. O(n log n). `colour` tells which diagram of the polytope it
-/// should be.
-[[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope, Colour colour);
+/// Checks every node against its facet, the orientation of every arc, that both faces beside an arc
+/// are equally extreme at its ends, that the arcs around each face close up, and V - E + F = 2 for
+/// rank 3. O(n log n). `colour` tells which diagram of the polytope it should be.
+[[nodiscard]] kernels::Report validate(const GaussianDiagram& diagram, const polytope::Polytope& polytope,
+                                       Colour colour);
 
-// Whether two arcs cross, decided on the sphere from the two arcs alone: the yardstick for everything that finds crossings faster.
+// Whether two arcs cross, decided on the sphere from the two arcs alone: the yardstick for
+// everything that finds crossings faster.
 
-/// The signs s for which s (e.circle x f.circle) is a strict crossing: a transversal one, in the interior of both arcs. At most one sign,
-/// except for two full circles. With n_i the ends of e, (n1 x n2) x f.circle = n2 <n1,f.circle> - n1 <n2,f.circle> tells which of the two
-/// antipodal points of the great circles e meets.
-std::vector<kernels::Sign> strict_crossings(const kernels::UnperturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e,
-                                            const GaussianDiagram& of_f, const Arc& f);
+/// The signs s for which s (e.circle x f.circle) is a strict crossing: a transversal one, in the
+/// interior of both arcs. At most one sign, except for two full circles. With n_i the ends of e,
+/// (n1 x n2) x f.circle = n2 <n1,f.circle> - n1 <n2,f.circle> tells which of the two antipodal
+/// points of the great circles e meets.
+std::vector<kernels::Sign> strict_crossings(const kernels::UnperturbedKernel& kernel, const GaussianDiagram& of_e,
+                                            const Arc& e, const GaussianDiagram& of_f, const Arc& f);
 
 /// The same for the perturbed arcs, where every crossing is strict.
-std::vector<kernels::Sign> perturbed_crossings(const kernels::PerturbedKernel& kernel, const GaussianDiagram& of_e, const Arc& e,
-                                               const GaussianDiagram& of_f, const Arc& f);
+std::vector<kernels::Sign> perturbed_crossings(const kernels::PerturbedKernel& kernel, const GaussianDiagram& of_e,
+                                               const Arc& e, const GaussianDiagram& of_f, const Arc& f);
 
 /// Whether the closed arc contains u, a direction on its great circle.
 bool contains(const GaussianDiagram& diagram, const Arc& arc, const Vector& u);
 
-/// Whether the closed arcs have a point in common. True for arcs of one great circle only if an end of one lies on the other.
+/// Whether the closed arcs have a point in common. True for arcs of one great circle only if an end
+/// of one lies on the other.
 bool touch(const GaussianDiagram& of_e, const Arc& e, const GaussianDiagram& of_f, const Arc& f);
 
 }  // namespace fathom::gaussian

@@ -8,9 +8,11 @@
 namespace fathom::lines {
 namespace {
 
-// Canonical pairs with at most this many crossings are scanned without asking the vertex test first.
+// Canonical pairs with at most this many crossings are scanned without asking the vertex test
+// first.
 constexpr std::uint64_t tiny = 64;
-// Of each large pair, the crossings of about this many rows with as many columns are looked at first.
+// Of each large pair, the crossings of about this many rows with as many columns are looked at
+// first.
 constexpr std::size_t stride_lines = 32;
 
 // Every k-th arc, for about stride_lines of them.
@@ -22,11 +24,12 @@ std::vector<Arc> strided(std::span<const Arc> arcs, std::mt19937_64& random) {
   return chosen;
 }
 
-// One global best over all canonical pairs: small pairs first, then the large ones, promising ones first.
+// One global best over all canonical pairs: small pairs first, then the large ones, promising ones
+// first.
 class Family {
  public:
-  Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene, kernels::NearestPlanes& nearest,
-         const ClosestLinesOptions& options)
+  Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
+         kernels::NearestPlanes& nearest, const ClosestLinesOptions& options)
       : context_(context),
         subsets_(subsets),
         scene_(scene),
@@ -90,7 +93,8 @@ class Family {
     note(i, Treatment::scanned, pair.crossings());
   }
 
-  // In the trace: how pair i was dealt with, and how many pairs of lines that took beside those before.
+  // In the trace: how pair i was dealt with, and how many pairs of lines that took beside those
+  // before.
   void note(std::size_t i, Treatment treatment, std::uint64_t evaluated) {
     if (!options_.trace) return;
     SearchTrace::OfPair& pair = options_.trace->pairs[i];
@@ -116,7 +120,8 @@ class Family {
     double least = std::numeric_limits<double>::infinity();
     for (const chart::ChartArcOfA e : of_a) {
       for (const chart::ChartArcOfB f : of_b) {
-        least = std::min(least, kernels::estimated_squared_distance(scene_.a.images(), e.value, scene_.b.images(), f.value));
+        least = std::min(least,
+                         kernels::estimated_squared_distance(scene_.a.images(), e.value, scene_.b.images(), f.value));
       }
     }
     return least;

@@ -9,14 +9,17 @@ namespace {
 
 using Node = CellNode;
 
-// A frame test costs as much as some hundred pairs; and where it seldom clears, it is tried on few blocks only.
+// A frame test costs as much as some hundred pairs; and where it seldom clears, it is tried on few
+// blocks only.
 constexpr std::uint64_t worth_a_frame = 1024;
 
-// What tests cost, in pairs scanned: about two nanoseconds. An offer is a pair that the filter in binary64 has left.
+// What tests cost, in pairs scanned: about two nanoseconds. An offer is a pair that the filter in
+// binary64 has left.
 constexpr std::uint64_t vertex_cost = 16, frame_cost = 256, wide_cost = 16384, wide_line_cost = 800, offer_cost = 96;
 
-// How far below 0 margins may be for wide floats to help: that of the smooth frames, by rounding in binary64, and that with the lines' own
-// noise. Beyond, the block is too large, or it holds pairs that are nearer than the best.
+// How far below 0 margins may be for wide floats to help: that of the smooth frames, by rounding in
+// binary64, and that with the lines' own noise. Beyond, the block is too large, or it holds pairs
+// that are nearer than the best.
 constexpr double rounding_margin = 0x1p-43, noise_margin = 0x1p-30;
 
 // The offset test may leave this many pairs for each line of a block.
@@ -25,13 +28,13 @@ constexpr std::size_t left_for_each = 4;
 int level(Node k) { return std::bit_width(k); }
 
 // Notes what became of a block, if the search has a trace.
-void note(const Blocks& blocks, GridAxis side, Node cell, Node run, std::uint32_t level, GridAxis cut, Treatment treatment,
-          LineSearch& search) {
+void note(const Blocks& blocks, GridAxis side, Node cell, Node run, std::uint32_t level, GridAxis cut,
+          Treatment treatment, LineSearch& search) {
   SearchTrace* const trace = search.trace();
   if (!trace) return;
   const auto [row, column] = rows_and_columns(side, cell, run);
-  trace->blocks.push_back(
-      {trace->pair, level, cut, blocks.tree(GridAxis::rows).run(row), blocks.tree(GridAxis::columns).run(column), treatment});
+  trace->blocks.push_back({trace->pair, level, cut, blocks.tree(GridAxis::rows).run(row),
+                           blocks.tree(GridAxis::columns).run(column), treatment});
 }
 
 // One cutting in the making.
@@ -99,7 +102,8 @@ class Cutter {
   }
 
   void note_cleared(Node cell, Node run) {
-    if (search_.trace()) note(blocks_, side_, cell, run, search_.trace()->level + 1, side_, Treatment::cleared, search_);
+    if (search_.trace())
+      note(blocks_, side_, cell, run, search_.trace()->level + 1, side_, Treatment::cleared, search_);
   }
 
   double nearest_estimate(Node cell, const std::vector<Node>& list) {
@@ -119,7 +123,8 @@ class Cutter {
 // The search over one grid: cut, swap the roles, cut, ..., scan.
 class Engine {
  public:
-  Engine(const Grid& grid, LineSearch& search, const CuttingSize& size) : blocks_(grid, size.allowance), search_(search), size_(size) {}
+  Engine(const Grid& grid, LineSearch& search, const CuttingSize& size)
+      : blocks_(grid, size.allowance), search_(search), size_(size) {}
 
   void run() { solve(GridAxis::rows, CellTree::root, {CellTree::root}, 0); }
 
@@ -143,7 +148,8 @@ class Engine {
     for (const Node run : list) note(blocks_, side, cell, run, level, cut_before(side, level), Treatment::cut, search_);
     if (search_.trace()) search_.trace()->level = level;
     std::vector<Cell> cells = cut(blocks_, side, cell, list, size_, search_);
-    // The nearest cell comes first; the order of the others is random, so that improvements of the best are few.
+    // The nearest cell comes first; the order of the others is random, so that improvements of the
+    // best are few.
     if (cells.size() > 2) std::shuffle(cells.begin() + 1, cells.end(), search_.random());
     const std::uint64_t known = search_.improvements();
     for (const Cell& part : cells) {
@@ -163,7 +169,8 @@ class Engine {
 
   void scan(GridAxis side, Node cell, Node run) {
     const auto [row, column] = rows_and_columns(side, cell, run);
-    search_.scan(blocks_.clearing(), blocks_.tree(GridAxis::rows).run(row), blocks_.tree(GridAxis::columns).run(column));
+    search_.scan(blocks_.clearing(), blocks_.tree(GridAxis::rows).run(row),
+                 blocks_.tree(GridAxis::columns).run(column));
   }
 
   Blocks blocks_;
@@ -208,10 +215,11 @@ bool Blocks::clears(GridAxis side, Node cell, Node opposite, LineSearch& search)
   return true;
 }
 
-// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where pairs cost so much that they may as
-// well be; else on one in 16.
+// Where one in 16 clears its block, or finds it nearly tied, they are tried on all blocks, or where
+// pairs cost so much that they may as well be; else on one in 16.
 bool Blocks::frames_promise(const LineSearch& search) const {
-  return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 || frame_cost * frames_tried_ <= credit(search);
+  return 16 * frames_held_ >= frames_tried_ || search.counters().block_tests % 16 == 0 ||
+         frame_cost * frames_tried_ <= credit(search);
 }
 
 // In binary64; then, if precision or the lines' own noise may be what is wrong, in wide floats.
@@ -245,13 +253,17 @@ std::uint64_t Blocks::offers_expected(Node row, Node column, double bound) const
   std::uint64_t left = 0;
   const auto rows = frames_.rows.few_lines(row), columns = frames_.columns.few_lines(column);
   for (const std::uint32_t i : rows) {
-    for (const std::uint32_t j : columns) left += !kernels::surely_farther(clearing_.rows(), i, clearing_.columns(), j, bound);
+    for (const std::uint32_t j : columns)
+      left += !kernels::surely_farther(clearing_.rows(), i, clearing_.columns(), j, bound);
   }
-  return left < 4 ? 0 : left * tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) / (rows.size() * columns.size());
+  return left < 4 ? 0
+                  : left * tree(GridAxis::rows).size(row) * tree(GridAxis::columns).size(column) /
+                        (rows.size() * columns.size());
 }
 
 bool Blocks::nearly_tied(Node row, Node column, double bound) {
-  const auto smooth = kernels::frames_margin(frames_.rows.sketch(row).smooth(), frames_.columns.sketch(column).smooth(), bound);
+  const auto smooth =
+      kernels::frames_margin(frames_.rows.sketch(row).smooth(), frames_.columns.sketch(column).smooth(), bound);
   return smooth && *smooth > -rounding_margin;
 }
 
@@ -260,7 +272,8 @@ bool Blocks::wide_clears(Node row, Node column, LineSearch& search) {
   ++search.counters().wide_tests;
   spend(wide_account_, wide_cost, search);
   if (!wide_) wide_ = std::make_unique<Wide>(clearing_.grid(), trees_);
-  const auto margin = kernels::frames_margin(wide_->frames.rows.sketch(row), wide_->frames.columns.sketch(column), search.wide_bound());
+  const auto margin =
+      kernels::frames_margin(wide_->frames.rows.sketch(row), wide_->frames.columns.sketch(column), search.wide_bound());
   if (margin && *margin > 0 && whole_clears(row, column, search)) return true;
   return offsets_may_clear(row, column, search.wide_bound()) && offsets_clear(row, column, search);
 }
@@ -276,7 +289,8 @@ bool Blocks::counting_lines(LineSearch& search, Test test) {
 
 bool Blocks::whole_clears(Node row, Node column, LineSearch& search) {
   const bool clear = counting_lines(search, [&] {
-    const auto margin = kernels::frames_margin(wide_->frames.rows.whole(row), wide_->frames.columns.whole(column), search.wide_bound());
+    const auto margin =
+        kernels::frames_margin(wide_->frames.rows.whole(row), wide_->frames.columns.whole(column), search.wide_bound());
     return margin && *margin > 0;
   });
   search.counters().wide_clears += clear;
@@ -291,8 +305,8 @@ bool Blocks::offsets_may_clear(Node row, Node column, const kernels::WideFloat& 
   const auto few_rows = rows.few_lines(row), few_columns = columns.few_lines(column);
   const std::size_t m = tree(GridAxis::rows).size(row), n = tree(GridAxis::columns).size(column);
   const std::size_t most = 1 + few_rows.size() * few_columns.size() * left_for_each * (m + n) / (m * n);
-  return kernels::pairs_left({wide_->rows, few_rows, rows.sketch(row)}, {wide_->columns, few_columns, columns.sketch(column)}, bound,
-                             *smooth, most)
+  return kernels::pairs_left({wide_->rows, few_rows, rows.sketch(row)},
+                             {wide_->columns, few_columns, columns.sketch(column)}, bound, *smooth, most)
       .has_value();
 }
 
@@ -300,7 +314,8 @@ bool Blocks::offsets_clear(Node row, Node column, LineSearch& search) {
   return counting_lines(search, [&] {
     CellFrames<kernels::WideLines>&frames_of_rows = wide_->frames.rows, &frames_of_columns = wide_->frames.columns;
     const kernels::FramedRun rows{wide_->rows, tree(GridAxis::rows).lines(row), frames_of_rows.whole(row)};
-    const kernels::FramedRun columns{wide_->columns, tree(GridAxis::columns).lines(column), frames_of_columns.whole(column)};
+    const kernels::FramedRun columns{wide_->columns, tree(GridAxis::columns).lines(column),
+                                     frames_of_columns.whole(column)};
     const auto smooth = kernels::margin_model(rows.frame.smooth(), columns.frame.smooth(), search.wide_bound());
     if (!smooth) return false;
     const std::size_t lines = rows.run.size() + columns.run.size();
@@ -321,7 +336,9 @@ void Blocks::spend(Account& account, std::uint64_t pairs, LineSearch& search) {
   search.work(pairs);
 }
 
-double Blocks::estimate(GridAxis side, Node cell, Node opposite) const { return clearing_.estimate(block(side, cell, opposite)); }
+double Blocks::estimate(GridAxis side, Node cell, Node opposite) const {
+  return clearing_.estimate(block(side, cell, opposite));
+}
 
 kernels::Block Blocks::block(GridAxis side, Node cell, Node opposite) const {
   const auto [row, column] = rows_and_columns(side, cell, opposite);

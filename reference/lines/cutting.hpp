@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a grid, and the nearest planes so far.
-// Output  those planes and all of the grid's that are as near or nearer.                              [proofs/cutting.md, "The engines"]
-// How     cuts one chain into runs (cells). Each cell has a conflict list: the runs of the other chain that it may approach, with at most
-//         1/r of the lines there were. Then the roles are swapped, and each conflicting run is cut against the cell. A naive scan ends
-//         the recursion. A block is dropped only if it is strictly farther than the best so far. Where tests cost too much for what
-//         they clear, the rest is scanned: never more than a constant slower than the naive engine.
-// Departs from the paper: no bound on the number of cells is proved. proofs/cutting.md says what is kept and what is measured.
+// Output  those planes and all of the grid's that are as near or nearer.
+//                                                                [proofs/cutting.md, "The engines"]
+// How     cuts one chain into runs (cells). Each cell has a conflict list: the runs of the other
+//         chain that it may approach, with at most 1/r of the lines there were. Then the roles are
+//         swapped, and each conflicting run is cut against the cell. A naive scan ends the
+//         recursion. A block is dropped only if it is strictly farther than the best so far. Where
+//         tests cost too much for what they clear, the rest is scanned: never more than a constant
+//         slower than the naive engine. Departs from the paper: no bound on the number of cells is
+//         proved. proofs/cutting.md says what is kept and what is measured.
 #pragma once
-
-#include "reference/lines/closest_lines.hpp"
 
 #include <array>
 #include <bit>
@@ -21,12 +22,14 @@
 
 #include "kernels/filters/line_filter.hpp"
 #include "kernels/filters/line_frame.hpp"
+#include "reference/lines/closest_lines.hpp"
 #include "reference/lines/grid.hpp"
 #include "reference/lines/line_search.hpp"
 
 namespace fathom::lines {
 
-// The cells of one chain: contiguous runs of the grid's order, halved again and again. Their frames are made only when asked for.
+// The cells of one chain: contiguous runs of the grid's order, halved again and again. Their frames
+// are made only when asked for.
 
 /// A cell. Heap order: 1 is the whole chain, 2k and 2k + 1 are the halves of k.
 using CellNode = std::uint64_t;
@@ -40,7 +43,8 @@ class CellTree {
 
   [[nodiscard]] kernels::LineRun run(CellNode k) const {
     const CellNode level = std::bit_floor(k), place = k - level;
-    return {static_cast<std::size_t>(place * order_.size() / level), static_cast<std::size_t>((place + 1) * order_.size() / level)};
+    return {static_cast<std::size_t>(place * order_.size() / level),
+            static_cast<std::size_t>((place + 1) * order_.size() / level)};
   }
   [[nodiscard]] std::size_t size(CellNode k) const { return run(k).size(); }
   [[nodiscard]] std::span<const std::uint32_t> lines(CellNode k) const {
@@ -52,7 +56,8 @@ class CellTree {
   std::vector<std::uint32_t> order_;
 };
 
-/// The frames of a chain's cells, made when they are first asked for. The tree and the lines must outlive it.
+/// The frames of a chain's cells, made when they are first asked for. The tree and the lines must
+/// outlive it.
 template <class Lines>
 class CellFrames {
  public:
@@ -67,7 +72,8 @@ class CellFrames {
       return kernels::line_frame(*lines_, tree_->lines(k));
     });
   }
-  /// The frame of a few of them. A cheap pre-test: if the sketch does not clear, the full frame almost never does.
+  /// The frame of a few of them. A cheap pre-test: if the sketch does not clear, the full frame
+  /// almost never does.
   [[nodiscard]] const Frame& sketch(CellNode k) {
     return sketches_.of(k, [&] { return kernels::line_frame(*lines_, few_lines(k)); });
   }
@@ -77,7 +83,8 @@ class CellFrames {
   [[nodiscard]] FewLines few_lines(CellNode k) const {
     FewLines few;
     const kernels::LineRun r = tree_->run(k);
-    for (std::size_t i = 0; i < sketched; ++i) few[i] = static_cast<std::uint32_t>(r.first + i * (r.size() - 1) / (sketched - 1));
+    for (std::size_t i = 0; i < sketched; ++i)
+      few[i] = static_cast<std::uint32_t>(r.first + i * (r.size() - 1) / (sketched - 1));
     return few;
   }
   /// How many lines went into the frames of whole cells so far: what these have cost.
@@ -105,10 +112,12 @@ class CellFrames {
   std::uint64_t lines_framed_ = 0;
 };
 
-// The blocks of a grid, runs of one chain against runs of the other, and the tests that are done with a block at once: from the cheapest to
-// the one that sees most, each only where it may pay.                                        [proofs/cutting.md, "The offset test"]
+// The blocks of a grid, runs of one chain against runs of the other, and the tests that are done
+// with a block at once: from the cheapest to the one that sees most, each only where it may pay.
+//                                                            [proofs/cutting.md, "The offset test"]
 
-/// A grid with the cells of both chains. `side` tells whose lines a cell holds; a run of the other chain is `opposite`.
+/// A grid with the cells of both chains. `side` tells whose lines a cell holds; a run of the other
+/// chain is `opposite`.
 class Blocks {
  public:
   Blocks(const Grid& grid, std::uint64_t allowance);
@@ -118,16 +127,18 @@ class Blocks {
   [[nodiscard]] const Clearing& clearing() const { return clearing_; }
   [[nodiscard]] const CellTree& tree(GridAxis s) const { return trees_[static_cast<std::size_t>(s)]; }
 
-  /// Whether the block is done: every pair of it is proved to be strictly farther than the search's best, or has been offered to it. By
-  /// the vertex test, or, where they may pay, by the frame test, the same in wide floats, or the offset test.
+  /// Whether the block is done: every pair of it is proved to be strictly farther than the search's
+  /// best, or has been offered to it. By the vertex test, or, where they may pay, by the frame
+  /// test, the same in wide floats, or the offset test.
   bool clears(GridAxis side, CellNode cell, CellNode opposite, LineSearch& search);
-  /// Whether the tests of this grid have cost more than they can be worth: an eighth of the time that scanning it takes, as far as that is
-  /// known, and the allowance.
+  /// Whether the tests of this grid have cost more than they can be worth: an eighth of the time
+  /// that scanning it takes, as far as that is known, and the allowance.
   [[nodiscard]] bool exhausted(const LineSearch& search) const;
   [[nodiscard]] double estimate(GridAxis side, CellNode cell, CellNode opposite) const;
 
  private:
-  // Whether a kind of test is worth its cost, in pairs scanned: as long as it has not cost more than what it saved and what is granted.
+  // Whether a kind of test is worth its cost, in pairs scanned: as long as it has not cost more
+  // than what it saved and what is granted.
   struct Account {
     std::uint64_t free = 0, spent = 0, saved = 0;
     [[nodiscard]] bool worth_trying(std::uint64_t credit) const { return spent <= free + saved + credit; }
@@ -175,24 +186,30 @@ class Blocks {
 struct Cell {
   CellNode cell;
   std::vector<CellNode> conflicts;
-  std::uint64_t lines = 0;     ///< number of lines in the conflict list
-  bool quota_reached = false;  ///< lines <= quota; otherwise the cell is too small to be refined, or the blocks are exhausted
+  std::uint64_t lines = 0;  ///< number of lines in the conflict list
+  bool quota_reached =
+      false;  ///< lines <= quota; otherwise the cell is too small to be refined, or the blocks are exhausted
 };
 
-/// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves cells, filters and counts their conflict lists, and refines
-/// them while they are over the quota. Leaves out cells with an empty list. The blocks cell x conflicts, together with those cleared
-/// strictly or offered, hold all pairs. Nearer halves come first. When the blocks are exhausted, cells stay as they are.
-std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellNode cell, const std::vector<CellNode>& list, const CuttingSize& size,
-                      LineSearch& search);
+/// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves cells, filters and
+/// counts their conflict lists, and refines them while they are over the quota. Leaves out cells
+/// with an empty list. The blocks cell x conflicts, together with those cleared strictly or
+/// offered, hold all pairs. Nearer halves come first. When the blocks are exhausted, cells stay as
+/// they are.
+std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellNode cell, const std::vector<CellNode>& list,
+                      const CuttingSize& size, LineSearch& search);
 
 /// Offers the grid's nearest planes to the search's best.
 void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size = {});
 
-// The sampled cutting, in sampled.cpp: the same answer, in the paper's own shape.           [AGHRS, section 2.2; proofs/cutting.md]
-// How     a random sample of r log2(r + 1) lines of one chain guides how the other is cut into cells: a cell is halved while some line
-//         of the sample may approach it. Then its whole conflict list is counted, line by line; over the quota |L|/r it is refined.
-//         Roles swap, subproblems come in random order, and a naive scan ends it.
-// Why     for study, and as a cross-check. It is not the sample that makes it fast, but the conflict lists, which are counted anyway.
+// The sampled cutting, in sampled.cpp: the same answer, in the paper's own shape.
+//                                                           [AGHRS, section 2.2; proofs/cutting.md]
+// How     a random sample of r log2(r + 1) lines of one chain guides how the other is cut into
+//         cells: a cell is halved while some line of the sample may approach it. Then its whole
+//         conflict list is counted, line by line; over the quota |L|/r it is refined. Roles swap,
+//         subproblems come in random order, and a naive scan ends it.
+// Why     for study, and as a cross-check. It is not the sample that makes it fast, but the
+//         conflict lists, which are counted anyway.
 
 /// As closest_by_cutting.
 void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size = {});

@@ -58,13 +58,16 @@ bool exact_corners_clear(const Grid& grid, const kernels::Block& block, const ke
 }
 
 // The filter's verdict on the block, or exact arithmetic's where the filter is unsure.
-bool clear(kernels::CornerVerdict verdict, const Grid& grid, const kernels::Block& block, const kernels::NearestPlanes& nearest) {
-  return verdict == kernels::CornerVerdict::unsure ? exact_corners_clear(grid, block, nearest) : verdict == kernels::CornerVerdict::beyond;
+bool clear(kernels::CornerVerdict verdict, const Grid& grid, const kernels::Block& block,
+           const kernels::NearestPlanes& nearest) {
+  return verdict == kernels::CornerVerdict::unsure ? exact_corners_clear(grid, block, nearest)
+                                                   : verdict == kernels::CornerVerdict::beyond;
 }
 
 }  // namespace
 
-// With circles pointing upward, a crossing lies below the next stored arc, above the next query if they rise, and below it if they fall.
+// With circles pointing upward, a crossing lies below the next stored arc, above the next query if
+// they rise, and below it if they fall.
 kernels::Sign Grid::row_sense() const {
   return pair_.stored_of == gaussian::Colour::a && !pair_.rising ? kernels::Sign::positive : kernels::Sign::negative;
 }
@@ -72,8 +75,9 @@ kernels::Sign Grid::column_sense() const {
   return pair_.stored_of == gaussian::Colour::a && pair_.rising ? kernels::Sign::positive : kernels::Sign::negative;
 }
 
-// With both circles pointing upward in the chart, a stored arc d and a query e that rises through it have <d x e, z> > 0. Reversing all
-// rows where the outward normal is e x d makes row x column outward everywhere.
+// With both circles pointing upward in the chart, a stored arc d and a query e that rises through
+// it have <d x e, z> > 0. Reversing all rows where the outward normal is e x d makes row x column
+// outward everywhere.
 Vector Grid::row_direction(std::size_t i) const {
   const Vector d = scene_->a.direction(row(i));
   return rows_turned() ? -d : d;
@@ -118,7 +122,8 @@ kernels::Report validate(const Grid& grid) {
   return report;
 }
 
-bool Clearing::vertex_clears(const kernels::Block& block, const kernels::NearestPlanes& nearest, const kernels::LineBound& bound) const {
+bool Clearing::vertex_clears(const kernels::Block& block, const kernels::NearestPlanes& nearest,
+                             const kernels::LineBound& bound) const {
   return clear(kernels::corners_beyond(rows_, columns_, block, bound), grid_, block, nearest);
 }
 
@@ -133,10 +138,12 @@ double Clearing::estimate(const kernels::Block& block) const {
 }
 
 bool vertex_clears(const Grid& grid, const kernels::NearestPlanes& nearest, const kernels::LineBound& bound) {
-  const kernels::Block whole{kernels::side_of(kernels::LineRun{0, grid.rows()}), kernels::side_of(kernels::LineRun{0, grid.columns()})},
+  const kernels::Block whole{kernels::side_of(kernels::LineRun{0, grid.rows()}),
+                             kernels::side_of(kernels::LineRun{0, grid.columns()})},
       three{{0, 1, 2}, {0, 1, 2}};
   const kernels::LineImages rows = grid.row_images({whole.rows.first, whole.rows.middle, whole.rows.last}),
-                            columns = grid.column_images({whole.columns.first, whole.columns.middle, whole.columns.last});
+                            columns =
+                                grid.column_images({whole.columns.first, whole.columns.middle, whole.columns.last});
   return clear(kernels::corners_beyond(rows, columns, three, bound), grid, whole, nearest);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a canonical pair and the scene of its hemisphere.
-// Output  its grid: A's arcs as rows and B's as columns, each a chain in the order in which it meets the other, and all directions
-//         oriented so that d x d' is the outward normal of P's facet wherever row d crosses column d'.   [proofs/cutting.md, "The grid"]
-// Why     the stored arcs span a strip and do not cross; each query crosses all of them, from below to above or the other way round, and
-//         queries do not cross each other. So the lowest and the highest stored arc meet the queries in one order, as all others do.
+// Output  its grid: A's arcs as rows and B's as columns, each a chain in the order in which it
+//         meets the other, and all directions oriented so that d x d' is the outward normal of P's
+//         facet wherever row d crosses column d'.                   [proofs/cutting.md, "The grid"]
+// Why     the stored arcs span a strip and do not cross; each query crosses all of them, from below
+//         to above or the other way round, and queries do not cross each other. So the lowest and
+//         the highest stored arc meet the queries in one order, as all others do.
 #pragma once
 
 #include <array>
@@ -20,7 +22,8 @@ enum class GridAxis : std::uint8_t { rows, columns };
 
 constexpr GridAxis other(GridAxis s) { return s == GridAxis::rows ? GridAxis::columns : GridAxis::rows; }
 
-/// What belongs to the rows, and what to the columns, if `own` belongs to `axis` and `opposite` to the other one.
+/// What belongs to the rows, and what to the columns, if `own` belongs to `axis` and `opposite` to
+/// the other one.
 template <class T>
 constexpr std::pair<T&, T&> rows_and_columns(GridAxis axis, T& own, T& opposite) {
   return axis == GridAxis::rows ? std::pair<T&, T&>(own, opposite) : std::pair<T&, T&>(opposite, own);
@@ -52,7 +55,8 @@ class Grid {
   [[nodiscard]] kernels::WideLines wide_rows() const;
   [[nodiscard]] kernels::WideLines wide_columns() const;
 
-  /// The sign of <w, next row>, and of <w, next column>, at each crossing w: what it means that the chains are in order.
+  /// The sign of <w, next row>, and of <w, next column>, at each crossing w: what it means that the
+  /// chains are in order.
   [[nodiscard]] kernels::Sign row_sense() const;
   [[nodiscard]] kernels::Sign column_sense() const;
 
@@ -64,14 +68,16 @@ class Grid {
   const LineScene* scene_;
 };
 
-/// Order: each row meets neighbouring columns in the chain's order, each column neighbouring rows (weakly, since the input may have
-/// closed what the perturbation opened), and all crossings lie in the hemisphere. Membership: at each crossing that is not parallel, no
-/// neighbour's point lies farther out than the crossing's own, and O lies below it: so p - q is a vertex of P and the vertex test holds.
-/// O(rows columns).
+/// Order: each row meets neighbouring columns in the chain's order, each column neighbouring rows
+/// (weakly, since the input may have closed what the perturbation opened), and all crossings lie in
+/// the hemisphere. Membership: at each crossing that is not parallel, no neighbour's point lies
+/// farther out than the crossing's own, and O lies below it: so p - q is a vertex of P and the
+/// vertex test holds. O(rows columns).
 [[nodiscard]] kernels::Report validate(const Grid& grid);
 
-// The vertex test: is every pair of a block of rows and columns proved to be strictly farther than the nearest planes so far? Then the
-// block is clear. One vertex of P against the four corner crossings, exact.                                      [proofs/cutting.md]
+// The vertex test: is every pair of a block of rows and columns proved to be strictly farther than
+// the nearest planes so far? Then the block is clear. One vertex of P against the four corner
+// crossings, exact.                                                             [proofs/cutting.md]
 
 /// Ascending positions in one chain of a grid; not empty.
 using ChainLines = std::span<const std::uint32_t>;
@@ -87,12 +93,14 @@ class Clearing {
   [[nodiscard]] const kernels::LineImages& rows() const { return rows_; }
   [[nodiscard]] const kernels::LineImages& columns() const { return columns_; }
 
-  /// The vertex test, for all lines between the block's first and last ones. `bound` is the images' bound of `nearest`, which may not be
-  /// empty unless the bound is infinite. The answer is that of exact arithmetic: it does not depend on rounding.
+  /// The vertex test, for all lines between the block's first and last ones. `bound` is the images'
+  /// bound of `nearest`, which may not be empty unless the bound is infinite. The answer is that of
+  /// exact arithmetic: it does not depend on rounding.
   [[nodiscard]] bool vertex_clears(const kernels::Block& block, const kernels::NearestPlanes& nearest,
                                    const kernels::LineBound& bound) const;
 
-  /// The least estimate of a pair's squared distance over the corners and the middle: for the order of a search, not a bound.
+  /// The least estimate of a pair's squared distance over the corners and the middle: for the order
+  /// of a search, not a bound.
   [[nodiscard]] double estimate(const kernels::Block& block) const;
 
  private:
@@ -100,7 +108,9 @@ class Clearing {
   kernels::LineImages rows_, columns_;
 };
 
-/// The vertex test on a whole grid, without images of its chains: can it beat the best at all? O(1).
-[[nodiscard]] bool vertex_clears(const Grid& grid, const kernels::NearestPlanes& nearest, const kernels::LineBound& bound);
+/// The vertex test on a whole grid, without images of its chains: can it beat the best at all?
+/// O(1).
+[[nodiscard]] bool vertex_clears(const Grid& grid, const kernels::NearestPlanes& nearest,
+                                 const kernels::LineBound& bound);
 
 }  // namespace fathom::lines

@@ -19,7 +19,8 @@ Vector EdgeLines<c>::direction(Edge edge) const {
 template class EdgeLines<gaussian::Colour::a>;
 template class EdgeLines<gaussian::Colour::b>;
 
-bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f, kernels::NearestPlanes& nearest) {
+bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f,
+                 kernels::NearestPlanes& nearest) {
   const Vector w = cross(a.direction(e), b.direction(f));
   if (is_zero(w)) return false;
   const mpz_class height = dot(b.point(f) - a.point(e), w);

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the charts of one hemisphere, and the lines through the bodies' edges.
-// Output  the line of each chart arc, directed upward: searches for closest lines name lines by chart arcs alone.
+// Output  the line of each chart arc, directed upward: searches for closest lines name lines by
+//         chart arcs alone.
 // Size    linear.
 #pragma once
 
 #include "kernels/filters/line_filter.hpp"
-
-
-#include "reference/chart/chart.hpp"
 #include "kernels/nearest.hpp"
+#include "reference/chart/chart.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::lines {
 
-// The lines that carry a body's edges, and the planes that two of them span.                    [AGHRS, Lemma 2.2]
+// The lines that carry a body's edges, and the planes that two of them span.     [AGHRS, Lemma 2.2]
 
-/// The lines through the edges of the body of one colour, exact and as images. Line i carries edge i. The polytope must outlive it.
+/// The lines through the edges of the body of one colour, exact and as images. Line i carries edge
+/// i. The polytope must outlive it.
 template <gaussian::Colour c>
 class EdgeLines {
  public:
@@ -39,11 +39,14 @@ class EdgeLines {
 using EdgeLinesOfA = EdgeLines<gaussian::Colour::a>;
 using EdgeLinesOfB = EdgeLines<gaussian::Colour::b>;
 
-/// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact arithmetic. Skips parallel edges, which
-/// span no plane. N = <q - p, d x d'>, and d^2(l,l') = N^2 / |d x d'|^2. Returns whether the plane is among the nearest now.
-bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f, kernels::NearestPlanes& nearest);
+/// Offers the plane that is parallel to edge e of A and edge f of B, oriented away from O, in exact
+/// arithmetic. Skips parallel edges, which span no plane. N = <q - p, d x d'>, and d^2(l,l') = N^2
+/// / |d x d'|^2. Returns whether the plane is among the nearest now.
+bool offer_edges(const EdgeLinesOfA& a, gaussian::EdgeOfA e, const EdgeLinesOfB& b, gaussian::EdgeOfB f,
+                 kernels::NearestPlanes& nearest);
 
-/// The lines of one colour's chart arcs, directed upward in the chart: <d,v> > 0. Line i carries the edge of chart arc i.
+/// The lines of one colour's chart arcs, directed upward in the chart: <d,v> > 0. Line i carries
+/// the edge of chart arc i.
 template <gaussian::Colour c>
 class ChartLines {
  public:
@@ -53,7 +56,9 @@ class ChartLines {
 
   [[nodiscard]] gaussian::EdgeOf<c> edge(Arc i) const { return gaussian::EdgeOf<c>(arc(i).arc.value); }
   [[nodiscard]] const Vector& point(Arc i) const { return lines_->point(edge(i)); }
-  [[nodiscard]] Vector direction(Arc i) const { return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i)); }
+  [[nodiscard]] Vector direction(Arc i) const {
+    return arc(i).flipped ? -lines_->direction(edge(i)) : lines_->direction(edge(i));
+  }
   [[nodiscard]] const kernels::LineImages& images() const { return images_; }
   /// In wide floats: one, or all. These refer to this.
   [[nodiscard]] kernels::WideLine wide(Arc i) const;

@@ -6,15 +6,21 @@
 namespace fathom::lines {
 namespace {
 
-// Of the pairs that the filter in binary64 leaves, so many may turn out to be farther before wide floats look at them first: most searches
-// leave few pairs, and nearly all of these are nearer.
+// Of the pairs that the filter in binary64 leaves, so many may turn out to be farther before wide
+// floats look at them first: most searches leave few pairs, and nearly all of these are nearer.
 constexpr std::uint64_t few_farther = 64;
 
 }  // namespace
 
-LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed,
-                       SearchTrace* trace)
-    : context_(context), scene_(scene), nearest_(nearest), wide_a_(scene.a.wide()), wide_b_(scene.b.wide()), random_(seed), trace_(trace) {
+LineSearch::LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest,
+                       std::uint64_t seed, SearchTrace* trace)
+    : context_(context),
+      scene_(scene),
+      nearest_(nearest),
+      wide_a_(scene.a.wide()),
+      wide_b_(scene.b.wide()),
+      random_(seed),
+      trace_(trace) {
   counters().seed = seed;
   tighten();
 }
@@ -75,13 +81,15 @@ void LineSearch::work(std::uint64_t amount) {
 }
 
 void LineSearch::tighten() {
-  bound_ = nearest_.empty() ? kernels::LineBound{std::numeric_limits<double>::infinity(), 0}
-                            : kernels::line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  bound_ = nearest_.empty()
+               ? kernels::LineBound{std::numeric_limits<double>::infinity(), 0}
+               : kernels::line_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
   wide_bound_.reset();
 }
 
 const kernels::WideFloat& LineSearch::wide_bound() {
-  if (!wide_bound_) wide_bound_ = kernels::wide_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
+  if (!wide_bound_)
+    wide_bound_ = kernels::wide_bound(nearest_.numerator(), nearest_.denominator(), scene_.a.images().exponent());
   return *wide_bound_;
 }
 

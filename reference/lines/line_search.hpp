@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all engines share: the one global best, the bound that the filters compare with, the naive scan, and the counts of work.
+// What all engines share: the one global best, the bound that the filters compare with, the naive
+// scan, and the counts of work.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,8 @@
 
 namespace fathom::lines {
 
-/// One for each hemisphere. `nearest` holds the best so far of all. A trace, which may be null, is written and never read.
+/// One for each hemisphere. `nearest` holds the best so far of all. A trace, which may be null, is
+/// written and never read.
 class LineSearch {
  public:
   LineSearch(kernels::Context& context, const LineScene& scene, kernels::NearestPlanes& nearest, std::uint64_t seed,
@@ -24,7 +26,8 @@ class LineSearch {
   /// One pair, in exact arithmetic; or, where many turn out to be farther, in wide floats first.
   void offer(chart::ChartArcOfA e, chart::ChartArcOfB f);
 
-  /// The squared distance of the nearest planes so far, in images, in wide floats (if there are any planes), and exact.
+  /// The squared distance of the nearest planes so far, in images, in wide floats (if there are any
+  /// planes), and exact.
   [[nodiscard]] const kernels::LineBound& bound() const { return bound_; }
   [[nodiscard]] const kernels::WideFloat& wide_bound();
   [[nodiscard]] const kernels::NearestPlanes& nearest() const { return nearest_; }

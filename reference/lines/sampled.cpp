@@ -17,7 +17,8 @@ constexpr std::size_t always_few = 8;
 // `side` tells whose lines a cell holds; conflicts are lines of the other chain.
 class Engine {
  public:
-  Engine(const Grid& grid, LineSearch& search, const SampledSize& size) : clearing_(grid), search_(search), size_(size) {}
+  Engine(const Grid& grid, LineSearch& search, const SampledSize& size)
+      : clearing_(grid), search_(search), size_(size) {}
 
   void run() {
     Lines rows(clearing_.grid().rows()), columns(clearing_.grid().columns());
@@ -32,7 +33,8 @@ class Engine {
     kernels::LineFrame<double> frame;
   };
 
-  // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the quota or by `few`.
+  // Cuts `lines` against `list`, swaps the roles, and so on. Each swap's lists are shorter, by the
+  // quota or by `few`.
   void solve(GridAxis side, const Lines& lines, const Lines& list) {
     if (lines.size() * list.size() <= size_.base || std::max(lines.size(), list.size()) <= always_few) {
       const auto [rows, columns] = rows_and_columns(side, lines, list);
@@ -51,7 +53,8 @@ class Engine {
 
   std::vector<Cell> cut(GridAxis side, const Lines& lines, const Lines& list) {
     const Lines sample = sample_of(list);
-    const std::size_t few = std::max(always_few, lines.size() / (size_.r * size_.r * size_.r)), quota = list.size() / size_.r;
+    const std::size_t few = std::max(always_few, lines.size() / (size_.r * size_.r * size_.r)),
+                      quota = list.size() / size_.r;
     Counters& counters = search_.counters();
     std::vector<Cell> done, pending;
     pending.push_back(cell(side, lines, list));
@@ -85,7 +88,8 @@ class Engine {
 
   Lines sample_of(const Lines& list) {
     Lines sample;
-    std::ranges::sample(list, std::back_inserter(sample), static_cast<std::ptrdiff_t>(size_.r * std::bit_width(size_.r)), search_.random());
+    std::ranges::sample(list, std::back_inserter(sample),
+                        static_cast<std::ptrdiff_t>(size_.r * std::bit_width(size_.r)), search_.random());
     return sample;
   }
 
@@ -125,7 +129,9 @@ class Engine {
     search_.scan(of_a, of_b);
   }
 
-  const kernels::LineImages& images(GridAxis side) const { return side == GridAxis::rows ? clearing_.rows() : clearing_.columns(); }
+  const kernels::LineImages& images(GridAxis side) const {
+    return side == GridAxis::rows ? clearing_.rows() : clearing_.columns();
+  }
 
   Clearing clearing_;
   LineSearch& search_;

@@ -41,14 +41,16 @@ Lengths lengths_of(const Depth& depth, const std::optional<unsigned>& digits) {
   return lengths;
 }
 
-/// What of an enclosed length is certain: nothing but its bounds, unless both round to the same number.
+/// What of an enclosed length is certain: nothing but its bounds, unless both round to the same
+/// number.
 Json enclosed_length(const Bounds& bounds, const std::optional<unsigned>& digits) {
   const mpq_class low = bounds.low > 0 ? bounds.low : mpq_class(0), high = bounds.high > 0 ? bounds.high : mpq_class(0);
   if (low == high) return length(low * low, digits);
   const double nearest = round_binary64(low);
   const bool known = nearest == round_binary64(high) && std::isfinite(nearest) && nearest != 0;
   Json result{{"squared", Json()}, {"value", known ? Json(nearest) : Json()}, {"rounded", Json()}};
-  if (digits) result["enclosure"] = Json::array({enclose(Surd{low, 0}, *digits).low, enclose(Surd{high, 0}, *digits).high});
+  if (digits)
+    result["enclosure"] = Json::array({enclose(Surd{low, 0}, *digits).low, enclose(Surd{high, 0}, *digits).high});
   return result;
 }
 
@@ -84,7 +86,9 @@ std::vector<AlongNormal> ways_of(const SignedDepth& depth) { return depth.transl
 Point staying(const Depth&) { return {}; }
 AlongNormal staying(const SignedDepth& depth) { return {depth.direction(), 0, 0}; }
 
-std::optional<Witness> witness_of(const Depth& depth) { return depth.distance() ? depth.distance()->witness : depth.witness(); }
+std::optional<Witness> witness_of(const Depth& depth) {
+  return depth.distance() ? depth.distance()->witness : depth.witness();
+}
 std::optional<RoundedWitness> witness_of(const SignedDepth& depth) { return depth.witness(); }
 
 template <class SomeWitness>
@@ -105,7 +109,8 @@ Json counters_object(const Counters& counters) {
     const TierCounts& tiers = counters.predicates[i];
     Json decided = Json::object();
     for (const auto& [packed, count] : tiers.decided) decided[kernels::Monomial::unpacked(packed).text()] = count;
-    predicates[predicate_names[i]] = {{"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
+    predicates[predicate_names[i]] = {
+        {"calls", tiers.calls}, {"exact", tiers.exact}, {"zero", tiers.zero}, {"decided_by", decided}};
   }
   result["predicates"] = predicates;
   return result;
@@ -116,7 +121,9 @@ Json cone_object(const OptimalCone& cone) {
   Json rays = Json::array();
   for (const Vector& ray : cone.rays) rays.push_back(exact(ray));
   const bool has_axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
-  return {{"lineality", names[static_cast<std::size_t>(cone.lineality)]}, {"axis", has_axis ? exact(cone.axis) : Json()}, {"rays", rays}};
+  return {{"lineality", names[static_cast<std::size_t>(cone.lineality)]},
+          {"axis", has_axis ? exact(cone.axis) : Json()},
+          {"rays", rays}};
 }
 
 // ---- polytopes and shapes ----
@@ -130,7 +137,8 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
   const Lengths lengths = lengths_of(found, shown.digits);
   const auto ways = ways_of(found);
   const auto first = ways.empty() ? std::nullopt : std::optional(ways.front());
-  const auto translation = status == Status::touching || status == Status::disjoint ? std::optional(staying(found)) : first;
+  const auto translation =
+      status == Status::touching || status == Status::disjoint ? std::optional(staying(found)) : first;
   const Json translation_json = translation ? place(*translation) : Json();
   const auto witness = witness_of(found);
   const auto shown_witness = status == Status::disjoint ? std::nullopt : witness;
@@ -155,7 +163,9 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
               coordinates_of(shown_witness));
   result["optima"] = optima;
   if (shown.optima)
-    result["optima_count"] = cores ? cores->optima.size() + cores->unlisted : status == Status::penetrating ? ways.size() : 0;
+    result["optima_count"] = cores                           ? cores->optima.size() + cores->unlisted
+                             : status == Status::penetrating ? ways.size()
+                                                             : 0;
   if constexpr (std::is_same_v<Found, SignedDepth>)
     if (found.cone) result["optimal_cone"] = cone_object(*found.cone);
   if (status == Status::disjoint) {
@@ -163,7 +173,8 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
     distance["direction"] = direction_json;
     distance["translation"] = first ? place(*first) : Json();
     distance["witness"] = witness_json(witness);
-    add_rounded(distance, direction, first ? std::optional(rounded::coordinates(*first)) : std::nullopt, coordinates_of(witness));
+    add_rounded(distance, direction, first ? std::optional(rounded::coordinates(*first)) : std::nullopt,
+                coordinates_of(witness));
     result["distance"] = distance;
   }
   add_bodies(result, answered.bodies);
@@ -178,13 +189,17 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
 // ---- unions ----
 
 Json contact_json(const PieceContact& c) {
-  return {{"pieces", std::vector<std::uint32_t>{c.a, c.b}}, {"direction", exact(c.direction)}, {"contact", contact_object(c.contact)}};
+  return {{"pieces", std::vector<std::uint32_t>{c.a, c.b}},
+          {"direction", exact(c.direction)},
+          {"contact", contact_object(c.contact)}};
 }
 
 Json optimum_json(const UnionOptimum& optimum) {
   Json contacts = Json::array();
   for (const PieceContact& c : optimum.contacts) contacts.push_back(contact_json(c));
-  return {{"translation", exact(optimum.translation)}, {"clearance", Json::boolean(optimum.clearance)}, {"contacts", contacts}};
+  return {{"translation", exact(optimum.translation)},
+          {"clearance", Json::boolean(optimum.clearance)},
+          {"contacts", contacts}};
 }
 
 Json distance_json(const UnionDistance& apart, const Shown& shown) {
@@ -202,21 +217,23 @@ std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, co
     optima.push_back(optimum_json(depth.optima[i]));
   const UnionBounds& bounds = *depth.bounds;
   const UnionCounters& c = depth.counters;
-  Json result{
-      {"schema", "fathom/union/1"},
-      {"fathom", FATHOM_VERSION},
-      {"id", answered.id},
-      {"status", name(depth.status)},
-      {"complete", Json::boolean(depth.complete)},
-      {"depth", depth.complete ? length(depth.low, shown.digits) : Json()},
-      {"low", length(depth.low, shown.digits)},
-      {"high", length(depth.high, shown.digits)},
-      {"optima", optima},
-      {"apart", depth.apart ? distance_json(*depth.apart, shown) : Json()},
-      {"deepest_pair",
-       Json{{"depth", length(bounds.deepest_pair, std::nullopt)}, {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
-      {"hulls", length(bounds.hulls, std::nullopt)},
-      {"counters", Json{{"nodes", c.nodes}, {"nearest_points", c.nearest_points}, {"pairs", c.pairs}, {"pairs_touched", c.pairs_touched}}}};
+  Json result{{"schema", "fathom/union/1"},
+              {"fathom", FATHOM_VERSION},
+              {"id", answered.id},
+              {"status", name(depth.status)},
+              {"complete", Json::boolean(depth.complete)},
+              {"depth", depth.complete ? length(depth.low, shown.digits) : Json()},
+              {"low", length(depth.low, shown.digits)},
+              {"high", length(depth.high, shown.digits)},
+              {"optima", optima},
+              {"apart", depth.apart ? distance_json(*depth.apart, shown) : Json()},
+              {"deepest_pair", Json{{"depth", length(bounds.deepest_pair, std::nullopt)},
+                                    {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
+              {"hulls", length(bounds.hulls, std::nullopt)},
+              {"counters", Json{{"nodes", c.nodes},
+                                {"nearest_points", c.nearest_points},
+                                {"pairs", c.pairs},
+                                {"pairs_touched", c.pairs_touched}}}};
   add_hull(result, answered.bodies.hull);
   if (shown.certificate && depth.complete) result["certificate"] = answered.certificate;
   return result.text();
@@ -236,7 +253,8 @@ std::string_view method_name(const SignedDepth& depth) {
 }
 
 std::string answer_json(const AnsweredCase& answered, const Shown& shown) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found)) return union_json(answered, *unions, shown);
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
+    return union_json(answered, *unions, shown);
   if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_json(answered, *depth, shown);
   return pair_json(answered, std::get<SignedDepth>(answered.answer.found), shown);
 }

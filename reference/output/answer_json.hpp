@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a case, of bodies of any kinds, as JSON: schemas/result.schema.json, of unions schemas/union.schema.json.
+// The exact answer to a case, of bodies of any kinds, as JSON: schemas/result.schema.json, of
+// unions schemas/union.schema.json.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,8 @@ std::string answer_json(const AnsweredCase& answered, const Shown& shown);
 /// Returns the line for a case of a stream that has no result.
 std::string json_error(const std::string& id, std::size_t line, std::string_view error);
 
-/// The first fields of every result, exact or approximate: the schema, the version of fathom, the id, the status.
+/// The first fields of every result, exact or approximate: the schema, the version of fathom, the
+/// id, the status.
 Json result_head(const std::string& id, std::string_view status);
 
 /// The word for the method that answered.

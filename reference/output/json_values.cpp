@@ -21,7 +21,9 @@ Json nearest_binary64(double value, int sign) {
 
 template <class Float>
 Json in_every_direction(const kernels::EveryMode<Float>& rounded) {
-  return {{"rn", Json::plain(hex_text(rounded.rn))}, {"rd", Json::plain(hex_text(rounded.rd))}, {"ru", Json::plain(hex_text(rounded.ru))}};
+  return {{"rn", Json::plain(hex_text(rounded.rn))},
+          {"rd", Json::plain(hex_text(rounded.rd))},
+          {"ru", Json::plain(hex_text(rounded.ru))}};
 }
 
 /// The fields of a number that is printed exactly as `key`.
@@ -64,7 +66,9 @@ Json sizes_object(const shapes::BodySizes& sizes) {
 Json object_of(const polytope::Dents& dents) {
   return {{"convex", Json::boolean(false)},
           {"volume_ratio", dents.volume_ratio ? number(*dents.volume_ratio) : Json()},
-          {"deepest", dents.deepest ? Json{{"point", dents.deepest->point}, {"depth", length(dents.deepest->squared_depth, {})}} : Json()}};
+          {"deepest", dents.deepest
+                          ? Json{{"point", dents.deepest->point}, {"depth", length(dents.deepest->squared_depth, {})}}
+                          : Json()}};
 }
 
 Json object_of(const polytope::MeshConvexity& found) {
@@ -88,7 +92,9 @@ Json exact(const Point& p) {
   return Json::array({Json::plain(exact_text(p.x)), Json::plain(exact_text(p.y)), Json::plain(exact_text(p.z))});
 }
 
-Json exact(const Vector& v) { return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())}); }
+Json exact(const Vector& v) {
+  return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())});
+}
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
   return length(squared, kernels::roundings_of_root(squared), digits);
@@ -109,10 +115,11 @@ Json surd_length(const Surd& value, const std::optional<unsigned>& digits) {
   const std::optional<mpq_class> square = rational_square(value);
   if (square) return length(*square, digits);
   const double nearest = round_binary64(value);
-  Json result = {
-      {"squared", Json()},
-      {"value", std::isfinite(nearest) && nearest != 0 ? Json(nearest) : Json()},
-      {"rounded", {{"f64", in_every_direction<double>(value, round_binary64)}, {"f32", in_every_direction<float>(value, round_binary32)}}}};
+  Json result = {{"squared", Json()},
+                 {"value", std::isfinite(nearest) && nearest != 0 ? Json(nearest) : Json()},
+                 {"rounded",
+                  {{"f64", in_every_direction<double>(value, round_binary64)},
+                   {"f32", in_every_direction<float>(value, round_binary32)}}}};
   if (digits) {
     const Enclosure enclosure = enclose(value, *digits);
     result["enclosure"] = Json::array({enclosure.low, enclosure.high});
@@ -121,14 +128,20 @@ Json surd_length(const Surd& value, const std::optional<unsigned>& digits) {
 }
 
 Json exact_object(const Surd& value) {
-  return {{"sign", sgn(value.root)}, {"root", Json::plain(exact_text(abs(value.root)))}, {"plus", Json::plain(exact_text(value.rational))}};
+  return {{"sign", sgn(value.root)},
+          {"root", Json::plain(exact_text(abs(value.root)))},
+          {"plus", Json::plain(exact_text(value.rational))}};
 }
 
 SignedDepthBounds penetrating_by(const kernels::Roundings& depth) { return {depth.binary64.rd, depth.binary64.ru}; }
 
-SignedDepthBounds apart_by(const kernels::Roundings& distance) { return {-distance.binary64.ru, 0 - distance.binary64.rd}; }
+SignedDepthBounds apart_by(const kernels::Roundings& distance) {
+  return {-distance.binary64.ru, 0 - distance.binary64.rd};
+}
 
-Json signed_depth_object(const SignedDepthBounds& bounds) { return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}}; }
+Json signed_depth_object(const SignedDepthBounds& bounds) {
+  return {{"low", bound(bounds.low)}, {"high", bound(bounds.high)}};
+}
 
 Json signed_depth_object(const SignedDepth& depth) {
   Json result = signed_depth_object({depth.low_binary64(), depth.high_binary64()});
@@ -138,13 +151,16 @@ Json signed_depth_object(const SignedDepth& depth) {
 
 Json vector_object(const AlongNormal& vector) {
   if (const std::optional<Point> point = rounded::rational_point(vector)) return exact(*point);
-  return {
-      {"normal", exact(vector.normal)}, {"alpha", Json::plain(exact_text(vector.alpha))}, {"beta", Json::plain(exact_text(vector.beta))}};
+  return {{"normal", exact(vector.normal)},
+          {"alpha", Json::plain(exact_text(vector.alpha))},
+          {"beta", Json::plain(exact_text(vector.beta))}};
 }
 
 Json point_object(const RoundedPoint& point) {
   if (const std::optional<Point> place = rounded::rational_point(point)) return exact(*place);
-  return {{"core", exact(point.core)}, {"normal", exact(point.normal)}, {"distance", Json::plain(exact_text(point.distance))}};
+  return {{"core", exact(point.core)},
+          {"normal", exact(point.normal)},
+          {"distance", Json::plain(exact_text(point.distance))}};
 }
 
 void add_rounded(Json& result, const Vector& direction, const std::optional<rounded::Coordinates>& translation,
@@ -154,7 +170,9 @@ void add_rounded(Json& result, const Vector& direction, const std::optional<roun
   result["witness_f64"] = witness ? Json{{"a", numbers(witness->front())}, {"b", numbers(witness->back())}} : Json();
 }
 
-Json contact_object(const Contact& contact) { return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}}; }
+Json contact_object(const Contact& contact) {
+  return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}};
+}
 
 Json witness_object(const Witness& witness) { return {{"a", exact(witness.a)}, {"b", exact(witness.b)}}; }
 
@@ -167,7 +185,8 @@ Json flat_array(const BodyFacts& facts) {
 
 AboutBodies about_bodies(const Case& input, bool one_body) {
   if (input.a.pieces || input.b.pieces)
-    return {shapes::sizes_of(input.a, input.b), {{}, {}, shapes::dented_pieces(input.a), shapes::dented_pieces(input.b)}};
+    return {shapes::sizes_of(input.a, input.b),
+            {{}, {}, shapes::dented_pieces(input.a), shapes::dented_pieces(input.b)}};
   if (one_body) return {shapes::sizes_of(input.a), {shapes::hull_fact(input.a), std::nullopt}};
   return {shapes::sizes_of(input.a, input.b), {shapes::hull_fact(input.a), shapes::hull_fact(input.b)}};
 }

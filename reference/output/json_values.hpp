@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces of JSON results: numbers, places, contacts, and what they tell of the bodies. Exact numbers are strings.
+// The pieces of JSON results: numbers, places, contacts, and what they tell of the bodies. Exact
+// numbers are strings.
 #pragma once
 
 #include <gmpxx.h>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,7 +41,8 @@ Json surd_length(const Surd& value, const std::optional<unsigned>& digits);
 /// {"sign", "root", "plus"}.
 Json exact_object(const Surd& value);
 
-/// Doubles on both sides of a signed depth: positive if the bodies penetrate, negative if they are apart. Equal if it is that double.
+/// Doubles on both sides of a signed depth: positive if the bodies penetrate, negative if they are
+/// apart. Equal if it is that double.
 struct SignedDepthBounds {
   double low, high;
 };
@@ -48,11 +51,13 @@ struct SignedDepthBounds {
 SignedDepthBounds penetrating_by(const kernels::Roundings& depth);
 SignedDepthBounds apart_by(const kernels::Roundings& distance);
 
-/// The field "signed_depth": of bounds it has no exact form, and a bound that is infinite becomes null.
+/// The field "signed_depth": of bounds it has no exact form, and a bound that is infinite becomes
+/// null.
 Json signed_depth_object(const SignedDepthBounds& bounds);
 Json signed_depth_object(const SignedDepth& depth);
 
-/// A point as three rationals if it is rational; else {"normal", "alpha", "beta"}, and {"core", "normal", "distance"}.
+/// A point as three rationals if it is rational; else {"normal", "alpha", "beta"}, and {"core",
+/// "normal", "distance"}.
 Json vector_object(const AlongNormal& vector);
 Json point_object(const RoundedPoint& point);
 
@@ -63,8 +68,8 @@ std::optional<rounded::CoordinatePair> coordinates_of(const std::optional<SomeWi
   return witness ? std::optional(rounded::coordinates(*witness)) : std::nullopt;
 }
 
-/// Adds the fields "unit_f64", "translation_f64" and "witness_f64", which stand beside exact ones; null of what there is not, and of what
-/// is beyond all finite numbers.
+/// Adds the fields "unit_f64", "translation_f64" and "witness_f64", which stand beside exact ones;
+/// null of what there is not, and of what is beyond all finite numbers.
 void add_rounded(Json& result, const Vector& direction, const std::optional<rounded::Coordinates>& translation,
                  const std::optional<rounded::CoordinatePair>& witness);
 

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/filters/all_extreme.hpp"
 #include "kernels/filters/plane.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "kernels/filters/all_extreme.hpp"
 
 namespace fathom::polytope {
 
@@ -78,7 +78,8 @@ bool is_closed(const std::vector<Side>& sides) {
 
 /// Whether the cone from `eye` over the triangle holds the point. The triangle is seen
 /// counter-clockwise from the other side of its plane if `sign` is 1.
-bool cone_holds(const BoxedPoints& points, std::uint32_t eye, const MeshTriangle& triangle, std::uint32_t point, int sign) {
+bool cone_holds(const BoxedPoints& points, std::uint32_t eye, const MeshTriangle& triangle, std::uint32_t point,
+                int sign) {
   for (std::size_t i = 0; i < 3; ++i)
     if (sign * to_int(Plane(points, eye, triangle[i], triangle[(i + 1) % 3]).side(point)) < 0) return false;
   return true;
@@ -95,8 +96,8 @@ std::vector<MeshTriangle> triangles_of(const Polytope& hull) {
   std::vector<MeshTriangle> triangles;
   for (const Facet& facet : hull.facets)
     for (std::uint32_t i = facet.begin + 1; i + 1 < facet.end; ++i)
-      triangles.push_back(
-          {hull.input_ids[hull.corners[facet.begin]], hull.input_ids[hull.corners[i]], hull.input_ids[hull.corners[i + 1]]});
+      triangles.push_back({hull.input_ids[hull.corners[facet.begin]], hull.input_ids[hull.corners[i]],
+                           hull.input_ids[hull.corners[i + 1]]});
   return triangles;
 }
 
@@ -121,15 +122,16 @@ bool is_on_boundary(const Planes& planes, const std::vector<Vector>& points, con
 
 /// Which point is deepest below all facets, and how deep. The facet that was nearest to one point
 /// is tried first for the next.
-std::optional<DeepestPoint> deepest_point(const Polytope& hull, const std::vector<Vector>& points, std::span<const std::uint32_t> canonical,
-                                          std::size_t most_comparisons) {
+std::optional<DeepestPoint> deepest_point(const Polytope& hull, const std::vector<Vector>& points,
+                                          std::span<const std::uint32_t> canonical, std::size_t most_comparisons) {
   struct PlaneOfFacet {
     Vector normal;
     mpz_class height, square;
   };
   std::vector<PlaneOfFacet> planes;
   for (const Facet& facet : hull.facets)
-    planes.push_back({facet.normal, dot(facet.normal, hull.vertices[hull.corners[facet.begin]]), dot(facet.normal, facet.normal)});
+    planes.push_back(
+        {facet.normal, dot(facet.normal, hull.vertices[hull.corners[facet.begin]]), dot(facet.normal, facet.normal)});
   std::vector<bool> is_vertex(points.size());
   for (const std::uint32_t vertex : hull.input_ids) is_vertex[vertex] = true;
   DeepestPoint best;
@@ -150,12 +152,15 @@ std::optional<DeepestPoint> deepest_point(const Polytope& hull, const std::vecto
 }
 
 std::optional<Dents> dents_of(const std::vector<Vector>& points, std::span<const std::uint32_t> canonical,
-                              const std::vector<MeshTriangle>& triangles, const mpz_class& denominator, std::size_t most_comparisons) {
+                              const std::vector<MeshTriangle>& triangles, const mpz_class& denominator,
+                              std::size_t most_comparisons) {
   const Polytope hull = convex_hull(points);
   if (hull.rank < 3) return std::nullopt;
   Planes planes;
-  for (const Facet& facet : hull.facets) planes.emplace(facet.normal, dot(facet.normal, hull.vertices[hull.corners[facet.begin]]));
-  if (std::ranges::all_of(triangles, [&](const MeshTriangle& t) { return is_on_boundary(planes, points, t); })) return std::nullopt;
+  for (const Facet& facet : hull.facets)
+    planes.emplace(facet.normal, dot(facet.normal, hull.vertices[hull.corners[facet.begin]]));
+  if (std::ranges::all_of(triangles, [&](const MeshTriangle& t) { return is_on_boundary(planes, points, t); }))
+    return std::nullopt;
   Dents dents;
   if (is_closed(sides_by_edge(triangles))) {
     const mpz_class of_mesh = abs(six_volumes(points, triangles)), of_hull = six_volumes(points, triangles_of(hull));
@@ -172,7 +177,8 @@ std::vector<MeshTriangle> triangles_of(const MeshFaces& faces, std::span<const s
   std::vector<MeshTriangle> triangles;
   const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
     const MeshTriangle triangle = {canonical[p], canonical[q], canonical[r]};
-    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) triangles.push_back(triangle);
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+      triangles.push_back(triangle);
   };
   const std::vector<std::uint32_t>& corners = faces.corners;
   if (corners.empty() && faces.ends.empty())

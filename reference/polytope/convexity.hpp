@@ -36,8 +36,10 @@ struct DeepestPoint {
 
 /// A mesh whose hull is another body.
 struct Dents {
-  std::optional<mpq_class> volume_ratio;  ///< the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
-  std::optional<DeepestPoint> deepest;    ///< the point deepest inside the hull, of several the first; nullopt if it takes too long to find
+  std::optional<mpq_class>
+      volume_ratio;  ///< the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
+  std::optional<DeepestPoint>
+      deepest;  ///< the point deepest inside the hull, of several the first; nullopt if it takes too long to find
 };
 
 /// What is known of a mesh.
@@ -50,7 +52,8 @@ struct MeshConvexity {
 /// it lies in a facet's plane; a face without area belongs to it, and so does any face if all
 /// points lie in a plane. The search for the deepest point compares points with facets, and gives
 /// up after so many comparisons. Throws std::invalid_argument if there is no point.
-MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces, std::size_t most_comparisons = 1'000'000);
+MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces,
+                             std::size_t most_comparisons = 1'000'000);
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
 

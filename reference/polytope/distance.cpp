@@ -37,10 +37,12 @@ std::optional<SimplexFoot> foot(const std::vector<SimplexCorner>& corners) {
 
 bool nearest_of(const SimplexFoot& z, const std::vector<SimplexCorner>& corners) {
   const mpz_class square = dot(z.point, z.point);
-  return std::all_of(corners.begin(), corners.end(), [&](const SimplexCorner& c) { return z.denominator * dot(z.point, c.p) >= square; });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const SimplexCorner& c) { return z.denominator * dot(z.point, c.p) >= square; });
 }
 
-std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const SimplexFoot& z, std::uint32_t Difference::*side) {
+std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const SimplexFoot& z,
+                           std::uint32_t Difference::*side) {
   std::vector<Difference> differences;
   std::vector<mpq_class> weights;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -74,13 +76,15 @@ NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointC
   std::vector<SimplexCorner> corners{{{0, 0}, differences[{0, 0}]}};
   while (true) {
     const std::optional<SimplexFoot> nearest = nearest_in_simplex(corners);
-    if (!nearest || is_zero(nearest->point)) throw std::invalid_argument("nearest_points: the hulls have a point in common");
+    if (!nearest || is_zero(nearest->point))
+      throw std::invalid_argument("nearest_points: the hulls have a point in common");
     const SimplexFoot& z = *nearest;
     const Vector n = primitive(-z.point);
     const Difference ids = differences.extreme(n);
     const Vector p = differences[ids];
     if (z.denominator * dot(n, p) <= dot(n, z.point)) {
-      return {n, dot(n, p), shares(corners, z, &Difference::first), shares(corners, z, &Difference::second), differences.scans};
+      return {n, dot(n, p), shares(corners, z, &Difference::first), shares(corners, z, &Difference::second),
+              differences.scans};
     }
     corners.push_back({ids, p});
   }

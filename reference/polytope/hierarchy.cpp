@@ -42,7 +42,8 @@ std::vector<VertexId> face_of_cycle(HierarchyDescent& descent, const Polytope& p
 /// The facet with outward normal along u at the edge from v to w, or the edge itself.
 std::vector<VertexId> face_at_edge(const Polytope& p, VertexId v, VertexId w, const Vector& u) {
   const auto [from, to] = std::minmax(v, w);
-  const auto edge = std::ranges::lower_bound(p.edges, std::tuple(from, to), {}, [](const Edge& e) { return std::tuple(e.from, e.to); });
+  const auto edge = std::ranges::lower_bound(p.edges, std::tuple(from, to), {},
+                                             [](const Edge& e) { return std::tuple(e.from, e.to); });
   for (const FacetId f : {edge->left, edge->right}) {
     const Facet& facet = p.facets[f];
     if (same_direction(facet.normal, u)) return {p.corners.begin() + facet.begin, p.corners.begin() + facet.end};
@@ -74,16 +75,19 @@ Edges edges_of_hull(const Polytope& polytope, const std::vector<VertexId>& verti
   std::vector<Vector> points;
   for (const VertexId v : vertices) points.push_back(polytope.vertices[v]);
   const Polytope hull = convex_hull(points);
-  report.expect(hull.rank == 3 && hull.vertices.size() == vertices.size(), "a level is flat, or has points that are not vertices");
+  report.expect(hull.rank == 3 && hull.vertices.size() == vertices.size(),
+                "a level is flat, or has points that are not vertices");
   Edges edges;
-  for (const Edge& e : hull.edges) edges.insert(std::minmax(vertices[hull.input_ids[e.from]], vertices[hull.input_ids[e.to]]));
+  for (const Edge& e : hull.edges)
+    edges.insert(std::minmax(vertices[hull.input_ids[e.from]], vertices[hull.input_ids[e.to]]));
   return edges;
 }
 
 void check_removed(const Coarsening& c, Index level, const Edges& edges, kernels::Report& report) {
   std::size_t ends = 0;
   for (const auto& [from, to] : edges) {
-    report.expect(c.last[from] > level || c.last[to] > level || level + 1 == c.levels, "adjacent vertices are removed together");
+    report.expect(c.last[from] > level || c.last[to] > level || level + 1 == c.levels,
+                  "adjacent vertices are removed together");
     ends += (c.last[from] == level) + (c.last[to] == level);
   }
   for (const VertexId v : c.last.ids()) {
@@ -91,7 +95,8 @@ void check_removed(const Coarsening& c, Index level, const Edges& edges, kernels
     const std::span<const Coarsening::Link> links = c.links_of(v);
     report.expect(links.size() <= greatest_degree || level + 1 == c.levels, "a removed vertex has too many edges");
     ends -= links.size();
-    for (const Coarsening::Link& link : links) report.expect(edges.contains(std::minmax(v, link.vertex)), "a link is no edge");
+    for (const Coarsening::Link& link : links)
+      report.expect(edges.contains(std::minmax(v, link.vertex)), "a link is no edge");
   }
   report.expect(ends == 0, "links are not all edges of a vertex");
 }
@@ -105,7 +110,8 @@ std::vector<VertexId> HierarchyDescent::coarsest() const {
   if (p.rank == 3) return c_->top;
   std::vector<VertexId> vertices;
   if (p.rank == 2) {
-    for (Index i = 0; i < corners(*hierarchy_); i += Index{1} << (hierarchy_->levels() - 1)) vertices.push_back(p.corners[i]);
+    for (Index i = 0; i < corners(*hierarchy_); i += Index{1} << (hierarchy_->levels() - 1))
+      vertices.push_back(p.corners[i]);
   } else {
     std::ranges::copy(p.vertices.ids(), std::back_inserter(vertices));
   }
@@ -185,7 +191,8 @@ void HierarchyDescent::choose_sides() {
 void HierarchyDescent::collect(Side& s) {
   for (; s.change != no_change && c_->changes[s.change].level == level_ + 1; s.change = c_->changes[s.change].next) {
     const VertexId apex = c_->changes[s.change].apex;
-    if (std::find(apexes_.begin(), apexes_.begin() + count_, apex) == apexes_.begin() + count_) apexes_[count_++] = apex;
+    if (std::find(apexes_.begin(), apexes_.begin() + count_, apex) == apexes_.begin() + count_)
+      apexes_[count_++] = apex;
   }
 }
 
@@ -264,14 +271,16 @@ kernels::Report validate(const Hierarchy& hierarchy) {
   const Coarsening& c = hierarchy.coarsening();
   for (Index level = 0; level < c.levels; ++level) {
     const Edges edges = edges_of(c, level);
-    report.expect(edges == edges_of_hull(hierarchy.polytope(), vertices_of(c, level), report), "edges of level " + std::to_string(level));
+    report.expect(edges == edges_of_hull(hierarchy.polytope(), vertices_of(c, level), report),
+                  "edges of level " + std::to_string(level));
     check_removed(c, level, edges, report);
   }
   for (const Coarsening::Edge& e : c.edges) {
     for (Index i = e.changes; i != no_change; i = c.changes[i].next) {
       const Coarsening::Change& change = c.changes[i];
       report.expect(c.last[change.apex] + 1 == change.level, "an apex is not removed where it opens a facet");
-      report.expect(change.next == no_change || c.changes[change.next].level <= change.level, "changes are out of order");
+      report.expect(change.next == no_change || c.changes[change.next].level <= change.level,
+                    "changes are out of order");
     }
   }
   return report;

@@ -127,7 +127,9 @@ class HierarchyDescent {
   [[nodiscard]] std::vector<VertexId> neighbours() const;
 
   /// Rank 3, at the finest level: another highest vertex, adjacent to `highest`, if there is one.
-  [[nodiscard]] const VertexId* tied() const { return left_.level ? &left_.other : right_.level ? &right_.other : nullptr; }
+  [[nodiscard]] const VertexId* tied() const {
+    return left_.level ? &left_.other : right_.level ? &right_.other : nullptr;
+  }
   /// The sign of <u, v - highest>: positive if v is higher. One step.
   kernels::Sign rise(VertexId v) { return ++steps_, view_->rise(highest_.value, v.value); }
   [[nodiscard]] Steps steps() const { return steps_; }

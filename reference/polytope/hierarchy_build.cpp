@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "reference/polytope/hierarchy.hpp"
 #include "kernels/filters/plane.hpp"
 #include "kernels/id.hpp"
+#include "reference/polytope/hierarchy.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::polytope {
@@ -48,7 +48,9 @@ class HierarchySurface {
   HalfEdge add_edge(VertexId from, VertexId to);
   void join(HalfEdge h, HalfEdge following);
   HalfEdge cut_corner(HalfEdge h);
-  [[nodiscard]] std::uint32_t point(HalfEdge h) const { return origin_[h].value; }  // its origin, as the filters number it
+  [[nodiscard]] std::uint32_t point(HalfEdge h) const {
+    return origin_[h].value;
+  }  // its origin, as the filters number it
   std::vector<std::size_t> corners_of_facet(const Cycle& hole) const;
   void close(const Cycle& hole, std::vector<std::uint32_t>& touched);
 
@@ -166,7 +168,8 @@ void HierarchySurface::close(const Cycle& hole, std::vector<Index>& touched) {
       const HalfEdge side = add_edge(origin_[hole[from]], to == hole.size() ? origin_[hole[0]] : origin_[hole[to]]);
       facet.push_back(side);
       touched.push_back(edge_of(side));
-      Cycle& rest = holes.emplace_back(hole.begin() + static_cast<std::ptrdiff_t>(from), hole.begin() + static_cast<std::ptrdiff_t>(to));
+      Cycle& rest = holes.emplace_back(hole.begin() + static_cast<std::ptrdiff_t>(from),
+                                       hole.begin() + static_cast<std::ptrdiff_t>(to));
       rest.push_back(opposite(side));
     }
     from = to;

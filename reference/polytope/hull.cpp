@@ -20,7 +20,8 @@ using Index = std::uint32_t;
 
 /// Gives `polytope` the vertices points[id] for the ids marked in `extreme`, in ascending order.
 /// Returns the vertex of each id, or none.
-std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points, const std::vector<bool>& extreme) {
+std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector> points,
+                                      const std::vector<bool>& extreme) {
   std::vector<VertexId> number(points.size(), VertexId::none());
   for (Index id = 0; id < points.size(); ++id) {
     if (!extreme[id]) continue;
@@ -32,7 +33,9 @@ std::vector<VertexId> number_vertices(Polytope& polytope, std::span<const Vector
 }
 
 /// Turns a cycle so that it starts at its lowest vertex.
-void start_at_lowest(std::vector<VertexId>& cycle) { std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end()); }
+void start_at_lowest(std::vector<VertexId>& cycle) {
+  std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end());
+}
 
 void append_facet(Polytope& polytope, Vector normal, std::span<const VertexId> cycle) {
   const auto begin = static_cast<Index>(polytope.corners.size());
@@ -90,7 +93,8 @@ Polytope polygon(std::span<const Vector> points, std::span<const Index> ids, con
   std::reverse(cycle.begin() + 1, cycle.end());
   append_facet(polytope, -normal, cycle);
   const auto n = static_cast<Index>(cycle.size());
-  for (Index i = 0; i < n; ++i) polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], FacetId(0), FacetId(1)});
+  for (Index i = 0; i < n; ++i)
+    polytope.edges.push_back({polytope.corners[i], polytope.corners[(i + 1) % n], FacetId(0), FacetId(1)});
   return polytope;
 }
 
@@ -151,7 +155,8 @@ class Normals {
     mpz_sub(difference.z.get_mpz_t(), a.z.get_mpz_t(), b.z.get_mpz_t());
   }
   /// a b - c d.
-  static void two_by_two(const mpz_class& a, const mpz_class& b, const mpz_class& c, const mpz_class& d, mpz_class& result) {
+  static void two_by_two(const mpz_class& a, const mpz_class& b, const mpz_class& c, const mpz_class& d,
+                         mpz_class& result) {
     mpz_mul(result.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
     mpz_submul(result.get_mpz_t(), c.get_mpz_t(), d.get_mpz_t());
   }
@@ -228,7 +233,8 @@ std::vector<Edge> edges_of(const Polytope& polytope) {
   std::ranges::sort(halves, {}, [](const Edge& e) { return std::tuple(e.from, e.to, e.left); });
   std::vector<Edge> edges;
   edges.reserve(halves.size() / 2);
-  for (std::size_t i = 0; i < halves.size(); i += 2) edges.push_back({halves[i].from, halves[i].to, halves[i].left, halves[i + 1].right});
+  for (std::size_t i = 0; i < halves.size(); i += 2)
+    edges.push_back({halves[i].from, halves[i].to, halves[i].left, halves[i + 1].right});
   return edges;
 }
 
@@ -251,14 +257,17 @@ int affine_rank(std::span<const Vector> points) { return affine_span<mpz_class>(
 Polytope convex_hull(std::span<const Vector> points) {
   const kernels::DefaultFloatEnvironment environment;
   if (points.empty()) throw std::invalid_argument("convex_hull: no points");
-  if (points.size() > std::numeric_limits<std::int32_t>::max()) throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
+  if (points.size() > std::numeric_limits<std::int32_t>::max())
+    throw std::invalid_argument("convex_hull: more than 2^31 - 1 points");
   const std::vector<Index> ids = distinct_points(points);
   const Span<mpz_class> span = affine_span<mpz_class>(points, points.size());
   switch (span.rank) {
     case 0: return point(points);
     case 1: return segment(points, ids);
     case 2: return polygon(points, ids, span.normal);
-    default: return merge_coplanar(points, ids.size() <= few_points ? hull_triangles_of_few(points, ids) : hull_triangles(points, ids));
+    default:
+      return merge_coplanar(
+          points, ids.size() <= few_points ? hull_triangles_of_few(points, ids) : hull_triangles(points, ids));
   }
 }
 

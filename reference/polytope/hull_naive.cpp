@@ -32,7 +32,9 @@ struct Naive {
   std::span<const Vector> points;
   Ids ids;
 
-  [[nodiscard]] Vector normal(Index i, Index j, Index k) const { return cross(points[j] - points[i], points[k] - points[i]); }
+  [[nodiscard]] Vector normal(Index i, Index j, Index k) const {
+    return cross(points[j] - points[i], points[k] - points[i]);
+  }
 
   /// p lies between q and r.
   [[nodiscard]] bool in_segment(Index p, Index q, Index r) const {
@@ -92,7 +94,8 @@ struct Naive {
     for (const Index p : cycle) {
       for (const Index q : cycle) {
         if (p == q) continue;
-        const bool all_left = std::ranges::all_of(cycle, [&](Index r) { return r == p || r == q || dot(n, normal(p, q, r)) > 0; });
+        const bool all_left =
+            std::ranges::all_of(cycle, [&](Index r) { return r == p || r == q || dot(n, normal(p, q, r)) > 0; });
         if (all_left) hull.edges.insert(std::minmax(p, q));
       }
     }

@@ -3,6 +3,7 @@
 // CGAL's quickhull for many.
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -153,7 +154,9 @@ struct PlanarTraits {
   int axis;
 
   [[nodiscard]] bool less(Index p, Index q, int major, int minor) const {
-    const auto at = [&](Index i, int c) -> const mpz_class& { return kernels::coordinate(points->exact(i), (axis + c) % 3); };
+    const auto at = [&](Index i, int c) -> const mpz_class& {
+      return kernels::coordinate(points->exact(i), (axis + c) % 3);
+    };
     const int c = cmp(at(p, major), at(q, major));
     return c != 0 ? c < 0 : at(p, minor) < at(q, minor);
   }
@@ -173,7 +176,9 @@ struct PlanarTraits {
     return [view = *this](Index p, Index q) { return view.less(p, q, 2, 1); };
   }
   [[nodiscard]] Left_turn_2 left_turn_2_object() const {
-    return [view = *this](Index p, Index q, Index r) { return kernels::turn(*view.points, view.axis, p, q, r) == kernels::Sign::positive; };
+    return [view = *this](Index p, Index q, Index r) {
+      return kernels::turn(*view.points, view.axis, p, q, r) == kernels::Sign::positive;
+    };
   }
   [[nodiscard]] Orientation_2 orientation_2_object() const {
     return [view = *this](Index p, Index q, Index r) {
@@ -208,7 +213,9 @@ struct SpatialTraits {
   };
   struct Coplanar_3 {
     const kernels::BoxedPoints* points;
-    bool operator()(Index p, Index q, Index r, Index s) const { return kernels::Plane(*points, p, q, r).side(s) == kernels::Sign::zero; }
+    bool operator()(Index p, Index q, Index r, Index s) const {
+      return kernels::Plane(*points, p, q, r).side(s) == kernels::Sign::zero;
+    }
   };
   struct Construct_plane_3 {
     const kernels::BoxedPoints* points;
@@ -228,7 +235,8 @@ struct SpatialTraits {
   struct Has_on_positive_side_3 {
     const SpatialTraits* traits;
     bool operator()(const Plane_3& h, Index s) const {
-      if (const kernels::Sign side = h.plane.side(s); side != kernels::Sign::zero) return side == kernels::Sign::positive;
+      if (const kernels::Sign side = h.plane.side(s); side != kernels::Sign::zero)
+        return side == kernels::Sign::positive;
       if (!h.heart_side) h.heart_side = traits->heart_side(h);
       return *h.heart_side > 0;
     }
@@ -270,7 +278,8 @@ Heart choose_heart(const kernels::BoxedPoints& points, std::vector<Index>& order
 
 /// Four points come back from CGAL inside out, more come back right. Asks one triangle and turns
 /// all.
-void orient_outward(const kernels::BoxedPoints& points, std::span<const Index> corners, std::vector<HullTriangle>& triangles) {
+void orient_outward(const kernels::BoxedPoints& points, std::span<const Index> corners,
+                    std::vector<HullTriangle>& triangles) {
   const kernels::Plane plane(points, triangles[0][0], triangles[0][1], triangles[0][2]);
   const auto off_plane = std::ranges::find_if(corners, [&](Index v) { return plane.side(v) != kernels::Sign::zero; });
   if (plane.side(*off_plane) == kernels::Sign::negative) return;

@@ -140,11 +140,13 @@ PlacedPair place_wide(kernels::Positions a, kernels::Positions b) {
   lattice.origin = b.front();
   const std::vector<Point> from_a = offsets(a, lattice.origin), from_b = offsets(b, lattice.origin);
   const std::uint64_t coordinates = 3 * (a.size() + b.size());
-  lattice.denominator = common_denominator(from_a, from_b, [&](std::size_t size) { return size * coordinates <= most_bits; });
+  lattice.denominator =
+      common_denominator(from_a, from_b, [&](std::size_t size) { return size * coordinates <= most_bits; });
   if (lattice.denominator == 0) {
     throw InputError("input", 0,
-                     "the denominators of the " + std::to_string(a.size() + b.size()) + " points share too little: " +
-                         "over a common one all coordinates together would pass " + std::to_string(most_bits >> 23) + " MB");
+                     "the denominators of the " + std::to_string(a.size() + b.size()) +
+                         " points share too little: " + "over a common one all coordinates together would pass " +
+                         std::to_string(most_bits >> 23) + " MB");
   }
   for (const Point& p : from_a) lattice.a.push_back(multiple(p, lattice.denominator));
   for (const Point& p : from_b) lattice.b.push_back(multiple(p, lattice.denominator));
@@ -239,7 +241,8 @@ void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Row> Narro
   put(&pair.numbers[3 * size_a], low, origin);
   Extent<Row> extent;
   const kernels::Dyadic* p = pair.numbers.data();
-  for (const auto& [size, points] : {std::pair(size_a, &(pair.a.*list)), std::pair(pair.numbers.size() / 3 - size_a, &(pair.b.*list))}) {
+  for (const auto& [size, points] :
+       {std::pair(size_a, &(pair.a.*list)), std::pair(pair.numbers.size() / 3 - size_a, &(pair.b.*list))}) {
     points->resize(size);
     for (Row& q : *points) {
       put(p, low, q);
@@ -308,7 +311,8 @@ mpq_class PlacedPair::over_unit(const mpz_class& n) const { return kernels::rati
 
 Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
   const mpz_class unit = denominator * divisor;
-  return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit), origin.z + kernels::ratio(v.z, unit)};
+  return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit),
+          origin.z + kernels::ratio(v.z, unit)};
 }
 
 kernels::Positions Points::exact(std::vector<Point>& room) const {
@@ -320,7 +324,8 @@ kernels::Positions Points::exact(std::vector<Point>& room) const {
 std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
   std::vector<Point> points;
   points.reserve(body.size());
-  for (const std::array<double, 3>& p : body) points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
+  for (const std::array<double, 3>& p : body)
+    points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
   return points;
 }
 

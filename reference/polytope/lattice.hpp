@@ -40,13 +40,16 @@ class Points {
   using Doubles = std::span<const std::array<double, 3>>;
 
   template <class Range>
-  requires std::is_convertible_v<const Range&, Doubles> Points(const Range& points)  // NOLINT(google-explicit-constructor)
+  requires std::is_convertible_v<const Range&, Doubles> Points(
+      const Range& points)  // NOLINT(google-explicit-constructor)
       : doubles_(points), exact_(nullptr, 0) {}
   template <class Range>
-  requires std::is_convertible_v<const Range&, kernels::Positions> Points(const Range& points)  // NOLINT(google-explicit-constructor)
+  requires std::is_convertible_v<const Range&, kernels::Positions> Points(
+      const Range& points)  // NOLINT(google-explicit-constructor)
       : exact_(points) {}
   Points(const GivenPoints& points)  // NOLINT(google-explicit-constructor)
-      : doubles_(points.binary64()), exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
+      : doubles_(points.binary64()),
+        exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
 
   [[nodiscard]] std::size_t size() const { return doubles_.size() + exact_.size(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -95,7 +98,9 @@ mpz_class to_mpz(const kernels::FixedInteger<Bits>& n) {
 template <class Body>
 using IntegerOf = std::remove_cvref_t<decltype(std::declval<const Body&>()[0].x)>;
 
-inline Vector difference(const kernels::PointCloud& a, const kernels::PointCloud& b, Difference d) { return b[d.second] - a[d.first]; }
+inline Vector difference(const kernels::PointCloud& a, const kernels::PointCloud& b, Difference d) {
+  return b[d.second] - a[d.first];
+}
 
 /// The implicit vertex set of P = B (+) (-A): all differences b - a of two bodies, at the cost of
 /// linear scans. The bodies must outlive it.
@@ -256,7 +261,11 @@ class NarrowBodies {
  public:
   /// All must outlive it. `pair` is what place_narrow made of the points.
   NarrowBodies(const NarrowPair& pair, const Points& given_a, const Points& given_b, kernels::ScanMemory& memory)
-      : a(pair.a, pair.exponent, memory), b(pair.b, pair.exponent, memory), pair_(pair), given_a_(given_a), given_b_(given_b) {}
+      : a(pair.a, pair.exponent, memory),
+        b(pair.b, pair.exponent, memory),
+        pair_(pair),
+        given_a_(given_a),
+        given_b_(given_b) {}
 
   NarrowPoints a, b;
 

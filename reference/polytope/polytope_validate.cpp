@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/report.hpp"
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "kernels/report.hpp"
 
 namespace fathom::polytope {
 
@@ -25,7 +25,8 @@ constexpr Index no_side = std::numeric_limits<Index>::max();
 /// corner to the next.
 struct Sides {
   explicit Sides(const Polytope& polytope) : p(polytope), facet(p.corners.size()), twin(p.corners.size(), no_side) {
-    for (const FacetId f : p.facets.ids()) std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
+    for (const FacetId f : p.facets.ids())
+      std::fill(facet.begin() + p.facets[f].begin, facet.begin() + p.facets[f].end, f);
     for (Index s = 0; s < p.corners.size(); ++s) by_ends.push_back({ends(s), s});
     std::ranges::sort(by_ends);
   }
@@ -33,7 +34,9 @@ struct Sides {
   using Ends = std::pair<VertexId, VertexId>;
 
   [[nodiscard]] Index next(Index s) const { return s + 1 == p.facets[facet[s]].end ? p.facets[facet[s]].begin : s + 1; }
-  [[nodiscard]] Index previous(Index s) const { return s == p.facets[facet[s]].begin ? p.facets[facet[s]].end - 1 : s - 1; }
+  [[nodiscard]] Index previous(Index s) const {
+    return s == p.facets[facet[s]].begin ? p.facets[facet[s]].end - 1 : s - 1;
+  }
   [[nodiscard]] Ends ends(Index s) const { return {p.corners[s], p.corners[next(s)]}; }
   [[nodiscard]] const Vector& normal(Index s) const { return p.facets[facet[s]].normal; }
   [[nodiscard]] Vector direction(Index s) const { return p.vertices[ends(s).second] - p.vertices[ends(s).first]; }
@@ -75,7 +78,8 @@ bool pair_sides(Sides& sides, kernels::Report& report) {
     const Edge& e = p.edges[i];
     const Index l = sides.find({e.from, e.to}, e.left), r = sides.find({e.to, e.from}, e.right);
     if (l == no_side || r == no_side) {
-      report.faults.push_back("edge " + std::to_string(i) + " is not a side of its left and, reversed, of its right facet");
+      report.faults.push_back("edge " + std::to_string(i) +
+                              " is not a side of its left and, reversed, of its right facet");
     } else if (sides.twin[l] != no_side || sides.twin[r] != no_side) {
       report.faults.push_back("edge " + std::to_string(i) + " repeats an earlier edge");
     } else {
@@ -142,7 +146,8 @@ void validate_surface(const Polytope& polytope, kernels::Report& report) {
     const bool convex = !is_zero(along) && same_direction(along, polytope.vertices[e.to] - polytope.vertices[e.from]);
     report.expect(convex, "edge " + std::to_string(i) + " is flat or reflex");
   }
-  kernels::IdVector<VertexId, Index> sides_at(polytope.vertices.size(), 0), some_side(polytope.vertices.size(), no_side);
+  kernels::IdVector<VertexId, Index> sides_at(polytope.vertices.size(), 0),
+      some_side(polytope.vertices.size(), no_side);
   for (Index s = 0; s < polytope.corners.size(); ++s) {
     ++sides_at[polytope.corners[s]];
     some_side[polytope.corners[s]] = s;
@@ -165,9 +170,15 @@ void check_counts(const Polytope& p, kernels::Report& report) {
   const std::size_t v = p.vertices.size(), e = p.edges.size(), f = p.facets.size(), c = p.corners.size();
   switch (p.rank) {
     case 0: report.expect(v == 1 && e == 0 && f == 0 && c == 0, "a point has one vertex and nothing else"); break;
-    case 1: report.expect(v == 2 && e == 1 && f == 0 && c == 0, "a segment has two vertices, one edge and no facet"); break;
-    case 2: report.expect(v >= 3 && e == v && f == 2 && c == 2 * v, "a polygon has as many edges as vertices and two facets"); break;
-    case 3: report.expect(v + f == e + 2 && c == 2 * e && f >= 4, "a solid has V - E + F = 2, and two facets at each edge"); break;
+    case 1:
+      report.expect(v == 2 && e == 1 && f == 0 && c == 0, "a segment has two vertices, one edge and no facet");
+      break;
+    case 2:
+      report.expect(v >= 3 && e == v && f == 2 && c == 2 * v, "a polygon has as many edges as vertices and two facets");
+      break;
+    case 3:
+      report.expect(v + f == e + 2 && c == 2 * e && f >= 4, "a solid has V - E + F = 2, and two facets at each edge");
+      break;
     default: report.expect(false, "rank is not 0, 1, 2 or 3");
   }
   report.expect(p.input_ids.size() == v, "there are not as many input ids as vertices");
@@ -177,13 +188,15 @@ void check_ranges(const Polytope& p, kernels::Report& report) {
   const auto vertex = [&](VertexId v) { return v.value < p.vertices.size(); };
   const auto facet = [&](FacetId f) { return p.rank == 1 ? f.is_none() : f.value < p.facets.size(); };
   for (const Edge& e : p.edges) {
-    report.expect(vertex(e.from) && vertex(e.to) && e.from != e.to, "an edge has an end that is no vertex, or equal ends");
+    report.expect(vertex(e.from) && vertex(e.to) && e.from != e.to,
+                  "an edge has an end that is no vertex, or equal ends");
     report.expect(facet(e.left) && facet(e.right), "an edge refers to a facet that is none");
   }
   Index expected = 0;
   for (const Facet& f : p.facets) {
     const bool fits = f.begin == expected && f.end <= p.corners.size() && f.end >= f.begin && f.end - f.begin >= 3;
-    if (!report.expect(fits, "a facet's corners do not follow those of the facet before, or are fewer than three")) return;
+    if (!report.expect(fits, "a facet's corners do not follow those of the facet before, or are fewer than three"))
+      return;
     expected = f.end;
   }
   report.expect(expected == p.corners.size(), "there are corners of no facet");
@@ -192,7 +205,8 @@ void check_ranges(const Polytope& p, kernels::Report& report) {
 
 /// Vertices are input points, each under the lowest index that it has there.
 void check_ids(const Polytope& p, std::span<const Vector> points, kernels::Report& report) {
-  report.expect(std::ranges::adjacent_find(p.input_ids, std::greater_equal<>()) == p.input_ids.end(), "input ids do not ascend");
+  report.expect(std::ranges::adjacent_find(p.input_ids, std::greater_equal<>()) == p.input_ids.end(),
+                "input ids do not ascend");
   DistinctPoints vertices = no_points_yet(points, p.vertices.size());
   for (const VertexId i : p.vertices.ids()) {
     const std::string name = "vertex " + std::to_string(i.value);
@@ -202,7 +216,8 @@ void check_ids(const Polytope& p, std::span<const Vector> points, kernels::Repor
   }
   for (Index i = 0; i < points.size(); ++i) {
     const auto found = vertices.find(i);
-    if (found != vertices.end()) report.expect(*found <= i, "input point " + std::to_string(i) + " equals a vertex and has a lower index");
+    if (found != vertices.end())
+      report.expect(*found <= i, "input point " + std::to_string(i) + " equals a vertex and has a lower index");
   }
 }
 
@@ -222,7 +237,8 @@ void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::R
   };
   if (!report.expect(p.facets.front().end == n, "the two facets of a polygon differ in size")) return;
   const kernels::IdVector<VertexId, Index> front = slot_of(0), back = slot_of(n);
-  report.expect(p.facets.back().normal == -p.facets.front().normal, "the normals of a polygon's facets are not opposite");
+  report.expect(p.facets.back().normal == -p.facets.front().normal,
+                "the normals of a polygon's facets are not opposite");
   for (Index i = 0; i < n; ++i) {
     const VertexId u = p.corners[i], v = p.corners[(i + 1) % n];
     const bool reversed = back[u] != nowhere && back[v] != nowhere && (back[v] + 1) % n == back[u];
@@ -230,15 +246,16 @@ void check_polygon(const Polytope& p, std::span<const Vector> points, kernels::R
   }
   kernels::IdVector<VertexId, bool> used(n);
   for (const Edge& e : p.edges) {
-    const bool side =
-        front[e.from] != nowhere && p.corners[(front[e.from] + 1) % n] == e.to && e.left == FacetId(0) && e.right == FacetId(1);
+    const bool side = front[e.from] != nowhere && p.corners[(front[e.from] + 1) % n] == e.to && e.left == FacetId(0) &&
+                      e.right == FacetId(1);
     if (report.expect(side, "a polygon's edge does not run along facet 0 with facet 0 to its left")) {
       report.expect(!used[e.from], "a polygon's edge occurs twice");
       used[e.from] = true;
     }
   }
   const Facet& f = p.facets.front();
-  const bool planar = std::ranges::all_of(points, [&](const Vector& q) { return dot(f.normal, q - p.vertices.front()) == 0; });
+  const bool planar =
+      std::ranges::all_of(points, [&](const Vector& q) { return dot(f.normal, q - p.vertices.front()) == 0; });
   report.expect(planar, "an input point lies off the polygon's plane");
 }
 
@@ -253,11 +270,13 @@ void check_containment(const Polytope& p, std::span<const Vector> points, kernel
   if (p.rank == 2) {
     for (std::size_t i = 0; i < p.edges.size(); ++i) {
       const Vector& from = p.vertices[p.edges[i].from];
-      expect_none_beyond(cross(p.vertices[p.edges[i].to] - from, p.facets.front().normal), from, "side " + std::to_string(i));
+      expect_none_beyond(cross(p.vertices[p.edges[i].to] - from, p.facets.front().normal), from,
+                         "side " + std::to_string(i));
     }
   } else if (p.rank == 3) {
     for (const FacetId i : p.facets.ids()) {
-      expect_none_beyond(p.facets[i].normal, p.vertices[p.corners[p.facets[i].begin]], "facet " + std::to_string(i.value));
+      expect_none_beyond(p.facets[i].normal, p.vertices[p.corners[p.facets[i].begin]],
+                         "facet " + std::to_string(i.value));
     }
   }
 }

@@ -100,8 +100,10 @@ void divide_by_common_divisor(Lifted& g) {
 }
 
 // determinant * target - sum of numerators * generators, without its common divisor.
-Lifted residual(std::span<const Lifted> generators, const Lifted& target, const std::vector<std::size_t>& support, const Solution& s) {
-  Lifted r{{s.determinant * target.v.x, s.determinant * target.v.y, s.determinant * target.v.z}, s.determinant * target.w};
+Lifted residual(std::span<const Lifted> generators, const Lifted& target, const std::vector<std::size_t>& support,
+                const Solution& s) {
+  Lifted r{{s.determinant * target.v.x, s.determinant * target.v.y, s.determinant * target.v.z},
+           s.determinant * target.w};
   for (std::size_t i = 0; i < support.size(); ++i) {
     const Lifted& g = generators[support[i]];
     r.v.x -= s.numerators[i] * g.v.x;
@@ -191,8 +193,9 @@ class ConeSearch {
 // of Gilbert, Johnson and Keerthi). Large ones: Clarkson's sampling for problems of
 // linear-programming type, which calls itself on samples of O(sqrt n) points.
 
-constexpr std::size_t small_enough = 2000;  // points; of more, a sample with all forced points is at most 24 sqrt(n) + 26 < n
-constexpr std::size_t basis_size = 8;       // points: at most four differences make the answer
+constexpr std::size_t small_enough =
+    2000;  // points; of more, a sample with all forced points is at most 24 sqrt(n) + 26 < n
+constexpr std::size_t basis_size = 8;  // points: at most four differences make the answer
 
 bool is_zero(const Lifted& g) { return fathom::is_zero(g.v) && g.w == 0; }
 
@@ -214,7 +217,8 @@ std::vector<Vector> picked(const kernels::PointCloud& cloud, const std::vector<s
   return points;
 }
 
-void draw(Selection& selection, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t how_many, std::mt19937_64& random) {
+void draw(Selection& selection, const kernels::PointCloud& a, const kernels::PointCloud& b, std::size_t how_many,
+          std::mt19937_64& random) {
   for (; how_many > 0; --how_many) {
     const std::uint64_t i = random() % (a.size() + b.size());
     if (i < a.size()) selection.a.push_back(static_cast<std::uint32_t>(i));
@@ -222,7 +226,9 @@ void draw(Selection& selection, const kernels::PointCloud& a, const kernels::Poi
   }
 }
 
-void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& more) { to.insert(to.end(), more.begin(), more.end()); }
+void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& more) {
+  to.insert(to.end(), more.begin(), more.end());
+}
 
 ConeSearch::Nearest ConeSearch::nearest(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
   return differences_.a.size() + differences_.b.size() <= small_enough ? nearest_directly(target, lift)
@@ -256,7 +262,8 @@ ConeSearch::Nearest ConeSearch::nearest_directly(const Lifted& target, int lift)
   return z;
 }
 
-ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int lift, const std::vector<Difference>& seeds) {
+ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int lift,
+                                                    const std::vector<Difference>& seeds) {
   const kernels::PointCloud &all_a = differences_.a, &all_b = differences_.b;
   const std::size_t root = root_below(all_a.size() + all_b.size());
   std::mt19937_64 random(seed_++);
@@ -271,7 +278,8 @@ ConeSearch::Nearest ConeSearch::nearest_by_sampling(const Lifted& target, int li
   while (true) {
     Selection chosen = forced;
     draw(chosen, all_a, all_b, basis_size * root, random);
-    const kernels::PointCloud a(picked(all_a, chosen.a), all_a.exponent()), b(picked(all_b, chosen.b), all_b.exponent());
+    const kernels::PointCloud a(picked(all_a, chosen.a), all_a.exponent()),
+        b(picked(all_b, chosen.b), all_b.exponent());
     Differences sample{a, b};
     Nearest z = ConeSearch(sample, random()).nearest(target, lift, local_seeds);
     for (Difference& d : z.support) d = {chosen.a[d.first], chosen.b[d.second]};
@@ -351,7 +359,8 @@ std::vector<Difference> irredundant(std::vector<Difference> surrounding, const D
 }
 
 // Given O in the relative interior of the hull of `around`: decides between inside and boundary.
-void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSearch& cone, std::vector<Difference> around) {
+void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSearch& cone,
+                     std::vector<Difference> around) {
   while (true) {
     const std::vector<Vector> spanned = basis(vectors_of(around, differences));
     if (spanned.size() == 3) {
@@ -377,7 +386,8 @@ void decide_interior(PositionOfOrigin& answer, Differences& differences, ConeSea
   }
 }
 
-void expect_normal(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_normal(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a,
+                   std::span<const Vector> b) {
   if (!report.expect(answer.normal.has_value(), "a normal is missing")) return;
   const Vector& u = *answer.normal;
   report.expect(!is_zero(u) && primitive(u) == u, "the normal is not a primitive vector");
@@ -386,14 +396,16 @@ void expect_normal(kernels::Report& report, const PositionOfOrigin& answer, std:
   else report.expect(h == 0, "the normal does not support P in O");
 }
 
-void expect_common_point(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_common_point(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a,
+                         std::span<const Vector> b) {
   const auto in_a = convex_combination(a, answer.a), in_b = convex_combination(b, answer.b);
   report.expect(in_a.has_value(), "the weights of A are not convex weights of its points");
   report.expect(in_b.has_value(), "the weights of B are not convex weights of its points");
   if (in_a && in_b) report.expect(*in_a == *in_b, "the weighted points of A and B differ");
 }
 
-void expect_surrounding(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
+void expect_surrounding(kernels::Report& report, const PositionOfOrigin& answer, std::span<const Vector> a,
+                        std::span<const Vector> b) {
   std::vector<Vector> differences;
   for (const auto& [i, j] : answer.surrounding) {
     if (!report.expect(i < a.size() && j < b.size(), "a surrounding pair has an index out of range")) return;
@@ -406,7 +418,8 @@ void expect_surrounding(kernels::Report& report, const PositionOfOrigin& answer,
 
 PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("position_of_origin: an empty body");
-  if (a.exponent() != b.exponent()) throw std::invalid_argument("position_of_origin: the clouds differ in their exponents");
+  if (a.exponent() != b.exponent())
+    throw std::invalid_argument("position_of_origin: the clouds differ in their exponents");
   Differences differences{a, b};
   ConeSearch cone(differences);
   PositionOfOrigin answer;

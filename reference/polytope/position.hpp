@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two finite point sets A and B.
-// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof; of sets that
-//         are apart the exact distance: the point of P nearest to O, as convex weights of both.
-//                  [AGHRS, section 2.2, step before the algorithm; proofs/position.md, distance.md]
+// Output  whether O lies inside P = B (+) (-A), on its boundary or outside, with a proof; of sets
+//         that are apart the exact distance: the point of P nearest to O, as convex weights of
+//         both. [AGHRS, section 2.2, step before the algorithm; proofs/position.md, distance.md]
 // Time    linear expected in |A| + |B| for the position.
 #pragma once
 
@@ -39,7 +39,8 @@ struct PositionOfOrigin {
 PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b);
 
 /// Checks the proof, and nothing but the proof.
-[[nodiscard]] kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b);
+[[nodiscard]] kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a,
+                                       std::span<const Vector> b);
 
 /// The least |b - a| of two sets whose hulls have no point in common. With it the depth becomes one
 /// exact signed function of a sweep across contact. The nearest point of P is z = (h(n) / <n,n>) n
@@ -57,7 +58,8 @@ NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointC
 
 /// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic
 /// only.
-[[nodiscard]] kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b);
+[[nodiscard]] kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a,
+                                       std::span<const Vector> b);
 
 /// A difference and its place.
 struct SimplexCorner {

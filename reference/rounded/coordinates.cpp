@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/rounded/coordinates.hpp"
 
-
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
@@ -27,13 +26,17 @@ std::optional<Point> along(const Vector& n, const mpq_class& length) {
   return size ? std::optional((length / *size) * n) : std::nullopt;
 }
 
-double nearest(const Surd& value) { return sgn(value.root) == 0 ? round_binary64(value.rational) : round_binary64(value); }
+double nearest(const Surd& value) {
+  return sgn(value.root) == 0 ? round_binary64(value.rational) : round_binary64(value);
+}
 
 }  // namespace
 
 Coordinates coordinates(const Point& p) { return {Surd{p.x, 0}, Surd{p.y, 0}, Surd{p.z, 0}}; }
 
-Coordinates coordinates(const AlongNormal& vector) { return beyond(vector.alpha * vector.normal, vector.beta, vector.normal); }
+Coordinates coordinates(const AlongNormal& vector) {
+  return beyond(vector.alpha * vector.normal, vector.beta, vector.normal);
+}
 
 Coordinates coordinates(const RoundedPoint& point) { return beyond(point.core, point.distance, point.normal); }
 
@@ -42,7 +45,9 @@ Coordinates unit(const Vector& n) { return beyond({}, 1, n); }
 CoordinatePair coordinates(const Witness& witness) { return {coordinates(witness.a), coordinates(witness.b)}; }
 CoordinatePair coordinates(const RoundedWitness& witness) { return {coordinates(witness.a), coordinates(witness.b)}; }
 
-std::array<double, 3> nearest_binary64(const Coordinates& values) { return {nearest(values[0]), nearest(values[1]), nearest(values[2])}; }
+std::array<double, 3> nearest_binary64(const Coordinates& values) {
+  return {nearest(values[0]), nearest(values[1]), nearest(values[2])};
+}
 
 std::optional<Point> rational_point(const AlongNormal& vector) {
   const std::optional<Point> rest = along(vector.normal, vector.beta);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, translations and directions by their coordinates, each of which is rational but for one root: so they can be rounded correctly.
+// Points, translations and directions by their coordinates, each of which is rational but for one
+// root: so they can be rounded correctly.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a half-space, and the core of a shape that is a polytope: a sum of hulls of points.
-// Output  the one optimal direction, and the support in it. No sum is expanded.                                    [proofs/shapes.md]
+// Output  the one optimal direction, and the support in it. No sum is expanded.  [proofs/shapes.md]
 #pragma once
 
 #include <span>

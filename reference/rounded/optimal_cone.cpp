@@ -40,11 +40,15 @@ Fraction fraction(const Point& p) {
 
 // p - q, times both denominators.
 Vector between(const Fraction& q, const Fraction& p) {
-  const auto along = [&](const mpz_class& to, const mpz_class& from) { return mpz_class(to * q.denominator - from * p.denominator); };
-  return {along(p.numerators.x, q.numerators.x), along(p.numerators.y, q.numerators.y), along(p.numerators.z, q.numerators.z)};
+  const auto along = [&](const mpz_class& to, const mpz_class& from) {
+    return mpz_class(to * q.denominator - from * p.denominator);
+  };
+  return {along(p.numerators.x, q.numerators.x), along(p.numerators.y, q.numerators.y),
+          along(p.numerators.z, q.numerators.z)};
 }
 
-// One line leaves the lineality: the half of it below g becomes a ray, everything else is moved along it into the plane of g.
+// One line leaves the lineality: the half of it below g becomes a ray, everything else is moved
+// along it into the plane of g.
 void cut_line(ClippedCone& cone, std::size_t i, const Vector& g) {
   Vector ray = std::move(cone.lines[i]);
   cone.lines.erase(cone.lines.begin() + static_cast<std::ptrdiff_t>(i));
@@ -65,7 +69,8 @@ void cut_rays(ClippedCone& cone, const Vector& g) {
     if (height[i] <= 0) kept.push_back(cone.rays[i]);
     const std::size_t next = (i + 1) % size;
     if (size == 2 && next == 0) break;  // two rays are neighbours once
-    if (sgn(height[i]) * sgn(height[next]) < 0) kept.push_back(combined(abs(height[next]), cone.rays[i], abs(height[i]), cone.rays[next]));
+    if (sgn(height[i]) * sgn(height[next]) < 0)
+      kept.push_back(combined(abs(height[next]), cone.rays[i], abs(height[i]), cone.rays[next]));
   }
   cone.rays = std::move(kept);
 }
@@ -75,8 +80,8 @@ Vector upper(const Vector& v) { return lexicographically_less(v, -v) ? -v : v; }
 
 Vector lower(const Vector& v) { return lexicographically_less(v, -v) ? v : -v; }
 
-// The generators of bodies on a lattice, times the denominator k of the common point in its units: k b - v and v - k a, for the point v /
-// k.
+// The generators of bodies on a lattice, times the denominator k of the common point in its units:
+// k b - v and v - k a, for the point v / k.
 class Generators {
  public:
   Generators(const polytope::PlacedPair& pair, const Point& x) : pair_(pair), common_(fraction(on_lattice(pair, x))) {}
@@ -94,7 +99,9 @@ class Generators {
 
  private:
   static Point on_lattice(const polytope::PlacedPair& pair, const Point& x) {
-    const auto along = [&](const mpq_class& c, const mpq_class& origin) { return mpq_class((c - origin) * pair.denominator); };
+    const auto along = [&](const mpq_class& c, const mpq_class& origin) {
+      return mpq_class((c - origin) * pair.denominator);
+    };
     return {along(x.x, pair.origin.x), along(x.y, pair.origin.y), along(x.z, pair.origin.z)};
   }
 
@@ -107,7 +114,8 @@ class Generators {
   Fraction common_;
 };
 
-// A generator above one of the rays and lines that span the cone; nullopt if there is none. `below` are directions that none is above.
+// A generator above one of the rays and lines that span the cone; nullopt if there is none. `below`
+// are directions that none is above.
 std::optional<Vector> next_cut(const ClippedCone& cone, const Generators& generators, Directions& below) {
   const auto cut = [&](const Vector& u) {
     if (below.contains(u)) return std::optional<Vector>();
@@ -161,8 +169,10 @@ OptimalCone canonical(ClippedCone cone) {
   return result;
 }
 
-// Where the bodies meet in the known direction all generators cut; elsewhere only some that are above a direction of the cone so far.
-OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x, const Vector& known) {
+// Where the bodies meet in the known direction all generators cut; elsewhere only some that are
+// above a direction of the cone so far.
+OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x,
+                         const Vector& known) {
   context.report("optimal cone");
   const bool all = pair.a.size() + pair.b.size() <= few;
   const Vector u = all ? Vector{} : known;  // in direction 0 every point is extreme
@@ -197,7 +207,8 @@ OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernel
   return canonical(std::move(cone));
 }
 
-// The sum of all extreme rays is inside the part orthogonal to the lineality. Without rays the cone is a linear space.
+// The sum of all extreme rays is inside the part orthogonal to the lineality. Without rays the cone
+// is a linear space.
 Vector inner_direction(const OptimalCone& cone) {
   if (cone.rays.empty()) return cone.direction();
   Vector sum;
@@ -226,7 +237,8 @@ std::vector<Vector> lineality_basis(const OptimalCone& cone) {
   if (cone.lineality == Lineality::plane) {
     for (const Vector& e : whole_space().lines) {
       const Vector v = primitive(cross(cone.axis, e));
-      if (!is_zero(v) && (basis.empty() || (basis.size() == 1 && !is_zero(cross(basis.front(), v))))) basis.push_back(v);
+      if (!is_zero(v) && (basis.empty() || (basis.size() == 1 && !is_zero(cross(basis.front(), v)))))
+        basis.push_back(v);
     }
   }
   return basis;
@@ -241,12 +253,15 @@ kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels:
   std::vector<Vector> optimal = cone.rays;
   for (const Vector& ray : cone.rays) {
     report.expect(!is_zero(ray) && ray == primitive(ray), "a ray is not primitive");
-    if (cone.lineality == Lineality::line) report.expect(dot(ray, cone.axis) == 0, "a ray is not orthogonal to the line");
-    if (cone.lineality == Lineality::plane) report.expect(is_zero(cross(ray, cone.axis)), "a ray is not orthogonal to the plane");
+    if (cone.lineality == Lineality::line)
+      report.expect(dot(ray, cone.axis) == 0, "a ray is not orthogonal to the line");
+    if (cone.lineality == Lineality::plane)
+      report.expect(is_zero(cross(ray, cone.axis)), "a ray is not orthogonal to the plane");
   }
   for (const Vector& line : lineality_basis(cone)) optimal.insert(optimal.end(), {line, -line});
   report.expect(!optimal.empty(), "no direction");
-  for (const Vector& u : optimal) report.expect(support_sign(a, b, u) == 0, "a plane in an optimal direction does not separate the bodies");
+  for (const Vector& u : optimal)
+    report.expect(support_sign(a, b, u) == 0, "a plane in an optimal direction does not separate the bodies");
   return report;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies that touch, and a common point x.
-// Output  all directions in which a plane through x has them on its two sides: the polar of the m + n generators b - x and x - a.
-// Time    scans for support points, and as many clips as there are generators that cut; without a common lattice O((m + n) r) for at most
-//         r rays on the way.                                                                                       [proofs/shapes.md]
+// Output  all directions in which a plane through x has them on its two sides: the polar of the m +
+//         n generators b - x and x - a.
+// Time    scans for support points, and as many clips as there are generators that cut; without a
+//         common lattice O((m + n) r) for at most r rays on the way.             [proofs/shapes.md]
 #pragma once
 
 #include <vector>
@@ -30,8 +31,10 @@ void clip(ClippedCone& cone, const Vector& g);
 /// The canonical form. The order of the rays' cycle is lost.
 OptimalCone canonical(ClippedCone cone);
 
-/// {u : h(u) = 0}, where `known` is one of them. Throws std::logic_error if there is none: then x is no common point of bodies that touch.
-OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x, const Vector& known);
+/// {u : h(u) = 0}, where `known` is one of them. Throws std::logic_error if there is none: then x
+/// is no common point of bodies that touch.
+OptimalCone optimal_cone(kernels::Context& context, const polytope::PlacedPair& pair, const Point& x,
+                         const Vector& known);
 
 /// The same by all generators, for bodies without a common lattice: the naive twin.
 OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernels::Positions b, const Point& x);
@@ -45,7 +48,8 @@ Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& 
 /// Independent vectors that span the lineality: as many as its dimension.
 std::vector<Vector> lineality_basis(const OptimalCone& cone);
 
-/// Checks that h is 0 in every direction named, and that the form is canonical; not that no direction is missing.
+/// Checks that h is 0 in every direction named, and that the form is canonical; not that no
+/// direction is missing.
 [[nodiscard]] kernels::Report validate(const OptimalCone& cone, kernels::Positions a, kernels::Positions b);
 
 }  // namespace fathom::rounded

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The signed depth of two shapes: cores that are polytopes are answered by penetration_depth, and so is a half-space against one; the
-// radii are added. And the accessors of SignedDepth for every kind of cores.
+// The signed depth of two shapes: cores that are polytopes are answered by penetration_depth, and
+// so is a half-space against one; the radii are added. And the accessors of SignedDepth for every
+// kind of cores.
 #include "fathom/signed_depth.hpp"
 
 #include <stdexcept>
@@ -56,18 +57,28 @@ namespace fathom {
 namespace {
 
 // The square of h(n)/|n| with the sign of h(n).
-mpq_class signed_square(const PlaneSupport& plane) { return plane.support * abs(plane.support) / dot(plane.direction, plane.direction); }
+mpq_class signed_square(const PlaneSupport& plane) {
+  return plane.support * abs(plane.support) / dot(plane.direction, plane.direction);
+}
 
-// Cores that are polytopes. Those that touch have a common lattice, unless their denominators share too little.
-SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Shape& of_a, const Shape& of_b, const Options& options) {
+// Cores that are polytopes. Those that touch have a common lattice, unless their denominators share
+// too little.
+SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Shape& of_a, const Shape& of_b,
+                            const Options& options) {
   kernels::Context context(options.monitor);
   solve::PlacedDepth found = solve::placed_depth(context, a, b, options);
-  SignedDepth result{Surd{of_a.radius + of_b.radius, signed_square(found.depth)}, of_a.radius, of_b.radius, std::move(found.depth), {}, {}};
+  SignedDepth result{Surd{of_a.radius + of_b.radius, signed_square(found.depth)},
+                     of_a.radius,
+                     of_b.radius,
+                     std::move(found.depth),
+                     {},
+                     {}};
   if (const Touch* touch = std::get<Depth>(result.core).touch()) {
     result.cone = found.pair ? rounded::optimal_cone(context, *found.pair, touch->point, touch->direction)
                              : rounded::optimal_cone(context, a, b, touch->point);
     const Vector n = rounded::inner_direction(*result.cone);
-    result.touching = found.pair ? depth::contact_of(depth::facing_faces(*found.pair, n)) : rounded::contact_along(a, b, n);
+    result.touching =
+        found.pair ? depth::contact_of(depth::facing_faces(*found.pair, n)) : rounded::contact_along(a, b, n);
     if (options.validate) kernels::insist(rounded::validate(*result.cone, a, b));
   }
   return result;
@@ -79,7 +90,8 @@ kernels::Positions centers(const Shape& shape) {
 }
 
 // nullopt unless every atom is a point.
-std::optional<SignedDepth> depth_of_half_space(const HalfSpace& half, rounded::Side side, const Shape& a, const Shape& b) {
+std::optional<SignedDepth> depth_of_half_space(const HalfSpace& half, rounded::Side side, const Shape& a,
+                                               const Shape& b) {
   const std::vector<Term>& terms = std::get<std::vector<Term>>((side == rounded::Side::a ? b : a).core);
   for (const Term& term : terms)
     for (const Atom& atom : term.atoms)
@@ -93,16 +105,20 @@ std::optional<SignedDepth> depth_of_half_space(const HalfSpace& half, rounded::S
 
 // nullopt if a core is curved, or a sum of too many points.
 std::optional<SignedDepth> exact_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
-  if (const HalfSpace* half = std::get_if<HalfSpace>(&a.core)) return depth_of_half_space(*half, rounded::Side::a, a, b);
-  if (const HalfSpace* half = std::get_if<HalfSpace>(&b.core)) return depth_of_half_space(*half, rounded::Side::b, a, b);
-  const auto points_a = shapes::polytope_points(a, most_expanded_points), points_b = shapes::polytope_points(b, most_expanded_points);
+  if (const HalfSpace* half = std::get_if<HalfSpace>(&a.core))
+    return depth_of_half_space(*half, rounded::Side::a, a, b);
+  if (const HalfSpace* half = std::get_if<HalfSpace>(&b.core))
+    return depth_of_half_space(*half, rounded::Side::b, a, b);
+  const auto points_a = shapes::polytope_points(a, most_expanded_points),
+             points_b = shapes::polytope_points(b, most_expanded_points);
   if (!points_a || !points_b) return std::nullopt;
   return depth_of_points(*points_a, *points_b, a, b, options.cores);
 }
 
 // Of valid shapes.
 SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
-  if (options.bits > most_bound_bits) throw std::invalid_argument("more than " + std::to_string(most_bound_bits) + " bits are asked for");
+  if (options.bits > most_bound_bits)
+    throw std::invalid_argument("more than " + std::to_string(most_bound_bits) + " bits are asked for");
   kernels::Context context(options.cores.monitor);
   curved::CurvedBounds bounds = curved::signed_bounds(context, a, b, options.bits, options.support_calls);
   if (options.cores.validate) kernels::insist(curved::validate(bounds, a, b));
@@ -134,7 +150,8 @@ SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOption
   if (points_of_a && !points_of_b) shapes::require_shape(a);
   if (points_of_b && !points_of_a) shapes::require_shape(b);
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
-    throw std::invalid_argument("two half-spaces have no signed depth: it would be infinite, or that of one direction by convention");
+    throw std::invalid_argument(
+        "two half-spaces have no signed depth: it would be infinite, or that of one direction by convention");
   if (std::optional<SignedDepth> depth = exact_depth(a, b, options)) return std::move(*depth);
   // Spheres that were given as balls.
   const Shape simple_a = shapes::simplified(a), simple_b = shapes::simplified(b);

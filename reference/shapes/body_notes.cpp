@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/shapes/body_notes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <span>
 #include <utility>
@@ -81,19 +82,22 @@ Lengths extent_of(const Shape& shape, const std::vector<Term>& terms) {
 
 /// A length, or what it is more than if it is beyond the numbers.
 std::string number_text(double length) {
-  return std::isfinite(length) ? fmt::format("{:.4g}", length) : fmt::format("over {:.4g}", std::numeric_limits<double>::max());
+  return std::isfinite(length) ? fmt::format("{:.4g}", length)
+                               : fmt::format("over {:.4g}", std::numeric_limits<double>::max());
 }
 
 std::string text_of(const std::optional<Lengths>& lengths) {
   if (!lengths) return "a half-space";
-  return fmt::format("{} x {} x {}", number_text((*lengths)[0]), number_text((*lengths)[1]), number_text((*lengths)[2]));
+  return fmt::format("{} x {} x {}", number_text((*lengths)[0]), number_text((*lengths)[1]),
+                     number_text((*lengths)[2]));
 }
 
 }  // namespace
 
 std::string dents_of(std::string_view body, const polytope::Dents& dents) {
-  std::string text = fmt::format("{} is not convex: {}", body,
-                                 dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
+  std::string text =
+      fmt::format("{} is not convex: {}", body,
+                  dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
   if (!dents.deepest) return text;
   if (dents.deepest->squared_depth == 0) return text + ", all its points are on the hull";
   return text + fmt::format(", its deepest point is {:.3g} inside", root_binary64(dents.deepest->squared_depth));
@@ -101,7 +105,8 @@ std::string dents_of(std::string_view body, const polytope::Dents& dents) {
 
 std::optional<Lengths> extent(const Body& body) {
   if (body.pieces) return extent_of(polytope::joined(*body.pieces));
-  if (!body.shape) return body.points.in_binary64() ? extent_of(body.points.binary64()) : extent_of(body.points.exact());
+  if (!body.shape)
+    return body.points.in_binary64() ? extent_of(body.points.binary64()) : extent_of(body.points.exact());
   const auto* const terms = std::get_if<std::vector<Term>>(&body.shape->core);
   return terms ? std::optional(extent_of(*body.shape, *terms)) : std::nullopt;
 }
@@ -110,17 +115,21 @@ BodySizes sizes_of(const Body& a, const Body& b) { return {extent(a), extent(b)}
 
 BodySizes sizes_of(const Body& a) { return {extent(a), std::nullopt, true}; }
 
-std::string sizes_text(const BodySizes& sizes) { return "A " + text_of(sizes.a) + (sizes.one_body ? "" : ", B " + text_of(sizes.b)); }
+std::string sizes_text(const BodySizes& sizes) {
+  return "A " + text_of(sizes.a) + (sizes.one_body ? "" : ", B " + text_of(sizes.b));
+}
 
 std::optional<std::string> sizes_note(const BodySizes& sizes) {
   if (!sizes.a || !sizes.b) return std::nullopt;
   const double of_a = std::ranges::max(*sizes.a), of_b = std::ranges::max(*sizes.b);
   const bool a_is_large = of_a > of_b;
-  const double large = std::max(of_a, of_b), ratio = std::min(large, std::numeric_limits<double>::max()) / std::min(of_a, of_b);
+  const double large = std::max(of_a, of_b),
+               ratio = std::min(large, std::numeric_limits<double>::max()) / std::min(of_a, of_b);
   if (of_a == 0 || of_b == 0 || !(ratio > remarkable)) return std::nullopt;
-  const std::string times = std::isfinite(large) || std::isinf(ratio) ? number_text(ratio) : "over " + number_text(ratio);
-  return fmt::format("{} is {} times as large as {} (sizes: {}): are both in the same unit?", a_is_large ? 'A' : 'B', times,
-                     a_is_large ? 'B' : 'A', sizes_text(sizes));
+  const std::string times =
+      std::isfinite(large) || std::isinf(ratio) ? number_text(ratio) : "over " + number_text(ratio);
+  return fmt::format("{} is {} times as large as {} (sizes: {}): are both in the same unit?", a_is_large ? 'A' : 'B',
+                     times, a_is_large ? 'B' : 'A', sizes_text(sizes));
 }
 
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
@@ -143,7 +152,9 @@ std::optional<DentedPieces> dented_pieces(const Body& body) {
   for (std::size_t i = 0; i < body.pieces->size(); ++i) {
     const std::vector<Point>& points = (*body.pieces)[i];
     MeshFaces faces;
-    const auto is_its = [&] { return (!all.ends.empty() && all.ends[face] == begin) || all.corners[begin] < before + points.size(); };
+    const auto is_its = [&] {
+      return (!all.ends.empty() && all.ends[face] == begin) || all.corners[begin] < before + points.size();
+    };
     for (; face < count && is_its(); ++face) {
       const std::size_t end = all.ends.empty() ? begin + 3 : all.ends[face];
       for (; begin < end; ++begin) faces.corners.push_back(static_cast<std::uint32_t>(all.corners[begin] - before));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What people are to hear of the bodies before they read an answer: how large they are, and whether the meshes are the hulls that stand for
-// them. A millimetre that was taken for a metre shows there, and so does the hole of a torus.
+// What people are to hear of the bodies before they read an answer: how large they are, and whether
+// the meshes are the hulls that stand for them. A millimetre that was taken for a metre shows
+// there, and so does the hole of a torus.
 #pragma once
 
 #include <array>
@@ -15,11 +16,13 @@
 
 namespace fathom::shapes {
 
-/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", of the body so called.
+/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", of the
+/// body so called.
 std::string dents_of(std::string_view body, const polytope::Dents& dents);
 
-/// The lengths of a body's box along x, y and z, rounded to the nearest binary64, infinity included; of bodies with discs or balls, upper
-/// bounds that are off by a few units in the last place at most. nullopt of a half-space.
+/// The lengths of a body's box along x, y and z, rounded to the nearest binary64, infinity
+/// included; of bodies with discs or balls, upper bounds that are off by a few units in the last
+/// place at most. nullopt of a half-space.
 std::optional<std::array<double, 3>> extent(const Body& body);
 
 /// The extents of the bodies of a case.
@@ -42,8 +45,8 @@ std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 /// The pieces of a union that are no hulls of their own, by their numbers.
 using DentedPieces = std::vector<std::pair<std::size_t, polytope::Dents>>;
 
-/// Compares the pieces with their hulls, or a mesh as the only one; nullopt if there are no faces. A piece of which that was not tried is
-/// left out.
+/// Compares the pieces with their hulls, or a mesh as the only one; nullopt if there are no faces.
+/// A piece of which that was not tried is left out.
 std::optional<DentedPieces> dented_pieces(const Body& body);
 
 /// What is known of the bodies of a case.
@@ -52,8 +55,9 @@ struct HullFacts {
   std::optional<DentedPieces> pieces_a = std::nullopt, pieces_b = std::nullopt;
 };
 
-/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for each body that is not, joined by "; "; or
-/// "". Of a union the first such piece is told of, and how many there are.
+/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for
+/// each body that is not, joined by "; "; or "". Of a union the first such piece is told of, and
+/// how many there are.
 std::string dents_text(const HullFacts& facts);
 
 /// The same of one union, called `body`.

@@ -9,10 +9,10 @@
 #include <utility>
 #include <variant>
 
+#include "kernels/float_environment.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
-#include "kernels/float_environment.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::shapes {
@@ -31,7 +31,8 @@ void require_numbers(const Atom& atom) {
 
 void require_axes(const Atom& atom) {
   if (const std::size_t axes = atom.axes.size(); axes != 0 && axes != 2 && axes != 3)
-    throw std::invalid_argument("an atom has " + std::to_string(axes) + " axes: a point has none, a disc two, a ball three");
+    throw std::invalid_argument("an atom has " + std::to_string(axes) +
+                                " axes: a point has none, a disc two, a ball three");
 }
 
 // Returns whether it is one hull of points, whose numbers are not looked at.

@@ -7,8 +7,8 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/shapes/core.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/shapes/core.hpp"
 
 namespace fathom::shapes {
 namespace {
@@ -36,7 +36,9 @@ Atom disc(Axis axis, const mpq_class& place, const mpq_class& radius) {
   return {along(axis, place), {along(u, radius), along(v, radius)}};
 }
 
-Shape of_atoms(std::vector<Atom> atoms, const mpq_class& radius = 0) { return {std::vector<Term>{{std::move(atoms)}}, radius}; }
+Shape of_atoms(std::vector<Atom> atoms, const mpq_class& radius = 0) {
+  return {std::vector<Term>{{std::move(atoms)}}, radius};
+}
 
 // ---- poses ----
 
@@ -52,9 +54,11 @@ void require_numbers(const Pose& pose) {
     for (const mpq_class& x : row) kernels::require_lowest_terms(x);
 }
 
-// The transpose of the inverse matrix, which maps normals of planes. Its rows are cross products over the determinant.
+// The transpose of the inverse matrix, which maps normals of planes. Its rows are cross products
+// over the determinant.
 Pose normal_map(const Pose& pose) {
-  const Point x = cross_product(pose[1], pose[2]), y = cross_product(pose[2], pose[0]), z = cross_product(pose[0], pose[1]);
+  const Point x = cross_product(pose[1], pose[2]), y = cross_product(pose[2], pose[0]),
+              z = cross_product(pose[0], pose[1]);
   const mpq_class determinant = pose[0][0] * x.x + pose[0][1] * x.y + pose[0][2] * x.z;
   if (determinant == 0) throw std::invalid_argument("the matrix of a pose is singular");
   const auto row = [&](const Point& p) { return Row{p.x / determinant, p.y / determinant, p.z / determinant, 0}; };
@@ -94,7 +98,8 @@ Shape sphere(const mpq_class& radius) {
 Shape capsule(const mpq_class& radius, const mpq_class& half_length, Axis axis) {
   shapes::require_positive(radius, "the radius of a capsule");
   shapes::require_positive(half_length, "the half length of a capsule");
-  return shapes::of_atoms({shapes::point(shapes::along(axis, -half_length)), shapes::point(shapes::along(axis, half_length))}, radius);
+  return shapes::of_atoms(
+      {shapes::point(shapes::along(axis, -half_length)), shapes::point(shapes::along(axis, half_length))}, radius);
 }
 
 // The smaller radius is that of the shape, so that at least one of the balls is a point.
@@ -104,13 +109,15 @@ Shape tapered_capsule(const mpq_class& low, const mpq_class& high, const mpq_cla
   shapes::require_positive(half_length, "the half length of a tapered capsule");
   const mpq_class radius = std::min(low, high);
   const auto end = [&](const mpq_class& place, const mpq_class& of_end) {
-    return of_end == radius ? shapes::point(shapes::along(axis, place)) : shapes::ball(shapes::along(axis, place), of_end - radius);
+    return of_end == radius ? shapes::point(shapes::along(axis, place))
+                            : shapes::ball(shapes::along(axis, place), of_end - radius);
   };
   return shapes::of_atoms({end(-half_length, low), end(half_length, high)}, radius);
 }
 
 Shape box(const Point& half) {
-  for (const mpq_class* length : {&half.x, &half.y, &half.z}) shapes::require_positive(*length, "a half length of a box");
+  for (const mpq_class* length : {&half.x, &half.y, &half.z})
+    shapes::require_positive(*length, "a half length of a box");
   std::vector<Atom> corners;
   for (const int z : {-1, 1})
     for (const int y : {-1, 1})
@@ -138,8 +145,10 @@ Shape frustum(const mpq_class& low, const mpq_class& high, const mpq_class& half
 }
 
 Shape ellipsoid(const Point& radii) {
-  for (const mpq_class* length : {&radii.x, &radii.y, &radii.z}) shapes::require_positive(*length, "a radius of an ellipsoid");
-  return shapes::of_atoms({{{}, {shapes::along(Axis::x, radii.x), shapes::along(Axis::y, radii.y), shapes::along(Axis::z, radii.z)}}});
+  for (const mpq_class* length : {&radii.x, &radii.y, &radii.z})
+    shapes::require_positive(*length, "a radius of an ellipsoid");
+  return shapes::of_atoms(
+      {{{}, {shapes::along(Axis::x, radii.x), shapes::along(Axis::y, radii.y), shapes::along(Axis::z, radii.z)}}});
 }
 
 Shape hull(std::span<const Point> vertices) {
@@ -177,7 +186,8 @@ Shape minkowski_sum(const Shape& a, const Shape& b) {
 
 Pose rigid_pose(const Quaternion& rotation, const Point& translation) {
   const auto& [w, x, y, z] = rotation;
-  for (const mpq_class* number : {&w, &x, &y, &z, &translation.x, &translation.y, &translation.z}) kernels::require_lowest_terms(*number);
+  for (const mpq_class* number : {&w, &x, &y, &z, &translation.x, &translation.y, &translation.z})
+    kernels::require_lowest_terms(*number);
   const mpq_class square = w * w + x * x + y * y + z * z;
   if (square == 0) throw std::invalid_argument("the quaternion of a pose is 0");
   const mpq_class s = 2 / square;

@@ -54,7 +54,8 @@ struct Rounded {
 };
 
 // Of the listed points, those that maximise <u, p>.
-std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u, std::span<const std::uint32_t> listed) {
+std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u,
+                                         std::span<const std::uint32_t> listed) {
   return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
 }
 
@@ -120,14 +121,16 @@ class Choice {
 
 class Deciding {
  public:
-  Deciding(kernels::Positions a, kernels::Positions b) : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
+  Deciding(kernels::Positions a, kernels::Positions b)
+      : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
   std::optional<Depth> run(kernels::Context& context, const Options& options) {
     guess(context);
     // All optima are needed: each must be one of all points, too.
     Options whole = options;
     whole.optima.reset();
-    for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size(); ++round) {
+    for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size();
+         ++round) {
       Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points()), whole);
       if (add_extremes(depth)) continue;
       if (auto* penetration = std::get_if<Penetration>(&depth.outcome)) depth::list_first(*penetration, options.optima);

@@ -8,14 +8,14 @@
 
 #include "fathom/width.hpp"
 #include "kernels/float_environment.hpp"
-#include "reference/depth/contact.hpp"
-#include "reference/polytope/lattice.hpp"
-#include "reference/solve/deciding_points.hpp"
 #include "reference/depth/apart.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/depth/naive.hpp"
 #include "reference/depth/penetration_depth.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/solve/deciding_points.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -34,7 +34,8 @@ std::size_t expansion_budget(const Options& options, const Bodies& bodies) {
 
 // The answer that a proved expansion gives, which needs no hulls.
 template <class Bodies>
-Depth certified_depth(kernels::Context& context, const Bodies& bodies, expanding::Expansion&& expansion, const Options& options) {
+Depth certified_depth(kernels::Context& context, const Bodies& bodies, expanding::Expansion&& expansion,
+                      const Options& options) {
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
   Penetration answer = depth::penetration_along(bodies, expansion.nearest.directions(), options.optima);
@@ -56,7 +57,8 @@ Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair
 
 Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   return depth::penetration_depth(
-      context, pair, {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.optima, options.validate, {}});
+      context, pair,
+      {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.optima, options.validate, {}});
 }
 
 }  // namespace
@@ -81,26 +83,31 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
   Workspace::Parts& parts = *workspace.parts;
   if (!polytope::place_narrow(a, b, parts.pair)) return {};
   const polytope::NarrowBodies bodies(parts.pair, a, b, parts.scan);
-  expanding::Expansion expansion = expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
+  expanding::Expansion expansion =
+      expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
   if (expansion.end != expanding::ExpansionEnd::proved) return {NarrowEnd::failed, std::nullopt};
   return {NarrowEnd::answered, certified_depth(context, bodies, std::move(expansion), options)};
 }
 
 // Bodies on a narrow lattice are answered there if an expanding polytope can. Otherwise they are
 // placed on any lattice, or the deciding points answer if a common lattice would be too fine.
-PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b, const Options& options) {
+PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
+                         const Options& options) {
   depth::require_listed(options.optima);
   NarrowResult narrow = depth_on_narrow_lattice(context, a, b, options);
   if (narrow.depth) return {std::move(*narrow.depth), std::nullopt};
   // After an expansion has failed on a narrow lattice, another one would fail too.
   const auto answer = [&](polytope::PlacedPair pair) {
-    Depth depth = narrow.end == NarrowEnd::failed ? exact_depth(context, pair, options) : depth_by_method(context, pair, options);
+    Depth depth =
+        narrow.end == NarrowEnd::failed ? exact_depth(context, pair, options) : depth_by_method(context, pair, options);
     return PlacedDepth{std::move(depth), std::move(pair)};
   };
   std::vector<Point> room_a, room_b;
   const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
-  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b)) return answer(std::move(*slim));
-  if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options)) return {std::move(*depth), std::nullopt};
+  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b))
+    return answer(std::move(*slim));
+  if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
+    return {std::move(*depth), std::nullopt};
   return answer(polytope::place(exact_a, exact_b));
 }
 
@@ -117,13 +124,18 @@ Depth depth_of(const polytope::Points& a, const polytope::Points& b, const Optio
 
 }  // namespace
 
-Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) { return depth_of(a, b, options); }
-
-Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b, const Options& options) {
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
   return depth_of(a, b, options);
 }
 
-Depth penetration_depth(const Body& a, const Body& b, const Options& options) { return depth_of(a.points, b.points, options); }
+Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b,
+                        const Options& options) {
+  return depth_of(a, b, options);
+}
+
+Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
+  return depth_of(a.points, b.points, options);
+}
 
 // The width is the depth of a body against itself.
 Depth width(std::span<const Point> points, const Options& options) { return depth_of(points, points, options); }

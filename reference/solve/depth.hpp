@@ -42,6 +42,7 @@ struct PlacedDepth {
 };
 
 /// Throws as penetration_depth does.
-PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b, const Options& options);
+PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
+                         const Options& options);
 
 }  // namespace fathom::solve

@@ -14,9 +14,12 @@ std::string shown(std::size_t count) { return std::to_string(count); }
 std::string shown(Status status) { return std::string(name(status)); }
 std::string shown(const mpq_class& value) { return exact_text(value); }
 std::string shown(const Vector& v) { return fmt::format("({}, {}, {})", v.x.get_str(), v.y.get_str(), v.z.get_str()); }
-std::string shown(const Point& p) { return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z)); }
+std::string shown(const Point& p) {
+  return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+}
 std::string shown(const Contact& contact) {
-  return fmt::format("{}: points {} of A, {} of B", name(contact.kind), fmt::join(contact.a, " "), fmt::join(contact.b, " "));
+  return fmt::format("{}: points {} of A, {} of B", name(contact.kind), fmt::join(contact.a, " "),
+                     fmt::join(contact.b, " "));
 }
 std::string shown(const std::optional<Witness>& witness) {
   return witness ? fmt::format("{} and {}", shown(witness->a), shown(witness->b)) : "none";

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/text/json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -19,7 +20,9 @@ constexpr std::size_t plain_digits = 15;  // integers with at most this many dig
 bool is_plain(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
 /// Escapes as the library does.
-std::string dumped(const nlohmann::json& value) { return value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace); }
+std::string dumped(const nlohmann::json& value) {
+  return value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+}
 
 }  // namespace
 
@@ -69,7 +72,8 @@ Json Json::array(std::initializer_list<Json> values) {
 Json Json::object() { return written("{}"); }
 
 Json Json::exact(const mpq_class& value) {
-  if (value.get_den() == 1 && mpz_sizeinbase(value.get_num_mpz_t(), 10) <= plain_digits) return written(value.get_str());
+  if (value.get_den() == 1 && mpz_sizeinbase(value.get_num_mpz_t(), 10) <= plain_digits)
+    return written(value.get_str());
   const double nearest = round_binary64(value, Rounding::rn);
   if (std::isfinite(nearest) && exact_value(nearest) == value) return written(fmt::format("{}", nearest));
   return plain(exact_text(value));
@@ -177,6 +181,8 @@ JsonStream& JsonStream::hex(double value) {
   return *this;
 }
 
-std::string valid_utf8(const std::string& text) { return nlohmann::json::parse(dumped(nlohmann::json(text))).get<std::string>(); }
+std::string valid_utf8(const std::string& text) {
+  return nlohmann::json::parse(dumped(nlohmann::json(text))).get<std::string>();
+}
 
 }  // namespace fathom::text

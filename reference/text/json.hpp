@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one writer of JSON. `Json` is a value that can be put into another one; `JsonStream` writes straight into one text, commas and all,
-// where there may be hundreds of thousands of numbers. Neither builds a document.
+// The one writer of JSON. `Json` is a value that can be put into another one; `JsonStream` writes
+// straight into one text, commas and all, where there may be hundreds of thousands of numbers.
+// Neither builds a document.
 #pragma once
 
 #include <gmpxx.h>
@@ -57,8 +58,8 @@ class Json {
   }
   /// What is a value of JSON already.
   static Json written(std::string text);
-  /// An exact number for any reader: a JSON number if it is one of binary64, in the shortest text that reads back as it; else a string, an
-  /// integer or p/q.
+  /// An exact number for any reader: a JSON number if it is one of binary64, in the shortest text
+  /// that reads back as it; else a string, an integer or p/q.
   static Json exact(const mpq_class& value);
   static Json exact(const Point& p) { return array({exact(p.x), exact(p.y), exact(p.z)}); }
 
@@ -133,7 +134,8 @@ class JsonStream {
     return value(std::to_string(n));
   }
   JsonStream& integer_or_null(const std::optional<std::uint32_t>& n) { return n ? integer(*n) : null(); }
-  /// A finite number with so many significant digits; 0 stands for the shortest text that reads back as it. -0 becomes 0.
+  /// A finite number with so many significant digits; 0 stands for the shortest text that reads
+  /// back as it. -0 becomes 0.
   JsonStream& number(double value, int digits);
   JsonStream& numbers(const std::array<double, 3>& values, int digits);
   /// Exact numbers, as strings.

@@ -9,7 +9,8 @@ namespace fathom::text {
 
 const std::vector<JsonValue> JsonValue::none_;
 
-JsonValue::JsonValue(Kind kind, std::string text, double number) : kind_(kind), number_(number), parts_(std::make_unique<Parts>()) {
+JsonValue::JsonValue(Kind kind, std::string text, double number)
+    : kind_(kind), number_(number), parts_(std::make_unique<Parts>()) {
   parts_->text = std::move(text);
 }
 
@@ -42,7 +43,8 @@ Json JsonValue::written() const {
   if (is_array()) return Json::array_of(items(), [](const JsonValue& item) { return item.written(); });
   if (!is_object()) return Json::written(text());
   std::string result = "{";
-  for (const auto& [name, value] : fields()) result += (result.size() > 1 ? "," : "") + Json(name).text() + ':' + value->written().text();
+  for (const auto& [name, value] : fields())
+    result += (result.size() > 1 ? "," : "") + Json(name).text() + ':' + value->written().text();
   return Json::written(result + '}');
 }
 
@@ -55,7 +57,9 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool boolean(bool value) override { return add(JsonValue(JsonValue::Kind::boolean, value ? 1 : 0)); }
   bool number_integer(number_integer_t value) override { return integer(JsonValue::Kind::negative, value); }
   bool number_unsigned(number_unsigned_t value) override { return integer(JsonValue::Kind::natural, value); }
-  bool number_float(number_float_t value, const std::string& text) override { return add({JsonValue::Kind::real, text, value}); }
+  bool number_float(number_float_t value, const std::string& text) override {
+    return add({JsonValue::Kind::real, text, value});
+  }
   bool string(std::string& text) override { return add({JsonValue::Kind::string, std::move(text)}); }
   bool binary(binary_t&) override { return false; }
   bool start_object(std::size_t) override { return start(JsonValue::Kind::object); }
@@ -67,7 +71,8 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::json::exception& error) override {
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::json::exception& error) override {
     constexpr int number_overflow = 406;
     read.error_at = position > 0 ? position - 1 : 0;
     if (error.id == number_overflow) {
@@ -95,7 +100,8 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool integer(JsonValue::Kind kind, Integer value) {
     constexpr double exact_up_to = 0x1p53;
     const auto number = static_cast<double>(value);
-    return add(std::abs(number) < exact_up_to ? JsonValue(kind, number) : JsonValue(kind, std::to_string(value), number));
+    return add(std::abs(number) < exact_up_to ? JsonValue(kind, number)
+                                              : JsonValue(kind, std::to_string(value), number));
   }
   bool start(JsonValue::Kind kind) {
     if (left_out_ != 0) return ++left_out_, true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one reader of JSON into memory: fields in their order, repeated ones too, and numbers as they were written.
+// The one reader of JSON into memory: fields in their order, repeated ones too, and numbers as they
+// were written.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,8 @@ namespace fathom::text {
 /// A value of JSON. Small, as a text may hold many millions of numbers.
 class JsonValue {
  public:
-  /// Integers of at most 64 bits are `natural`, or `negative` with a minus before them; all other numbers are `real`.
+  /// Integers of at most 64 bits are `natural`, or `negative` with a minus before them; all other
+  /// numbers are `real`.
   enum class Kind : unsigned char { null, boolean, natural, negative, real, string, array, object };
   using Field = std::pair<std::string_view, const JsonValue*>;
 
@@ -28,7 +30,9 @@ class JsonValue {
 
   [[nodiscard]] bool is_null() const { return kind_ == Kind::null; }
   [[nodiscard]] bool is_natural() const { return kind_ == Kind::natural; }
-  [[nodiscard]] bool is_number() const { return kind_ == Kind::natural || kind_ == Kind::negative || kind_ == Kind::real; }
+  [[nodiscard]] bool is_number() const {
+    return kind_ == Kind::natural || kind_ == Kind::negative || kind_ == Kind::real;
+  }
   [[nodiscard]] bool is_string() const { return kind_ == Kind::string; }
   [[nodiscard]] bool is_array() const { return kind_ == Kind::array; }
   [[nodiscard]] bool is_object() const { return kind_ == Kind::object; }
@@ -36,7 +40,8 @@ class JsonValue {
 
   /// The nearest binary64 of a number; 1 or 0 of true or false.
   [[nodiscard]] double number() const { return number_; }
-  /// The characters of a string; a number as it was written (an integer by its digits); "true", "false", "null".
+  /// The characters of a string; a number as it was written (an integer by its digits); "true",
+  /// "false", "null".
   [[nodiscard]] std::string text() const;
   /// The elements of an array; the values of an object. None of others.
   [[nodiscard]] const std::vector<JsonValue>& items() const { return parts_ ? parts_->items : none_; }
@@ -80,8 +85,8 @@ inline constexpr std::size_t deepest_json = 64;
 /// Never throws on bad input. A null byte ends the text.
 JsonRead read_json(std::string_view text);
 
-/// The exact number that is meant: a JSON number is the nearest binary64, an integer too; a string is what parse_number reads as exact.
-/// Neither a value nor an error if it is neither.
+/// The exact number that is meant: a JSON number is the nearest binary64, an integer too; a string
+/// is what parse_number reads as exact. Neither a value nor an error if it is neither.
 ParsedNumber exact_number(const JsonValue& value);
 
 }  // namespace fathom::text

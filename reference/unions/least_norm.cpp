@@ -42,7 +42,8 @@ class Line {
  public:
   using Integer = typename Numbers::Product;
 
-  Line(BarrierIn<Numbers> g, BarrierIn<Numbers> h, long exponent) : g_(g), h_(h), exponent_(exponent), image_(g->image, h->image) {}
+  Line(BarrierIn<Numbers> g, BarrierIn<Numbers> h, long exponent)
+      : g_(g), h_(h), exponent_(exponent), image_(g->image, h->image) {}
 
   [[nodiscard]] bool exists() { return image_.surely_exists() || !is_zero(exact().direction); }
   // The sign of the direction in which the line leads beyond a plane: 0 if it is parallel to it.
@@ -54,15 +55,15 @@ class Line {
   // Its point nearest to O.
   [[nodiscard]] RationalPointIn<Numbers> foot() {
     const auto& [g, h, d] = exact();
-    return kernels::rational_point<Numbers>(scaled(g.height, cross(h.normal, d)) + scaled(h.height, cross(d, g.normal)), dot(d, d),
-                                            exponent_);
+    return kernels::rational_point<Numbers>(scaled(g.height, cross(h.normal, d)) + scaled(h.height, cross(d, g.normal)),
+                                            dot(d, d), exponent_);
   }
   [[nodiscard]] RationalPointIn<Numbers> meeting(BarrierIn<Numbers> third) {
     const auto& [g, h, d] = exact();
     const Equation<Numbers> e(*third);
     return kernels::rational_point<Numbers>(
-        scaled(g.height, cross(h.normal, e.normal)) + scaled(h.height, cross(e.normal, g.normal)) + scaled(e.height, d), dot(d, e.normal),
-        exponent_);
+        scaled(g.height, cross(h.normal, e.normal)) + scaled(h.height, cross(e.normal, g.normal)) + scaled(e.height, d),
+        dot(d, e.normal), exponent_);
   }
 
  private:
@@ -85,12 +86,14 @@ class Line {
   std::optional<Exact> exact_;
 };
 
-// The nearest point so far: the foot of the wall or of a line, or where the line meets a third plane. Most of them are asked for nothing
-// that their image cannot tell, and have no exact coordinates.
+// The nearest point so far: the foot of the wall or of a line, or where the line meets a third
+// plane. Most of them are asked for nothing that their image cannot tell, and have no exact
+// coordinates.
 template <class Numbers>
 class Candidate {
  public:
-  Candidate(BarrierIn<Numbers> wall, long exponent) : wall_(wall), exponent_(exponent), image_(kernels::foot_image(wall->image)) {}
+  Candidate(BarrierIn<Numbers> wall, long exponent)
+      : wall_(wall), exponent_(exponent), image_(kernels::foot_image(wall->image)) {}
 
   void move_to_foot(Line<Numbers>& line) { move(line, nullptr, line.image().foot()); }
   void move_to_meeting(Line<Numbers>& line, BarrierIn<Numbers> e) { move(line, e, line.image().meeting(e->image)); }
@@ -128,11 +131,12 @@ class Candidate {
   std::optional<RationalPointIn<Numbers>> exact_;
 };
 
-// On the line the point only moves away from its foot, to one side: it ends as soon as it would have to go back. Sets `last` and `against`
-// to the barriers that leave nothing of the line, or one of them to null.
+// On the line the point only moves away from its foot, to one side: it ends as soon as it would
+// have to go back. Sets `last` and `against` to the barriers that leave nothing of the line, or one
+// of them to null.
 template <class Numbers>
-CellEnd nearest_on_line(Line<Numbers>& line, BarriersIn<Numbers> barriers, LimitIn<Numbers> limit, Candidate<Numbers>& nearest,
-                        BarrierIn<Numbers>& last, BarrierIn<Numbers>& against) {
+CellEnd nearest_on_line(Line<Numbers>& line, BarriersIn<Numbers> barriers, LimitIn<Numbers> limit,
+                        Candidate<Numbers>& nearest, BarrierIn<Numbers>& last, BarrierIn<Numbers>& against) {
   nearest.move_to_foot(line);
   int way = 0;
   std::size_t moved = 0;  // barriers before this one were met before the last move
@@ -159,7 +163,8 @@ CellEnd nearest_on_line(Line<Numbers>& line, BarriersIn<Numbers> barriers, Limit
 
 template <class Numbers>
 CellEnd nearest_on_wall(BarrierIn<Numbers> wall, BarriersIn<Numbers> barriers, LimitIn<Numbers> limit, long exponent,
-                        RationalPointIn<Numbers>& nearest, std::type_identity_t<std::vector<BarrierIn<Numbers>>>* conflict) {
+                        RationalPointIn<Numbers>& nearest,
+                        std::type_identity_t<std::vector<BarrierIn<Numbers>>>* conflict) {
   const auto infeasible = [&](std::initializer_list<BarrierIn<Numbers>> with) {
     if (conflict == nullptr) return;
     conflict->assign(1, wall);
@@ -196,8 +201,8 @@ CellEnd nearest_in_cell(BarriersIn<Numbers> barriers, long exponent, RationalPoi
   return CellEnd::found;
 }
 
-template CellEnd nearest_on_wall(BarrierIn<AnyNumbers>, BarriersIn<AnyNumbers>, LimitIn<AnyNumbers>, long, RationalPointIn<AnyNumbers>&,
-                                 std::vector<BarrierIn<AnyNumbers>>*);
+template CellEnd nearest_on_wall(BarrierIn<AnyNumbers>, BarriersIn<AnyNumbers>, LimitIn<AnyNumbers>, long,
+                                 RationalPointIn<AnyNumbers>&, std::vector<BarrierIn<AnyNumbers>>*);
 template CellEnd nearest_in_cell(BarriersIn<AnyNumbers>, long, RationalPointIn<AnyNumbers>&);
 template CellEnd nearest_on_wall(BarrierIn<FixedNumbers>, BarriersIn<FixedNumbers>, LimitIn<FixedNumbers>, long,
                                  RationalPointIn<FixedNumbers>&, std::vector<BarrierIn<FixedNumbers>>*);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   half-spaces <n,x> >= h.
-// Output  the point nearest to O that lies in all of them, exactly; or that none does.
-// An LP-type problem of dimension 3, by the incremental algorithm of Seidel (1991), whose constraints come in the order given. Points are
-// computed by Cramer's rule from the at most three planes that hold them, so that numbers do not grow.
+// Output  the point nearest to O that lies in all of them, exactly; or that none does. An LP-type
+//         problem of dimension 3, by the incremental algorithm of Seidel (1991), whose constraints
+//         come in the order given. Points are computed by Cramer's rule from the at most three
+//         planes that hold them, so that numbers do not grow.
 #pragma once
 
 #include <span>
@@ -30,10 +31,12 @@ enum class CellEnd {
   infeasible,  ///< there is none
 };
 
-/// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of the cell that they and `wall` make, if
-/// the nearest point without `wall` lies strictly below its plane. `limit` may be null; it ends the search early. `nearest` is set if the
-/// point is found. All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not null, it gets at most four
-/// of the half-spaces, `wall` among them, that have no common point by themselves.
+/// Finds the point of the plane of `wall` nearest to O that lies in all `barriers`: the nearest of
+/// the cell that they and `wall` make, if the nearest point without `wall` lies strictly below its
+/// plane. `limit` may be null; it ends the search early. `nearest` is set if the point is found.
+/// All coordinates are of size about 2^exponent. If the end is infeasible and `conflict` is not
+/// null, it gets at most four of the half-spaces, `wall` among them, that have no common point by
+/// themselves.
 template <class Numbers>
 CellEnd nearest_on_wall(BarrierIn<Numbers> wall, BarriersIn<Numbers> barriers, LimitIn<Numbers> limit, long exponent,
                         kernels::RationalPointIn<Numbers>& nearest,

@@ -25,7 +25,8 @@ Vec3<Integer> axis(int k, long sign) {
   return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)};
 }
 
-polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b, kernels::ScanMemory&) {
+polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                     kernels::ScanMemory&) {
   return {a, b};
 }
 polytope::NarrowDifferences differences_of(FixedNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
@@ -80,7 +81,8 @@ void PiecePairIn<Numbers>::grow(const Corner& corner, const Facet& facet) {
   for (const expanding::TriangleId t : fresh) add(t);
 }
 
-// The facet that the point is farthest above, by its image, of those that do not have it strictly below.
+// The facet that the point is farthest above, by its image, of those that do not have it strictly
+// below.
 template <class Numbers>
 typename PiecePairIn<Numbers>::Facet* PiecePairIn<Numbers>::worst(const Place& p) {
   Facet* found = nullptr;
@@ -113,14 +115,16 @@ void PiecePairIn<Numbers>::remember(Plane plane) {
   separations_.insert(separations_.begin(), std::move(plane));
 }
 
-// A step for a point that is not strictly below the facet: Q grows in the facet's direction, unless a plane in that direction separates
-// the point from P_ij; then it returns false.
+// A step for a point that is not strictly below the facet: Q grows in the facet's direction, unless
+// a plane in that direction separates the point from P_ij; then it returns false.
 template <class Numbers>
 bool PiecePairIn<Numbers>::step_towards(const Place& p, Facet& facet) {
   const Plane& plane = facet.plane;
   using OfPlane = typename Numbers::OfPlane;
   const Product of_p = dot(as<Product>(plane.normal), as<Product>(p.v));
-  const auto inside = [&](const OfPlane& height) { return cmp(of_p, Product(as<Product>(height) * as<Product>(p.w))) < 0; };
+  const auto inside = [&](const OfPlane& height) {
+    return cmp(of_p, Product(as<Product>(height) * as<Product>(p.w))) < 0;
+  };
   Corner next = corner(differences_.likely_extreme(plane.image.normal));
   OfPlane height = dot(plane.normal, next.exact);
   if (!inside(height) || cmp(height, plane.height) <= 0) {

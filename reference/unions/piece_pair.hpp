@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A piece of A and a piece of B: the polytope P_ij = B_j (+) (-A_i), known by a polytope Q inside it and by planes that hold it. Both grow
-// towards the points that are asked about, by the steps of the expanding polytope, and only as far as an answer needs.
+// A piece of A and a piece of B: the polytope P_ij = B_j (+) (-A_i), known by a polytope Q inside
+// it and by planes that hold it. Both grow towards the points that are asked about, by the steps of
+// the expanding polytope, and only as far as an answer needs.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@ namespace fathom::unions {
 
 /// The differences of two clouds, by the scans of these numbers.
 template <class Numbers>
-using DifferencesIn =
-    std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>, polytope::NarrowDifferences, polytope::Differences>;
+using DifferencesIn = std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>, polytope::NarrowDifferences,
+                                         polytope::Differences>;
 
 /// A facet of Q, or a part of one.
 template <class Numbers>
@@ -43,17 +44,21 @@ class PiecePairIn {
 
   /// Whether the point lies in the interior of P_ij. Exact; Q grows until it tells.
   bool contains(const Place& p);
-  /// A plane that holds P_ij below it and the point on it or above it: after contains(p) has returned false, until the next call.
+  /// A plane that holds P_ij below it and the point on it or above it: after contains(p) has
+  /// returned false, until the next call.
   [[nodiscard]] const Plane& separation() const { return separations_.front(); }
-  /// About how far a point in the interior of Q is from its boundary. Decides nothing but the order of work.
+  /// About how far a point in the interior of Q is from its boundary. Decides nothing but the order
+  /// of work.
   [[nodiscard]] double margin(const Place& p) const;
 
-  /// The facets of Q, once it has any: of a facet that is alive the plane stays where it is, also when the facet goes.
+  /// The facets of Q, once it has any: of a facet that is alive the plane stays where it is, also
+  /// when the facet goes.
   [[nodiscard]] const std::vector<Facet*>& facets() const { return facets_; }
   /// True if the facet's plane supports P_ij. Otherwise Q grows and the facet is no more.
   bool settle(Facet& facet);
-  /// Grows Q until all its planes that have the point on them or below support P_ij. If the point lies in the boundary of P_ij, returns the
-  /// outward normals of all facets that meet there, each once; else none.
+  /// Grows Q until all its planes that have the point on them or below support P_ij. If the point
+  /// lies in the boundary of P_ij, returns the outward normals of all facets that meet there, each
+  /// once; else none.
   std::vector<Vector> normals_at(const Place& p);
   /// Q, its coplanar parts merged. Sets `facet_of` to the merged facet of each of facets().
   InnerPolytope inner(std::vector<std::uint32_t>& facet_of);

@@ -20,14 +20,16 @@ void require_points(const Pieces& pieces, const std::string& body) {
     if (pieces[i].empty()) throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " has no points");
 }
 
-std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const Pieces& pieces, const std::string& body) {
+std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const Pieces& pieces,
+                                        const std::string& body) {
   std::vector<kernels::PointCloud> clouds;
   auto from = whole.points().begin();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto to = std::next(from, static_cast<std::ptrdiff_t>(pieces[i].size()));
     std::vector<Vector> points(from, to);
     if (polytope::affine_rank(points) < 3)
-      throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " is flat: the pieces of a union need interiors");
+      throw std::invalid_argument("piece " + std::to_string(i) + " of " + body +
+                                  " is flat: the pieces of a union need interiors");
     clouds.emplace_back(std::move(points), whole.exponent());
     from = to;
   }
@@ -46,7 +48,9 @@ PlacedPieces place_pieces(const Pieces& a, const Pieces& b) {
   return placed;
 }
 
-polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const { return {whole.denominator, whole.origin, a[i], b[j]}; }
+polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const {
+  return {whole.denominator, whole.origin, a[i], b[j]};
+}
 
 Point PlacedPieces::translation(const kernels::RationalPoint& p) const {
   const mpz_class w = p.w * whole.denominator;
@@ -55,7 +59,9 @@ Point PlacedPieces::translation(const kernels::RationalPoint& p) const {
 
 kernels::RationalPoint PlacedPieces::point(const Point& t) const {
   const mpz_class w = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
-  const auto over_w = [&](const mpq_class& x) { return mpz_class(x.get_num() * (w / x.get_den()) * whole.denominator); };
+  const auto over_w = [&](const mpq_class& x) {
+    return mpz_class(x.get_num() * (w / x.get_den()) * whole.denominator);
+  };
   return kernels::rational_point({over_w(t.x), over_w(t.y), over_w(t.z)}, w, exponent());
 }
 

@@ -28,7 +28,8 @@ struct PlacedPieces {
   [[nodiscard]] mpq_class squared(const mpz_class& numerator, const mpz_class& denominator) const;
 };
 
-/// Throws std::invalid_argument if a body has no pieces, a piece has no points or no interior, or a coordinate is not in lowest terms.
+/// Throws std::invalid_argument if a body has no pieces, a piece has no points or no interior, or a
+/// coordinate is not in lowest terms.
 PlacedPieces place_pieces(const Pieces& a, const Pieces& b);
 
 }  // namespace fathom::unions

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer about two unions: where O lies, the search, and what touches at each optimum.                        [proofs/unions.md]
-#include "reference/unions/union_search.hpp"
-
+// The answer about two unions: where O lies, the search, and what touches at each optimum.
+//                                                                                [proofs/unions.md]
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
@@ -13,18 +12,21 @@
 #include "reference/depth/contact.hpp"
 #include "reference/solve/depth.hpp"
 #include "reference/unions/least_norm.hpp"
+#include "reference/unions/union_search.hpp"
 
 namespace fathom::unions {
 namespace {
 
 // ---- whether translations near an optimum leave a gap ----
 
-/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the whole space.
+/// The outward normals of a cone's facets, which lie in planes through O. Without facets it is the
+/// whole space.
 using TangentCone = std::vector<Vector>;
 
-// The tangent cones of the P_ij that touch a point cover space if and only if the point lies in the interior of the union of these P_ij:
-// then no translation near it leaves a gap. A point outside a cone lies strictly beyond one of its planes. Points strictly beyond given
-// planes through O exist if and only if some are beyond these planes moved out by 1: the nearest of these stands for all.
+// The tangent cones of the P_ij that touch a point cover space if and only if the point lies in the
+// interior of the union of these P_ij: then no translation near it leaves a gap. A point outside a
+// cone lies strictly beyond one of its planes. Points strictly beyond given planes through O exist
+// if and only if some are beyond these planes moved out by 1: the nearest of these stands for all.
 class Covering {
  public:
   explicit Covering(const std::vector<TangentCone>& cones) {
@@ -52,7 +54,8 @@ class Covering {
   bool covered() {
     kernels::RationalPoint p;
     if (nearest_in_cell(beyond_, 0, p) != CellEnd::found) return true;
-    const auto cone = std::find_if(cones_.begin(), cones_.end(), [&](const std::vector<Facet>& c) { return holds(c, p); });
+    const auto cone =
+        std::find_if(cones_.begin(), cones_.end(), [&](const std::vector<Facet>& c) { return holds(c, p); });
     if (cone == cones_.end()) return false;
     const std::size_t before = beyond_.size();
     bool all = true;
@@ -80,7 +83,8 @@ using kernels::AnyNumbers;
 using kernels::FixedNumbers;
 using kernels::RationalPoint;
 
-// Of the hulls of A and B, with its optima as points of the lattice: no P_ij holds one in its interior.
+// Of the hulls of A and B, with its optima as points of the lattice: no P_ij holds one in its
+// interior.
 struct HullDepth {
   mpq_class squared;
   std::vector<RationalPoint> optima;
@@ -189,7 +193,8 @@ class Answer {
     return optimum;
   }
 
-  // The sum of the normals of the facets that meet at a point lies in the interior of the cone of all planes through it.
+  // The sum of the normals of the facets that meet at a point lies in the interior of the cone of
+  // all planes through it.
   PieceContact contact(std::uint32_t i, std::uint32_t j, const TangentCone& cone) {
     Vector n{0, 0, 0};
     for (const Vector& normal : cone) n = n + normal;

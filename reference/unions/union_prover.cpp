@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search once more, depth first, with the answer as its limit. Each cell that is split gets a polytope that is as coarse as it can be:
-// every facet that is not far away costs a leaf.
+// The search once more, depth first, with the answer as its limit. Each cell that is split gets a
+// polytope that is as coarse as it can be: every facet that is not far away costs a leaf.
 #include "reference/unions/union_prover.hpp"
 
 #include <algorithm>
@@ -16,7 +16,8 @@
 namespace fathom::unions {
 namespace {
 
-// ---- of the half-spaces whose planes go through the nearest point, three that decide it: Karush, Kuhn and Tucker; Caratheodory ----
+// ---- of the half-spaces whose planes go through the nearest point, three that decide it: Karush,
+// Kuhn and Tucker; Caratheodory ----
 
 // Weights are found by Cramer's rule; only their signs are needed.
 
@@ -34,8 +35,8 @@ bool in_cone(const Vector& u, const Vector& v, const Vector& w, const Vector& di
   return turn != 0 && weighs(det(direction, v, w)) && weighs(det(u, direction, w)) && weighs(det(u, v, direction));
 }
 
-/// The first one, two or three barriers such that `direction` is a combination of their normals with weights >= 0. Throws std::logic_error
-/// if there are none.
+/// The first one, two or three barriers such that `direction` is a combination of their normals
+/// with weights >= 0. Throws std::logic_error if there are none.
 std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& direction) {
   for (const Barrier f : tight)
     if (in_cone(f->normal, direction)) return {f};
@@ -48,7 +49,8 @@ std::vector<Barrier> deciding(const std::vector<Barrier>& tight, const Vector& d
   for (std::size_t i = 0; i < tight.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       for (std::size_t k = 0; k < j; ++k)
-        if (in_cone(tight[i]->normal, tight[j]->normal, tight[k]->normal, direction)) return {tight[i], tight[j], tight[k]};
+        if (in_cone(tight[i]->normal, tight[j]->normal, tight[k]->normal, direction))
+          return {tight[i], tight[j], tight[k]};
   throw std::logic_error("no three barriers hold the nearest point of a cell");
 }
 
@@ -90,19 +92,20 @@ class Prover {
   // Adds what proves the cell of the path, whose nearest point is p, not farther than the depth.
   void prove_cell(const RationalPoint& p) {
     context_.report("proof of the union");
-    const bool known =
-        std::any_of(search_.optima().begin(), search_.optima().end(), [&](const RationalPoint& o) { return same_point(o, p); });
+    const bool known = std::any_of(search_.optima().begin(), search_.optima().end(),
+                                   [&](const RationalPoint& o) { return same_point(o, p); });
     if (known) return close_at(p);
     PiecePair* pair = search_.deepest(p);
     if (pair == nullptr) throw std::logic_error("a translation out of a union is shorter than its depth");
-    split(static_cast<std::size_t>(
-              std::find_if(search_.pairs().begin(), search_.pairs().end(), [&](const auto& other) { return other.get() == pair; }) -
-              search_.pairs().begin()),
+    split(static_cast<std::size_t>(std::find_if(search_.pairs().begin(), search_.pairs().end(),
+                                                [&](const auto& other) { return other.get() == pair; }) -
+                                   search_.pairs().begin()),
           p);
   }
 
-  // Splits the cell of the path, whose nearest point p lies in the interior of P_ij number k. The facets that open a cell with points near
-  // enough come first: what lies beyond the others is shown with the fewest constraints so.
+  // Splits the cell of the path, whose nearest point p lies in the interior of P_ij number k. The
+  // facets that open a cell with points near enough come first: what lies beyond the others is
+  // shown with the fewest constraints so.
   void split(std::size_t k, const RationalPoint& p) {
     const Opened opened = open(k, p);
     const std::size_t before = path_.size();
@@ -115,8 +118,8 @@ class Prover {
     path_.resize(before);
   }
 
-  // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that of the search has more facets, which
-  // other cells asked for.
+  // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that
+  // of the search has more facets, which other cells asked for.
   Opened open(std::size_t k, const RationalPoint& p) {
     std::deque<Polytope>& known = polytopes_[k];
     for (std::size_t i = 0; i < known.size() && i < most_tried; ++i)
@@ -149,8 +152,8 @@ class Prover {
   Polytope add_polytope(std::size_t k, PiecePair& pair) {
     std::vector<std::uint32_t> facet_of;
     Polytope polytope{static_cast<std::uint32_t>(proof_.polytopes.size()), {}};
-    proof_.polytopes.push_back(
-        {static_cast<std::uint32_t>(k / pieces_.b.size()), static_cast<std::uint32_t>(k % pieces_.b.size()), pair.inner(facet_of)});
+    proof_.polytopes.push_back({static_cast<std::uint32_t>(k / pieces_.b.size()),
+                                static_cast<std::uint32_t>(k % pieces_.b.size()), pair.inner(facet_of)});
     polytope.facets.resize(proof_.polytopes.back().inner.facets.size());
     for (std::size_t i = 0; i < facet_of.size(); ++i) {
       const PieceFacet& part = *pair.facets()[i];
@@ -182,7 +185,8 @@ class Prover {
       numbers.push_back(static_cast<std::uint32_t>(std::find(path_.begin(), path_.end(), barrier) - path_.begin()));
   }
 
-  // Barriers without a common point, of which none can go: then only one combination of them is a contradiction, which checkers find.
+  // Barriers without a common point, of which none can go: then only one combination of them is a
+  // contradiction, which checkers find.
   [[nodiscard]] std::vector<Barrier> without_spare(std::vector<Barrier> barriers) const {
     for (std::size_t i = 0; i < barriers.size();) {
       std::vector<Barrier> fewer = barriers;

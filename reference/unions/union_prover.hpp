@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two unions that penetrate, and the optima.
-// Output  what proves their depth, as plain data: polytopes inside differences of pieces, a tree that splits space at their facets, and the
-//         optima. All numbers are in the unit of the input.                                                      [proofs/unions.md]
+// Output  what proves their depth, as plain data: polytopes inside differences of pieces, a tree
+//         that splits space at their facets, and the optima. All numbers are in the unit of the
+//         input.                                                                 [proofs/unions.md]
 #pragma once
 
 #include <cstdint>
@@ -15,25 +16,28 @@
 
 namespace fathom::unions {
 
-/// A polytope Q inside P_ij = B_j (+) (-A_i). Its vertices are differences of the points of these pieces, by their indices in the pieces.
-/// Unlike that of two convex bodies it need not hold O.
+/// A polytope Q inside P_ij = B_j (+) (-A_i). Its vertices are differences of the points of these
+/// pieces, by their indices in the pieces. Unlike that of two convex bodies it need not hold O.
 struct PiecePolytope {
   std::uint32_t a = 0, b = 0;  ///< i and j: which pieces
   InnerPolytope inner;         ///< vertices and facets, coplanar ones merged
 };
 
-/// A node of the tree, which stands in preorder: after a split come the subtrees of its children. A node stands for a cell, the points x
-/// that meet the constraints of its path, numbered from 0, from the root on. On the way from a split to its child number c (from 0) these
-/// are added: for each child before it, in their order, <n, x> <= h of that child's facet; then <n, x> >= h of the child's own facet.
-/// Facets of the split's polytope without a child have h > 0 and h^2 > q <n,n>.
+/// A node of the tree, which stands in preorder: after a split come the subtrees of its children. A
+/// node stands for a cell, the points x that meet the constraints of its path, numbered from 0,
+/// from the root on. On the way from a split to its child number c (from 0) these are added: for
+/// each child before it, in their order, <n, x> <= h of that child's facet; then <n, x> >= h of the
+/// child's own facet. Facets of the split's polytope without a child have h > 0 and h^2 > q <n,n>.
 struct ProofNode {
-  bool split = false;                  ///< else a leaf
-  std::uint32_t polytope = 0;          ///< of a split: which one
-  std::vector<std::uint32_t> numbers;  ///< of a split: the facets of its children, each once. Of a leaf: at most four constraints of the
-                                       ///< path that alone keep its cell at distance sqrt(q), or that have no common point; none can go
+  bool split = false;          ///< else a leaf
+  std::uint32_t polytope = 0;  ///< of a split: which one
+  std::vector<std::uint32_t>
+      numbers;  ///< of a split: the facets of its children, each once. Of a leaf: at most four constraints of the
+                ///< path that alone keep its cell at distance sqrt(q), or that have no common point; none can go
 };
 
-/// A place of O outside all interiors of P_ij at the depth, and for each pair of pieces a direction u other than 0 with <u, t> >= h_ij(u).
+/// A place of O outside all interiors of P_ij at the depth, and for each pair of pieces a direction
+/// u other than 0 with <u, t> >= h_ij(u).
 struct ProofOptimum {
   Point translation;               ///< t, with |t|^2 = q
   std::vector<Vector> directions;  ///< that of pieces i and j is at i * (number of pieces of B) + j; primitive
@@ -47,11 +51,12 @@ struct UnionProof {
   std::vector<ProofOptimum> optima;  ///< all, in lexicographic order of their translations
 };
 
-/// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum. Throws std::logic_error if p is not free.
+/// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum.
+/// Throws std::logic_error if p is not free.
 std::vector<Vector> separations(const UnionSearch& search, const kernels::RationalPoint& p);
 
-/// Proves that these are the optima of unions that penetrate, translations of A in the unit of the input. Throws std::logic_error if they
-/// are not, and Interrupted.
+/// Proves that these are the optima of unions that penetrate, translations of A in the unit of the
+/// input. Throws std::logic_error if they are not, and Interrupted.
 UnionProof prove(kernels::Context& context, const PlacedPieces& pieces, const std::vector<UnionOptimum>& optima);
 
 }  // namespace fathom::unions

@@ -18,7 +18,9 @@ template <class Numbers>
 bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::RationalPointIn<Numbers>& q) {
   using Product = typename Numbers::Product;
   const auto &of_p = as<Product>(p.w), &of_q = as<Product>(q.w);
-  const auto same = [&](const auto& c, const auto& d) { return Product(as<Product>(c) * of_q) == Product(as<Product>(d) * of_p); };
+  const auto same = [&](const auto& c, const auto& d) {
+    return Product(as<Product>(c) * of_q) == Product(as<Product>(d) * of_p);
+  };
   return same(p.v.x, q.v.x) && same(p.v.y, q.v.y) && same(p.v.z, q.v.z);
 }
 
@@ -31,7 +33,8 @@ bool is_before(const Point& p, const Point& q) {
 template <class Numbers>
 UnionSearchIn<Numbers>::UnionSearchIn(const PlacedPieces& pieces) : pieces_(pieces) {
   for (const kernels::PointCloud& a : pieces.a)
-    for (const kernels::PointCloud& b : pieces.b) recent_.push_back(pairs_.emplace_back(std::make_unique<Pair>(a, b)).get());
+    for (const kernels::PointCloud& b : pieces.b)
+      recent_.push_back(pairs_.emplace_back(std::make_unique<Pair>(a, b)).get());
   push(Place{}, none);
 }
 
@@ -44,7 +47,8 @@ template <class Numbers>
 bool UnionSearchIn<Numbers>::is_free(const Place& p) {
   for (std::size_t i = 0; i < recent_.size(); ++i) {
     if (!recent_[i]->contains(p)) continue;
-    std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(i), recent_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(i),
+                recent_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     return false;
   }
   return true;
@@ -64,7 +68,8 @@ void UnionSearchIn<Numbers>::accept(const Place& p) {
     optima_.clear();
     best_ = kernels::squared_distance(p);
   }
-  if (std::none_of(optima_.begin(), optima_.end(), [&](const Place& o) { return same_point(o, p); })) optima_.push_back(p);
+  if (std::none_of(optima_.begin(), optima_.end(), [&](const Place& o) { return same_point(o, p); }))
+    optima_.push_back(p);
 }
 
 template <class Numbers>
@@ -88,7 +93,8 @@ CellEnd UnionSearchIn<Numbers>::cut(std::span<const Wall> cell, Wall wall, Place
 }
 
 template <class Numbers>
-std::vector<typename UnionSearchIn<Numbers>::OpenFacet> UnionSearchIn<Numbers>::open_facets(Pair& pair, std::span<const Wall> cell) {
+std::vector<typename UnionSearchIn<Numbers>::OpenFacet> UnionSearchIn<Numbers>::open_facets(
+    Pair& pair, std::span<const Wall> cell) {
   std::map<const Facet*, std::optional<Place>> known;
   std::vector<OpenFacet> open;
   for (bool again = true; again;) {
@@ -109,9 +115,12 @@ std::vector<typename UnionSearchIn<Numbers>::OpenFacet> UnionSearchIn<Numbers>::
     }
   }
   std::sort(open.begin(), open.end(), [](const OpenFacet& x, const OpenFacet& y) {
-    return std::pair(x.nearest.image_square, x.facet->triangle.value) < std::pair(y.nearest.image_square, y.facet->triangle.value);
+    return std::pair(x.nearest.image_square, x.facet->triangle.value) <
+           std::pair(y.nearest.image_square, y.facet->triangle.value);
   });
-  const auto same_plane = [](const OpenFacet& x, const OpenFacet& y) { return x.facet->plane.normal == y.facet->plane.normal; };
+  const auto same_plane = [](const OpenFacet& x, const OpenFacet& y) {
+    return x.facet->plane.normal == y.facet->plane.normal;
+  };
   std::vector<OpenFacet> distinct;
   for (OpenFacet& f : open)
     if (std::none_of(distinct.begin(), distinct.end(), [&](const OpenFacet& other) { return same_plane(f, other); }))
@@ -194,7 +203,8 @@ std::string UnionSearchIn<Numbers>::stage() const {
     return mpq_class(x / pieces_.whole.denominator).get_d();
   };
   if (!best_) return "union";
-  return fmt::format("union: depth between {:.4g} and {:.4g}", length(open_.front().nearest.image_square), length(best_->image));
+  return fmt::format("union: depth between {:.4g} and {:.4g}", length(open_.front().nearest.image_square),
+                     length(best_->image));
 }
 
 template <class Numbers>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the pieces of two unions, on one lattice.
-// Output  the least squared length of a translation t of A that lies in the interior of no P_ij, and all such t.
-//         A branch-and-bound search over cells of half-spaces, by their exact points nearest to O: the cell whose point is nearest comes
-//         first. If that point lies in the interior of a P_ij, the facets of a polytope inside P_ij split the rest of the cell.
-//                                                                                                              [proofs/unions.md]
+// Output  the least squared length of a translation t of A that lies in the interior of no P_ij,
+//         and all such t. A branch-and-bound search over cells of half-spaces, by their exact
+//         points nearest to O: the cell whose point is nearest comes first. If that point lies in
+//         the interior of a P_ij, the facets of a polytope inside P_ij split the rest of the cell.
+//         [proofs/unions.md]
 #pragma once
 
 #include <cstdint>
@@ -36,25 +37,29 @@ class UnionSearchIn {
 
   /// Whether O itself lies in the interior of no P_ij.
   bool starts_free();
-  /// Takes a point for an answer if it lies in the interior of no P_ij and is not farther than those before.
+  /// Takes a point for an answer if it lies in the interior of no P_ij and is not farther than
+  /// those before.
   void offer(const Place& p);
   /// Walks greedily to a free point, and offers it.
   void dive();
-  /// Searches to the end. Returns false if the context stopped it; then squared_low() and best() enclose the answer.
+  /// Searches to the end. Returns false if the context stopped it; then squared_low() and best()
+  /// enclose the answer.
   bool run(kernels::Context& context);
 
   /// The squared distance of the nearest free point so far; at the end the nearest there is.
   [[nodiscard]] const std::optional<Distance>& best() const { return best_; }
   /// At the end: all nearest free points.
   [[nodiscard]] const std::vector<Place>& optima() const { return optima_; }
-  /// The squared distances of best(), and of a bound below all free points, in the unit of the input.
+  /// The squared distances of best(), and of a bound below all free points, in the unit of the
+  /// input.
   [[nodiscard]] std::optional<mpq_class> squared_best() const;
   [[nodiscard]] mpq_class squared_low() const;
   [[nodiscard]] UnionCounters counts() const;
   /// Of piece i of A and piece j of B: at i * (number of pieces of B) + j.
   [[nodiscard]] std::span<const std::unique_ptr<Pair>> pairs() const { return pairs_; }
-  /// The facets of Q that a cell's point has to pass in the cell, nearest first, each with its nearest point; every one supports P_ij.
-  /// No facet that is left out lets a point of the cell pass that is as near as best().
+  /// The facets of Q that a cell's point has to pass in the cell, nearest first, each with its
+  /// nearest point; every one supports P_ij. No facet that is left out lets a point of the cell
+  /// pass that is as near as best().
   struct OpenFacet {
     Facet* facet;
     Place nearest;
@@ -105,7 +110,8 @@ bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::Ratio
 /// Whether p comes before q in lexicographic order.
 bool is_before(const Point& p, const Point& q);
 
-/// union_depth in integers of any size, also where the lattice is so narrow that those of a fixed size would do: its twin.
+/// union_depth in integers of any size, also where the lattice is so narrow that those of a fixed
+/// size would do: its twin.
 UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 }  // namespace fathom::unions

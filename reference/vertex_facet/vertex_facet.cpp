@@ -18,8 +18,8 @@ std::vector<VertexFacetPair> vertex_facet_pairs(const chart::Charts& charts) {
   return pairs;
 }
 
-void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a, const polytope::Polytope& b,
-           kernels::NearestPlanes& nearest) {
+void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a,
+           const polytope::Polytope& b, kernels::NearestPlanes& nearest) {
   for (const VertexFacetPair& pair : pairs) {
     const bool facet_of_a = pair.facet_of == gaussian::Colour::a;
     const polytope::Polytope& body = facet_of_a ? a : b;
@@ -31,24 +31,27 @@ void offer(const std::vector<VertexFacetPair>& pairs, const chart::Charts& chart
   }
 }
 
-kernels::Report validate(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts, const polytope::Polytope& a,
-                         const polytope::Polytope& b) {
+kernels::Report validate(const std::vector<VertexFacetPair>& pairs, const chart::Charts& charts,
+                         const polytope::Polytope& a, const polytope::Polytope& b) {
   kernels::Report report;
   std::vector<Vector> minus_a = a.vertices;
   for (Vector& p : minus_a) p = -p;
-  const gaussian::PerColour<kernels::PointCloud> vertices{kernels::PointCloud(std::move(minus_a)), kernels::PointCloud(b.vertices)};
+  const gaussian::PerColour<kernels::PointCloud> vertices{kernels::PointCloud(std::move(minus_a)),
+                                                          kernels::PointCloud(b.vertices)};
   gaussian::PerColour<kernels::IdVector<gaussian::NodeId, int>> seen;
   for (const gaussian::Colour c : gaussian::both_colours) seen[c].resize(charts.of[c].wall_of.size());
   for (const VertexFacetPair& pair : pairs) {
     ++seen[pair.facet_of][gaussian::node_of(pair.facet)];
     const Vector& n = charts.of[pair.facet_of].node(gaussian::node_of(pair.facet)).exact();
-    report.expect(
-        std::ranges::binary_search(kernels::extreme_points(vertices[gaussian::other(pair.facet_of)], n), pair.vertex.value),
-        "vertex " + std::to_string(pair.vertex.value) + " is not extreme in the direction of facet " + std::to_string(pair.facet.value));
+    report.expect(std::ranges::binary_search(kernels::extreme_points(vertices[gaussian::other(pair.facet_of)], n),
+                                             pair.vertex.value),
+                  "vertex " + std::to_string(pair.vertex.value) + " is not extreme in the direction of facet " +
+                      std::to_string(pair.facet.value));
   }
   for (const gaussian::Colour c : gaussian::both_colours) {
     for (const gaussian::NodeId i : seen[c].ids()) {
-      report.expect(seen[c][i] == (charts.of[c].wall_of[i].is_none() ? 0 : 1), "node " + std::to_string(i.value) + " is not located once");
+      report.expect(seen[c][i] == (charts.of[c].wall_of[i].is_none() ? 0 : 1),
+                    "node " + std::to_string(i.value) + " is not located once");
     }
   }
   return report;

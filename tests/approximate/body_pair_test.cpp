@@ -34,7 +34,8 @@ TEST(BodyPair, EqualsTheExactPipeline) {
     EXPECT_EQ(pair.b().polytope().vertices.size(), depth.extreme_b) << input.id;
     for (const Optimum& optimum : depth.optima()) {
       const Vector& n = optimum.direction;
-      const mpq_class factor = testing::support(input.a.points, input.b.points, n) * pair.placed().denominator / dot(n, n);
+      const mpq_class factor =
+          testing::support(input.a.points, input.b.points, n) * pair.placed().denominator / dot(n, n);
       EXPECT_EQ(pair.translation(factor, n), optimum.translation()) << input.id;
       const auto [contact, witness] = pair.meeting(n, optimum.translation());
       EXPECT_EQ(contact, optimum.contact) << input.id;
@@ -43,7 +44,8 @@ TEST(BodyPair, EqualsTheExactPipeline) {
       EXPECT_TRUE(testing::in_hull(witness->a, input.a.points, optimum.contact.a)) << input.id;
       EXPECT_TRUE(testing::in_hull(witness->b, input.b.points, optimum.contact.b)) << input.id;
       const Point& t = optimum.translation();
-      EXPECT_FALSE(pair.meeting(n, {2 * t.x, 2 * t.y, 2 * t.z}).witness) << input.id << ": twice as far, the faces do not meet";
+      EXPECT_FALSE(pair.meeting(n, {2 * t.x, 2 * t.y, 2 * t.z}).witness)
+          << input.id << ": twice as far, the faces do not meet";
     }
   }
   EXPECT_GT(penetrating, 50U);

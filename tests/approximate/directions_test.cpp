@@ -16,9 +16,11 @@ namespace {
 
 using VectorSet = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
 
-const mpq_class deltas[] = {1000000, 3, 1, mpq_class(1, 2), mpq_class(1, 4), mpq_class(1, 7), mpq_class(1, 100), mpq_class(1, 2500)};
+const mpq_class deltas[] = {
+    1000000, 3, 1, mpq_class(1, 2), mpq_class(1, 4), mpq_class(1, 7), mpq_class(1, 100), mpq_class(1, 2500)};
 
-/// By cosines in place of a tangent, another way to write the criterion: tan^2 = |v x p|^2 / <v,p>^2 <= 2 delta + delta^2.
+/// By cosines in place of a tangent, another way to write the criterion: tan^2 = |v x p|^2 /
+/// <v,p>^2 <= 2 delta + delta^2.
 bool covers_by_tangent(const Vector& p, const Vector& v, const mpq_class& delta) {
   const Vector moment = cross(v, p);
   const mpz_class along = dot(v, p);
@@ -40,7 +42,8 @@ TEST(Directions, EveryCellIsCoveredByItsCentre) {
   }
 }
 
-// The cells cover the sphere: each corner's cycle turns to the left about its centre, and each side is shared by two cells.
+// The cells cover the sphere: each corner's cycle turns to the left about its centre, and each side
+// is shared by two cells.
 TEST(Directions, CellsTileTheSphere) {
   kernels::Context context;
   for (const mpq_class& delta : deltas) {
@@ -79,7 +82,8 @@ TEST(Directions, TheSecondHalfIsOppositeToTheFirst) {
   for (const mpq_class& delta : deltas) {
     const DirectionGrid grid(context, delta);
     VectorSet first, second;
-    for (std::uint64_t cell = 0; cell < grid.size(); ++cell) (cell < grid.size() / 2 ? first : second).insert(grid.centre(cell));
+    for (std::uint64_t cell = 0; cell < grid.size(); ++cell)
+      (cell < grid.size() / 2 ? first : second).insert(grid.centre(cell));
     EXPECT_EQ(first.size(), second.size());
     for (const Vector& v : first) EXPECT_TRUE(second.contains(-v));
   }
@@ -93,7 +97,8 @@ TEST(Directions, RandomDirectionsAreCovered) {
     for (int i = 0; i < 100; ++i) {
       const Vector v = testing::random_direction(random, i % 2 == 0 ? 2 : 50);
       bool covered = false;
-      for (std::uint64_t cell = 0; cell < grid.size() && !covered; ++cell) covered = covers(grid.centre(cell), v, delta);
+      for (std::uint64_t cell = 0; cell < grid.size() && !covered; ++cell)
+        covered = covers(grid.centre(cell), v, delta);
       EXPECT_TRUE(covered) << v;
     }
   }
@@ -104,11 +109,13 @@ TEST(Directions, AreFew) {
   kernels::Context context;
   EXPECT_EQ(DirectionGrid(context, mpq_class(1000000)).size(), 6U);
   EXPECT_EQ(DirectionGrid(context, mpq_class(1)).size(), 6U);
-  for (const int n : {2, 4, 10, 100, 2500, 10000}) EXPECT_LE(DirectionGrid(context, mpq_class(1, n)).size(), 5U * n + 24U) << n;
+  for (const int n : {2, 4, 10, 100, 2500, 10000})
+    EXPECT_LE(DirectionGrid(context, mpq_class(1, n)).size(), 5U * n + 24U) << n;
 }
 
 TEST(Directions, TheCriterionIsExact) {
-  // tan^2 between (1,0,0) and (1,1,1) is 2 = 2 delta + delta^2 for delta = sqrt(3) - 1 = 0.73205080...
+  // tan^2 between (1,0,0) and (1,1,1) is 2 = 2 delta + delta^2 for delta = sqrt(3) - 1 =
+  // 0.73205080...
   EXPECT_TRUE(covers({1, 0, 0}, {1, 1, 1}, mpq_class(73205081, 100000000)));
   EXPECT_FALSE(covers({1, 0, 0}, {1, 1, 1}, mpq_class(73205080, 100000000)));
   // Pythagoras: cos = 3/5, so 1 + delta = 5/3 is reached exactly.

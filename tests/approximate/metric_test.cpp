@@ -23,7 +23,8 @@ using testing::differences;
 
 std::vector<Point> cube(const mpq_class& r) {
   std::vector<Point> q;
-  for (int i = 0; i < 8; ++i) q.push_back({i & 1 ? r : mpq_class(-r), i & 2 ? r : mpq_class(-r), i & 4 ? r : mpq_class(-r)});
+  for (int i = 0; i < 8; ++i)
+    q.push_back({i & 1 ? r : mpq_class(-r), i & 2 ? r : mpq_class(-r), i & 4 ? r : mpq_class(-r)});
   return q;
 }
 
@@ -31,7 +32,9 @@ std::vector<Point> octahedron() { return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 
 
 /// Not symmetric; with an interior point, a repeated one, and denominators of its own.
 std::vector<Point> skew_ball() {
-  return {{0, 0, 0}, {mpq_class(1, 3), 0, 0}, {0, mpq_class(5, 7), 0}, {0, mpq_class(5, 7), 0}, {-1, -1, mpq_class(-1, 2)}, {0, 0, 2}};
+  return {
+      {0, 0, 0}, {mpq_class(1, 3), 0, 0}, {0, mpq_class(5, 7), 0}, {0, mpq_class(5, 7), 0}, {-1, -1, mpq_class(-1, 2)},
+      {0, 0, 2}};
 }
 
 /// Depth and deciding points by the definition: P, and each point of Q that is extreme in it.
@@ -68,7 +71,8 @@ void expect_equal(const MetricResult& result, const NaiveMetric& twin, const Cas
     const Point& t = optimum.translation;
     EXPECT_EQ(t, (expected++)->second) << input.id;
     const Vector& n = optimum.direction;
-    EXPECT_EQ(testing::support(input.a.points, input.b.points, n), n.x * t.x + n.y * t.y + n.z * t.z) << input.id << ": separates";
+    EXPECT_EQ(testing::support(input.a.points, input.b.points, n), n.x * t.x + n.y * t.y + n.z * t.z)
+        << input.id << ": separates";
     const Witness& w = optimum.witness;
     EXPECT_EQ(w.b - w.a, t) << input.id;
     EXPECT_TRUE(testing::in_hull(w.a, input.a.points, optimum.contact.a)) << input.id;
@@ -97,7 +101,8 @@ TEST(Metric, EqualsTheHullOfAllDifferencesOnEveryFamily) {
   EXPECT_GT(ties, 20U);
 }
 
-// Boxes: along axes the octahedron's norm sees the least overlap, the cube's norm the same; twice the ball, half the depth.
+// Boxes: along axes the octahedron's norm sees the least overlap, the cube's norm the same; twice
+// the ball, half the depth.
 TEST(Metric, OfTwoBoxes) {
   Case input{"boxes", {cube(1)}, {cube(1)}};
   for (Point& p : input.b.points.edit()) p = {p.x + 1, p.y + mpq_class(3, 2), p.z + mpq_class(1, 4)};
@@ -172,7 +177,8 @@ TEST(Metric, ManyVertices) {
   std::vector<Point> q;
   while (q.size() < 10000) {  // on a sphere: the inverse stereographic image of a rational point
     const mpq_class x = kernels::ratio(testing::random_integer(random, 30), testing::power_of_two(28)),
-                    y = kernels::ratio(testing::random_integer(random, 30), testing::power_of_two(28)), s = 1 + x * x + y * y;
+                    y = kernels::ratio(testing::random_integer(random, 30), testing::power_of_two(28)),
+                    s = 1 + x * x + y * y;
     q.push_back({2 * x / s, 2 * y / s, (s - 2) / s});
     for (mpq_class* c : {&q.back().x, &q.back().y, &q.back().z}) {  // and near it in binary64
       *c = mpq_class(c->get_d());
@@ -186,7 +192,8 @@ TEST(Metric, ManyVertices) {
 
 // The exact directional depth against the hull of all differences.
 
-const Point directions[] = {{1, 0, 0}, {0, -3, 0}, {1, 1, 1}, {mpq_class(1, 3), mpq_class(-2, 7), 0}, {mpq_class(1, 1000), 0, 1}};
+const Point directions[] = {
+    {1, 0, 0}, {0, -3, 0}, {1, 1, 1}, {mpq_class(1, 3), mpq_class(-2, 7), 0}, {mpq_class(1, 1000), 0, 1}};
 
 TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
   std::size_t penetrating = 0;
@@ -198,7 +205,8 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
     for (const Point& u : directions) {
       const DirectionalDepth found = directional_depth(a, b, u);
       ASSERT_EQ(found.status(), exact.status()) << input.id;
-      EXPECT_EQ(found.translation(), (Point{found.factor() * u.x, found.factor() * u.y, found.factor() * u.z})) << input.id;
+      EXPECT_EQ(found.translation(), (Point{found.factor() * u.x, found.factor() * u.y, found.factor() * u.z}))
+          << input.id;
       EXPECT_GE(found.squared(), exact.squared()) << input.id;
       if (found.status() != Status::penetrating) {
         EXPECT_EQ(found.factor(), 0) << input.id;
@@ -207,7 +215,8 @@ TEST(Directional, EqualsTheHullOfAllDifferencesOnEveryFamily) {
       }
       ++penetrating;
       const RayExit& exit = *found.penetration();
-      const Vector scaled{mpq_class(21000 * u.x).get_num(), mpq_class(21000 * u.y).get_num(), mpq_class(21000 * u.z).get_num()};
+      const Vector scaled{mpq_class(21000 * u.x).get_num(), mpq_class(21000 * u.y).get_num(),
+                          mpq_class(21000 * u.z).get_num()};
       const mpq_class factor = testing::factor_naive(p, scaled);
       EXPECT_EQ(found.factor(), factor * 21000 / placed.denominator) << input.id;
       EXPECT_TRUE(testing::is_hit(p, found.normal(), factor, scaled)) << input.id;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// P itself, as the hull of all vertex differences, and rays from O by a look at every facet: the naive twin of everything in
-// reference/approximate.
+// P itself, as the hull of all vertex differences, and rays from O by a look at every facet: the
+// naive twin of everything in reference/approximate.
 #pragma once
 
 #include <optional>

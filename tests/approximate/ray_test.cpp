@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays through P against the hull of all vertex differences: the same factor, and a true facet of P at the hit point.
+// Rays through P against the hull of all vertex differences: the same factor, and a true facet of P
+// at the hit point.
 #include "reference/approximate/ray.hpp"
 
 #include <gtest/gtest.h>
@@ -74,12 +75,13 @@ std::vector<Vector> telling_directions(const polytope::Polytope& p, std::mt19937
     directions.push_back(p.vertices.at(random() % p.vertices.size()));
     if (!p.edges.empty()) {
       const polytope::Edge& e = p.edges[random() % p.edges.size()];
-      directions.insert(directions.end(),
-                        {vertex(e.from) + vertex(e.to), vertex(e.from) - vertex(e.to), vertex(e.from) + 3 * vertex(e.to)});
+      directions.insert(directions.end(), {vertex(e.from) + vertex(e.to), vertex(e.from) - vertex(e.to),
+                                           vertex(e.from) + 3 * vertex(e.to)});
     }
     if (!p.facets.empty()) {
       const polytope::Facet& f = p.facets.at(random() % p.facets.size());
-      directions.push_back(vertex(p.corners[f.begin]) + vertex(p.corners[f.begin + 1]) + vertex(p.corners[f.begin + 2]));
+      directions.push_back(vertex(p.corners[f.begin]) + vertex(p.corners[f.begin + 1]) +
+                           vertex(p.corners[f.begin + 2]));
       directions.push_back(f.normal);
     }
     directions.push_back(testing::random_direction(random, i == 0 ? 2 : 60));
@@ -126,9 +128,11 @@ TEST(Ray, AgreesWithTheHullOfDifferencesOnAllFamilies) {
 TEST(Ray, AgreesWithTheHullOfDifferencesOnSmallLattices) {
   EXPECT_TRUE(rc::check("rays of small lattice bodies", [] {
     const auto body = [] {
-      const int count = *rc::gen::inRange(1, 9), x = *rc::gen::inRange(1, 4), y = *rc::gen::inRange(1, 4), z = *rc::gen::inRange(1, 4);
+      const int count = *rc::gen::inRange(1, 9), x = *rc::gen::inRange(1, 4), y = *rc::gen::inRange(1, 4),
+                z = *rc::gen::inRange(1, 4);
       std::vector<Vector> points;
-      for (int i = 0; i < count; ++i) points.push_back({*rc::gen::inRange(-x, x), *rc::gen::inRange(-y, y), *rc::gen::inRange(-z, z)});
+      for (int i = 0; i < count; ++i)
+        points.push_back({*rc::gen::inRange(-x, x), *rc::gen::inRange(-y, y), *rc::gen::inRange(-z, z)});
       return points;
     };
     const std::vector<Vector> a = body(), b = body();
@@ -165,10 +169,11 @@ void expect_growth(const char* family, unsigned n, bool with_itself) {
   const Case input = families::find_family(family)->make(1, n);
   const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
   const Prepared b(placed.b.points());
-  const Growth growth =
-      with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy) : greatest_of_rays(Prepared(placed.a.points()).hierarchy, b.hierarchy);
+  const Growth growth = with_itself ? greatest_of_rays(b.hierarchy, b.hierarchy)
+                                    : greatest_of_rays(Prepared(placed.a.points()).hierarchy, b.hierarchy);
   const std::uint64_t doublings = std::bit_width(b.polytope.vertices.size());
-  std::cout << family << " vertices " << b.polytope.vertices.size() << " queries " << growth.queries << " steps " << growth.steps << '\n';
+  std::cout << family << " vertices " << b.polytope.vertices.size() << " queries " << growth.queries << " steps "
+            << growth.steps << '\n';
   EXPECT_LE(growth.queries, 5 * doublings);
   EXPECT_LE(growth.steps, 100 * doublings * doublings);
 }
@@ -180,7 +185,8 @@ TEST(Ray, QueriesGrowLikeTheLogarithmAndStepsLikeItsSquare) {
     for (const unsigned n : {100U, 2000U}) expect_growth(family, n, false);
 }
 
-/// Rings of the paraboloid z = -(x^2 + y^2) / 17 that shrink by a factor of 2: near the tip every portal is cut down ring by ring.
+/// Rings of the paraboloid z = -(x^2 + y^2) / 17 that shrink by a factor of 2: near the tip every
+/// portal is cut down ring by ring.
 std::vector<Vector> shrinking_rings(unsigned rings) {
   std::vector<Vector> points;
   for (unsigned i = 0; i < rings; ++i) {
@@ -191,13 +197,15 @@ std::vector<Vector> shrinking_rings(unsigned rings) {
   return points;
 }
 
-// The worst case of portals is real; the descent of both hierarchies takes over, and bounds the steps of all.
+// The worst case of portals is real; the descent of both hierarchies takes over, and bounds the
+// steps of all.
 TEST(Ray, StepsStayPolylogarithmicWherePortalsAreSlow) {
   const std::vector<Vector> corner{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const unsigned rings : {20U, 80U, 160U}) {
     SCOPED_TRACE(rings);
     const Prepared a(corner), b(shrinking_rings(rings));
-    const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0), by_portals(a.hierarchy, b.hierarchy, ~0UL);
+    const RayShooter usual(a.hierarchy, b.hierarchy), by_levels(a.hierarchy, b.hierarchy, 0),
+        by_portals(a.hierarchy, b.hierarchy, ~0UL);
     const mpz_class height = testing::power_of_two(2 * rings - 4);
     const std::uint64_t doublings = std::bit_width(b.polytope.vertices.size());
     std::mt19937_64 random(2);
@@ -219,8 +227,8 @@ TEST(Ray, StepsStayPolylogarithmicWherePortalsAreSlow) {
 }
 
 TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
-  for (const char* family :
-       {"random_sphere", "crossed_parabolas", "prisms_posed", "crossed_prisms", "parallel_edges", "common_normals", "plates"}) {
+  for (const char* family : {"random_sphere", "crossed_parabolas", "prisms_posed", "crossed_prisms", "parallel_edges",
+                             "common_normals", "plates"}) {
     SCOPED_TRACE(family);
     const Case input = families::find_family(family)->make(2, 300);
     const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
@@ -230,7 +238,8 @@ TEST(Ray, LevelsAndPortalsFindTheSameFacet) {
     const Vector on = b.polytope.vertices[polytope::VertexId(5)] - a.polytope.vertices[polytope::VertexId(7)];
     for (const Vector& start : {Vector{0, 0, 0}, on, Vector{on.x / 2, on.y / 2, on.z / 2}, on + on}) {
       for (int i = 0; i < 4; ++i) {
-        const Vector u = i == 0 ? b.polytope.facets[polytope::FacetId(9)].normal : testing::random_direction(random, i == 1 ? 2 : 30);
+        const Vector u = i == 0 ? b.polytope.facets[polytope::FacetId(9)].normal
+                                : testing::random_direction(random, i == 1 ? 2 : 30);
         const RayHit hit = usual.shoot(u, start), down = by_levels.shoot(u, start);
         ASSERT_EQ(std::tie(hit.hits, hit.interior, hit.factor, hit.normal, hit.height),
                   std::tie(down.hits, down.interior, down.factor, down.normal, down.height));

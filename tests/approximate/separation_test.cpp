@@ -75,16 +75,19 @@ TEST(Separation, KeepsItsGuaranteeWithManyRays) {
   const std::vector<Case> cases = cases_of_all_families(1, 6);
   for (const Case& input : cases) {
     const Depth exact = testing::exact_depth(input.a.points, input.b.points);
-    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 100)), exact, input.a.points, input.b.points, input.id);
+    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 100)), exact, input.a.points,
+                     input.b.points, input.id);
   }
   for (const char* name : {"random_sphere", "near_ties"}) {
     const Case input = families::find_family(name)->make(1, 8);
     const Depth exact = testing::exact_depth(input.a.points, input.b.points);
-    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 2500)), exact, input.a.points, input.b.points, input.id);
+    expect_guarantee(approx_depth(input.a.points, input.b.points, mpq_class(1, 2500)), exact, input.a.points,
+                     input.b.points, input.id);
   }
 }
 
-// The plane of a facet instead of the hit point: never farther than the nearest hit, which the naive twin finds too.
+// The plane of a facet instead of the hit point: never farther than the nearest hit, which the
+// naive twin finds too.
 TEST(Separation, TheReachIsThatOfTheNearestRay) {
   kernels::Context context;
   const mpq_class delta(1, 4);
@@ -111,7 +114,8 @@ TEST(Separation, TheReachIsThatOfTheNearestRay) {
       const mpq_class squared = kernels::ratio(found.height * found.height, dot(found.normal, found.normal));
       EXPECT_LE(squared, reach) << input.id;
       if (squared < reach) ++shorter;
-      const auto facet = std::find_if(p.facets.begin(), p.facets.end(), [&](const polytope::Facet& f) { return f.normal == found.normal; });
+      const auto facet = std::find_if(p.facets.begin(), p.facets.end(),
+                                      [&](const polytope::Facet& f) { return f.normal == found.normal; });
       ASSERT_NE(facet, p.facets.end()) << input.id << ": not the normal of a facet";
       EXPECT_EQ(testing::height(p, *facet), found.height) << input.id;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where SHALLOW-PENETRATION, taken to the letter, does not compute the depth, or not within its bound.        [proofs/errata.md]
+// Where SHALLOW-PENETRATION, taken to the letter, does not compute the depth, or not within its
+// bound.                                                                         [proofs/errata.md]
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,12 +21,15 @@ struct JustP {
         b(p),
         surface(origin, p) {}
 
-  [[nodiscard]] SumFacet facet(const Vector& n) const { return surface.facet(a.extreme_face(-n), b.extreme_face(n), n); }
+  [[nodiscard]] SumFacet facet(const Vector& n) const {
+    return surface.facet(a.extreme_face(-n), b.extreme_face(n), n);
+  }
   /// The nearest facets that a walk in the ball finds.
   [[nodiscard]] kernels::NearestPlanes nearest(const Ball& ball, const std::vector<SumFacet>& starts) const {
     kernels::NearestPlanes planes;
     kernels::Context context;
-    walk(context, surface, ball, starts, [&](const SumFacet& f) { planes.offer(f.normal, dot(f.normal, surface.point(f))); });
+    walk(context, surface, ball, starts,
+         [&](const SumFacet& f) { planes.offer(f.normal, dot(f.normal, surface.point(f))); });
     return planes;
   }
 
@@ -66,8 +70,9 @@ std::vector<Vector> box(long r, long z) {
 
 // ---- the start ----
 
-// "Compute the face f of P supported by the plane orthogonal to u": for u = (.001,.002,1) a vertex at a distance of 141, where the ball has
-// the radius 1.125 (delta = 1/4). No connected component of the boundary within the ball contains it. The ray u hits the top, at 1.
+// "Compute the face f of P supported by the plane orthogonal to u": for u = (.001,.002,1) a vertex
+// at a distance of 141, where the ball has the radius 1.125 (delta = 1/4). No connected component
+// of the boundary within the ball contains it. The ray u hits the top, at 1.
 TEST(ShallowErrata, TheFaceThatUSupportsIsFarFromTheBall) {
   const JustP p(box(100, 1));
   const Vector u{1, 2, 1000};
@@ -81,8 +86,9 @@ TEST(ShallowErrata, TheFaceThatUSupportsIsFarFromTheBall) {
   EXPECT_EQ(shoot_ray(p.a, p.b, u).normal, (Vector{0, 0, 1}));
 }
 
-// The box with a rim that slopes down a little, in units of 1/1000: no facet at the vertex that u supports comes within 50 of O. From
-// whichever of them the walk starts, it ends there, with a plane farther than the depth, which is 1.
+// The box with a rim that slopes down a little, in units of 1/1000: no facet at the vertex that u
+// supports comes within 50 of O. From whichever of them the walk starts, it ends there, with a
+// plane farther than the depth, which is 1.
 TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
   kernels::Context context;
   std::vector<Vector> corners = box(50000, 1000);
@@ -114,10 +120,11 @@ TEST(ShallowErrata, AWalkFromTheFaceThatUSupportsMissesTheDepth) {
 
 // ---- the grid ----
 
-// Step 1 takes the grid for delta, step 2 an approximation within 1 + delta/4. With delta = 1 the grid may be the six axes. P is a
-// tetrahedron: x + y + z <= 17 is at 17 / sqrt 3 = 9.81, x >= -10 at 10, the others at 60. The shortest ray, 10 along -x, is within 5/4 of
-// the depth. The rays that cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge to the nearest
-// facet is at a distance of 21, the ball has the radius 15.
+// Step 1 takes the grid for delta, step 2 an approximation within 1 + delta/4. With delta = 1 the
+// grid may be the six axes. P is a tetrahedron: x + y + z <= 17 is at 17 / sqrt 3 = 9.81, x >= -10
+// at 10, the others at 60. The shortest ray, 10 along -x, is within 5/4 of the depth. The rays that
+// cover (1,1,1) have the length 17 > 12.5: not in G'. The walk from x = -10 stays there: the edge
+// to the nearest facet is at a distance of 21, the ball has the radius 15.
 TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
   kernels::Context context;
   const JustP p({{-10, -60, -60}, {137, -60, -60}, {-10, 87, -60}, {-10, -60, 87}});
@@ -137,12 +144,14 @@ TEST(ShallowErrata, TheGridForDeltaMissesTheDepth) {
     if (in_reach(delta, squared_reach(p, u), least_squared)) starts.push_back(p.facet(shoot_ray(p.a, p.b, u).normal));
   }
   EXPECT_EQ(squared(p.nearest(ball(delta, least_squared), starts)), 100) << "the letter of the text";
-  EXPECT_EQ(squared(ShallowPenetration(context, p.a, p.b, delta).query(context).nearest), depth_squared) << "with the grid for delta / 4";
+  EXPECT_EQ(squared(ShallowPenetration(context, p.a, p.b, delta).query(context).nearest), depth_squared)
+      << "with the grid for delta / 4";
 }
 
 // ---- delta ----
 
-// (1 + delta/2) (1 + delta/4) <= 1 + delta, which puts the ball within (1 + delta) depth, holds up to delta = 2 and no farther.
+// (1 + delta/2) (1 + delta/4) <= 1 + delta, which puts the ball within (1 + delta) depth, holds up
+// to delta = 2 and no farther.
 TEST(ShallowErrata, TheBallIsWithinItsBoundUpToDeltaTwo) {
   kernels::Context context;
   const auto ball_within_bound = [](const mpq_class& d) { return (1 + d / 2) * (1 + d / 4) <= 1 + d; };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rays from coarse grids to fine ones: nothing that matters is skipped. Against P itself, by exact comparison.
+// Rays from coarse grids to fine ones: nothing that matters is skipped. Against P itself, by exact
+// comparison.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -69,7 +70,8 @@ TEST_P(EveryFamily, SkipsNoRayWithinReach) {
   }
 }
 
-// The bound against the gauge itself. It is never below it, and it is the gauge where the axes and the nearest ray meet one facet.
+// The bound against the gauge itself. It is never below it, and it is the gauge where the axes and
+// the nearest ray meet one facet.
 TEST_P(EveryFamily, TheBoundIsNeverBelowTheGauge) {
   std::mt19937_64 random(3);
   for (unsigned seed = 1; seed <= 2; ++seed) {
@@ -86,21 +88,25 @@ TEST_P(EveryFamily, TheBoundIsNeverBelowTheGauge) {
         const Vector v = testing::random_direction(random, 3);
         EXPECT_FALSE(bound.below(v, square(factor_naive(scene.sum, v)))) << input.id << v;
       }
-      EXPECT_TRUE(bound.below(u, square(factor_naive(scene.sum, u)) * mpq_class(999, 1000))) << input.id << u << ": a ray bounds itself";
+      EXPECT_TRUE(bound.below(u, square(factor_naive(scene.sum, u)) * mpq_class(999, 1000)))
+          << input.id << u << ": a ray bounds itself";
     }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily,
+                         ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ShallowRays, FarSidesTakeFewRays) {
   kernels::Context context;
-  const ShallowScene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}), cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
+  const ShallowScene plate({"a plate", {{{0, 0, 0}}}, families::box(100, 100, 1)}),
+      cube({"a cube", {{{0, 0, 0}}}, families::box(1, 1, 1)});
   const RayShooter through_plate(plate.a, plate.b), through_cube(cube.a, cube.b);
   for (const mpq_class& delta : {mpq_class(1, 16), mpq_class(1, 100)}) {
     const RayGrids grids(context, delta);
-    const NearRays of_plate = grids.shoot(context, through_plate, {0, 0, 0}), of_cube = grids.shoot(context, through_cube, {0, 0, 0});
+    const NearRays of_plate = grids.shoot(context, through_plate, {0, 0, 0}),
+                   of_cube = grids.shoot(context, through_cube, {0, 0, 0});
     expect_laws(of_plate, plate.sum, delta);
     expect_laws(of_cube, cube.sum, delta);
     EXPECT_LE(of_plate.rays, of_plate.skipped / 4);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHALLOW-PENETRATION against the exact pipeline over all families, by exact equality; and which facets of P it looks at.
+// SHALLOW-PENETRATION against the exact pipeline over all families, by exact equality; and which
+// facets of P it looks at.
 #include "reference/approximate/shallow.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,8 @@ TEST_P(EveryFamily, EqualsTheExactPipeline) {
       const Depth exact = testing::exact_depth(input.a.points, input.b.points);
       Options validated;
       validated.validate = true;
-      const Depth depth = shallow_depth(input.a.points, input.b.points, validated, seed == 1 ? mpq_class(1, 4) : mpq_class(seed - 1));
+      const Depth depth =
+          shallow_depth(input.a.points, input.b.points, validated, seed == 1 ? mpq_class(1, 4) : mpq_class(seed - 1));
       expect_same(depth, exact);
       EXPECT_EQ(depth.counters.facets_visited > 0, depth.status() == Status::penetrating);
       EXPECT_EQ(depth.counters.rays > 0, depth.status() == Status::penetrating);
@@ -48,7 +50,8 @@ TEST_P(EveryFamily, EqualsTheExactPipeline) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shallow, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+INSTANTIATE_TEST_SUITE_P(Shallow, EveryFamily,
+                         ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Shallow, EqualsTheExactPipelineOnTheCatalogue) {
@@ -82,7 +85,8 @@ mpq_class squared_distance(const polytope::Polytope& p, const polytope::Facet& f
   return foot_inside ? kernels::ratio(h * h, square) : *least;
 }
 
-// Visited facets meet the ball, and the ball is such that those are within Theorem 3.5's count, (1 + delta) depth of O.
+// Visited facets meet the ball, and the ball is such that those are within Theorem 3.5's count, (1
+// + delta) depth of O.
 TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
   kernels::Context context;
   for (unsigned seed = 1; seed <= 2; ++seed) {
@@ -97,7 +101,8 @@ TEST_P(EveryFamily, VisitsOnlyFacetsThatMeetTheBall) {
       EXPECT_LE(result.ball_radius_squared, (1 + delta) * (1 + delta) * depth_squared);
       EXPECT_GE(result.ball_radius_squared, (1 + delta / 2) * (1 + delta / 2) * depth_squared);
       std::uint64_t within = 0;
-      for (const polytope::Facet& f : scene.sum.facets) within += squared_distance(scene.sum, f) <= result.ball_radius_squared ? 1 : 0;
+      for (const polytope::Facet& f : scene.sum.facets)
+        within += squared_distance(scene.sum, f) <= result.ball_radius_squared ? 1 : 0;
       EXPECT_LE(result.facets, within);
       EXPECT_GE(result.facets, result.nearest.directions().size());
       EXPECT_GE(result.facets, result.starts);
@@ -115,7 +120,8 @@ Case spheres_that_overlap_a_little(unsigned points, const mpq_class& apart) {
 TEST(Shallow, LooksAtFewFacetsWhenThePenetrationIsShallow) {
   for (const unsigned points : {100U, 400U}) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(15, 8));
-    const Depth exact = testing::exact_depth(input.a.points, input.b.points), depth = shallow_depth(input.a.points, input.b.points);
+    const Depth exact = testing::exact_depth(input.a.points, input.b.points),
+                depth = shallow_depth(input.a.points, input.b.points);
     expect_same(depth, exact);
     ASSERT_EQ(depth.status(), Status::penetrating) << points;
     EXPECT_GE(exact.counters.crossings, 2U * points) << "facets of P; there are others";
@@ -128,7 +134,8 @@ TEST(Shallow, TheWalkDoesNotGrowWithTheBodies) {
   for (const unsigned points : {1000U, 8000U}) {
     const Case input = spheres_that_overlap_a_little(points, mpq_class(99, 50));
     const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
-    const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()), hull_b = polytope::convex_hull(placed.b.points());
+    const polytope::Polytope hull_a = polytope::convex_hull(placed.a.points()),
+                             hull_b = polytope::convex_hull(placed.b.points());
     const polytope::Hierarchy a(hull_a), b(hull_b);
     const ShallowResult result = ShallowPenetration(context, a, b).query(context);
     ASSERT_TRUE(result.inside);
@@ -171,7 +178,8 @@ TEST(Shallow, ABodyMovesWithoutNewPreparation) {
         continue;
       }
       ++inside;
-      EXPECT_EQ(kernels::ratio(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared()) << name << i;
+      EXPECT_EQ(kernels::ratio(result.nearest.numerator(), result.nearest.denominator() * unit * unit), exact.squared())
+          << name << i;
       NormalSet directions;
       for (const Optimum& o : exact.optima()) directions.insert(o.direction);
       EXPECT_TRUE(std::ranges::equal(directions, result.nearest.directions())) << name << i;

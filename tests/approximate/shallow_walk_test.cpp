@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The implicit boundary of P and the walk over it, against P itself: the hull of all vertex differences.
+// The implicit boundary of P and the walk over it, against P itself: the hull of all vertex
+// differences.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,8 @@ SumFacet facet_of(const SumSurface& surface, const ShallowScene& scene, const Ve
   return surface.facet(scene.a.extreme_face(-n), scene.b.extreme_face(n), n);
 }
 
-/// Whether the segment meets the ball, by another route than Ball::meets: the least of the distances of the ends and of a foot between.
+/// Whether the segment meets the ball, by another route than Ball::meets: the least of the
+/// distances of the ends and of a foot between.
 bool meets_naive(const Ball& ball, const Vector& p, const Vector& q) {
   const mpq_class radius_squared = kernels::ratio(ball.numerator, ball.denominator);
   const Vector r = p - ball.centre, s = q - ball.centre, d = q - p;
@@ -57,8 +59,9 @@ NormalSet walk_naive(const polytope::Polytope& p, const Ball& ball, const Normal
 NormalSet walk_from(const SumSurface& surface, const Ball& ball, const std::vector<SumFacet>& starts) {
   NormalSet visited;
   kernels::Context context;
-  const WalkCounts counts =
-      walk(context, surface, ball, starts, [&](const SumFacet& f) { EXPECT_TRUE(visited.insert(f.normal).second) << "visited twice"; });
+  const WalkCounts counts = walk(context, surface, ball, starts, [&](const SumFacet& f) {
+    EXPECT_TRUE(visited.insert(f.normal).second) << "visited twice";
+  });
   EXPECT_EQ(counts.facets, visited.size());
   return visited;
 }
@@ -72,7 +75,8 @@ NormalSet corners_of(const polytope::Polytope& p, const polytope::Facet& facet) 
 
 // ---- the implicit surface is the boundary of P ----
 
-/// Each facet's edges close up, turn left, and have the corners of P's facet; the way across an edge and back leads home.
+/// Each facet's edges close up, turn left, and have the corners of P's facet; the way across an
+/// edge and back leads home.
 void expect_facet(const SumSurface& surface, const polytope::Polytope& p, const SumFacet& facet) {
   const std::vector<SumEdge> edges = surface.edges(facet);
   const auto same = std::ranges::find(p.facets, facet.normal, &polytope::Facet::normal);
@@ -111,7 +115,8 @@ TEST_P(EveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
       const ShallowScene scene(input);
       if (scene.sum.rank < 3) continue;
       const SumSurface surface(scene.hull_a, scene.hull_b);
-      for (const polytope::Facet& f : scene.sum.facets) expect_facet(surface, scene.sum, facet_of(surface, scene, f.normal));
+      for (const polytope::Facet& f : scene.sum.facets)
+        expect_facet(surface, scene.sum, facet_of(surface, scene, f.normal));
     }
   }
 }
@@ -125,10 +130,12 @@ TEST_P(EveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
     if (scene.sum.rank < 3) continue;
     const SumSurface surface(scene.hull_a, scene.hull_b);
     for (int i = 0; i < 6; ++i) {
-      // Centre anywhere about P, the radius such that it reaches some vertex of P: edges that just meet it.
+      // Centre anywhere about P, the radius such that it reaches some vertex of P: edges that just
+      // meet it.
       const Vector &p = scene.sum.vertices.at(random() % scene.sum.vertices.size()),
                    &q = scene.sum.vertices.at(random() % scene.sum.vertices.size());
-      const Ball ball{i % 2 == 0 ? Vector{0, 0, 0} : p, i == 0 ? mpz_class(0) : mpz_class(dot(q - p, q - p)), i % 3 + 1};
+      const Ball ball{i % 2 == 0 ? Vector{0, 0, 0} : p, i == 0 ? mpz_class(0) : mpz_class(dot(q - p, q - p)),
+                      i % 3 + 1};
       const Vector n = scene.sum.facets.at(random() % scene.sum.facets.size()).normal;
       EXPECT_EQ(walk_from(surface, ball, {facet_of(surface, scene, n)}), walk_naive(scene.sum, ball, {n}));
     }
@@ -144,11 +151,13 @@ TEST_P(EveryFamily, ALargeBallHoldsAllOfP) {
     const SumSurface surface(scene.hull_a, scene.hull_b);
     Ball ball{{0, 0, 0}, 0, 1};
     for (const Vector& v : scene.sum.vertices) ball.numerator = std::max(ball.numerator, mpz_class(dot(v, v)));
-    EXPECT_EQ(walk_from(surface, ball, {facet_of(surface, scene, scene.sum.facets.front().normal)}), normals_of(scene.sum));
+    EXPECT_EQ(walk_from(surface, ball, {facet_of(surface, scene, scene.sum.facets.front().normal)}),
+              normals_of(scene.sum));
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ShallowWalk, EveryFamily, ::testing::ValuesIn(families::families().begin(), families::families().end()),
+INSTANTIATE_TEST_SUITE_P(ShallowWalk, EveryFamily,
+                         ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bullet's EPA on one pair of hulls, as an engine calls it: binary32, margin 0. Only if Bullet was found.
+// Bullet's EPA on one pair of hulls, as an engine calls it: binary32, margin 0. Only if Bullet was
+// found.
 #pragma once
 
 #include <memory>

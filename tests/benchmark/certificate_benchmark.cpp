@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates: the time to find the depth with its proof, to write it and to check it, per family and size, beside the exact method and,
-// on hulls of at most 64 vertices, Bullet's EPA, all in one run. Then: processor time as a multiple of the others'. Points go in as doubles
-// where doubles hold them, as rationals elsewhere; one workspace serves all calls.
+// Certificates: the time to find the depth with its proof, to write it and to check it, per family
+// and size, beside the exact method and, on hulls of at most 64 vertices, Bullet's EPA, all in one
+// run. Then: processor time as a multiple of the others'. Points go in as doubles where doubles
+// hold them, as rationals elsewhere; one workspace serves all calls.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -54,12 +55,14 @@ Options options_with_workspace() {
 
 Depth certified(const Pair& pair) {
   const Options options = options_with_workspace();
-  return pair.a.empty() ? penetration_depth(pair.input.a.points, pair.input.b.points, options) : penetration_depth(pair.a, pair.b, options);
+  return pair.a.empty() ? penetration_depth(pair.input.a.points, pair.input.b.points, options)
+                        : penetration_depth(pair.a, pair.b, options);
 }
 
 std::string proof(const Pair& pair) {
   const Depth depth = certified(pair);
-  return pair.a.empty() ? certificate_text(pair.input.a.points, pair.input.b.points, depth) : certificate_text(pair.a, pair.b, depth);
+  return pair.a.empty() ? certificate_text(pair.input.a.points, pair.input.b.points, depth)
+                        : certificate_text(pair.a, pair.b, depth);
 }
 
 /// Penetrating pairs of one family and size, with their certificates.
@@ -105,8 +108,9 @@ void add_instance(const families::Family& family, unsigned size, std::size_t cou
   add(instance, "text", set, [set](std::size_t i) { benchmark::DoNotOptimize(proof(set->pairs[i])); });
   add(instance, "check", set, [set](std::size_t i) { benchmark::DoNotOptimize(fathom_check::verify(set->texts[i])); });
   if (with_pipeline)
-    add(instance, "pipeline", set,
-        [set](std::size_t i) { benchmark::DoNotOptimize(testing::exact_depth(set->cases[i].a.points, set->cases[i].b.points)); });
+    add(instance, "pipeline", set, [set](std::size_t i) {
+      benchmark::DoNotOptimize(testing::exact_depth(set->cases[i].a.points, set->cases[i].b.points));
+    });
 #ifdef FATHOM_BULLET
   if (size > 64) return;
   const auto pairs = std::make_shared<std::vector<benchmarks::BulletPair>>();
@@ -142,7 +146,8 @@ void add_all() {
   add_instance(*families::find_family("random_sphere"), 64, 8, true);
   for (const char* name : {"random_sphere", "random_ball", "needles", "plates", "prisms_posed", "crossed_fans"})
     add_instance(*families::find_family(name), 1000, 2, true);
-  for (const char* name : {"random_sphere", "random_ball"}) add_instance(*families::find_family(name), 100000, 1, false);
+  for (const char* name : {"random_sphere", "random_ball"})
+    add_instance(*families::find_family(name), 100000, 1, false);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact pipeline against the exact alternatives, in one run: the hull of all vertex differences, CGAL's Gaussian map overlay, and the
-// double-filtered scan over all pairs of edges (hulls included on every side). After the times it prints their ratios to the pipeline's.
+// The exact pipeline against the exact alternatives, in one run: the hull of all vertex
+// differences, CGAL's Gaussian map overlay, and the double-filtered scan over all pairs of edges
+// (hulls included on every side). After the times it prints their ratios to the pipeline's.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -33,12 +34,14 @@ void hull_of_differences(const Case& input) {
 
 void filtered_scan(const Case& input) {
   const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
-  benchmark::DoNotOptimize(
-      depth::nearest_facets_scan(polytope::convex_hull(placed.a.points()), polytope::convex_hull(placed.b.points()), placed.exponent()));
+  benchmark::DoNotOptimize(depth::nearest_facets_scan(polytope::convex_hull(placed.a.points()),
+                                                      polytope::convex_hull(placed.b.points()), placed.exponent()));
 }
 
 #ifdef FATHOM_SGM
-void gaussian_map_overlay(const Case& input) { benchmark::DoNotOptimize(oracles::sgm_oracle(input.a.points, input.b.points)); }
+void gaussian_map_overlay(const Case& input) {
+  benchmark::DoNotOptimize(oracles::sgm_oracle(input.a.points, input.b.points));
+}
 #endif
 
 struct Contender {

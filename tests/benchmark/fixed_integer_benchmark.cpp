@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integers of fixed size: ours, over GMP's mpn functions, beside Boost's cpp_int and mpz_class, on what an expanding polytope computes with
-// them: a plane through three points, the side of a fourth, and a comparison of two distances. At the end, times as multiples of ours.
+// Integers of fixed size: ours, over GMP's mpn functions, beside Boost's cpp_int and mpz_class, on
+// what an expanding polytope computes with them: a plane through three points, the side of a
+// fourth, and a comparison of two distances. At the end, times as multiples of ours.
 #include <benchmark/benchmark.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -56,11 +57,13 @@ int plane_side_and_distance(const std::vector<Vec3<Integer>>& v, std::size_t i) 
 template <class Integer>
 void add(const std::string& contender) {
   for (const unsigned long bits : {22UL, 60UL, 150UL, 300UL}) {
-    benchmark::RegisterBenchmark(("lattice of " + std::to_string(bits) + " bits/" + contender).c_str(), [bits](benchmark::State& state) {
-      const std::vector<Vec3<Integer>> v = differences<Integer>(bits);
-      std::size_t i = 0;
-      for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(plane_side_and_distance(v, i++));
-    });
+    benchmark::RegisterBenchmark(("lattice of " + std::to_string(bits) + " bits/" + contender).c_str(),
+                                 [bits](benchmark::State& state) {
+                                   const std::vector<Vec3<Integer>> v = differences<Integer>(bits);
+                                   std::size_t i = 0;
+                                   for ([[maybe_unused]] auto _ : state)
+                                     benchmark::DoNotOptimize(plane_side_and_distance(v, i++));
+                                 });
   }
 }
 
@@ -71,8 +74,8 @@ class RatioReporter : public benchmarks::TimesReporter {
   void Finalize() override {
     for (const auto& [instance, times] : this->times()) {
       if (times.size() == 3)
-        std::printf("%-24s boost %.2f, mpz_class %.2f times FixedInteger\n", instance.c_str(), times.at("boost") / times.at("fixed"),
-                    times.at("mpz_class") / times.at("fixed"));
+        std::printf("%-24s boost %.2f, mpz_class %.2f times FixedInteger\n", instance.c_str(),
+                    times.at("boost") / times.at("fixed"), times.at("mpz_class") / times.at("fixed"));
     }
   }
 };

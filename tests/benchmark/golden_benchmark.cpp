@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden data: certified records a second, per family, at 10 and at 20 points a body, on one core. `make` is a base case with all its
-// records (one to three), answered, proved, checked and written; `prove` verifies finished records from their texts. After the times: a
-// table of records a second.
+// Golden data: certified records a second, per family, at 10 and at 20 points a body, on one core.
+// `make` is a base case with all its records (one to three), answered, proved, checked and written;
+// `prove` verifies finished records from their texts. After the times: a table of records a second.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -41,7 +41,8 @@ void add_instance(const std::string& family, unsigned size) {
   add(instance, "prove", [family, size, finished](std::uint64_t step) {
     if (finished->empty()) *finished = make(family, size, 1);
     const Record& record = (*finished)[step % finished->size()];
-    if (const auto fault = faults_of(record.line, record.certificate)) std::printf("%s: %s\n", record.id.c_str(), fault->c_str());
+    if (const auto fault = faults_of(record.line, record.certificate))
+      std::printf("%s: %s\n", record.id.c_str(), fault->c_str());
     return std::size_t{1};
   });
 }

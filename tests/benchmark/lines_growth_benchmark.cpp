@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the stages of the pipeline, and the three engines of its closest-lines stage, grow with the input.
-//   lines_growth_benchmark [--naive-up-to CROSSINGS] [--sampled-up-to N] [--turned 1] [--repeat N] FAMILY SIZE [SIZE...] ...
-// With --turned 1 both bodies are rotated, exactly, so that their chains lie along no axis. Engines run N times; the least time counts.
-// One process per case, so that the peak memory is its own. Work is cells + block tests + pairs evaluated. The last lines of each family
-// are exponents between its smallest and its largest size.
+// How the stages of the pipeline, and the three engines of its closest-lines stage, grow with the
+// input.
+//   lines_growth_benchmark [--naive-up-to CROSSINGS] [--sampled-up-to N] [--turned 1] [--repeat N]
+//   FAMILY SIZE [SIZE...] ... With --turned 1 both bodies are rotated, exactly, so that their
+//   chains lie along no axis. Engines run N times; the least time counts. One process per case, so
+//   that the peak memory is its own. Work is cells + block tests + pairs evaluated. The last lines
+//   of each family are exponents between its smallest and its largest size.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,9 +17,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 #include "reference/gaussian/gaussian_diagram.hpp"
@@ -35,7 +38,8 @@ struct EngineRow {
 struct Row {
   unsigned size = 0;
   std::uint64_t edges_a = 0, edges_b = 0, crossings = 0, sum = 0, canonical_pairs = 0;
-  double aghrs = 0;  // sum (|A_i||B_i|)^(3/4) + |A_i| + |B_i|: what AGHRS bound by O(K^(1/2+eps) (mn)^(1/4) + ...), section 2.3
+  double aghrs =
+      0;  // sum (|A_i||B_i|)^(3/4) + |A_i| + |B_i|: what AGHRS bound by O(K^(1/2+eps) (mn)^(1/4) + ...), section 2.3
   double hulls = 0, charts = 0, vertex_facets = 0, canonical = 0;
   EngineRow engines[3];
   long peak_megabytes = 0;
@@ -75,7 +79,8 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
   Clock clock;
   const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
   row.hulls = clock.lap();
-  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a), of_b = gaussian::gaussian_diagram(b);
+  const gaussian::GaussianDiagram of_a = gaussian::gaussian_diagram_of_reflection(a),
+                                  of_b = gaussian::gaussian_diagram(b);
   kernels::Context context;
   std::vector<chart::Charts> charts;
   for (const chart::Hemisphere h : chart::both_hemispheres)
@@ -109,7 +114,8 @@ Row measure(const families::Family& family, unsigned size, const Limits& limits)
       kernels::NearestPlanes nearest = start;
       kernels::Context context;
       clock.lap();
-      for (std::size_t i = 0; i < 2; ++i) lines::closest_lines(context, subsets[i], scenes[i], nearest, {.engine = engine});
+      for (std::size_t i = 0; i < 2; ++i)
+        lines::closest_lines(context, subsets[i], scenes[i], nearest, {.engine = engine});
       const double seconds = clock.lap(), least = n == 0 ? seconds : std::min(seconds, result.seconds);
       const Counters& counters = context.counters;
       result = {least, counters.cells, counters.block_tests, counters.pairs_evaluated, counters.pairs_exact};
@@ -138,15 +144,17 @@ bool measure_apart(const families::Family& family, unsigned size, const Limits& 
 }
 
 void print(const Row& r) {
-  std::printf("%8u %8llu %8llu %10.3g %9.3g %8llu %9.2e | %8.1f %8.1f %8.1f %8.1f |", r.size, static_cast<unsigned long long>(r.edges_a),
-              static_cast<unsigned long long>(r.edges_b), static_cast<double>(r.crossings), static_cast<double>(r.sum),
-              static_cast<unsigned long long>(r.canonical_pairs), r.aghrs, 1e3 * r.hulls, 1e3 * r.charts, 1e3 * r.vertex_facets,
-              1e3 * r.canonical);
+  std::printf("%8u %8llu %8llu %10.3g %9.3g %8llu %9.2e | %8.1f %8.1f %8.1f %8.1f |", r.size,
+              static_cast<unsigned long long>(r.edges_a), static_cast<unsigned long long>(r.edges_b),
+              static_cast<double>(r.crossings), static_cast<double>(r.sum),
+              static_cast<unsigned long long>(r.canonical_pairs), r.aghrs, 1e3 * r.hulls, 1e3 * r.charts,
+              1e3 * r.vertex_facets, 1e3 * r.canonical);
   for (const EngineRow& e : r.engines) {
     if (e.seconds < 0) {
       std::printf(" %9s %8s %8s %8s |", "-", "-", "-", "-");
     } else {
-      std::printf(" %9.2f %8.2e %8.2e %8.2e |", 1e3 * e.seconds, e.work(), static_cast<double>(e.pairs), static_cast<double>(e.exact));
+      std::printf(" %9.2f %8.2e %8.2e %8.2e |", 1e3 * e.seconds, e.work(), static_cast<double>(e.pairs),
+                  static_cast<double>(e.exact));
     }
   }
   std::printf(" %6ld\n", r.peak_megabytes);
@@ -158,8 +166,9 @@ void print_exponents(const std::vector<Row>& rows) {
   if (rows.size() < 2) return;
   const double span = std::log(static_cast<double>(last.edges_a) / static_cast<double>(first.edges_a));
   const auto exponent = [&](double x, double y) { return std::log(y / x) / span; };
-  std::printf("exponents: crossings %.2f, sum %.2f, AGHRS %.2f, canonical ms %.2f", exponent(first.crossings, last.crossings),
-              exponent(first.sum, last.sum), exponent(first.aghrs, last.aghrs), exponent(first.canonical, last.canonical));
+  std::printf("exponents: crossings %.2f, sum %.2f, AGHRS %.2f, canonical ms %.2f",
+              exponent(first.crossings, last.crossings), exponent(first.sum, last.sum),
+              exponent(first.aghrs, last.aghrs), exponent(first.canonical, last.canonical));
   for (std::size_t e = 0; e < 3; ++e) {
     const EngineRow &x = first.engines[e], &y = last.engines[e];
     if (x.seconds > 0 && y.seconds > 0) {
@@ -179,7 +188,8 @@ int main(int argc, char** argv) {
   int i = 1;
   for (; i + 1 < argc && std::strncmp(argv[i], "--", 2) == 0; i += 2) {
     if (std::strcmp(argv[i], "--naive-up-to") == 0) limits.naive_crossings = std::atof(argv[i + 1]);
-    if (std::strcmp(argv[i], "--sampled-up-to") == 0) limits.sampled_size = static_cast<unsigned>(std::atoi(argv[i + 1]));
+    if (std::strcmp(argv[i], "--sampled-up-to") == 0)
+      limits.sampled_size = static_cast<unsigned>(std::atoi(argv[i + 1]));
     if (std::strcmp(argv[i], "--repeat") == 0) limits.repeat = std::max(1, std::atoi(argv[i + 1]));
     if (std::strcmp(argv[i], "--turned") == 0) limits.turned = std::atoi(argv[i + 1]) != 0;
   }
@@ -189,9 +199,9 @@ int main(int argc, char** argv) {
       std::fprintf(stderr, "unknown family '%s'\n", argv[i]);
       return 2;
     }
-    std::printf("%s\n%8s %8s %8s %10s %9s %8s %9s | %8s %8s %8s %8s | %36s | %36s | %36s | %6s\n", argv[i], "size", "edges_a", "edges_b",
-                "crossings", "sum", "pairs", "AGHRS", "hulls ms", "charts", "v-facet", "canon", "cutting: ms work pairs exact",
-                "sampled: ms work pairs exact", "naive: ms work pairs exact", "MB");
+    std::printf("%s\n%8s %8s %8s %10s %9s %8s %9s | %8s %8s %8s %8s | %36s | %36s | %36s | %6s\n", argv[i], "size",
+                "edges_a", "edges_b", "crossings", "sum", "pairs", "AGHRS", "hulls ms", "charts", "v-facet", "canon",
+                "cutting: ms work pairs exact", "sampled: ms work pairs exact", "naive: ms work pairs exact", "MB");
     std::vector<Row> rows;
     for (++i; i < argc && std::atoi(argv[i]) > 0; ++i) {
       Row row;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shallow penetrations of large bodies: the exact pipeline, SHALLOW-PENETRATION from the points on, and one query of bodies that are made
-// ready, A moving from query to query. Unit spheres of random points, centres 1.98 apart.
+// Shallow penetrations of large bodies: the exact pipeline, SHALLOW-PENETRATION from the points on,
+// and one query of bodies that are made ready, A moving from query to query. Unit spheres of random
+// points, centres 1.98 apart.
 #include <benchmark/benchmark.h>
+
 #include <memory>
 #include <string>
 
@@ -58,7 +60,8 @@ void register_size(unsigned size) {
   const std::string name = "spheres/" + std::to_string(size) + "/";
   if (size <= largest_for_pipeline) {
     benchmark::RegisterBenchmark((name + "pipeline").c_str(), [input](benchmark::State& state) {
-      for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(testing::exact_depth(input->a.points, input->b.points));
+      for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(testing::exact_depth(input->a.points, input->b.points));
     })->Unit(benchmark::kMillisecond);
   }
   benchmark::RegisterBenchmark((name + "shallow").c_str(), [input](benchmark::State& state) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curved shapes in random poses: the time to find bounds of their signed depth to 2^-40 of the extent and to write their certificate, of
-// the median pair; the calls of the support and the bytes of certificates that it takes; and those of pairs with a continuum of optima.
-// Rounded shapes: the time to find their signed depth, as a multiple of the time that their cores alone take, in turns.
+// Curved shapes in random poses: the time to find bounds of their signed depth to 2^-40 of the
+// extent and to write their certificate, of the median pair; the calls of the support and the bytes
+// of certificates that it takes; and those of pairs with a continuum of optima. Rounded shapes: the
+// time to find their signed depth, as a multiple of the time that their cores alone take, in turns.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -71,7 +72,8 @@ CurvedCosts curved_costs(const std::pair<Shape, Shape>& pair) {
   const std::string text = certificate_text(a, b, signed_depth(a, b));
   const double end = processor_time();
   kernels::Context context;
-  return {end - start, static_cast<double>(curved::signed_bounds(context, a, b).support_calls), static_cast<double>(text.size())};
+  return {end - start, static_cast<double>(curved::signed_bounds(context, a, b).support_calls),
+          static_cast<double>(text.size())};
 }
 
 void add_curved(const std::string& name, Pairs pairs) {
@@ -84,7 +86,8 @@ void add_curved(const std::string& name, Pairs pairs) {
   });
 }
 
-// Quaternions and all lengths are doubles, or of a few digits. Centers are at most `reach` apart along each axis.
+// Quaternions and all lengths are doubles, or of a few digits. Centers are at most `reach` apart
+// along each axis.
 void add_random_curved(const char* kind_a, const char* kind_b, unsigned bits, std::int64_t reach) {
   ShapeMaker make{families::Random(7), bits};
   Pairs pairs;
@@ -92,7 +95,8 @@ void add_random_curved(const char* kind_a, const char* kind_b, unsigned bits, st
     Shape a = make.posed(make.shape(kind_a), 0);
     pairs.emplace_back(std::move(a), make.posed(make.shape(kind_b), reach));
   }
-  add_curved(std::string(kind_a) + "-" + kind_b + (bits > 30 ? ", doubles, " : ", few digits, ") + (reach == 1 ? "deep" : "mostly apart"),
+  add_curved(std::string(kind_a) + "-" + kind_b + (bits > 30 ? ", doubles, " : ", few digits, ") +
+                 (reach == 1 ? "deep" : "mostly apart"),
              std::move(pairs));
 }
 
@@ -103,7 +107,9 @@ void add_all_curved() {
     add_random_curved(a, b, 50, 5);
     add_random_curved(a, b, 4, 1);
   }
-  const auto at = [](const Shape& shape, const mpq_class& x) { return moved(shape, rigid_pose({1, 0, 0, 0}, {x, 0, 0})); };
+  const auto at = [](const Shape& shape, const mpq_class& x) {
+    return moved(shape, rigid_pose({1, 0, 0, 0}, {x, 0, 0}));
+  };
   const Shape bar = cylinder(1, 4), ball = ellipsoid({1, 1, mpq_class(1000001, 1000000)});
   add_curved("coaxial cylinders", {{bar, bar}});
   add_curved("parallel cylinders, 1/1000 off", {{bar, at(bar, mpq_class(1, 1000))}});
@@ -152,11 +158,12 @@ RoundedCosts rounded_costs(const std::pair<Shape, Shape>& pair) {
 }
 
 void add_rounded(const std::string& name, Pairs pairs) {
-  add_row("rounded/" + name, std::move(pairs), rounded_costs, [](std::vector<RoundedCosts>& all, benchmark::UserCounters& counters) {
-    counters["cores_us"] = 1e6 * quantile(all, &RoundedCosts::cores, 0.5);
-    counters["ratio_median"] = quantile(all, &RoundedCosts::ratio, 0.5);
-    counters["ratio_p90"] = quantile(all, &RoundedCosts::ratio, 0.9);
-  });
+  add_row("rounded/" + name, std::move(pairs), rounded_costs,
+          [](std::vector<RoundedCosts>& all, benchmark::UserCounters& counters) {
+            counters["cores_us"] = 1e6 * quantile(all, &RoundedCosts::cores, 0.5);
+            counters["ratio_median"] = quantile(all, &RoundedCosts::ratio, 0.5);
+            counters["ratio_p90"] = quantile(all, &RoundedCosts::ratio, 0.9);
+          });
 }
 
 /// How the numbers of a pair are written, and where B stands: what costs depend on.
@@ -171,7 +178,8 @@ struct RoundedMaker {
   Point point() {
     Point p = make.point(1);
     if (numbers != Numbers::short_rationals) return p;
-    for (mpq_class* const c : {&p.x, &p.y, &p.z}) *c = families::ratio(make.random.between(-100, 100), make.random.between(100, 110));
+    for (mpq_class* const c : {&p.x, &p.y, &p.z})
+      *c = families::ratio(make.random.between(-100, 100), make.random.between(100, 110));
     return p;
   }
   /// A hull of `n` points.
@@ -189,7 +197,8 @@ struct RoundedMaker {
   std::pair<Shape, Shape> pair(const Shape& a, const Shape& b, Meeting meeting) {
     const Shape first = posed(a), second = posed(b);
     const auto at = [&](const Point& t) {
-      return std::pair(with_margin(first, mpq_class(1, 8)), with_margin(moved(second, rigid_pose({1, 0, 0, 0}, t)), mpq_class(1, 4)));
+      return std::pair(with_margin(first, mpq_class(1, 8)),
+                       with_margin(moved(second, rigid_pose({1, 0, 0, 0}, t)), mpq_class(1, 4)));
     };
     if (meeting == Meeting::deep) return at({mpq_class(1, 4), 0, 0});
     if (meeting == Meeting::apart) return at({5, 1, mpq_class(1, 2)});

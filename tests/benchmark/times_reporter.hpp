@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Benchmarks named instance/contender: what was printed is remembered, so that ratios can be printed at the end.
+// Benchmarks named instance/contender: what was printed is remembered, so that ratios can be
+// printed at the end.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -24,7 +25,8 @@ class TimesReporter : public benchmark::ConsoleReporter {
       if (run.error_occurred) continue;
       const std::string name = run.run_name.function_name;
       const std::size_t slash = name.rfind('/');
-      times_[name.substr(0, slash)][name.substr(slash + 1)] = time_ == Time::real ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+      times_[name.substr(0, slash)][name.substr(slash + 1)] =
+          time_ == Time::real ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
     }
   }
 

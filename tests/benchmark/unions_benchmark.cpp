@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unions of convex pieces, by family and number of pieces: the processor time of the answer, of answer and certificate, and of the check;
-// the bytes of certificates; the pairs of pieces that the search looked at closely, and the cells that it split. Of pairs that penetrate,
-// the median, what nine of ten are below, and the most. `memory`: the most that the process has used so far.
-#include <algorithm>
+// Unions of convex pieces, by family and number of pieces: the processor time of the answer, of
+// answer and certificate, and of the check; the bytes of certificates; the pairs of pieces that the
+// search looked at closely, and the cells that it split. Of pairs that penetrate, the median, what
+// nine of ten are below, and the most. `memory`: the most that the process has used so far.
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <algorithm>
 #include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
-#include <sys/resource.h>
 #include <vector>
 
 #include "fathom/certificate.hpp"
@@ -70,7 +72,8 @@ void report(std::vector<Costs>& all, benchmark::State& state) {
   figures("pairs", &Costs::pairs, 1);
   figures("cells", &Costs::cells, 1);
   state.counters["of"] = static_cast<double>(all.size());
-  state.counters["refused"] = static_cast<double>(std::count_if(all.begin(), all.end(), [](const Costs& c) { return c.refused; }));
+  state.counters["refused"] =
+      static_cast<double>(std::count_if(all.begin(), all.end(), [](const Costs& c) { return c.refused; }));
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   state.counters["memory_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;

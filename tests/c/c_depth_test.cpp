@@ -43,7 +43,8 @@ struct Rounded {
 };
 Rounded depth_of(const AnswerHandle& answer) {
   Rounded value;
-  EXPECT_EQ(fathom_answer_signed_depth(answer.get(), &value.nearest, &value.low, &value.high), FATHOM_OK) << fathom_last_error();
+  EXPECT_EQ(fathom_answer_signed_depth(answer.get(), &value.nearest, &value.low, &value.high), FATHOM_OK)
+      << fathom_last_error();
   return value;
 }
 
@@ -94,7 +95,8 @@ TEST(CDepth, EqualsTheCppInterface) {
       std::vector<const char*> numbers;
       for (const std::string& text : texts) numbers.push_back(text.c_str());
       fathom_body* handle = nullptr;
-      EXPECT_EQ(fathom_body_from_numbers(numbers.data(), numbers.size() / 3, &handle), FATHOM_OK) << fathom_last_error();
+      EXPECT_EQ(fathom_body_from_numbers(numbers.data(), numbers.size() / 3, &handle), FATHOM_OK)
+          << fathom_last_error();
       return BodyHandle(handle);
     };
     const AnswerHandle answer = answer_about(body(made.a), body(made.b));
@@ -107,7 +109,8 @@ TEST(CDepth, EqualsTheCppInterface) {
     EXPECT_EQ(depth.high, round_binary64(value, Rounding::ru)) << family.name;
     EXPECT_EQ(fathom_answer_optima(answer.get()), expected.optima().size()) << family.name;
     const Vector& n = expected.direction();
-    EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str()) << family.name;
+    EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str())
+        << family.name;
     char* certificate = nullptr;
     ASSERT_EQ(fathom_answer_certificate(answer.get(), "one", nullptr, &certificate), FATHOM_OK) << fathom_last_error();
     EXPECT_EQ(taken(certificate), certificate_text(made.a, made.b, expected, "one")) << family.name;
@@ -157,7 +160,8 @@ TEST(CDepth, RoundBodiesAreExact) {
 }
 
 TEST(CDepth, CurvedBodiesAreEnclosed) {
-  const BodyHandle cone = shape_of("cone:r=1,h=1"), tilted = shape_of("cylinder:r=1,h=1,at=0.3:0.2:0.9,quaternion=3:1:2:1");
+  const BodyHandle cone = shape_of("cone:r=1,h=1"),
+                   tilted = shape_of("cylinder:r=1,h=1,at=0.3:0.2:0.9,quaternion=3:1:2:1");
   const AnswerHandle answer = answer_about(cone, tilted);
   const Rounded depth = depth_of(answer);
   EXPECT_LT(depth.low, depth.high);
@@ -211,7 +215,8 @@ TEST(CDepth, OneBodyInManyThreads) {
   const BodyHandle a = shape_of("capsule:r=0.1,h=1"), b = body_of(cube_at(0.1));
   std::vector<std::string> found(4);
   std::vector<std::thread> threads;
-  for (std::string& text : found) threads.emplace_back([&] { text = exactly(answer_about(a, b), FATHOM_SIGNED_DEPTH); });
+  for (std::string& text : found)
+    threads.emplace_back([&] { text = exactly(answer_about(a, b), FATHOM_SIGNED_DEPTH); });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(std::set<std::string>(found.begin(), found.end()).size(), 1U);
   EXPECT_FALSE(found.front().empty());
@@ -244,10 +249,12 @@ TEST(CCheck, Outcomes) {
   char* certificate = nullptr;
   ASSERT_EQ(fathom_answer_certificate(answer_about(a, b).get(), nullptr, nullptr, &certificate), FATHOM_OK);
   const std::string text = taken(certificate);
-  const auto outcome = [](const std::string& checked, const fathom_body* first, const fathom_body* second, const std::string& begin) {
+  const auto outcome = [](const std::string& checked, const fathom_body* first, const fathom_body* second,
+                          const std::string& begin) {
     int result = -1;
     char* line = nullptr;
-    EXPECT_EQ(fathom_check_certificate(checked.data(), checked.size(), first, second, &result, &line), FATHOM_OK) << fathom_last_error();
+    EXPECT_EQ(fathom_check_certificate(checked.data(), checked.size(), first, second, &result, &line), FATHOM_OK)
+        << fathom_last_error();
     EXPECT_EQ(taken(line).find(begin), 0U);
     return result;
   };
@@ -263,7 +270,8 @@ TEST(CCheck, Outcomes) {
   EXPECT_EQ(outcome(forged, nullptr, nullptr, "s REFUSED "), FATHOM_REFUSED);
   int result = 9;
   EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), a.get(), nullptr, &result, nullptr), FATHOM_BAD_INPUT);
-  EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), a.get(), ball.get(), &result, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), a.get(), ball.get(), &result, nullptr),
+            FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_check_certificate(nullptr, 5, nullptr, nullptr, &result, nullptr), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), nullptr, nullptr, nullptr, nullptr), FATHOM_BAD_INPUT);
   EXPECT_EQ(result, 9);

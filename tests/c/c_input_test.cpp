@@ -22,7 +22,8 @@ void expect_refused(Make make, const std::string& expected) {
   auto* body = reinterpret_cast<fathom_body*>(1);
   EXPECT_EQ(make(&body), FATHOM_BAD_INPUT) << expected;
   EXPECT_EQ(body, nullptr) << expected;
-  EXPECT_NE(std::string(fathom_last_error()).find(expected), std::string::npos) << fathom_last_error() << " does not hold " << expected;
+  EXPECT_NE(std::string(fathom_last_error()).find(expected), std::string::npos)
+      << fathom_last_error() << " does not hold " << expected;
 }
 
 TEST(CBadInput, Points) {
@@ -32,7 +33,8 @@ TEST(CBadInput, Points) {
   };
   expect_refused(points(nullptr, 1), "xyz: expected a pointer");
   expect_refused(points(good, 0), "from 1 to 2^31 points, found 0");
-  for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 24 + 1, (std::size_t{1} << 31) + 1}) expect_refused(points(good, count), "2^31");
+  for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 24 + 1, (std::size_t{1} << 31) + 1})
+    expect_refused(points(good, count), "2^31");
   for (const double x : {nan, infinity, -infinity}) {
     const double bad[6] = {0, 0, 0, 0, x, 0};
     expect_refused(points(bad, 2), "point 1: expected finite coordinates, found");
@@ -43,7 +45,8 @@ TEST(CBadInput, Points) {
 TEST(CBadInput, Numbers) {
   for (const char* const word : {"", "x", "1/0", "1e999999999", "inf", "nan", " 1", "0x", "1,5"}) {
     const char* const numbers[3] = {"0", "0", word};
-    expect_refused([&](fathom_body** body) { return fathom_body_from_numbers(numbers, 1, body); }, "point 0: expected a number, found");
+    expect_refused([&](fathom_body** body) { return fathom_body_from_numbers(numbers, 1, body); },
+                   "point 0: expected a number, found");
   }
   const char* const missing[3] = {"0", nullptr, "0"};
   expect_refused([&](fathom_body** body) { return fathom_body_from_numbers(missing, 1, body); }, "found NULL");
@@ -60,8 +63,9 @@ TEST(CBadInput, Texts) {
   expect_refused(shape("sphere:r=nan"), "expected a number");
   expect_refused(shape("sphere:r=0"), "radius");
   expect_refused(shape("hull:vertices=1"), "no short form");
-  expect_refused([](fathom_body** body) { return fathom_body_from_mesh("no such file.off", FATHOM_EXACT_DECIMALS, body); },
-                 "no such file.off");
+  expect_refused(
+      [](fathom_body** body) { return fathom_body_from_mesh("no such file.off", FATHOM_EXACT_DECIMALS, body); },
+      "no such file.off");
   const auto json = [](const char* text) {
     return [=](fathom_body** body) {
       auto* other = reinterpret_cast<fathom_body*>(1);
@@ -82,7 +86,9 @@ TEST(CBadInput, Poses) {
   const auto moved = [](const BodyHandle& body, const double* pose) {
     return [&body, pose](fathom_body** result) { return fathom_body_moved(body.get(), pose, result); };
   };
-  const auto posed = [&](const char* pose) { return [&a, pose](fathom_body** r) { return fathom_body_posed(a.get(), pose, 0, r); }; };
+  const auto posed = [&](const char* pose) {
+    return [&a, pose](fathom_body** r) { return fathom_body_posed(a.get(), pose, 0, r); };
+  };
   expect_refused(moved(a, nullptr), "pose: expected a pointer");
   expect_refused(moved(nullptr, flat), "body: expected a pointer");
   expect_refused(moved(a, bad), "at index 5");
@@ -143,7 +149,8 @@ TEST(CBadInput, AbsurdCounts) {
     fathom_judgement judgement;
     fathom_judgement_init(&judgement);
     EXPECT_EQ(fathom_judge(a.get(), a.get(), &claim, &judgement, nullptr), FATHOM_BAD_INPUT);
-    EXPECT_NE(std::string(fathom_last_error()).find("at most 2^31 contacts of a claim, found"), std::string::npos) << fathom_last_error();
+    EXPECT_NE(std::string(fathom_last_error()).find("at most 2^31 contacts of a claim, found"), std::string::npos)
+        << fathom_last_error();
     int outcome = 7;
     EXPECT_EQ(fathom_check_certificate("x", count, nullptr, nullptr, &outcome, nullptr), FATHOM_BAD_INPUT);
     EXPECT_NE(std::string(fathom_last_error()).find("at most 2^31 bytes of a certificate, found"), std::string::npos)
@@ -152,7 +159,8 @@ TEST(CBadInput, AbsurdCounts) {
   }
 }
 
-// Law: what is handed out is a proof. Every checker refuses to read numbers of more than 100,000 digits.
+// Law: what is handed out is a proof. Every checker refuses to read numbers of more than 100,000
+// digits.
 TEST(CBadInput, ProofsThatNobodyWouldRead) {
   const char* const wide[12] = {"1e60000", "0", "0", "0", "1", "0", "0", "0", "1", "-1", "-1", "-1"};
   fathom_body* body = nullptr;
@@ -166,12 +174,14 @@ TEST(CBadInput, ProofsThatNobodyWouldRead) {
     auto* text = reinterpret_cast<char*>(1);
     EXPECT_EQ(fathom_answer_certificate(answer.get(), "wide", nullptr, &text), FATHOM_ABSENT);
     EXPECT_EQ(text, nullptr);
-    EXPECT_NE(std::string(fathom_last_error()).find("a number of more digits than the limit, 100000"), std::string::npos);
+    EXPECT_NE(std::string(fathom_last_error()).find("a number of more digits than the limit, 100000"),
+              std::string::npos);
   }
 }
 
 TEST(CBadInput, LongMessagesAreCut) {
-  expect_refused([](fathom_body** body) { return fathom_body_from_mesh(std::string(5000, 'x').c_str(), 0, body); }, "xxx");
+  expect_refused([](fathom_body** body) { return fathom_body_from_mesh(std::string(5000, 'x').c_str(), 0, body); },
+                 "xxx");
   EXPECT_EQ(std::string(fathom_last_error()).size(), 1023U);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge for C gives what the C++ interface gives, of points, of shapes and of unions, and refuses everything else.
+// The judge for C gives what the C++ interface gives, of points, of shapes and of unions, and
+// refuses everything else.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -84,7 +85,8 @@ TEST_F(CJudge, EqualsTheCppInterface) {
   reply.witness_b = Triple{0.4, 0.5, 0.5};
   const Judgement expected = judge(triples(cube_at(0)), triples(cube_at(0.4)), reply);
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
-  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_TOO_DEEP | 1U << FATHOM_VERDICT_INCONSISTENT | 1U << FATHOM_VERDICT_WITNESS_OFF);
+  EXPECT_EQ(judgement.findings,
+            1U << FATHOM_VERDICT_TOO_DEEP | 1U << FATHOM_VERDICT_INCONSISTENT | 1U << FATHOM_VERDICT_WITNESS_OFF);
   EXPECT_EQ(judgement.accuracy, FATHOM_NO_CLASS);
   EXPECT_EQ(judgement.status, FATHOM_PENETRATING);
   EXPECT_EQ(judgement.signed_depth, 0.6);
@@ -164,14 +166,16 @@ TEST_F(CJudge, Shapes) {
   EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, nullptr), FATHOM_OK);
 }
 
-// The bar stands in the slot of the block, as wide as it: 1 deep in one wall, and out by a translation that fits exactly.
+// The bar stands in the slot of the block, as wide as it: 1 deep in one wall, and out by a
+// translation that fits exactly.
 TEST_F(CJudge, Unions) {
   a = bar();
   b = block();
   claims(1, 1, 0, 0);
   ASSERT_EQ(run(), FATHOM_OK) << fathom_last_error();
   const Pieces plate{box_points({1, 1, 2}, {3, 3, 6})};
-  const Pieces walls{box_points({0, 0, 0}, {2, 4, 4}), box_points({4, 0, 0}, {6, 4, 4}), box_points({2, 0, 0}, {4, 4, 1})};
+  const Pieces walls{box_points({0, 0, 0}, {2, 4, 4}), box_points({4, 0, 0}, {6, 4, 4}),
+                     box_points({2, 0, 0}, {4, 4, 1})};
   Reply reply;
   reply.overlap = true;
   reply.depth = 1;
@@ -199,7 +203,8 @@ TEST_F(CJudge, Unions) {
   b = body_of(cube_at(0.4));
   a = body_of(cube_at(0));
   ASSERT_EQ(run(), FATHOM_OK);
-  EXPECT_TRUE(std::isnan(judgement.deepest_pair) && std::isnan(judgement.hulls) && std::isnan(judgement.deeper)) << "of polytopes";
+  EXPECT_TRUE(std::isnan(judgement.deepest_pair) && std::isnan(judgement.hulls) && std::isnan(judgement.deeper))
+      << "of polytopes";
 }
 
 // The cubes meet in x from 0.4 to 1, and are 1 high.
@@ -213,9 +218,10 @@ TEST_F(CJudge, ClaimsOfSeparation) {
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
   EXPECT_TRUE(judgement.longer);
   EXPECT_NEAR(judgement.dearer, 2.0 / 3, 1e-15);
-  for (const auto& [policy, most, verdict] :
-       {std::tuple{FATHOM_POLICY_MINIMUM, 9.0, FATHOM_VERDICT_TOO_DEEP}, std::tuple{FATHOM_POLICY_SEPARATING, 0.0, FATHOM_VERDICT_PASS},
-        std::tuple{FATHOM_POLICY_WITHIN, 0.5, FATHOM_VERDICT_TOO_DEEP}, std::tuple{FATHOM_POLICY_WITHIN, 0.75, FATHOM_VERDICT_PASS}}) {
+  for (const auto& [policy, most, verdict] : {std::tuple{FATHOM_POLICY_MINIMUM, 9.0, FATHOM_VERDICT_TOO_DEEP},
+                                              std::tuple{FATHOM_POLICY_SEPARATING, 0.0, FATHOM_VERDICT_PASS},
+                                              std::tuple{FATHOM_POLICY_WITHIN, 0.5, FATHOM_VERDICT_TOO_DEEP},
+                                              std::tuple{FATHOM_POLICY_WITHIN, 0.75, FATHOM_VERDICT_PASS}}) {
     claim.policy = policy;
     claim.policy_most = most;
     ASSERT_EQ(run(), FATHOM_OK);
@@ -223,7 +229,8 @@ TEST_F(CJudge, ClaimsOfSeparation) {
   }
 }
 
-// The answer of a subject that sees binary32 points and calculates in binary64 is right to an ulp of that.
+// The answer of a subject that sees binary32 points and calculates in binary64 is right to an ulp
+// of that.
 TEST_F(CJudge, AnswersOfAnotherPrecision) {
   claims(0.6, -1, 0, 0);
   claim.tol_relative = claim.tol_absolute = 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of convex pieces for C: what is refused, what is absent, and searches that are stopped.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
-#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,8 @@ TEST(CUnions, CanBeStoppedAtAnyTime) {
 template <class Call>
 void expect_refused(Call call, const std::string& expected) {
   EXPECT_EQ(call(), FATHOM_BAD_INPUT) << expected;
-  EXPECT_NE(std::string(fathom_last_error()).find(expected), std::string::npos) << fathom_last_error() << " does not hold " << expected;
+  EXPECT_NE(std::string(fathom_last_error()).find(expected), std::string::npos)
+      << fathom_last_error() << " does not hold " << expected;
 }
 
 TEST(CUnions, BadPieces) {
@@ -100,7 +102,8 @@ TEST(CUnions, BadPieces) {
   expect_refused([&] { return fathom_body_from_pieces(&one, 1, nullptr); }, "the place for the result");
   expect_refused([&] { return fathom_body_from_piece_files("no such file.obj", 0, &body); }, "no such file.obj");
   expect_refused([&] { return fathom_body_from_piece_files(nullptr, 0, &body); }, "path: expected a pointer");
-  expect_refused([&] { return fathom_body_from_piece_files(FATHOM_TEST_DATA "/key.obj", 7, &body); }, "decimals: expected");
+  expect_refused([&] { return fathom_body_from_piece_files(FATHOM_TEST_DATA "/key.obj", 7, &body); },
+                 "decimals: expected");
   EXPECT_EQ(body, nullptr);
 }
 
@@ -117,7 +120,8 @@ TEST(CUnions, BadQuestions) {
   fathom_claim_init(&claim);
   fathom_judgement judgement;
   fathom_judgement_init(&judgement);
-  expect_refused([&] { return fathom_judge(ball.get(), both.get(), &claim, &judgement, nullptr); }, "is no union of pieces");
+  expect_refused([&] { return fathom_judge(ball.get(), both.get(), &claim, &judgement, nullptr); },
+                 "is no union of pieces");
   const AnswerHandle convex = answer_about(cube, cube), good = answer_about(bar(), both);
   double depth = 7;
   int clearance = -1;

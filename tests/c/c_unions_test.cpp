@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unions of convex pieces for C: what the C++ interface gives.
-#include <cfenv>
 #include <gmpxx.h>
 #include <gtest/gtest.h>
+
+#include <cfenv>
 #include <set>
 #include <string>
 #include <thread>
@@ -160,17 +161,20 @@ TEST(CUnions, ComeFromCasesAndFilesAndArePosed) {
   ASSERT_EQ(fathom_bodies_from_case(json, &a, &b), FATHOM_OK) << fathom_last_error();
   const BodyHandle plate(a), walls(b);
   EXPECT_EQ(exactly(answer_about(plate, walls), FATHOM_TRANSLATION), "-3/4 0 0");
-  ASSERT_EQ(fathom_body_posed(walls.get(), "xyz=1/4,0,0", FATHOM_EXACT_DECIMALS, &moved), FATHOM_OK) << fathom_last_error();
+  ASSERT_EQ(fathom_body_posed(walls.get(), "xyz=1/4,0,0", FATHOM_EXACT_DECIMALS, &moved), FATHOM_OK)
+      << fathom_last_error();
   EXPECT_EQ(exactly(answer_about(plate, BodyHandle(moved)), FATHOM_TRANSLATION), "-1/2 0 0");
   EXPECT_EQ(exactly(answer_about(plate, walls), FATHOM_TRANSLATION), "-3/4 0 0") << "law: a body does not change";
   const auto read = [](const std::string& path) {
     fathom_body* body = nullptr;
-    EXPECT_EQ(fathom_body_from_piece_files((FATHOM_TEST_DATA "/" + path).c_str(), FATHOM_BINARY64_DECIMALS, &body), FATHOM_OK)
+    EXPECT_EQ(fathom_body_from_piece_files((FATHOM_TEST_DATA "/" + path).c_str(), FATHOM_BINARY64_DECIMALS, &body),
+              FATHOM_OK)
         << fathom_last_error();
     return BodyHandle(body);
   };
   EXPECT_EQ(exactly(answer_about(read("key.obj"), read("comb.obj")), FATHOM_SIGNED_DEPTH), "sqrt(5/8)");
-  EXPECT_EQ(fathom_answer_status(answer_about(read("decompositions/mug"), read("decompositions/spanner.obj")).get()), FATHOM_PENETRATING);
+  EXPECT_EQ(fathom_answer_status(answer_about(read("decompositions/mug"), read("decompositions/spanner.obj")).get()),
+            FATHOM_PENETRATING);
 }
 
 TEST(CUnions, CertificatesAreCompared) {
@@ -178,7 +182,8 @@ TEST(CUnions, CertificatesAreCompared) {
   const std::string text = certificate_of(answer_about(a, b), "fit");
   const auto outcome = [&](const fathom_body* first, const fathom_body* second) {
     int result = -1;
-    EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), first, second, &result, nullptr), FATHOM_OK) << fathom_last_error();
+    EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), first, second, &result, nullptr), FATHOM_OK)
+        << fathom_last_error();
     return result;
   };
   EXPECT_EQ(outcome(nullptr, nullptr), FATHOM_VERIFIED);

@@ -19,11 +19,12 @@ using testing::prepare;
 using testing::Prepared;
 using testing::text;
 
-static_assert(!std::is_constructible_v<CanonicalPair, gaussian::Colour, bool, Strip, std::span<const chart::ChartArcOfB>,
-                                       std::span<const chart::ChartArcOfA>>,
+static_assert(!std::is_constructible_v<CanonicalPair, gaussian::Colour, bool, Strip,
+                                       std::span<const chart::ChartArcOfB>, std::span<const chart::ChartArcOfA>>,
               "the arcs of A and of B exchanged");
 
-// C1 to C4 as the paper states them, under every perturbation, and the sum of products counts the crossings.
+// C1 to C4 as the paper states them, under every perturbation, and the sum of products counts the
+// crossings.
 TEST(CanonicalSubsets, ConditionsHoldOnEveryFamilyUnderEveryPerturbation) {
   for (const Case& input : cases_of_all_families(3, 10)) {
     const bool overlap = penetration_depth(input.a.points, input.b.points).status() == Status::penetrating;
@@ -49,7 +50,8 @@ TEST(CanonicalSubsets, GeneralPositionNeedsNoInfinitesimals) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const Case input = families::find_family(family)->make(seed, 60);
       const auto p = prepare(input);
-      for (const chart::Charts& charts : p->charts) EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
+      for (const chart::Charts& charts : p->charts)
+        EXPECT_TRUE(validate(canonical_subsets(p->context, charts), charts).ok()) << input.id;
       const PredicateCounts& counts = p->context.counters.predicates;
       for (std::size_t i = 0; i < counts.size(); ++i) {
         EXPECT_EQ(counts[i].zero, 0U) << input.id << ", " << predicate_names[i];
@@ -59,7 +61,8 @@ TEST(CanonicalSubsets, GeneralPositionNeedsNoInfinitesimals) {
   }
 }
 
-// (C5) and equation (1), measured: sums stay below (m + n) log^2(m + n), and do not follow the number of crossings.
+// (C5) and equation (1), measured: sums stay below (m + n) log^2(m + n), and do not follow the
+//      number of crossings.
 TEST(CanonicalSubsets, SumsAreNearLinear) {
   for (const char* family : {"random_sphere", "crossed_fans", "crossed_bands"}) {
     for (const unsigned n : {32U, 128U, 512U}) {
@@ -92,34 +95,39 @@ TEST(CanonicalSubsets, ComparisonsGrowLikeNLogSquaredN) {
   }
 }
 
-// Hand-made charts: stored over [0,10], query over [5,15], crossing at 7, with further walls of either colour around it. One skeleton
-// finds it, whatever other walls there are; errata_test.cpp shows what two skeletons of their own lose.
+// Hand-made charts: stored over [0,10], query over [5,15], crossing at 7, with further walls of
+// either colour around it. One skeleton finds it, whatever other walls there are; errata_test.cpp
+// shows what two skeletons of their own lose.
 TEST(CanonicalSubsets, OneSkeletonFindsACrossingAmongWallsOfBothColours) {
   const auto node = [](long x, long y) { return kernels::Direction(Vector{x, y, 1}); };
-  const auto arc = [&](kernels::IdVector<gaussian::NodeId, kernels::Direction>& nodes, kernels::Direction from, kernels::Direction to) {
+  const auto arc = [&](kernels::IdVector<gaussian::NodeId, kernels::Direction>& nodes, kernels::Direction from,
+                       kernels::Direction to) {
     const auto first = static_cast<std::uint32_t>(nodes.size());
     kernels::Direction circle(cross(from.exact(), to.exact()));
     nodes.push_back(std::move(from));
     nodes.push_back(std::move(to));
     // Of the faces only the order from bottom to top matters.
-    return gaussian::Arc{std::move(circle), gaussian::NodeId(first), gaussian::NodeId(first + 1), gaussian::VertexId(first + 2),
-                         gaussian::VertexId(first)};
+    return gaussian::Arc{std::move(circle), gaussian::NodeId(first), gaussian::NodeId(first + 1),
+                         gaussian::VertexId(first + 2), gaussian::VertexId(first)};
   };
   gaussian::GaussianDiagram a, b;
   a.rank = b.rank = 3;
-  // Walls of their own besides the two arcs: the stored colour's at 6 and 12, the other's at 4 and 9, far above.
+  // Walls of their own besides the two arcs: the stored colour's at 6 and 12, the other's at 4 and
+  // 9, far above.
   a.arcs = {arc(a.nodes, node(0, 0), node(10, 0)), arc(a.nodes, node(6, 100), node(12, 100))};
   b.arcs = {arc(b.nodes, node(5, -2), node(15, 8)), arc(b.nodes, node(4, 200), node(9, 200))};
   // x runs along v x z = (1,0,0) for v = (0,1,0), z = (0,0,1).
   kernels::Context context;
   const chart::Charts charts = chart::make_charts(context, a, b, chart::chart_frame(chart::Hemisphere::upper));
-  EXPECT_EQ(crossings_naive(charts),
-            (std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>>{{gaussian::EdgeOfA(0), gaussian::EdgeOfB(0)}}));
+  EXPECT_EQ(
+      crossings_naive(charts),
+      (std::vector<std::pair<gaussian::EdgeOfA, gaussian::EdgeOfB>>{{gaussian::EdgeOfA(0), gaussian::EdgeOfB(0)}}));
   const kernels::Report report = validate(canonical_subsets(context, charts), charts);
   EXPECT_TRUE(report.ok()) << text(report);
 }
 
-// The order of crossings and their sense, broken on purpose: a copy of the charts that says otherwise.
+// The order of crossings and their sense, broken on purpose: a copy of the charts that says
+// otherwise.
 TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
   const auto p = prepare(families::find_family("crossed_fans")->make(1, 12));
   const chart::Charts& charts = p->charts[0];
@@ -130,7 +138,8 @@ TEST(CanonicalSubsets, ValidateCatchesABrokenGrid) {
   for (chart::ChartArc& arc : turned.of.b.arcs) arc.flipped = !arc.flipped;
   const kernels::Report report = validate(subsets, turned);
   const auto says = [&](const char* words) {
-    return std::ranges::any_of(report.faults, [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
+    return std::ranges::any_of(report.faults,
+                               [&](const std::string& fault) { return fault.find(words) != std::string::npos; });
   };
   EXPECT_TRUE(says("in the other sense"));
   EXPECT_TRUE(says("not in the order in which they cross"));

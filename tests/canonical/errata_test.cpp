@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest counterexample to each sentence of the paper that had to be mended.        [proofs/errata.md]
+// The smallest counterexample to each sentence of the paper that had to be mended.
+//                                                                                [proofs/errata.md]
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ using testing::prepare;
 using testing::unperturbed;
 
 /// By the exact method.
-Depth depth_of(const std::vector<Point>& a, const std::vector<Point>& b, const kernels::Perturbation& perturbation = {}) {
+Depth depth_of(const std::vector<Point>& a, const std::vector<Point>& b,
+               const kernels::Perturbation& perturbation = {}) {
   kernels::Context context;
   return depth::penetration_depth(context, polytope::place(a, b), {.perturbation = perturbation});
 }
@@ -47,12 +49,14 @@ Walls walls_of(std::initializer_list<std::vector<Range>> colours) {
   return walls;
 }
 
-/// Whether the tree, asked by `query`, reports `stored` for their crossing at x: at the node that stores it and whose strip holds x, if an
-/// end of the query lies in the strip of the node's parent. The root counts as having the whole line as parent.
+/// Whether the tree, asked by `query`, reports `stored` for their crossing at x: at the node that
+/// stores it and whose strip holds x, if an end of the query lies in the strip of the node's
+/// parent. The root counts as having the whole line as parent.
 bool paper_reports(const Walls& walls, const Range& stored, const Range& query, int x) {
   std::size_t first = 0, last = walls.size() + 1;
   const auto strip = [&] {
-    return Range{first == 0 ? whole_line.left : walls[first - 1], last > walls.size() ? whole_line.right : walls[last - 1]};
+    return Range{first == 0 ? whole_line.left : walls[first - 1],
+                 last > walls.size() ? whole_line.right : walls[last - 1]};
   };
   Range parent = whole_line;
   while (!stored.contains(strip())) {
@@ -63,7 +67,8 @@ bool paper_reports(const Walls& walls, const Range& stored, const Range& query, 
   return parent.contains(query.left) || parent.contains(query.right);
 }
 
-/// How often the paper's rule reports the crossing at x of e[0] and f[0]: by T_A, which stores the e, and by T_B.
+/// How often the paper's rule reports the crossing at x of e[0] and f[0]: by T_A, which stores the
+/// e, and by T_B.
 int paper_reports(const Walls& of_t_a, const Walls& of_t_b, const Range& e, const Range& f, int x) {
   return paper_reports(of_t_a, e, f, x) + paper_reports(of_t_b, f, e, x);
 }
@@ -74,8 +79,8 @@ struct Segment {
   int x1, y1, x2, y2;
 };
 
-/// A diagram whose arcs project to these segments of the plane z = 1. Of two that lie above one another the higher one has the higher y1;
-/// the faces between them are numbered in that order.
+/// A diagram whose arcs project to these segments of the plane z = 1. Of two that lie above one
+/// another the higher one has the higher y1; the faces between them are numbered in that order.
 gaussian::GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
   gaussian::GaussianDiagram diagram;
   diagram.rank = 3;
@@ -84,7 +89,8 @@ gaussian::GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
     const Vector left{s.x1, s.y1, 1}, right{s.x2, s.y2, 1};
     diagram.nodes.emplace_back(left);
     diagram.nodes.emplace_back(right);
-    const auto lower = static_cast<std::uint32_t>(std::ranges::count_if(segments, [&](const Segment& t) { return t.y1 < s.y1; }));
+    const auto lower =
+        static_cast<std::uint32_t>(std::ranges::count_if(segments, [&](const Segment& t) { return t.y1 < s.y1; }));
     diagram.arcs.push_back({kernels::Direction(cross(left, right)), gaussian::NodeId(from), gaussian::NodeId(from + 1),
                             gaussian::VertexId(lower + 1), gaussian::VertexId(lower)});
   }
@@ -94,7 +100,8 @@ gaussian::GaussianDiagram diagram_of(const std::vector<Segment>& segments) {
 CanonicalSubsets family_of(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   const gaussian::GaussianDiagram diagram_a = diagram_of(a), diagram_b = diagram_of(b);
   kernels::Context context;
-  const chart::Charts charts = chart::make_charts(context, diagram_a, diagram_b, chart::chart_frame(chart::Hemisphere::upper));
+  const chart::Charts charts =
+      chart::make_charts(context, diagram_a, diagram_b, chart::chart_frame(chart::Hemisphere::upper));
   CanonicalSubsets subsets = canonical_subsets(context, charts);
   EXPECT_TRUE(validate(subsets, charts).ok()) << testing::text(validate(subsets, charts));
   return subsets;
@@ -106,17 +113,19 @@ const std::vector<Range> e_ranges{{0, 10}, {6, 12}, {2, 14}}, f_ranges{{5, 15}, 
 
 TEST(Errata, TwoSkeletonsLoseACrossingThatOneFinds) {
   const Walls of_e = walls_of({e_ranges}), of_f = walls_of({f_ranges}), common = walls_of({e_ranges, f_ranges});
-  EXPECT_EQ(paper_reports(of_e, of_f, e_ranges[0], f_ranges[0], 7), 0) << "[0,10] and [5,15] cross at 7, and nobody sees it";
+  EXPECT_EQ(paper_reports(of_e, of_f, e_ranges[0], f_ranges[0], 7), 0)
+      << "[0,10] and [5,15] cross at 7, and nobody sees it";
   EXPECT_GE(paper_reports(common, common, e_ranges[0], f_ranges[0], 7), 1);
 
-  const CanonicalSubsets subsets =
-      family_of({{0, 0, 10, 0}, {6, 100, 12, 100}, {2, 50, 14, 50}}, {{5, -2, 15, 8}, {4, 200, 9, 200}, {1, 300, 3, 300}});
+  const CanonicalSubsets subsets = family_of({{0, 0, 10, 0}, {6, 100, 12, 100}, {2, 50, 14, 50}},
+                                             {{5, -2, 15, 8}, {4, 200, 9, 200}, {1, 300, 3, 300}});
   ASSERT_EQ(subsets.sums().product, 1U);
   EXPECT_EQ(subsets[0].a[0], chart::ChartArcOfA(0)) << "the lowest of each colour";
   EXPECT_EQ(subsets[0].b[0], chart::ChartArcOfB(0));
 }
 
-/// All ways to give 2 (of_e + of_f) abscissae to the two colours: calls `look` with e, f, the two sets of walls, and the crossing.
+/// All ways to give 2 (of_e + of_f) abscissae to the two colours: calls `look` with e, f, the two
+/// sets of walls, and the crossing.
 template <class Look>
 void for_all_pictures(int of_e, int of_f, const Look& look) {
   const int walls = 2 * (of_e + of_f);
@@ -129,7 +138,8 @@ void for_all_pictures(int of_e, int of_f, const Look& look) {
         for (std::size_t k = 0; k < f_walls.size(); ++k) {
           for (std::size_t l = k + 1; l < f_walls.size(); ++l) {
             const Range e{e_walls[i], e_walls[j]}, f{f_walls[k], f_walls[l]};
-            for (int x = std::max(e.left, f.left) + 1; x < std::min(e.right, f.right); x += 2) look(e, f, e_walls, f_walls, x);
+            for (int x = std::max(e.left, f.left) + 1; x < std::min(e.right, f.right); x += 2)
+              look(e, f, e_walls, f_walls, x);
           }
         }
       }
@@ -141,12 +151,13 @@ TEST(Errata, FewerThanSixSegmentsLoseNothing) {
   for (int segments = 2; segments <= 6; ++segments) {
     int lost = 0, lost_by_one_skeleton = 0;
     for (int of_e = 1; of_e < segments; ++of_e) {
-      for_all_pictures(of_e, segments - of_e, [&](const Range& e, const Range& f, const Walls& of_t_a, const Walls& of_t_b, int x) {
-        if (paper_reports(of_t_a, of_t_b, e, f, x) == 0) ++lost;
-        Walls common;
-        std::ranges::merge(of_t_a, of_t_b, std::back_inserter(common));
-        if (paper_reports(common, common, e, f, x) == 0) ++lost_by_one_skeleton;
-      });
+      for_all_pictures(of_e, segments - of_e,
+                       [&](const Range& e, const Range& f, const Walls& of_t_a, const Walls& of_t_b, int x) {
+                         if (paper_reports(of_t_a, of_t_b, e, f, x) == 0) ++lost;
+                         Walls common;
+                         std::ranges::merge(of_t_a, of_t_b, std::back_inserter(common));
+                         if (paper_reports(common, common, e, f, x) == 0) ++lost_by_one_skeleton;
+                       });
     }
     EXPECT_EQ(lost > 0, segments == 6) << segments;
     EXPECT_EQ(lost_by_one_skeleton, 0) << segments;
@@ -164,18 +175,21 @@ TEST(Errata, TwoSegmentsAreReportedTwiceByThePaperAndOnceHere) {
 
 // ---- 3. the colours of T_A and T_B ----
 
-/// Of the family's part whose canonical subsets are of the first diagram's arcs, how many pairs have one arc of the given colour.
+/// Of the family's part whose canonical subsets are of the first diagram's arcs, how many pairs
+/// have one arc of the given colour.
 std::size_t singles(const CanonicalSubsets& subsets, gaussian::Colour colour) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < subsets.size(); ++i) {
     const CanonicalPair pair = subsets[i];
-    if (pair.stored_of == gaussian::Colour::a && (colour == gaussian::Colour::a ? pair.a.size() : pair.b.size()) == 1) ++count;
+    if (pair.stored_of == gaussian::Colour::a && (colour == gaussian::Colour::a ? pair.a.size() : pair.b.size()) == 1)
+      ++count;
   }
   return count;
 }
 
-// One steep arc of A, m = 1, crosses n arcs of B, which all span it. (C5)(i) allows a number of pairs with |A_j| = 1 in F^A that depends
-// on m alone. If T_A stores "the segments of E", which are B's, each of its pairs has |A_j| = 1, and there are more the larger n is.
+// One steep arc of A, m = 1, crosses n arcs of B, which all span it. (C5)(i) allows a number of
+// pairs with |A_j| = 1 in F^A that depends on m alone. If T_A stores "the segments of E", which are
+// B's, each of its pairs has |A_j| = 1, and there are more the larger n is.
 TEST(Errata, WithTheTextsColoursPairsOfOneArcOfADependOnB) {
   for (const int k : {3, 5, 7}) {
     const int n = (1 << k) - 1;
@@ -185,7 +199,8 @@ TEST(Errata, WithTheTextsColoursPairsOfOneArcOfADependOnB) {
     const CanonicalSubsets text = family_of(b, a), here = family_of(a, b);
     EXPECT_EQ(text.sums().product, static_cast<std::uint64_t>(n));
     EXPECT_EQ(here.sums().product, static_cast<std::uint64_t>(n));
-    EXPECT_GE(singles(text, gaussian::Colour::b), static_cast<std::size_t>(k)) << "A's arc is of the second colour here";
+    EXPECT_GE(singles(text, gaussian::Colour::b), static_cast<std::size_t>(k))
+        << "A's arc is of the second colour here";
     EXPECT_LE(singles(here, gaussian::Colour::a), 2U);
   }
 }
@@ -202,7 +217,8 @@ Pair edges_towards(const polytope::Polytope& a, const polytope::Polytope& b, con
     mpz_class highest = dot(p.vertices.front(), up);
     for (const Vector& v : p.vertices) highest = std::max(highest, dot(v, up));
     for (std::uint32_t i = 0; i < p.edges.size(); ++i) {
-      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest) return gaussian::ArcId(i);
+      if (dot(p.vertices[p.edges[i].from], up) == highest && dot(p.vertices[p.edges[i].to], up) == highest)
+        return gaussian::ArcId(i);
     }
     ADD_FAILURE() << "no edge is extreme";
     return gaussian::ArcId::none();
@@ -225,9 +241,11 @@ std::ptrdiff_t times_reported(const testing::Prepared& p, const Pair& pair) {
   return times;
 }
 
-const Body edge_up{{{1, 1, 1}, {1, -1, -1}, {-5, 4, 0}, {-5, -4, 1}}}, edge_down{{{-1, 1, -1}, {-1, -1, 1}, {5, 3, 0}, {5, -5, 1}}};
+const Body edge_up{{{1, 1, 1}, {1, -1, -1}, {-5, 4, 0}, {-5, -4, 1}}},
+    edge_down{{{-1, 1, -1}, {-1, -1, 1}, {5, 3, 0}, {5, -5, 1}}};
 
-// The arcs of these two edges cross at (1,0,0), on the equator: the lines lie in the planes x = 1 and x = -1, and no vertical meets both.
+// The arcs of these two edges cross at (1,0,0), on the equator: the lines lie in the planes x = 1
+// and x = -1, and no vertical meets both.
 TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
   const Case input{"equator", edge_down, edge_up};
   EXPECT_EQ(depth_of(input.a.points, input.b.points).status(), Status::penetrating);
@@ -236,7 +254,8 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
     const Pair pair = edges_towards(p->a, p->b, {1, 0, 0});
     const gaussian::Arc& e = p->of_b.arcs[pair.of_b];
     const gaussian::Arc& f = p->minus_a.arcs[pair.of_a];
-    const std::vector<kernels::Sign> signs = gaussian::strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
+    const std::vector<kernels::Sign> signs =
+        gaussian::strict_crossings(unperturbed().kernel, p->minus_a, f, p->of_b, e);
     ASSERT_EQ(signs.size(), 1U);
     const Vector normal = cross(f.circle.exact(), e.circle.exact());
     const Vector w = signs[0] == kernels::Sign::positive ? normal : -normal;
@@ -247,7 +266,8 @@ TEST(Errata, NoVerticalMeetsTheLinesOfACrossingOnTheEquator) {
   }
 }
 
-// Two cubes: parallel edges have arcs on one great circle, which cross or do not, as the perturbation likes. They span no plane.
+// Two cubes: parallel edges have arcs on one great circle, which cross or do not, as the
+// perturbation likes. They span no plane.
 TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
   const Case input{"cubes",
                    {{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {2, 2, 0}, {2, 0, 2}, {0, 2, 2}, {2, 2, 2}}},
@@ -257,7 +277,8 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
     const auto p = prepare(input, perturbation);
     for (const chart::Charts& charts : p->charts) {
       for (const auto& [i, j] : crossings_naive(charts)) {
-        if (is_zero(cross(p->minus_a.arcs[gaussian::ArcId(i.value)].circle.exact(), p->of_b.arcs[gaussian::ArcId(j.value)].circle.exact())))
+        if (is_zero(cross(p->minus_a.arcs[gaussian::ArcId(i.value)].circle.exact(),
+                          p->of_b.arcs[gaussian::ArcId(j.value)].circle.exact())))
           ++parallel;
       }
     }
@@ -266,9 +287,11 @@ TEST(Errata, PairsOfParallelEdgesAreReportedAndSpanNoPlane) {
   EXPECT_GT(parallel, 0U);
 }
 
-// Moved until the edges touch, the bodies still intersect, and the paper's algorithm goes on: the lines meet, and neither is above.
+// Moved until the edges touch, the bodies still intersect, and the paper's algorithm goes on: the
+// lines meet, and neither is above.
 TEST(Errata, LinesOfTouchingBodiesMeet) {
-  const Body top{{{-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}}}, bottom{{{0, -1, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}}};
+  const Body top{{{-1, 0, 0}, {1, 0, 0}, {0, 1, -1}, {0, -1, -1}}},
+      bottom{{{0, -1, 0}, {0, 1, 0}, {1, 0, 1}, {-1, 0, 1}}};
   const Case input{"touching", top, bottom};
   const Depth depth = depth_of(input.a.points, input.b.points);
   EXPECT_EQ(depth.status(), Status::touching);
@@ -283,9 +306,11 @@ TEST(Errata, LinesOfTouchingBodiesMeet) {
 
 // ---- 5. what the depth is ----
 
-const Body cube{{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}}}, point{{{0, 0, 0}}};
+const Body cube{{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}}},
+    point{{{0, 0, 0}}};
 
-// A point has no interior, so t = 0 satisfies the definition of pi(A,B); but O is inside P, and min d(O, boundary of P) is 1.
+// A point has no interior, so t = 0 satisfies the definition of pi(A,B); but O is inside P, and min
+// d(O, boundary of P) is 1.
 TEST(Errata, AFlatAHasAPositiveDepthThroughP) {
   const Depth depth = depth_of(point.points, cube.points), swapped = depth_of(cube.points, point.points);
   EXPECT_TRUE(depth.flat_a && !depth.flat_b);
@@ -294,7 +319,8 @@ TEST(Errata, AFlatAHasAPositiveDepthThroughP) {
   EXPECT_EQ(swapped.squared(), 1) << "a flat B: both definitions agree, and so do both orders here";
 }
 
-// A and B intersect, but so do all translates that slide in their plane: P is flat, O on its boundary as every point of P is.
+// A and B intersect, but so do all translates that slide in their plane: P is flat, O on its
+// boundary as every point of P is.
 TEST(Errata, IntersectingBodiesInOnePlaneOnlyTouch) {
   const Body square{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}}}, beside{{{1, 1, 0}, {3, 1, 0}, {1, 3, 0}, {3, 3, 0}}};
   const Depth depth = depth_of(square.points, beside.points);

@@ -24,7 +24,8 @@ Certificate certificate_of(const Case& input) {
 }
 
 std::string accepted_line(const Depth& depth) {
-  if (depth.distance()) return "s VERIFIED disjoint signed_depth=-sqrt(" + depth.distance()->squared.get_str() + ")+0 name";
+  if (depth.distance())
+    return "s VERIFIED disjoint signed_depth=-sqrt(" + depth.distance()->squared.get_str() + ")+0 name";
   std::string line = "s VERIFIED " + std::string(name(depth.status())) + " depth_squared=" + depth.squared().get_str();
   if (depth.status() == Status::penetrating) line += " optima=" + std::to_string(depth.optima().size());
   return line + " name";
@@ -62,7 +63,8 @@ TEST(Certificate, OfAWidthRepeatsTheBody) {
 }
 
 TEST(Certificate, AsText) {
-  Certificate certificate = certificate_of({"", {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}}, {{{mpq_class(1, 2), 1, 1}}}});
+  Certificate certificate =
+      certificate_of({"", {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}}, {{{mpq_class(1, 2), 1, 1}}}});
   certificate.id = "100% odd\n";
   EXPECT_EQ(certificate_text(certificate),
             "fathom-certificate 1\n"
@@ -77,9 +79,10 @@ TEST(Certificate, AsText) {
 }
 
 TEST(Certificate, OfTouchingAndDisjointBodiesAsText) {
-  EXPECT_EQ(certificate_text(certificate_of({"", {{{0, 0, 0}, {2, 2, 2}}}, {{{1, 1, 1}, {5, 0, 0}, {9, 9, 0}}}})),
-            "fathom-certificate 1\na 2\n0 0 0\n2 2 2\nb 3\n1 1 1\n5 0 0\n9 9 0\nclaim touching\ndirections 1 some\n-1 -1 2\n"
-            "weights_a 2\n0 1/2\n1 1/2\nweights_b 1\n0 1\nend 2 3 1 2 1\n");
+  EXPECT_EQ(
+      certificate_text(certificate_of({"", {{{0, 0, 0}, {2, 2, 2}}}, {{{1, 1, 1}, {5, 0, 0}, {9, 9, 0}}}})),
+      "fathom-certificate 1\na 2\n0 0 0\n2 2 2\nb 3\n1 1 1\n5 0 0\n9 9 0\nclaim touching\ndirections 1 some\n-1 -1 2\n"
+      "weights_a 2\n0 1/2\n1 1/2\nweights_b 1\n0 1\nend 2 3 1 2 1\n");
   EXPECT_EQ(certificate_text(certificate_of({"", {{{0, 0, 0}}}, {{{3, 0, 0}}}})),
             "fathom-certificate 2\na 1\n0 0 0\nb 1\n3 0 0\nclaim apart 9\ndirections 1 some\n-1 0 0\n"
             "weights_a 1\n0 1\nweights_b 1\n0 1\nend 1 1 1 1 1\n");
@@ -239,7 +242,8 @@ TEST(BoundsCertificate, HoldsWhateverTheBoundsAre) {
          {std::pair<mpq_class, mpq_class>{0, q}, {q, q}, {q * mpq_class(9, 10), q * mpq_class(11, 10)}, {0, q * 100}}) {
       const Certificate certificate = bounds(low, high);
       EXPECT_TRUE(validate(certificate).ok()) << input.id << testing::text(validate(certificate));
-      EXPECT_EQ(verdict(certificate), "s VERIFIED penetrating depth_squared_in=[" + low.get_str() + "," + high.get_str() + "] name")
+      EXPECT_EQ(verdict(certificate),
+                "s VERIFIED penetrating depth_squared_in=[" + low.get_str() + "," + high.get_str() + "] name")
           << input.id;
     }
     EXPECT_THROW(bounds(q * mpq_class(1001, 1000), q * 2), std::invalid_argument) << input.id;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of shapes: each holds by the naive check, says what the answer says, and fails once it is bent.
+// Certificates of shapes: each holds by the naive check, says what the answer says, and fails once
+// it is bent.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -57,7 +58,8 @@ TEST(ShapeCertificate, OfTouchingCoresProvesAllDirections) {
     std::vector<Point> a(static_cast<std::size_t>(random.between(1, random.coin() ? 2 : 6))),
         b(static_cast<std::size_t>(random.between(1, random.coin() ? 2 : 6)));
     for (std::vector<Point>* body : {&a, &b})
-      for (Point& p : *body) p = {mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1))};
+      for (Point& p : *body)
+        p = {mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1))};
     const SignedDepth depth = signed_depth(hull(a), hull(b));
     if (!depth.cone) continue;
     ++found;
@@ -84,7 +86,8 @@ TEST(ShapeCertificate, IsInFormat1WhereThatCanSayIt) {
   };
   std::vector<Point> corners;
   for (const Atom& atom : std::get<std::vector<Term>>(cube.core)[0].atoms) corners.push_back(atom.center);
-  EXPECT_EQ(text(cube, cube, ShapeFormat::richest), certificate_text(corners, corners, penetration_depth(corners, corners), "x"));
+  EXPECT_EQ(text(cube, cube, ShapeFormat::richest),
+            certificate_text(corners, corners, penetration_depth(corners, corners), "x"));
   EXPECT_EQ(claim(cube, aside, ShapeFormat::shortest), "fathom-certificate 2: claim apart 9");
   EXPECT_EQ(claim(cube, aside, ShapeFormat::richest), "fathom-certificate 2: claim apart 9");
   EXPECT_EQ(claim(cube, beside, ShapeFormat::shortest), "fathom-certificate 1: claim touching");
@@ -95,16 +98,17 @@ TEST(ShapeCertificate, IsInFormat1WhereThatCanSayIt) {
 
 TEST(ShapeCertificate, InPrint) {
   const Shape a = capsule(mpq_class(1, 2), 1, Axis::x), b = halfspace({0, 0, 2}, -3);
-  EXPECT_EQ(
-      certificate_text(a, b, signed_depth(a, b), "rest"),
-      "fathom-certificate 2\nid rest\na 2\n-1 0 0\n1 0 0\nradius_a 1/2\nhalfspace_b 0 0 2 -3\nclaim apart 9/4\ndirections 1 some\n0 0 1\n"
-      "end 2 1\n");
+  EXPECT_EQ(certificate_text(a, b, signed_depth(a, b), "rest"),
+            "fathom-certificate 2\nid rest\na 2\n-1 0 0\n1 0 0\nradius_a 1/2\nhalfspace_b 0 0 2 -3\nclaim apart "
+            "9/4\ndirections 1 some\n0 0 1\n"
+            "end 2 1\n");
   const Shape c = capsule(1, 1, Axis::y);
-  EXPECT_EQ(
-      certificate_text(a, c, signed_depth(a, c)),
-      "fathom-certificate 2\na 2\n-1 0 0\n1 0 0\nradius_a 1/2\nb 2\n0 -1 0\n0 1 0\nradius_b 1\nclaim touching\ndirections 1 some\n0 0 -1\n"
-      "weights_a 2\n0 1/2\n1 1/2\nweights_b 2\n0 1/2\n1 1/2\nlineality 1\n0 0 1\nrays 0\ndifferences 4\n1 0\n1 1\n0 1\n0 0\n"
-      "end 2 2 1 2 2 1 0 4\n");
+  EXPECT_EQ(certificate_text(a, c, signed_depth(a, c)),
+            "fathom-certificate 2\na 2\n-1 0 0\n1 0 0\nradius_a 1/2\nb 2\n0 -1 0\n0 1 0\nradius_b 1\nclaim "
+            "touching\ndirections 1 some\n0 0 -1\n"
+            "weights_a 2\n0 1/2\n1 1/2\nweights_b 2\n0 1/2\n1 1/2\nlineality 1\n0 0 1\nrays 0\ndifferences 4\n1 0\n1 "
+            "1\n0 1\n0 0\n"
+            "end 2 2 1 2 2 1 0 4\n");
 }
 
 // As any search for bounds would leave them.
@@ -121,7 +125,8 @@ std::vector<InnerPoint> rim_points() {
 ShapeCertificate of_cylinders() {
   ShapeCertificate c;
   c.a = cylinder(1, 1);
-  c.b = moved(with_margin(cylinder(1, 1), mpq_class(1, 10)), {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, mpq_class(3, 2)}}});
+  c.b =
+      moved(with_margin(cylinder(1, 1), mpq_class(1, 10)), {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, mpq_class(3, 2)}}});
   c.claim = ShapeClaim::signed_bounds;
   c.low = mpq_class(-4, 10);
   c.high = mpq_class(6, 10);
@@ -140,8 +145,11 @@ TEST(ShapeCertificate, OfBoundsHoldsAndIsWritten) {
   const ShapeCertificate c = of_cylinders();
   expect_holds(c, "weights");
   const std::string text = certificate_text(c);
-  EXPECT_NE(text.find("shape_a 1\nterm 2\ndisc 0 0 -1 1 0 0 0 1 0\ndisc 0 0 1 1 0 0 0 1 0\nshape_b 1\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("claim signed_bounds -2/5 3/5\ndirections 1 some\n0 0 -1\nheights_a 1\n1\nheights_b 1\n-1/2\ninner_a 8\n0 1 0 0\n"),
+  EXPECT_NE(text.find("shape_a 1\nterm 2\ndisc 0 0 -1 1 0 0 0 1 0\ndisc 0 0 1 1 0 0 0 1 0\nshape_b 1\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("claim signed_bounds -2/5 3/5\ndirections 1 some\n0 0 -1\nheights_a 1\n1\nheights_b "
+                      "1\n-1/2\ninner_a 8\n0 1 0 0\n"),
             std::string::npos);
   EXPECT_NE(text.find("end 1 2 1 2 1 1 1 8 8 2 2\n"), std::string::npos);
   const std::vector<std::pair<const char*, std::function<void(ShapeCertificate&)>>> bent{
@@ -214,7 +222,8 @@ TEST(ShapeCertificate, IsRefusedOnceBent) {
          [](ShapeCertificate& c) {
            c.directions[0] = {1, 1, 0};
          }},
-        {"opposite", [](ShapeCertificate& c) { c.claim = c.claim == ShapeClaim::apart ? ShapeClaim::depth : ShapeClaim::apart; }},
+        {"opposite",
+         [](ShapeCertificate& c) { c.claim = c.claim == ShapeClaim::apart ? ShapeClaim::depth : ShapeClaim::apart; }},
     };
     for (const auto& [name, bend] : bent) {
       ShapeCertificate c = *good;
@@ -235,7 +244,8 @@ TEST(ShapeCertificate, ContradictsAnAnswerAboutOtherBodies) {
   EXPECT_THROW(make_certificate(cube, east(6), signed_depth(cube, east(5))), std::logic_error) << "another distance";
   EXPECT_THROW(make_certificate(cube, south, signed_depth(cube, east(5))), std::logic_error) << "another direction";
   EXPECT_THROW(make_certificate(cube, east(3), signed_depth(cube, east(2))), std::logic_error) << "not even touching";
-  EXPECT_THROW(make_certificate(cube, halfspace({1, 0, 0}, 1), signed_depth(cube, halfspace({1, 0, 0}, 2))), std::logic_error);
+  EXPECT_THROW(make_certificate(cube, halfspace({1, 0, 0}, 1), signed_depth(cube, halfspace({1, 0, 0}, 2))),
+               std::logic_error);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of shapes before the independent checkers: fathom-check's library and check.py print what the answer says.
+// Certificates of shapes before the independent checkers: fathom-check's library and check.py print
+// what the answer says.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,7 +28,8 @@ Point small_point(families::Random& random) {
   return {mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1))};
 }
 
-/// Rounded polytopes of all families and of the catalogue; small bodies, which often touch; half-spaces against sums.
+/// Rounded polytopes of all families and of the catalogue; small bodies, which often touch;
+/// half-spaces against sums.
 std::vector<Pair> pairs() {
   std::vector<Pair> result;
   for (const Case& input : testing::cases_of_all_families(1, 10))
@@ -40,7 +42,8 @@ std::vector<Pair> pairs() {
     std::vector<Point> b(static_cast<std::size_t>(random.between(1, random.coin() ? 2 : 6)));
     for (std::vector<Point>* body : {&a, &b})
       for (Point& p : *body) p = small_point(random);
-    result.push_back({"small-" + std::to_string(i), hull(a), with_margin(hull(b), families::ratio(random.between(0, 3), 2))});
+    result.push_back(
+        {"small-" + std::to_string(i), hull(a), with_margin(hull(b), families::ratio(random.between(0, 3), 2))});
   }
   const Shape sum = minkowski_sum(box({1, 2, 3}), capsule(1, 2));
   for (int i = 0; i < 60; ++i) {
@@ -59,7 +62,8 @@ std::string expected_line(const SignedDepth& depth, const ShapeCertificate& cert
           value.rational.get_str();
   if (certificate.complete) line += " optima=" + std::to_string(depth.translations().size());
   if (certificate.cone)
-    line += " cone=" + std::to_string(static_cast<int>(certificate.cone->cone.lineality)) + "+" + std::to_string(depth.cone->rays.size());
+    line += " cone=" + std::to_string(static_cast<int>(certificate.cone->cone.lineality)) + "+" +
+            std::to_string(depth.cone->rays.size());
   return line + " " + certificate.id;
 }
 

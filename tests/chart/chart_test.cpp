@@ -30,16 +30,19 @@ static_assert(Indexed<decltype(gaussian::GaussianDiagram::arcs), gaussian::ArcId
               Indexed<decltype(gaussian::GaussianDiagram::nodes), gaussian::NodeId>);
 static_assert(!Indexed<decltype(gaussian::GaussianDiagram::arcs), gaussian::NodeId> &&
               !Indexed<decltype(gaussian::GaussianDiagram::nodes), gaussian::ArcId>);
-static_assert(Indexed<decltype(ColourChart::arcs), ChartArcId> && !Indexed<decltype(ColourChart::arcs), gaussian::ArcId>);
+static_assert(Indexed<decltype(ColourChart::arcs), ChartArcId> &&
+              !Indexed<decltype(ColourChart::arcs), gaussian::ArcId>);
 static_assert(Indexed<decltype(Charts::walls), WallId> && !Indexed<decltype(Charts::walls), gaussian::NodeId>);
-static_assert(!Indexed<decltype(ColourChart::wall_of), WallId> && !Indexed<decltype(ColourChart::place_of), ChartArcId>);
+static_assert(!Indexed<decltype(ColourChart::wall_of), WallId> &&
+              !Indexed<decltype(ColourChart::place_of), ChartArcId>);
 static_assert(!std::is_invocable_v<decltype(chart_frame), bool>, "a hemisphere is no bool");
-static_assert(std::is_invocable_v<decltype(node_above_arc), const kernels::PerturbedKernel&, const Charts&, gaussian::Colour,
-                                  gaussian::NodeId, gaussian::Colour, const ChartArc&>);
-static_assert(!std::is_invocable_v<decltype(node_above_arc), const kernels::PerturbedKernel&, const Charts&, gaussian::Colour,
-                                   gaussian::VertexId, gaussian::Colour, const ChartArc&>);
+static_assert(std::is_invocable_v<decltype(node_above_arc), const kernels::PerturbedKernel&, const Charts&,
+                                  gaussian::Colour, gaussian::NodeId, gaussian::Colour, const ChartArc&>);
+static_assert(!std::is_invocable_v<decltype(node_above_arc), const kernels::PerturbedKernel&, const Charts&,
+                                   gaussian::Colour, gaussian::VertexId, gaussian::Colour, const ChartArc&>);
 
-// Chart coordinates, as rationals up to one positive factor: y is the coordinate along v, x along v x z.
+// Chart coordinates, as rationals up to one positive factor: y is the coordinate along v, x along v
+// x z.
 struct ChartPoint {
   mpq_class x, y;
 };
@@ -50,12 +53,14 @@ ChartPoint project(const fathom::Vector& n, const Frame& frame) {
   return {ratio(dot(n, right), depth), ratio(dot(n, frame.v.exact()), depth)};
 }
 
-// Height of the arc's line over x: the chart point with right-coordinate x lies at X = v*y/|v|^2 + r*x/|r|^2 + z/|z|^2.
+// Height of the arc's line over x: the chart point with right-coordinate x lies at X = v*y/|v|^2 +
+// r*x/|r|^2 + z/|z|^2.
 mpq_class height(const fathom::Vector& d, const Frame& frame, const mpq_class& x) {
   const fathom::Vector& v = frame.v.exact();
   const fathom::Vector& z = frame.z.exact();
   const fathom::Vector r = cross(v, z);
-  const mpq_class along_v = ratio(dot(d, v), dot(v, v)), along_r = ratio(dot(d, r), dot(r, r)), along_z = ratio(dot(d, z), dot(z, z));
+  const mpq_class along_v = ratio(dot(d, v), dot(v, v)), along_r = ratio(dot(d, r), dot(r, r)),
+                  along_z = ratio(dot(d, z), dot(z, z));
   return -(along_r * x + along_z) / along_v;
 }
 
@@ -64,16 +69,19 @@ TEST(ChartFrame, PoleIsNormalToTheVerticalIdentically) {
     const Frame frame = chart_frame(hemisphere);
     const kernels::Perturbation p;
     for (unsigned level = 0; level <= kernels::infinitesimals; ++level) {
-      EXPECT_EQ(dot(p.moved(frame.v.exact(), kernels::Role::vertical, level), p.moved(frame.z.exact(), kernels::Role::pole, level)),
+      EXPECT_EQ(dot(p.moved(frame.v.exact(), kernels::Role::vertical, level),
+                    p.moved(frame.z.exact(), kernels::Role::pole, level)),
                 kernels::Infinitesimal());
     }
   }
 }
 
-// A tilt of v alone is not enough: around the point in which the verticals then meet, "left of" is cyclic.
+// A tilt of v alone is not enough: around the point in which the verticals then meet, "left of" is
+// cyclic.
 TEST(ChartFrame, ArbitraryTiltIsNoOrder) {
   const kernels::Direction v(fathom::Vector{0, 8, 1}), z(fathom::Vector{0, 0, 1});
-  const std::array<kernels::Direction, 3> n{kernels::Direction(fathom::Vector{3, 7, 1}), kernels::Direction(fathom::Vector{0, 12, 1}),
+  const std::array<kernels::Direction, 3> n{kernels::Direction(fathom::Vector{3, 7, 1}),
+                                            kernels::Direction(fathom::Vector{0, 12, 1}),
                                             kernels::Direction(fathom::Vector{-3, 7, 1})};
   const auto signs = unperturbed();
   for (const kernels::Direction& d : n) ASSERT_GT(signs.side_of_equator(d, z), 0);
@@ -84,7 +92,8 @@ TEST(ChartFrame, ArbitraryTiltIsNoOrder) {
 TEST(Chart, LawsHoldOnEveryFamily) {
   for (const Case& input : cases_of_all_families(3, 10)) {
     const auto p = prepare(input);
-    for (const Charts& charts : p->charts) EXPECT_TRUE(validate(charts).ok()) << input.id << "\n" << text(validate(charts));
+    for (const Charts& charts : p->charts)
+      EXPECT_TRUE(validate(charts).ok()) << input.id << "\n" << text(validate(charts));
   }
 }
 
@@ -94,11 +103,14 @@ TEST(Chart, WallsAreTotallyOrdered) {
     std::size_t walls = 0;
     for (const Charts& charts : p->charts) {
       walls += charts.walls.size();
-      const auto node = [&](std::uint32_t i) -> const kernels::Direction& { return charts.node(charts.walls[WallId(i)]); };
+      const auto node = [&](std::uint32_t i) -> const kernels::Direction& {
+        return charts.node(charts.walls[WallId(i)]);
+      };
       for (std::uint32_t i = 0; i < charts.walls.size(); ++i) {
         for (std::uint32_t j = 0; j < charts.walls.size(); ++j) {
           if (i == j) continue;
-          EXPECT_EQ(perturbed(charts.perturbation).x_order(node(i), node(j), charts.frame.v), i < j ? 1 : -1) << input.id;
+          EXPECT_EQ(perturbed(charts.perturbation).x_order(node(i), node(j), charts.frame.v), i < j ? 1 : -1)
+              << input.id;
         }
       }
     }
@@ -106,7 +118,8 @@ TEST(Chart, WallsAreTotallyOrdered) {
   }
 }
 
-// Nodes (K + a, -K + b, 0) beside the pole (1,1,0): abscissae grow with a + b, which is lost in the images when K is large.
+// Nodes (K + a, -K + b, 0) beside the pole (1,1,0): abscissae grow with a + b, which is lost in the
+// images when K is large.
 TEST(Chart, WallsAreSortedEvenWhereAbscissaeInBinary64AreWrong) {
   families::Random random(5);
   const mpz_class k = mpz_class(1) << 60;
@@ -141,7 +154,8 @@ TEST(Chart, PerturbationKeepsTheOrderOfDifferentAbscissae) {
   }
 }
 
-// The two ways to compare arcs of one colour: at an end, and at any wall strictly inside both ranges.
+// The two ways to compare arcs of one colour: at an end, and at any wall strictly inside both
+// ranges.
 TEST(Chart, OrderOfOneColourHoldsOnEveryCommonWall) {
   std::size_t compared = 0;
   for (const Case& input : cases_of_all_families(2, 9)) {
@@ -179,7 +193,9 @@ TEST(Chart, ArcsAreListedInHeightOrder) {
       for (const Charts& charts : p->charts) {
         for (const gaussian::Colour c : {gaussian::Colour::a, gaussian::Colour::b}) {
           // Walls count from 1 here: 0 is at infinity on the left.
-          const auto left = [&](const ChartArc& arc) { return arc.left == at_infinity ? 0 : charts.of[c].wall_of[arc.left].value + 1; };
+          const auto left = [&](const ChartArc& arc) {
+            return arc.left == at_infinity ? 0 : charts.of[c].wall_of[arc.left].value + 1;
+          };
           const auto right = [&](const ChartArc& arc) {
             return arc.right == at_infinity ? UINT32_MAX : charts.of[c].wall_of[arc.right].value + 1;
           };
@@ -218,7 +234,9 @@ TEST(Chart, ArcsThatLieAboveEachOtherInACircleAreRefused) {
   const auto p = prepare(families::find_family("random_sphere")->make(1, 12));
   gaussian::GaussianDiagram broken = p->of_b;
   std::swap(broken.arcs[gaussian::ArcId(0)].above, broken.arcs[gaussian::ArcId(0)].below);
-  const auto charts = [&](Hemisphere hemisphere) { return make_charts(p->context, p->minus_a, broken, chart_frame(hemisphere)); };
+  const auto charts = [&](Hemisphere hemisphere) {
+    return make_charts(p->context, p->minus_a, broken, chart_frame(hemisphere));
+  };
   EXPECT_THROW((charts(Hemisphere::upper), charts(Hemisphere::lower)), std::logic_error);
 }
 
@@ -266,7 +284,8 @@ TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
             if (dot(n, charts.frame.z.exact()) == 0) continue;
             const int exact = difference(project(n, charts.frame).x);
             if (exact == 0) continue;
-            EXPECT_EQ(kernels::to_int(above_on_wall(kernel_of(charts), charts, gaussian::Colour::a, e, gaussian::Colour::b, f, wall)),
+            EXPECT_EQ(kernels::to_int(above_on_wall(kernel_of(charts), charts, gaussian::Colour::a, e,
+                                                    gaussian::Colour::b, f, wall)),
                       exact)
                 << input.id;
             ++compared;
@@ -275,7 +294,8 @@ TEST(Chart, OrderOnWallsIsTheOrderOfHeights) {
           const mpq_class slope_e = height(d_e, charts.frame, 1) - height(d_e, charts.frame, 0);
           const mpq_class slope_f = height(d_f, charts.frame, 1) - height(d_f, charts.frame, 0);
           if (slope_e == slope_f) continue;
-          EXPECT_EQ(kernels::to_int(above_far_left(kernel_of(charts), charts, gaussian::Colour::a, e, gaussian::Colour::b, f)),
+          EXPECT_EQ(kernels::to_int(
+                        above_far_left(kernel_of(charts), charts, gaussian::Colour::a, e, gaussian::Colour::b, f)),
                     slope_e < slope_f ? 1 : -1)
               << input.id;
         }
@@ -290,18 +310,21 @@ TEST(Chart, FaceBesideAnArcPrefersItsVertex) {
     const auto p = prepare(input);
     for (const Charts& charts : p->charts) {
       for (const ChartArc& arc : charts.of.b.arcs) {
-        const fathom::Vector up = p->b.vertices[charts.of.b.vertex_above(arc)] - p->b.vertices[charts.of.b.vertex_below(arc)];
+        const fathom::Vector up =
+            p->b.vertices[charts.of.b.vertex_above(arc)] - p->b.vertices[charts.of.b.vertex_below(arc)];
         EXPECT_GE(dot(up, charts.frame.v.exact()), 0) << input.id;
       }
       for (const ChartArc& arc : charts.of.a.arcs) {
-        const fathom::Vector down = p->a.vertices[charts.of.a.vertex_above(arc)] - p->a.vertices[charts.of.a.vertex_below(arc)];
+        const fathom::Vector down =
+            p->a.vertices[charts.of.a.vertex_above(arc)] - p->a.vertices[charts.of.a.vertex_below(arc)];
         EXPECT_LE(dot(down, charts.frame.v.exact()), 0) << input.id << ": the diagram is that of -A";
       }
     }
   }
 }
 
-// Boxes: every normal on an axis, every edge parallel to one. All of it is resolved, and recorded by monomial.
+// Boxes: every normal on an axis, every edge parallel to one. All of it is resolved, and recorded
+// by monomial.
 TEST(Chart, RecordsWhichMonomialDecided) {
   const auto p = prepare(families::find_family("boxes_aligned")->make(1, 8));
   const PredicateCounts& counts = p->context.counters.predicates;
@@ -319,8 +342,9 @@ TEST(Chart, QuestionsWithinABodyThatNothingResolvesAreRefused) {
   const Charts& charts = p->charts[0];
   const ChartArc& arc = charts.of.b.arcs.front();
   const gaussian::NodeId end = arc.left != at_infinity ? arc.left : arc.right;
-  EXPECT_THROW(std::ignore = node_above_arc(kernel_of(charts), charts, gaussian::Colour::b, end, gaussian::Colour::b, arc),
-               std::logic_error);
+  EXPECT_THROW(
+      std::ignore = node_above_arc(kernel_of(charts), charts, gaussian::Colour::b, end, gaussian::Colour::b, arc),
+      std::logic_error);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input that wants the checker's memory, its time or its life. Nothing is accepted, and the test ends.
+// Input that wants the checker's memory, its time or its life. Nothing is accepted, and the test
+// ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +25,8 @@ namespace {
 const std::string start = "fathom-certificate 1\n";
 
 TEST(CheckHostile, AnnouncedCountsReserveNothing) {
-  for (const char* count : {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
+  for (const char* count :
+       {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
     const Verdict verdict = verify(start + "a " + count + "\n0 0 0\n");
     EXPECT_EQ(verdict.outcome, Outcome::malformed);
     EXPECT_EQ(verdict.line, 4U);
@@ -32,20 +34,26 @@ TEST(CheckHostile, AnnouncedCountsReserveNothing) {
     EXPECT_EQ(verify(body + "vertices " + count + "\n0 0\n").outcome, Outcome::malformed);
     EXPECT_EQ(verify(body + "vertices 1\n0 0\nfacets " + count + "\n").outcome, Outcome::malformed);
     EXPECT_EQ(verify(body + "vertices 1\n0 0\nfacets 1\n" + count + " 0 0 0\n").outcome, Outcome::malformed);
-    EXPECT_EQ(verify(body + "vertices 1\n0 " + count + "\nfacets 1\n3 0 0 0\nend 1 1 1 1 1\n").outcome, Outcome::refused);
+    EXPECT_EQ(verify(body + "vertices 1\n0 " + count + "\nfacets 1\n3 0 0 0\nend 1 1 1 1 1\n").outcome,
+              Outcome::refused);
   }
 }
 
 TEST(CheckHostile, AnnouncedCountsOfUnionsReserveNothing) {
-  const std::string pieces = "fathom-certificate 3\npieces_a 1\na 1\n0 0 0\npieces_b 1\nb 1\n0 0 0\n", depth = pieces + "claim depth 1\n";
-  const std::string optima = depth + "optima 1\noptimum 0 0 0\nseparations 1\n1 0 0\n", polytopes = optima + "polytopes 1\npolytope 0 0\n";
-  for (const std::string count : {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
+  const std::string pieces = "fathom-certificate 3\npieces_a 1\na 1\n0 0 0\npieces_b 1\nb 1\n0 0 0\n",
+                    depth = pieces + "claim depth 1\n";
+  const std::string optima = depth + "optima 1\noptimum 0 0 0\nseparations 1\n1 0 0\n",
+                    polytopes = optima + "polytopes 1\npolytope 0 0\n";
+  for (const std::string count :
+       {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
     for (const std::string& text :
-         {"fathom-certificate 3\npieces_a " + count + "\na 1\n0 0 0\n", "fathom-certificate 3\npieces_a 1\na " + count + "\n0 0 0\n",
+         {"fathom-certificate 3\npieces_a " + count + "\na 1\n0 0 0\n",
+          "fathom-certificate 3\npieces_a 1\na " + count + "\n0 0 0\n",
           depth + "optima " + count + "\noptimum 0 0 0\nseparations 0\n",
           depth + "optima 1\noptimum 0 0 0\nseparations " + count + "\n1 0 0\n",
-          optima + "polytopes " + count + "\npolytope 0 0\nvertices 0\nfacets 0\n", polytopes + "vertices " + count + "\n0 0\n",
-          polytopes + "vertices 0\nfacets " + count + "\n", polytopes + "vertices 0\nfacets 0\ntree " + count + "\nleaf\n",
+          optima + "polytopes " + count + "\npolytope 0 0\nvertices 0\nfacets 0\n",
+          polytopes + "vertices " + count + "\n0 0\n", polytopes + "vertices 0\nfacets " + count + "\n",
+          polytopes + "vertices 0\nfacets 0\ntree " + count + "\nleaf\n",
           pieces + "claim touching\nseparations " + count + "\n1 0 0\n"}) {
       const Verdict verdict = verify(text);
       EXPECT_EQ(verdict.outcome, Outcome::malformed) << text;
@@ -68,7 +76,8 @@ TEST(CheckHostile, ATreeMayBeAsDeepAsItIsLong) {
   EXPECT_EQ(verify(without).reason, "behind this node the tree goes on: a child is missing");
 }
 
-// A split with very many children, each of them beyond the same facet: the path grows, and shrinks again.
+// A split with very many children, each of them beyond the same facet: the path grows, and shrinks
+// again.
 TEST(CheckHostile, ASplitMayHaveManyChildren) {
   constexpr std::size_t children = 200'000;
   std::string root = "split 0";
@@ -121,7 +130,8 @@ TEST(CheckHostile, LinesAreLimited) {
 TEST(CheckHostile, BlocksDoNotShow) {
   constexpr std::size_t longest = 70'000;
   std::string text;
-  for (std::size_t length : {0, 1, 65'535, 65'536, 65'537, 69'999, 70'000, 70'001, 200'000, 3, 0, 131'071, 50'000, 20'000, 7})
+  for (std::size_t length :
+       {0, 1, 65'535, 65'536, 65'537, 69'999, 70'000, 70'001, 200'000, 3, 0, 131'071, 50'000, 20'000, 7})
     text += std::string(length, static_cast<char>('a' + length % 26)) + "\n";
   for (const std::size_t cut : {std::size_t{0}, std::size_t{1}, std::size_t{3}}) {
     const std::string_view whole = std::string_view(text).substr(0, text.size() - cut);
@@ -136,11 +146,13 @@ TEST(CheckHostile, BlocksDoNotShow) {
   }
 }
 
-// Long denominators without common factors, and many points: over the common denominator they would take gigabytes.
+// Long denominators without common factors, and many points: over the common denominator they would
+// take gigabytes.
 TEST(CheckHostile, CommonDenominatorsArePaidFor) {
   constexpr int awkward = 100, points = 200'000;
   std::string text = start + "a " + std::to_string(points) + "\n";
-  for (int k = 0; k < awkward; ++k) text += "1/" + std::to_string(2 * k + 1) + std::string(400, static_cast<char>('1' + k % 9)) + "1 0 0\n";
+  for (int k = 0; k < awkward; ++k)
+    text += "1/" + std::to_string(2 * k + 1) + std::string(400, static_cast<char>('1' + k % 9)) + "1 0 0\n";
   for (int k = awkward; k < points; ++k) text += "0 0 0\n";
   text += "b 1\n0 0 1\nclaim disjoint\ndirections 1 some\n0 0 -1\nend " + std::to_string(points) + " 1 1 0 0\n";
   const Verdict verdict = verify(text);
@@ -154,7 +166,8 @@ TEST(CheckHostile, BudgetsEnd) {
   EXPECT_THROW(budget.store(1, 7), Fault);
 }
 
-// As many digits as every Int of so many holds, and no more: 2^32 + 1 is not 1 where a long has 32 bits.
+// As many digits as every Int of so many holds, and no more: 2^32 + 1 is not 1 where a long has 32
+// bits.
 template <class Int>
 void expect_digits_fit() {
   const std::string largest = std::to_string(std::numeric_limits<Int>::max());
@@ -177,11 +190,11 @@ TEST(CheckHostile, ShortIntegersFitTheirType) {
 }
 
 TEST(CheckHostile, Utf8) {
-  for (const char* text :
-       {"", "a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80", "\xf0\x90\x80\x80x", "\xf4\x8f\xbf\xbf"})
+  for (const char* text : {"", "a", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
+                           "\xf0\x90\x80\x80x", "\xf4\x8f\xbf\xbf"})
     EXPECT_TRUE(is_utf8(text)) << escaped(text);
-  for (const char* text : {"\x80", "\xc1\xbf", "\xc2", "\xc2x", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xef\xbf", "\xf0\x8f\xbf\xbf",
-                           "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "a\xc3"})
+  for (const char* text : {"\x80", "\xc1\xbf", "\xc2", "\xc2x", "\xe0\x9f\xbf", "\xed\xa0\x80", "\xef\xbf",
+                           "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "a\xc3"})
     EXPECT_FALSE(is_utf8(text)) << escaped(text);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The checker's kept integers: their values, and that neither reading nor checking allocates for each of them.
+// The checker's kept integers: their values, and that neither reading nor checking allocates for
+// each of them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -59,7 +60,8 @@ void count_allocations() {
   mp_set_memory_functions(allocate, reallocate, [](void* block, std::size_t) { std::free(block); });
 }
 
-/// A double pyramid over a polygon of 2n + 1 corners, the points of a parabola with x from -n to n; O lies inside.
+/// A double pyramid over a polygon of 2n + 1 corners, the points of a parabola with x from -n to n;
+/// O lies inside.
 std::string double_pyramid(int n) {
   const int corners = 2 * n + 1;
   std::string points, vertices, facets;
@@ -72,8 +74,8 @@ std::string double_pyramid(int n) {
   for (int k = 0; k < corners + 2; ++k) vertices += std::to_string(k) + " 0\n";
   const std::string count = std::to_string(corners + 2), twice = std::to_string(2 * corners);
   return "fathom-certificate 1\na 1\n0 0 0\nb " + count + '\n' + points +
-         "0 0 5/3\n0 0 -5/3\nclaim bounds 0 9\ndirections 1 some\n0 0 1\n" + "vertices " + count + '\n' + vertices + "facets " + twice +
-         '\n' + facets + "end 1 " + count + " 1 " + count + ' ' + twice + '\n';
+         "0 0 5/3\n0 0 -5/3\nclaim bounds 0 9\ndirections 1 some\n0 0 1\n" + "vertices " + count + '\n' + vertices +
+         "facets " + twice + '\n' + facets + "end 1 " + count + " 1 " + count + ' ' + twice + '\n';
 }
 
 TEST(CheckIntegers, GmpAllocatesNoMoreForManyThanForFew) {

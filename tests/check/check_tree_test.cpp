@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of a certificate of unions: each reason for which it is refused, on unions whose differences are boxes.
+// The tree of a certificate of unions: each reason for which it is refused, on unions whose
+// differences are boxes.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -19,14 +20,17 @@ const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0,
 const std::string all = "split 0 0 1 2 3 4 5";
 const Nodes six_leaves{all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"};
 
-// What is in none of the three is x <= -1, y <= -2, z <= -2, or far away: the nearest place is the corner, 3 away.
+// What is in none of the three is x <= -1, y <= -2, z <= -2, or far away: the nearest place is the
+// corner, 3 away.
 const std::vector<DifferenceBox> slabs{{{-1, -9, -9}, {9, 9, 9}}, {{-9, -2, -9}, {9, 9, 9}}, {{-9, -9, -2}, {9, 9, 9}}};
 const Triple corner{-1, -2, -2};
 const Nodes to_the_corner{"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 2"};
 
 std::string said(const UnionText& text) {
   const Verdict verdict = verify(text.text());
-  return verdict.accepted() ? "accepted" : verdict.outcome == Outcome::malformed ? "malformed: " + verdict.reason : verdict.reason;
+  return verdict.accepted()                      ? "accepted"
+         : verdict.outcome == Outcome::malformed ? "malformed: " + verdict.reason
+                                                 : verdict.reason;
 }
 std::string of_cube(const Nodes& tree, const std::vector<Triple>& optima = six, const std::string& q = "1") {
   return said(boxes(q, {cube}, optima, tree));
@@ -37,7 +41,8 @@ std::string of_slabs(const Nodes& tree, const std::vector<Triple>& optima = {cor
 
 const std::string not_listed = "a facet that is not done is not among the children",
                   nearer = "these constraints leave a place that is nearer, or not listed",
-                  no_multipliers = "these constraints have no multipliers that are not negative", ends = "the tree ends before this node",
+                  no_multipliers = "these constraints have no multipliers that are not negative",
+                  ends = "the tree ends before this node",
                   goes_on = "behind this node the tree goes on: a child is missing",
                   no_constraint = "the path has no constraint of this number";
 
@@ -63,7 +68,8 @@ TEST(CheckTree, FacetsThatAreNotDone) {
     EXPECT_EQ(of_cube({"split 0"}, five), not_listed) << k;
     EXPECT_EQ(of_cube(six_leaves, five), nearer) << k;
   }
-  EXPECT_EQ(said(boxes("1", {{{-1, -2, -2}, {2, 2, 2}}}, {{-1, 0, 0}}, {"split 0"})), "accepted") << "one at the depth, five beyond it";
+  EXPECT_EQ(said(boxes("1", {{{-1, -2, -2}, {2, 2, 2}}}, {{-1, 0, 0}}, {"split 0"})), "accepted")
+      << "one at the depth, five beyond it";
   EXPECT_EQ(said(boxes("4", {{{-1, -2, -2}, {2, 2, 2}}}, {{-2, 0, 0}}, {"split 0"})), not_listed) << "one before it";
 }
 
@@ -81,13 +87,15 @@ TEST(CheckTree, AFacetBehindOIsNotDone) {
 // A child twice is one facet; it does not stand for another.
 TEST(CheckTree, AChildTwiceDoesNotCountTwice) {
   const std::vector<DifferenceBox> two{{{-1, -1, -9}, {9, 9, 9}}, {{-9, -9, -9}, {9, 9, 9}}};
-  EXPECT_EQ(
-      said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}}, {"split 0 0 2", "split 1", "split 1"})),
-      "accepted");
+  EXPECT_EQ(said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}},
+                       {"split 0 0 2", "split 1", "split 1"})),
+            "accepted");
   for (const char* split : {"split 0 0 0", "split 0 2 2", "split 0 0", "split 0 0 1"}) {
     Nodes tree(std::string(split).size() > 9 ? 3 : 2, "split 1");
     tree[0] = split;
-    EXPECT_EQ(said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}}, tree)), not_listed) << split;
+    EXPECT_EQ(said(boxes("81", two, {{-9, 0, 0}, {0, -9, 0}, {0, 0, -9}, {0, 0, 9}, {0, 9, 0}, {9, 0, 0}}, tree)),
+              not_listed)
+        << split;
   }
 }
 
@@ -103,7 +111,8 @@ TEST(CheckTree, IsOneTree) {
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4"}), goes_on);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 2", "split 0 0"}), ends);
   const UnionText text = boxes("1", {cube}, six, more);
-  EXPECT_EQ(verify(text.text()).line + 1, verify(edited(text.text(), "end 1", "end 2")).line) << "that of the node too many, before 'end'";
+  EXPECT_EQ(verify(text.text()).line + 1, verify(edited(text.text(), "end 1", "end 2")).line)
+      << "that of the node too many, before 'end'";
 }
 
 TEST(CheckTree, IndicesAreInRange) {
@@ -124,7 +133,8 @@ TEST(CheckTree, LeavesOfTooFewOrTooManyConstraints) {
   EXPECT_EQ(of_cube({"split 0 0", "leaf"}), no_multipliers);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1"}), nearer);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 1 2"}), nearer);
-  EXPECT_EQ(of_cube({all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 0 1 2 3 5"}), "a leaf has at most four constraints");
+  EXPECT_EQ(of_cube({all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 0 1 2 3 5"}),
+            "a leaf has at most four constraints");
 }
 
 // The path: below all children listed before, in their order, and beyond the facet of the child.
@@ -134,7 +144,8 @@ TEST(CheckTree, ThePathIsThatOfTheChild) {
       << "one constraint three times: the adjugate is zero";
   EXPECT_EQ(of_cube({"split 0 0 1", "leaf 0", "leaf 0"}), no_multipliers) << "l = c_0 = -1";
   EXPECT_EQ(of_cube({"split 0 0 1", "leaf 0", "leaf 1"}), "accepted");
-  // The path of a child does not keep what is below the child before: there it has 0, 1, 2, here 0 and 1.
+  // The path of a child does not keep what is below the child before: there it has 0, 1, 2, here 0
+  // and 1.
   EXPECT_EQ(of_cube({"split 0 0 1", "split 0 0 1", "leaf 0", "leaf 2", "leaf 1"}), "accepted");
   EXPECT_EQ(of_cube({"split 0 0 1", "split 0 0 1", "leaf 0", "leaf 2", "leaf 2"}), no_constraint);
   EXPECT_EQ(of_cube({"split 0 0 1 2", "leaf 0", "leaf 1", "leaf 1"}), no_multipliers) << "by then x is below facet 1";
@@ -161,7 +172,8 @@ TEST(CheckTree, TheDepthIsExact) {
   EXPECT_EQ(of_slabs(to_the_corner, {corner}, "9001/1000"), "the length of this translation is not the depth");
   const std::string text = boxes("9", slabs, {corner}, to_the_corner).text();
   // The place (-2,-2,-1) is inside of the second slab: not outside of W.
-  EXPECT_EQ(verify(edited(text, "optimum -1 -2 -2", "optimum -2 -2 -1")).reason, "this direction does not separate the two pieces");
+  EXPECT_EQ(verify(edited(text, "optimum -1 -2 -2", "optimum -2 -2 -1")).reason,
+            "this direction does not separate the two pieces");
   // (-2/3,-7/3,-7/3) would be the nearest if the first slab ended there.
   std::vector<DifferenceBox> shorter = slabs;
   shorter[0].low[0] = -2;
@@ -170,18 +182,22 @@ TEST(CheckTree, TheDepthIsExact) {
 }
 
 TEST(CheckTree, Nodes) {
-  for (const char* node : {"split", "leaf ", "leaf x", "leaf 1/2", "leaf -1", "split -1", "split 0  0", "node 0", "", "0", "Leaf 0"})
+  for (const char* node :
+       {"split", "leaf ", "leaf x", "leaf 1/2", "leaf -1", "split -1", "split 0  0", "node 0", "", "0", "Leaf 0"})
     EXPECT_EQ(of_cube({node}).substr(0, 10), "malformed:") << node;
   EXPECT_EQ(of_cube({"split 0 00"}), goes_on);
 }
 
-// Of coordinates that are fractions; the optima are looked up by their values, whatever the denominators.
+// Of coordinates that are fractions; the optima are looked up by their values, whatever the
+// denominators.
 TEST(CheckTree, Fractions) {
   std::string text = boxes("1", {cube}, six, {"split 0"}).text();
-  text = edited(text, "a 8\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n",
-                "a 8\n1/3 1/5 1/7\n4/3 1/5 1/7\n1/3 6/5 1/7\n4/3 6/5 1/7\n1/3 1/5 8/7\n4/3 1/5 8/7\n1/3 6/5 8/7\n4/3 6/5 8/7\n");
-  text = edited(text, "b 8\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n",
-                "b 8\n1/3 1/5 1/7\n4/3 1/5 1/7\n1/3 6/5 1/7\n4/3 6/5 1/7\n1/3 1/5 8/7\n4/3 1/5 8/7\n1/3 6/5 8/7\n4/3 6/5 8/7\n");
+  text = edited(
+      text, "a 8\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n",
+      "a 8\n1/3 1/5 1/7\n4/3 1/5 1/7\n1/3 6/5 1/7\n4/3 6/5 1/7\n1/3 1/5 8/7\n4/3 1/5 8/7\n1/3 6/5 8/7\n4/3 6/5 8/7\n");
+  text = edited(
+      text, "b 8\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n",
+      "b 8\n1/3 1/5 1/7\n4/3 1/5 1/7\n1/3 6/5 1/7\n4/3 6/5 1/7\n1/3 1/5 8/7\n4/3 1/5 8/7\n1/3 6/5 8/7\n4/3 6/5 8/7\n");
   EXPECT_TRUE(verify(text).accepted()) << verify(text).reason;
   EXPECT_TRUE(verify(edited(text, "optimum -1 0 0", "optimum -2/2 0/9 0")).accepted());
   EXPECT_EQ(verify(edited(text, "b 8\n1/3 ", "b 8\n1/4 ")).outcome, Outcome::refused);

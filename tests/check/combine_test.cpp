@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The multipliers of a leaf, beside a naive twin: systems of equations over rationals, by elimination.
+// The multipliers of a leaf, beside a naive twin: systems of equations over rationals, by
+// elimination.
 #include "verify/check/combine.hpp"
 
 #include <gtest/gtest.h>
@@ -14,16 +15,18 @@
 namespace fathom_check {
 namespace {
 
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=7 max_success=1000", 0);  // the same numbers in every run
+[[maybe_unused]] const int configured =
+    setenv("RC_PARAMS", "seed=7 max_success=1000", 0);  // the same numbers in every run
 
 using Numbers = std::vector<mpq_class>;
 
-/// Brings [m | right] to its reduced form, in place; returns the columns of m that have a leading one.
+/// Brings [m | right] to its reduced form, in place; returns the columns of m that have a leading
+/// one.
 std::vector<std::size_t> eliminate(std::vector<Numbers>& m, std::size_t columns) {
   std::vector<std::size_t> leading;
   for (std::size_t column = 0, top = 0; column < columns && top < m.size(); ++column) {
-    const auto pivot =
-        std::find_if(m.begin() + static_cast<std::ptrdiff_t>(top), m.end(), [&](const Numbers& row) { return row[column] != 0; });
+    const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(top), m.end(),
+                                    [&](const Numbers& row) { return row[column] != 0; });
     if (pivot == m.end()) continue;
     std::swap(*pivot, m[top]);
     const mpq_class scale = m[top][column];
@@ -55,7 +58,8 @@ std::optional<Sum> sum_of(const std::vector<Constraint>& constraints, const Numb
   return result;
 }
 
-/// The nearest point of all planes is that of the sum, where there is one; if the normals depend on each other in one way alone, this way.
+/// The nearest point of all planes is that of the sum, where there is one; if the normals depend on
+/// each other in one way alone, this way.
 std::optional<Sum> combined_naive(const std::vector<Constraint>& constraints) {
   const std::size_t size = constraints.size();
   std::vector<Numbers> gram(size, Numbers(size + 1));
@@ -101,14 +105,15 @@ void compare(const std::vector<Constraint>& constraints) {
 rc::Gen<std::vector<Constraint>> constraints(int size, int largest) {
   const auto small = [largest] { return rc::gen::inRange(-largest, largest + 1); };
   return rc::gen::container<std::vector<Constraint>>(
-      static_cast<std::size_t>(size),
-      rc::gen::apply([](int x, int y, int z, int c) { return constraint(x, y, z, c); }, small(), small(), small(), small()));
+      static_cast<std::size_t>(size), rc::gen::apply([](int x, int y, int z, int c) { return constraint(x, y, z, c); },
+                                                     small(), small(), small(), small()));
 }
 
 TEST(Combine, AgreesWithElimination) {
   for (const int size : {1, 2, 3, 4})
     for (const int largest : {1, 3, 1'000'000})
-      EXPECT_TRUE(rc::check("of random constraints", [=] { compare(*constraints(size, largest)); })) << size << " of up to " << largest;
+      EXPECT_TRUE(rc::check("of random constraints", [=] { compare(*constraints(size, largest)); }))
+          << size << " of up to " << largest;
 }
 
 // Normals in a plane, or with one constraint repeated: the Gram matrix is singular.
@@ -157,7 +162,8 @@ TEST(Combine, ByHand) {
   EXPECT_EQ(one->n.x, -1024);
   EXPECT_EQ(one->c, 1024);
   EXPECT_FALSE(combined({constraint(1, 0, 0, -1)})) << "a multiplier of -1";
-  const std::optional<Constraint> corner = combined({constraint(-1, 0, 0, 1), constraint(0, -1, 0, 2), constraint(0, 0, -1, 2)});
+  const std::optional<Constraint> corner =
+      combined({constraint(-1, 0, 0, 1), constraint(0, -1, 0, 2), constraint(0, 0, -1, 2)});
   ASSERT_TRUE(corner);
   EXPECT_EQ(corner->c, 9);
   const std::optional<Constraint> empty = combined({constraint(2, 0, 0, 3), constraint(-1, 0, 0, -1)});
@@ -169,7 +175,8 @@ TEST(Combine, ByHand) {
   ASSERT_TRUE(four) << "x + y + z >= 1, and none of them is positive";
   EXPECT_TRUE(is_zero(four->n));
   EXPECT_GT(four->c, 0);
-  EXPECT_FALSE(combined({constraint(1, 0, 0, 1), constraint(1, 0, 0, 1), constraint(1, 0, 0, 1)})) << "the adjugate is zero";
+  EXPECT_FALSE(combined({constraint(1, 0, 0, 1), constraint(1, 0, 0, 1), constraint(1, 0, 0, 1)}))
+      << "the adjugate is zero";
   EXPECT_FALSE(combined(std::vector<Constraint>(5, constraint(1, 0, 0, 1))));
 }
 

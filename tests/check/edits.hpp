@@ -21,7 +21,9 @@ inline std::string read(const std::filesystem::path& path) {
   return text.str();
 }
 
-inline std::string data(const std::string& name) { return read(std::filesystem::path(FATHOM_TEST_DATA) / "certificates" / name); }
+inline std::string data(const std::string& name) {
+  return read(std::filesystem::path(FATHOM_TEST_DATA) / "certificates" / name);
+}
 
 /// `text` with the only, or the first, `from` replaced. The test fails if there is none.
 inline std::string edited(std::string text, const std::string& from, const std::string& to) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of unions for which the differences of the pieces are boxes: A is one cube, and B has a piece for each box.
+// Certificates of unions for which the differences of the pieces are boxes: A is one cube, and B
+// has a piece for each box.
 #pragma once
 
 #include <array>
@@ -54,13 +55,16 @@ struct UnionText {
   }
 };
 
-inline std::string row(const Triple& p) { return std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n"; }
+inline std::string row(const Triple& p) {
+  return std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+}
 
 /// Corner s has its coordinates in the bits of s, x lowest.
 inline std::string corners(const char* word, const Triple& low, const Triple& high) {
   std::string result = std::string(word) + " 8\n";
   for (unsigned s = 0; s < 8; ++s)
-    result += row({(s & 1U) != 0 ? high[0] : low[0], (s & 2U) != 0 ? high[1] : low[1], (s & 4U) != 0 ? high[2] : low[2]});
+    result +=
+        row({(s & 1U) != 0 ? high[0] : low[0], (s & 2U) != 0 ? high[1] : low[1], (s & 4U) != 0 ? high[2] : low[2]});
   return result;
 }
 
@@ -70,7 +74,8 @@ inline constexpr const char* all_facets = "4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 
 inline UnionText boxes(const std::string& q, const std::vector<DifferenceBox>& boxes, const std::vector<Triple>& optima,
                        const std::vector<std::string>& tree) {
   UnionText result;
-  result.pieces = "pieces_a 1\n" + corners("a", {0, 0, 0}, {1, 1, 1}) + "pieces_b " + std::to_string(boxes.size()) + "\n";
+  result.pieces =
+      "pieces_a 1\n" + corners("a", {0, 0, 0}, {1, 1, 1}) + "pieces_b " + std::to_string(boxes.size()) + "\n";
   for (std::size_t j = 0; j < boxes.size(); ++j) {
     const Triple& low = boxes[j].low;
     result.pieces += corners("b", {low[0] + 1, low[1] + 1, low[2] + 1}, boxes[j].high);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// That a proof which no checker would read is told of, by small limits in the place of those that checkers have.
+// That a proof which no checker would read is told of, by small limits in the place of those that
+// checkers have.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -50,7 +51,8 @@ std::string said(const std::string& text, const Limits& limits = {}) {
 
 /// Whether the sentence is about this limit, and says what helps.
 void expect_told(const std::string& sentence, const std::string& limit) {
-  const std::string begin = "the case: no certificate is written, since all checkers would refuse to read it: a certificate ";
+  const std::string begin =
+      "the case: no certificate is written, since all checkers would refuse to read it: a certificate ";
   EXPECT_EQ(sentence.substr(0, begin.size() + limit.size()), begin + limit);
   EXPECT_NE(sentence.find("--exact-decimals"), std::string::npos) << sentence;
 }
@@ -77,7 +79,8 @@ TEST(CertificateLimits, WhatReachesALimitIsWritten) {
 TEST(CertificateLimits, NumbersAndLinesToo) {
   const std::vector<Point> wide = box({0, 0, 0}, {mpq_class(std::string(100'001, '7')), 1, 1});
   const std::string sentence = said(certificate_text(wide, cube, penetration_depth(wide, cube), "wide"));
-  EXPECT_NE(sentence.find(": a number of more digits than the limit, 100000. "), std::string::npos) << sentence.substr(0, 200);
+  EXPECT_NE(sentence.find(": a number of more digits than the limit, 100000. "), std::string::npos)
+      << sentence.substr(0, 200);
   const std::string id(std::size_t{1} << 24, 'x');
   EXPECT_NE(said(certificate_text(cube, beside, penetration_depth(cube, beside), id)), "") << "a line that is too long";
 }

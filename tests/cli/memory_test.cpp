@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where memory ends under GMP: its number is whole, the next operator new throws, and once all is given back everything works again.
+// Where memory ends under GMP: its number is whole, the next operator new throws, and once all is
+// given back everything works again.
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>

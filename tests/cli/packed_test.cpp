@@ -14,7 +14,8 @@ TEST(Packed, ComesBack) {
     for (int i = 0; i < 256; ++i) text += static_cast<char>(i);
     return text;
   }();
-  for (const Texts& texts : {Texts{}, Texts{""}, Texts{"", ""}, Texts{"12 ", "3", " "}, Texts{all_bytes, "x", all_bytes + all_bytes}}) {
+  for (const Texts& texts :
+       {Texts{}, Texts{""}, Texts{"", ""}, Texts{"12 ", "3", " "}, Texts{all_bytes, "x", all_bytes + all_bytes}}) {
     EXPECT_EQ(unpacked(packed(texts)), texts);
     std::string one_by_one;
     for (const std::string& text : texts) pack(one_by_one, text);

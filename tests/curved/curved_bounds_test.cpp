@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds where the answer is known: where people put shapes on each other, in closed form, at the ends of numbers, and out of reach.
+// Bounds where the answer is known: where people put shapes on each other, in closed form, at the
+// ends of numbers, and out of reach.
 #include "reference/curved/curved_bounds.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,9 @@ CurvedBounds bounds_of(const Shape& a, const Shape& b, unsigned bits = 40, std::
   return bounds;
 }
 
-Shape at(const Shape& shape, const Point& p, const Quaternion& q = {1, 0, 0, 0}) { return moved(shape, rigid_pose(q, p)); }
+Shape at(const Shape& shape, const Point& p, const Quaternion& q = {1, 0, 0, 0}) {
+  return moved(shape, rigid_pose(q, p));
+}
 Shape ball(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}, {0, 0, r}}}); }
 Shape disc(const mpq_class& r) { return ShapeMaker::one_atom({{0, 0, 0}, {{r, 0, 0}, {0, r, 0}}}); }
 
@@ -39,7 +42,8 @@ struct Placed {
 
 // Each in its place, and both in one pose that no machine number holds.
 void expect_exactly(const Placed& placed, const mpq_class& value) {
-  const Pose pose = rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
+  const Pose pose =
+      rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
   for (const bool turned : {false, true}) {
     for (const bool swapped : {false, true}) {
       const Shape a = turned ? moved(placed.a, pose) : placed.a, b = turned ? moved(placed.b, pose) : placed.b;
@@ -70,41 +74,52 @@ TEST(CurvedBounds, DecideTouchingWherePeopleMeetIt) {
       {"a ball in the hollow of no box: beside a cylinder", cylinder(1, 1), at(ball(4), {3, -4, third})},
       {"discs in one plane", disc(1), at(disc(1), {1, 0, 0})},
       {"a disc on a cylinder's end", cylinder(1, 1), at(disc(3), {0, 1, 1})},
-      {"an ellipsoid with edges on a face", box({2, 2, 2}), at(minkowski_sum(ellipsoid({1, 2, 3}), unit_box), {0, 0, 6})},
+      {"an ellipsoid with edges on a face", box({2, 2, 2}),
+       at(minkowski_sum(ellipsoid({1, 2, 3}), unit_box), {0, 0, 6})},
       {"cones along a generator", cone(1, 1), at(cone(1, 1), {1, 0, 0}, half_x)},
-      {"a cylinder along a cone", cone(3, 2), at(cylinder(1, third), {mpq_class(23, 10), 0, mpq_class(3, 5)}, along_generator)},
-      {"a cylinder across a cone", cone(3, 2), at(cylinder(1, 2, Axis::y), {mpq_class(23, 10), third, mpq_class(3, 5)})},
+      {"a cylinder along a cone", cone(3, 2),
+       at(cylinder(1, third), {mpq_class(23, 10), 0, mpq_class(3, 5)}, along_generator)},
+      {"a cylinder across a cone", cone(3, 2),
+       at(cylinder(1, 2, Axis::y), {mpq_class(23, 10), third, mpq_class(3, 5)})},
       {"a ball on a cone's side", at(ball(5), {mpq_class(11, 2), 0, 3}), cone(3, 2)},
       {"rims that cross", cylinder(5, 1), at(cylinder(5, 1), {3, 0, 2}, {1, 0, 0, 2})},
-      {"a rim on a barrel", cylinder(1, 3, Axis::y), at(cylinder(1, 1), {mpq_class(-1, 5), 0, mpq_class(12, 5)}, {3, 0, 1, 0})},
+      {"a rim on a barrel", cylinder(1, 3, Axis::y),
+       at(cylinder(1, 1), {mpq_class(-1, 5), 0, mpq_class(12, 5)}, {3, 0, 1, 0})},
       {"a cylinder on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 3})},
       {"a cylinder lies on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2}, quarter_x)},
-      {"a sphere on a slope", halfspace({1, 2, 2}, 3), at(ball(1), {mpq_class(2, 3), mpq_class(4, 3), mpq_class(4, 3)})}};
+      {"a sphere on a slope", halfspace({1, 2, 2}, 3),
+       at(ball(1), {mpq_class(2, 3), mpq_class(4, 3), mpq_class(4, 3)})}};
   for (const Placed& placed : touching) expect_exactly(placed, 0);
 }
 
-// Normal n and unit vectors y are chosen; the radii are such that an ellipsoid has the normal n at y.
+// Normal n and unit vectors y are chosen; the radii are such that an ellipsoid has the normal n at
+// y.
 TEST(CurvedBounds, DecideTouchingOfEllipsoidsAtRationalPoints) {
   ShapeMaker make{families::Random(11), 4};
-  const auto small = [&] { return Quaternion{make.random.between(1, 5), make.random.between(-5, 5), make.random.between(-5, 5), 2}; };
+  const auto small = [&] {
+    return Quaternion{make.random.between(1, 5), make.random.between(-5, 5), make.random.between(-5, 5), 2};
+  };
   const auto of_pose = [](const Quaternion& q, const Point& p) {
     const Pose pose = rigid_pose(q, {});
     std::array<mpq_class, 3> result;
     for (std::size_t i = 0; i < 3; ++i) result[i] = pose[i][0] * p.x + pose[i][1] * p.y + pose[i][2] * p.z;
     return Point{result[0], result[1], result[2]};
   };
-  const Pose odd = rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
+  const Pose odd =
+      rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {mpq_class(1, 3), 1, -2});
   for (int pairs = 0; pairs < 60;) {
     const Point n{make.random.between(-20, 20), make.random.between(-20, 20), make.random.between(1, 20)};
     std::array<Shape, 2> shapes;
     bool proper = true;
     for (int i = 0; i < 2 && proper; ++i) {
       const Quaternion turn = small();
-      const Point m = of_pose({turn.w, -turn.x, -turn.y, -turn.z}, i == 0 ? n : Point{-n.x, -n.y, -n.z}), y = of_pose(small(), {0, 0, 1});
+      const Point m = of_pose({turn.w, -turn.x, -turn.y, -turn.z}, i == 0 ? n : Point{-n.x, -n.y, -n.z}),
+                  y = of_pose(small(), {0, 0, 1});
       proper = m.x * m.y * m.z * y.x * y.y * y.z != 0;
       if (!proper) break;
       const Point r{abs(y.x / m.x), abs(y.y / m.y), abs(y.z / m.z)};
-      const Point there = of_pose(turn, {r.x * r.x * m.x, r.y * r.y * m.y, r.z * r.z * m.z});  // r y, with the signs of m
+      const Point there =
+          of_pose(turn, {r.x * r.x * m.x, r.y * r.y * m.y, r.z * r.z * m.z});  // r y, with the signs of m
       shapes[static_cast<std::size_t>(i)] = at(ellipsoid(r), {-there.x, -there.y, -there.z}, turn);
     }
     if (!proper) continue;
@@ -112,16 +127,19 @@ TEST(CurvedBounds, DecideTouchingOfEllipsoidsAtRationalPoints) {
     const auto& [a, b] = shapes;
     for (const bool turned : {false, true}) {
       const CurvedBounds bounds = turned ? bounds_of(moved(a, odd), moved(b, odd)) : bounds_of(a, b);
-      EXPECT_TRUE(bounds.low == 0 && bounds.high == 0) << pairs << (turned ? ", turned" : "") << ": [" << bounds.low << ", " << bounds.high;
+      EXPECT_TRUE(bounds.low == 0 && bounds.high == 0)
+          << pairs << (turned ? ", turned" : "") << ": [" << bounds.low << ", " << bounds.high;
     }
   }
 }
 
 TEST(CurvedBounds, MeetWhereTheNearestFeaturesAreRational) {
-  expect_exactly({"a gap between a cylinder and a box", unit_box, at(cylinder(1, 1), {0, 0, mpq_class(7, 3)})}, mpq_class(-1, 3));
+  expect_exactly({"a gap between a cylinder and a box", unit_box, at(cylinder(1, 1), {0, 0, mpq_class(7, 3)})},
+                 mpq_class(-1, 3));
   expect_exactly({"a gap between balls", ball(1), at(ball(3), {3, 4, 0})}, -1);
   expect_exactly({"a cylinder sunk into a box", box({3, 3, 3}), at(cylinder(1, 2), {0, 0, 4})}, 1);
-  expect_exactly({"coaxial cylinders, along the axis", cylinder(3, 1), at(cylinder(3, 1), {0, 0, mpq_class(3, 2)})}, mpq_class(1, 2));
+  expect_exactly({"coaxial cylinders, along the axis", cylinder(3, 1), at(cylinder(3, 1), {0, 0, mpq_class(3, 2)})},
+                 mpq_class(1, 2));
   expect_exactly({"boxes", unit_box, at(unit_box, {mpq_class(1, 2), 0, mpq_class(3, 2)})}, mpq_class(1, 2));
   expect_exactly({"margins close a gap", with_margin(unit_box, mpq_class(1, 12)),
                   at(with_margin(cylinder(1, 1), mpq_class(1, 4)), {0, 0, mpq_class(7, 3)})},
@@ -185,14 +203,15 @@ TEST(CurvedBounds, DecideTheStatusOfGrazingBodies) {
         const CurvedBounds grazing = bounds_of(ball(1), at(ball(1), {x, x, 0}), bits);
         EXPECT_TRUE(apart ? grazing.high < 0 : grazing.low > 0) << bits << " bits, " << fine;
         expect_around(grazing, {2, -2 * x * x}, "grazing balls");
-        const CurvedBounds margins =
-            bounds_of(with_margin(ball(mpq_class(3, 4)), mpq_class(1, 8)), at(with_margin(ball(1), mpq_class(1, 8)), {x, x, 0}), bits);
+        const CurvedBounds margins = bounds_of(with_margin(ball(mpq_class(3, 4)), mpq_class(1, 8)),
+                                               at(with_margin(ball(1), mpq_class(1, 8)), {x, x, 0}), bits);
         EXPECT_TRUE(apart ? margins.high < 0 : margins.low > 0) << bits << " bits, " << fine << ", margins";
       }
     }
   }
   const mpq_class hair = mpq_class(1, mpz_class(1) << 60);
-  const Shape lying = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 0, 0}), slope = halfspace({0, 0, 1}, mpq_class(-11, 5) + hair);
+  const Shape lying = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 0, 0}),
+              slope = halfspace({0, 0, 1}, mpq_class(-11, 5) + hair);
   EXPECT_EQ(bounds_of(slope, lying).low, hair);
   EXPECT_LT(bounds_of(halfspace({1, 1, 0}, -root_of_two(60, true)), cylinder(1, 2)).high, 0);
 }
@@ -216,7 +235,8 @@ TEST(CurvedBounds, EndBeforeTheirBudgetWhereItWillNotDo) {
   EXPECT_GT(around_axis.low * 10000, 19998);
   EXPECT_EQ(around_center.support_calls, 512);
   EXPECT_GT(around_center.low * 100, 198);
-  EXPECT_GT(bounds_of(bar, bar, 20).support_calls, 512);  // it is their share of the goal that counts, and of the budget
+  EXPECT_GT(bounds_of(bar, bar, 20).support_calls,
+            512);  // it is their share of the goal that counts, and of the budget
   EXPECT_GT(bounds_of(bar, bar, 26, 20000).support_calls, 512);
   EXPECT_EQ(bounds_of(bar, bar, 26).support_calls, 512);
   const CurvedBounds slow = bounds_of(bar, at(bar, {mpq_class(1, 1000), 0, 0}));  // but it gets on
@@ -228,7 +248,8 @@ TEST(CurvedBounds, EndBeforeTheirBudgetWhereItWillNotDo) {
 }
 
 TEST(CurvedBounds, KeepTheirWidthWhateverItIs) {
-  const Shape a = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 2, 5}), b = at(ellipsoid({1, 2, 1}), {1, 1, mpq_class(1, 3)}, {1, 7, 3, 1});
+  const Shape a = at(cylinder(1, 2), {0, 0, 0}, {3, 1, 2, 5}),
+              b = at(ellipsoid({1, 2, 1}), {1, 1, mpq_class(1, 3)}, {1, 7, 3, 1});
   mpq_class low = -100, high = 100;
   for (const unsigned bits : {1U, 5U, 20U, 40U, 60U, 120U}) {
     const CurvedBounds bounds = bounds_of(a, b, bits);
@@ -243,7 +264,8 @@ TEST(CurvedBounds, KeepTheirWidthWhateverItIs) {
 TEST(CurvedBounds, OfSmallAndLargeNumbersAreThoseOfOrdinaryOnes) {
   const mpq_class tiny = exact_value(0x1p-1000), large = exact_value(0x1p1000);
   const auto pair_of = [](const mpq_class& s) {
-    return std::pair(at(cylinder(s, 2 * s), {0, 0, 0}, {3, 1, 2, 5}), at(ellipsoid({s, 2 * s, s}), {s, s, s / 3}, {1, 7, 3, 1}));
+    return std::pair(at(cylinder(s, 2 * s), {0, 0, 0}, {3, 1, 2, 5}),
+                     at(ellipsoid({s, 2 * s, s}), {s, s, s / 3}, {1, 7, 3, 1}));
   };
   const auto [a, b] = pair_of(1);
   const CurvedBounds ordinary = bounds_of(a, b);
@@ -318,7 +340,9 @@ TEST(CurvedBounds, ForgedAreRefused) {
               b = with_margin(at(ellipsoid({1, 2, 1}), {1, 1, 0}, {1, 7, 3, 1}), mpq_class(1, 8));
   const Shape far = at(b, {5, 0, 0});
   const CurvedBounds deep = bounds_of(a, b), apart = bounds_of(a, far);
-  const auto refused = [&](const CurvedBounds& bounds, const Shape& x, const Shape& y) { return !validate(bounds, x, y).ok(); };
+  const auto refused = [&](const CurvedBounds& bounds, const Shape& x, const Shape& y) {
+    return !validate(bounds, x, y).ok();
+  };
   const mpq_class step(1, mpz_class(1) << 30);
   CurvedBounds forged = deep;
   forged.low += step;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of random pairs of all kinds, a half-space among them, by the public functions and the independent checker.
+// Certificates of random pairs of all kinds, a half-space among them, by the public functions and
+// the independent checker.
 #include <gtest/gtest.h>
 
 #include <string>

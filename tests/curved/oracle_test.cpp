@@ -50,7 +50,8 @@ TEST(Oracle, HeightsAreThoseOfTheDefinitionAndPointsAreInside) {
     const Lattice both = lattice(terms(a), terms(b), 40);
     kernels::Context context;
     Oracle oracle(context, both, 100);
-    const Vector n{make.random.between(-1000, 1000), make.random.between(-1000, 1000), make.random.between(-1000, 1000)};
+    const Vector n{make.random.between(-1000, 1000), make.random.between(-1000, 1000),
+                   make.random.between(-1000, 1000)};
     if (is_zero(n)) continue;
     const mpq_class size = abs(n.x) + abs(n.y) + abs(n.z);
     const polytope::Difference d = oracle.ask(n, 40);
@@ -70,7 +71,8 @@ TEST(Oracle, HeightsAreThoseOfTheDefinitionAndPointsAreInside) {
       low += naive.low;
     }
     EXPECT_EQ(sum, mpq_class(oracle.height()) * both.fine_unit);
-    // The point is the difference of the inner points, whose parameters lie in the unit ball, and it falls short of the height by little.
+    // The point is the difference of the inner points, whose parameters lie in the unit ball, and
+    // it falls short of the height by little.
     Point place;
     for (const bool of_a : {true, false}) {
       const InnerPoint inner = oracle.inner_point(d.first, of_a);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of random pairs: against the naive check, against other frames, and against prisms inside and outside of cylinders.
+// Bounds of random pairs: against the naive check, against other frames, and against prisms inside
+// and outside of cylinders.
 #include <gtest/gtest.h>
 
 #include "fathom/depth.hpp"
@@ -28,7 +29,8 @@ TEST(CurvedPairs, OfAllKindsHaveProofs) {
         const Shape a = make.posed(make.shape(kind_a), 1), b = make.posed(make.shape(kind_b), 3);
         const CurvedBounds bounds = bounds_of(a, b);
         ++signs[bounds.low > 0 ? 0 : bounds.high < 0 ? 1 : 2];
-        if (bounds.bracket.polytope.facets.size() > 60) continue;  // the naive check takes long; the checkers see them all
+        if (bounds.bracket.polytope.facets.size() > 60)
+          continue;  // the naive check takes long; the checkers see them all
         const kernels::Report report = validate(bounds, a, b);
         EXPECT_TRUE(report.ok()) << kind_a << " and " << kind_b << ": " << testing::text(report);
       }
@@ -45,13 +47,15 @@ TEST(CurvedPairs, HaveOneDepthInAllFrames) {
     const Shape a = make.posed(make.any_shape(), 1), b = make.posed(make.any_shape(), 2);
     const Quaternion q = make.rotation();
     const Pose pose = rigid_pose(q, make.point(5));
-    const std::array<CurvedBounds, 3> bounds{bounds_of(a, b), bounds_of(b, a), bounds_of(moved(a, pose), moved(b, pose))};
+    const std::array<CurvedBounds, 3> bounds{bounds_of(a, b), bounds_of(b, a),
+                                             bounds_of(moved(a, pose), moved(b, pose))};
     for (const CurvedBounds& x : bounds)
       for (const CurvedBounds& y : bounds) EXPECT_LE(x.low, y.high) << i;
   }
 }
 
-// Corners of a prism with its edges on a cylinder, and of one with its faces outside. `step` is a corner's angle.
+// Corners of a prism with its edges on a cylinder, and of one with its faces outside. `step` is a
+// corner's angle.
 struct Prisms {
   std::vector<Point> inside, outside;
 };
@@ -90,7 +94,8 @@ TEST(CurvedPairs, OfCylindersLieBetweenThoseOfPrisms) {
         outside{0, signed_square(penetration_depth(a.outside, b.outside))};
     EXPECT_LE(compare(inside, bounds.high), 0) << i;
     EXPECT_GE(compare(outside, bounds.low), 0) << i;
-    EXPECT_LT(round_binary64(outside) - round_binary64(inside), 0.02 * (r.get_d() + t.get_d())) << i;  // they do confine
+    EXPECT_LT(round_binary64(outside) - round_binary64(inside), 0.02 * (r.get_d() + t.get_d()))
+        << i;  // they do confine
     penetrating += bounds.low > 0 ? 1 : 0;
   }
   EXPECT_GT(penetrating, 5);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact method against its twins and against the independent oracles, by exact equality, over all families.
+// The exact method against its twins and against the independent oracles, by exact equality, over
+// all families.
 #include "fathom/depth.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,9 @@ using oracles::OracleAnswer;
 using testing::check;
 using testing::text;
 
-Depth solve(const Case& input, const Options& options = {}) { return testing::exact_depth(input.a.points, input.b.points, options); }
+Depth solve(const Case& input, const Options& options = {}) {
+  return testing::exact_depth(input.a.points, input.b.points, options);
+}
 
 class EveryFamily : public ::testing::TestWithParam<families::Family> {};
 
@@ -40,7 +43,8 @@ TEST_P(EveryFamily, EqualsTheHullOfAllDifferencesAndObeysTheDefinitions) {
   }
 }
 
-// Topology is perturbed, values never are: the answer does not depend on how coincidences are resolved.
+// Topology is perturbed, values never are: the answer does not depend on how coincidences are
+// resolved.
 TEST_P(EveryFamily, DoesNotDependOnThePerturbation) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const Case input = GetParam().make(seed, 9);
@@ -62,7 +66,8 @@ TEST_P(EveryFamily, EqualsTheQuadraticTwins) {
     const Depth depth = solve(input);
     if (depth.status() != Status::penetrating) continue;
     const auto p = testing::prepare(input);
-    const kernels::NearestPlanes naive = nearest_facets_naive(p->a, p->b), scan = nearest_facets_scan(p->a, p->b, p->exponent);
+    const kernels::NearestPlanes naive = nearest_facets_naive(p->a, p->b),
+                                 scan = nearest_facets_scan(p->a, p->b, p->exponent);
     const std::vector<Vector> directions = answer_of(depth).directions;
     EXPECT_EQ(std::vector<Vector>(naive.directions().begin(), naive.directions().end()), directions) << input.id;
     EXPECT_EQ(std::vector<Vector>(scan.directions().begin(), scan.directions().end()), directions) << input.id;
@@ -133,13 +138,15 @@ TEST(Depth, CountersAreThoseOfTheRun) {
   EXPECT_EQ(first.counters.vertex_facet_pairs, p->a.facets.size() + p->b.facets.size());
 }
 
-// Large enough for two threads: the same counts as one room after the other in one thread, and an interruption ends both.
+// Large enough for two threads: the same counts as one room after the other in one thread, and an
+// interruption ends both.
 TEST(Depth, TwoThreadsChangeNothing) {
   const Case input = families::find_family("random_sphere")->make(3, 1100);
   const Depth depth = solve(input);
   const auto p = testing::prepare(input);
   std::uint64_t crossings = 0;
-  for (const chart::Charts& charts : p->charts) crossings += canonical::canonical_subsets(p->context, charts).sums().product;
+  for (const chart::Charts& charts : p->charts)
+    crossings += canonical::canonical_subsets(p->context, charts).sums().product;
   const PredicateCounts& alone = p->context.counters.predicates;
   EXPECT_EQ(depth.counters.crossings, crossings);
   for (std::size_t i = 0; i < predicate_names.size(); ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages that are kept belong to the answer, and they are there for bodies that do not penetrate too.
+// The stages that are kept belong to the answer, and they are there for bodies that do not
+// penetrate too.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -35,7 +36,9 @@ TEST(ExactStages, AreThoseOfTheAnswer) {
     }
     if (answer.penetration()) {
       EXPECT_EQ(crossings, answer.counters.crossings) << input.id;
-      EXPECT_FALSE(stages->of_facets.directions().empty() && stages->hulls.a.facets.size() + stages->hulls.b.facets.size() > 0) << input.id;
+      EXPECT_FALSE(stages->of_facets.directions().empty() &&
+                   stages->hulls.a.facets.size() + stages->hulls.b.facets.size() > 0)
+          << input.id;
     } else {
       EXPECT_EQ(answer.counters.crossings, 0U) << input.id;
       ++apart;

@@ -32,7 +32,9 @@ TEST(Gap, IsThatOfTheHullOfDifferencesOnSmallLattices) {
   const auto body = [&random](long reach) {
     Body result;
     for (std::size_t n = 1 + random() % 9; n > 0; --n) {
-      const auto coordinate = [&] { return mpq_class(static_cast<long>(random() % static_cast<unsigned long>(2 * reach + 1)) - reach, 2); };
+      const auto coordinate = [&] {
+        return mpq_class(static_cast<long>(random() % static_cast<unsigned long>(2 * reach + 1)) - reach, 2);
+      };
       Point p{coordinate(), coordinate(), coordinate()};
       for (mpq_class* x : {&p.x, &p.y, &p.z}) x->canonicalize();
       result.points.push_back(p);
@@ -86,13 +88,22 @@ TEST(Gap, IsSoughtAroundEveryOptimum) {
   EXPECT_TRUE(agrees(origin, b));
 }
 
-// The next facet leans against the nearest one so closely that its foot point lies far outside it, and other facets are far away.
+// The next facet leans against the nearest one so closely that its foot point lies far outside it,
+// and other facets are far away.
 TEST(Gap, IsFoundBehindAnEdge) {
   Body roof = families::box(9, 9, 9);
   roof.points.push_back({0, 0, families::ratio(901, 100)});
   const Body a{{{0, 0, -families::ratio(89, 10)}}};  // O near the floor of P: the four sides of the roof are far
   EXPECT_TRUE(agrees(a, roof));
-  const Body wedge{{{-9, -9, 1}, {-9, 9, 1}, {9, -9, 1}, {9, 9, 1}, {-9, -99, 0}, {-9, 99, 0}, {9, -99, 0}, {9, 99, 0}, {0, 0, -99}}};
+  const Body wedge{{{-9, -9, 1},
+                    {-9, 9, 1},
+                    {9, -9, 1},
+                    {9, 9, 1},
+                    {-9, -99, 0},
+                    {-9, 99, 0},
+                    {9, -99, 0},
+                    {9, 99, 0},
+                    {0, 0, -99}}};
   EXPECT_TRUE(agrees(Body{{{0, 0, 0}}}, families::translated(wedge, {0, 0, families::ratio(-1, 2)})));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 10,000 pairs of lattice bodies with coordinates in {0..3}: almost none of them is in general position. Against two independent oracles.
+// 10,000 pairs of lattice bodies with coordinates in {0..3}: almost none of them is in general
+// position. Against two independent oracles.
 #include <gtest/gtest.h>
 
 #include "tests/oracles/brute_oracle.hpp"

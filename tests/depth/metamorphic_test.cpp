@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws that relate the answers to two inputs: no oracle needed, so they reach sizes and numbers that oracles do not.
+// Laws that relate the answers to two inputs: no oracle needed, so they reach sizes and numbers
+// that oracles do not.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -26,7 +27,8 @@ std::vector<Point> image(const std::vector<Point>& points, const Map& map) {
   return result;
 }
 
-// Directions as the primitive vectors of their images under a linear map that scales all lengths alike.
+// Directions as the primitive vectors of their images under a linear map that scales all lengths
+// alike.
 std::vector<Vector> directions(const Depth& depth, const Map& linear) {
   std::vector<Vector> result;
   for (const Optimum& o : depth.optima()) {
@@ -43,8 +45,10 @@ Map identity() {
   return [](const Point& p) { return p; };
 }
 
-// Under a similarity x -> s R x + c of both bodies the squared depth is multiplied by s^2 and directions are turned by R.
-void expect_similar(const Case& input, const Map& linear, const Map& affine, const mpq_class& squared_scale, const char* law) {
+// Under a similarity x -> s R x + c of both bodies the squared depth is multiplied by s^2 and
+// directions are turned by R.
+void expect_similar(const Case& input, const Map& linear, const Map& affine, const mpq_class& squared_scale,
+                    const char* law) {
   const Depth before = solve(input.a.points, input.b.points);
   const Depth after = solve(image(input.a.points, affine), image(input.b.points, affine));
   EXPECT_EQ(after.status(), before.status()) << law << " " << input.id;

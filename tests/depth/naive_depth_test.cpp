@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hull of all differences against brute force on small lattices, where every degeneracy is frequent, and the laws that hold for any
-// answer.
-#include <algorithm>
-#include <cstdlib>
+// The hull of all differences against brute force on small lattices, where every degeneracy is
+// frequent, and the laws that hold for any answer.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "reference/depth/naive.hpp"
@@ -17,10 +18,12 @@ using Points = std::vector<Vector>;
 
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=41 max_success=1000", 0);
 
-/// 1 to 8 points of a box of integers around O with half extents 0 to 3; half extent 0 makes a flat body.
+/// 1 to 8 points of a box of integers around O with half extents 0 to 3; half extent 0 makes a flat
+/// body.
 rc::Gen<Points> lattice_points() {
   return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] {
-                           const int x = *rc::gen::inRange(0, 4), y = *rc::gen::inRange(0, 4), z = *rc::gen::inRange(0, 4);
+                           const int x = *rc::gen::inRange(0, 4), y = *rc::gen::inRange(0, 4),
+                                     z = *rc::gen::inRange(0, 4);
                            const int count = *rc::gen::inRange(1, 9);
                            Points points;
                            for (int i = 0; i < count; ++i) {

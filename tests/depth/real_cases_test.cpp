@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs from issue trackers and test suites: 63 of collision libraries, with answers that two independent programs found, and 141 of public
-// reports of all who need depths and distances. Sources stand in tests/data/real_cases.jsonl and report_cases.jsonl.
+// Pairs from issue trackers and test suites: 63 of collision libraries, with answers that two
+// independent programs found, and 141 of public reports of all who need depths and distances.
+// Sources stand in tests/data/real_cases.jsonl and report_cases.jsonl.
 #include <gtest/gtest.h>
 
 #include "fathom/depth.hpp"

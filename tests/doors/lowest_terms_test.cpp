@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rationals that are not as GMP wants them (2/4, 1/-2, 1/0) are refused by all that takes points: no crash, no wrong answer.
-#include <functional>
+// Rationals that are not as GMP wants them (2/4, 1/-2, 1/0) are refused by all that takes points:
+// no crash, no wrong answer.
 #include <gtest/gtest.h>
+
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -37,7 +39,8 @@ const std::vector<mpq_class>& no_numbers() {
 }
 
 TEST(LowestTerms, AreAskedExactly) {
-  for (const mpq_class& q : no_numbers()) EXPECT_FALSE(kernels::in_lowest_terms(q)) << q.get_num() << ' ' << q.get_den();
+  for (const mpq_class& q : no_numbers())
+    EXPECT_FALSE(kernels::in_lowest_terms(q)) << q.get_num() << ' ' << q.get_den();
   for (const mpq_class& q : {raw(0, 1), raw(-3, 1), raw(1, 2), raw(-7, 1 << 20), raw(8, 9), raw(-10, 21)}) {
     EXPECT_TRUE(kernels::in_lowest_terms(q)) << q;
     EXPECT_NO_THROW(kernels::require_lowest_terms(q));
@@ -63,10 +66,14 @@ const std::map<std::string, Door>& doors() {
          directional_depth(a, b, {1, 0, 0});
        }},
       {"metric",
-       [](const Points& a, const Points& b) { metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2)))); }},
+       [](const Points& a, const Points& b) {
+         metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2))));
+       }},
       {"bounds", [](const Points& a, const Points& b) { make_bounds_certificate(a, b, 0, 9); }},
-      {"gap", [](const Points& a,
-                 const Points& b) { second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration()); }},
+      {"gap",
+       [](const Points& a, const Points& b) {
+         second_nearest_squared(a, b, *penetration_depth(cube(0), cube(mpq_class(1, 2))).penetration());
+       }},
       {"gap, naive", [](const Points& a, const Points& b) { depth::second_nearest_squared_naive(a, b); }},
       {"study", [](const Points& a, const Points& b) { study(a, b); }},
       {"placed", [](const Points& a, const Points& b) { polytope::place(a, b); }},
@@ -85,7 +92,8 @@ const std::map<std::string, Door>& doors() {
          judge(UnionTruth{{a}, {b}, union_depth({cube(0)}, {cube(mpq_class(1, 2))})}, testing::overlap(0.5));
        }},
       {"width", [](const Points& a, const Points& b) { width(a), width(b); }},
-      {"approximate width", [](const Points& a, const Points& b) { approx_width(a, mpq_class(1, 8)), approx_width(b, mpq_class(1, 8)); }},
+      {"approximate width",
+       [](const Points& a, const Points& b) { approx_width(a, mpq_class(1, 8)), approx_width(b, mpq_class(1, 8)); }},
       {"seen", [](const Points& a, const Points& b) { seen(a, Precision::binary64), seen(b, Precision::binary32); }},
       {"unit ball", [](const Points& a, const Points& b) {
          const auto around = [](Points ball) {
@@ -106,8 +114,10 @@ TEST(LowestTerms, AreRequiredOfPointsAtEveryDoor) {
           Points a = cube(0), b = cube(mpq_class(1, 2));
           std::destroy_at(&(a[i].*axis));  // GMP's own assignment crashes at a denominator below 0
           std::construct_at(&(a[i].*axis), q);
-          EXPECT_THROW(enter(a, b), std::invalid_argument) << name << ": " << q.get_num() << " over " << q.get_den() << " in A";
-          EXPECT_THROW(enter(b, a), std::invalid_argument) << name << ": " << q.get_num() << " over " << q.get_den() << " in B";
+          EXPECT_THROW(enter(a, b), std::invalid_argument)
+              << name << ": " << q.get_num() << " over " << q.get_den() << " in A";
+          EXPECT_THROW(enter(b, a), std::invalid_argument)
+              << name << ": " << q.get_num() << " over " << q.get_den() << " in B";
         }
       }
     }
@@ -120,8 +130,9 @@ TEST(LowestTerms, AreRequiredOfBodiesThatGetACertificate) {
     mpq_class at;
     Method method;
   };
-  for (const auto& [at, method] : {Answered{mpq_class(1, 2), Method::exact}, Answered{mpq_class(1, 2), Method::automatic},
-                                   Answered{1, Method::exact}, Answered{2, Method::exact}}) {
+  for (const auto& [at, method] :
+       {Answered{mpq_class(1, 2), Method::exact}, Answered{mpq_class(1, 2), Method::automatic},
+        Answered{1, Method::exact}, Answered{2, Method::exact}}) {
     const Points a = cube(0), b = cube(at);
     const Depth answer = penetration_depth(a, b, {.method = method});
     EXPECT_NO_THROW(make_certificate(a, b, answer));

@@ -13,7 +13,9 @@
 namespace fathom::expanding {
 namespace {
 
-std::vector<Vector> directions(const kernels::NearestPlanes& nearest) { return {nearest.directions().begin(), nearest.directions().end()}; }
+std::vector<Vector> directions(const kernels::NearestPlanes& nearest) {
+  return {nearest.directions().begin(), nearest.directions().end()};
+}
 
 TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
   kernels::Context context;
@@ -24,7 +26,8 @@ TEST(ExpandingPolytope, FindsTheNearestFacetsOfTheHullOfDifferences) {
     const polytope::PlacedPair clouds = polytope::place_integers(a, b);
     const depth::NaiveDepth naive = depth::naive_depth(a, b);
     const Expansion expansion = nearest_by_expansion(context, clouds.a, clouds.b);
-    ASSERT_EQ(expansion.end, naive.status == Status::penetrating ? ExpansionEnd::proved : ExpansionEnd::not_inside) << i;
+    ASSERT_EQ(expansion.end, naive.status == Status::penetrating ? ExpansionEnd::proved : ExpansionEnd::not_inside)
+        << i;
     if (naive.status != Status::penetrating) continue;
     ++penetrating;
     ties += naive.directions.size() > 1 ? 1U : 0U;
@@ -126,7 +129,8 @@ TEST(ExpandingPolytope, ABallIsHeldExactlyIfItFits) {
     }
     const Vector& n = naive.directions.front();
     EXPECT_EQ(expand_to_ball(context, clouds.a, clouds.b, 0, q, n).direction, n) << "the hint is used";
-    EXPECT_EQ(expand_to_ball(context, clouds.a, clouds.b, 0, q, Vector{0, 0, 0}).high_holds, true) << "a useless hint does no harm";
+    EXPECT_EQ(expand_to_ball(context, clouds.a, clouds.b, 0, q, Vector{0, 0, 0}).high_holds, true)
+        << "a useless hint does no harm";
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The expanding polytope with integers of fixed size against its twin in mpz_class: the same steps, hence the same in every field. And
-// where binary64 is nearly wrong: points that are coplanar within 2^-50, in every rounding mode.
+// The expanding polytope with integers of fixed size against its twin in mpz_class: the same steps,
+// hence the same in every field. And where binary64 is nearly wrong: points that are coplanar
+// within 2^-50, in every rounding mode.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +33,8 @@ TEST(FixedIntegers, TakeTheStepsOfMpzOnEveryFamily) {
   EXPECT_GT(narrow, 200U);
 }
 
-/// Lattices of all widths, up to and past those of fixed integers; a third of the bodies are lattice boxes, full of coplanar points.
+/// Lattices of all widths, up to and past those of fixed integers; a third of the bodies are
+/// lattice boxes, full of coplanar points.
 TEST(FixedIntegers, TakeTheStepsOfMpzOnLatticesOfEveryWidth) {
   Workspace workspace;
   kernels::Context context;
@@ -99,8 +101,8 @@ TEST(Workspace, IsUsableAfterAnInterruption) {
   }
 }
 
-/// Points in binary64 that lie in a common plane but for a few units in the last place: facets of P with many corners, which differ from a
-/// plane by 2^-50 of the size or less.
+/// Points in binary64 that lie in a common plane but for a few units in the last place: facets of P
+/// with many corners, which differ from a plane by 2^-50 of the size or less.
 std::vector<Vector> nearly_coplanar_body(Random& random, const Vec3<double>& normal, double offset) {
   std::vector<Vector> points;
   const auto lattice = [](double c) { return mpz_class(std::ldexp(c, 53)); };
@@ -123,7 +125,8 @@ TEST(ErrorBounds, HoldWherePointsAreCoplanarWithinTheLastPlacesInEveryRoundingMo
   for (int i = 0; i < 200; ++i) {
     const auto slope = [&] { return std::ldexp(static_cast<double>(random() % 1024) - 512, -12); };
     const Vec3<double> normal{slope(), slope(), 1};
-    const std::vector<Vector> a = nearly_coplanar_body(random, normal, 0.35), b = nearly_coplanar_body(random, normal, 0.25);
+    const std::vector<Vector> a = nearly_coplanar_body(random, normal, 0.35),
+                              b = nearly_coplanar_body(random, normal, 0.25);
     const polytope::PlacedPair clouds = polytope::place_integers(a, b);
     const depth::NaiveDepth truth = depth::naive_depth(a, b);  // no filter of ours
     ASSERT_EQ(truth.status, Status::penetrating);
@@ -132,7 +135,8 @@ TEST(ErrorBounds, HoldWherePointsAreCoplanarWithinTheLastPlacesInEveryRoundingMo
       const Expansion found = nearest_by_expansion(context, clouds.a, clouds.b);
       ASSERT_EQ(found.end, ExpansionEnd::proved);
       const auto& directions = found.nearest.directions();
-      ASSERT_EQ(std::vector<Vector>(directions.begin(), directions.end()), truth.directions) << i << ", rounding " << rounding;
+      ASSERT_EQ(std::vector<Vector>(directions.begin(), directions.end()), truth.directions)
+          << i << ", rounding " << rounding;
       ASSERT_TRUE(validate(found, clouds.a, clouds.b).ok()) << i << ", rounding " << rounding;
       unsure += found.sides_exact;
     }
@@ -156,7 +160,8 @@ TEST(ErrorBounds, LeaveFewSidesToIntegers) {
   }
   EXPECT_GT(pairs, 150U);
   EXPECT_LT(sides, 300 * pairs);
-  EXPECT_LT(exact, 12 * pairs) << "the few are: is a candidate above its plane, and which triangles of the nearest facet are coplanar";
+  EXPECT_LT(exact, 12 * pairs)
+      << "the few are: is a candidate above its plane, and which triangles of the nearest facet are coplanar";
   EXPECT_LT(points, 15 * pairs);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With memory that has grown, neither placing bodies on a narrow lattice nor the search allocates: operator new and GMP's allocation are
-// counted.
+// With memory that has grown, neither placing bodies on a narrow lattice nor the search allocates:
+// operator new and GMP's allocation are counted.
 #include <gmp.h>
 #include <gtest/gtest.h>
 

@@ -23,7 +23,8 @@ inline void expect_same(const Expansion& x, const Expansion& y) {
   EXPECT_EQ(x.sides_exact, y.sides_exact);
 }
 
-/// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on a narrow lattice that shifts find.
+/// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on
+/// a narrow lattice that shifts find.
 inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, Workspace& workspace) {
   SCOPED_TRACE(input.id);
   constexpr std::size_t budget = 500;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All crossed bundles, at sizes beyond those of the tests over all families: Theta(n^2) crossings, one of which decides, and the pipeline
-// against its twins.
-#include <algorithm>
+// All crossed bundles, at sizes beyond those of the tests over all families: Theta(n^2) crossings,
+// one of which decides, and the pipeline against its twins.
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "reference/depth/naive.hpp"
 #include "tests/support/exact_depth.hpp"
@@ -19,10 +20,18 @@ struct Bundle {
   double share;  ///< of n^2 that are crossings, about
 };
 
-constexpr Bundle bundles[] = {
-    {"crossed_fans", 1},           {"crossed_parabolas", 1},      {"crossed_random_parabolas", 1}, {"crossed_twists", 1},
-    {"crossed_patch", 1},          {"crossed_prisms", 0.5},       {"crossed_random_prisms", 0.5},  {"crossed_ties", 1},
-    {"crossed_shrinking_ties", 1}, {"crossed_vanishing_ties", 1}, {"crossed_noisy_ties", 1},       {"crossed_fillets", 0.25}};
+constexpr Bundle bundles[] = {{"crossed_fans", 1},
+                              {"crossed_parabolas", 1},
+                              {"crossed_random_parabolas", 1},
+                              {"crossed_twists", 1},
+                              {"crossed_patch", 1},
+                              {"crossed_prisms", 0.5},
+                              {"crossed_random_prisms", 0.5},
+                              {"crossed_ties", 1},
+                              {"crossed_shrinking_ties", 1},
+                              {"crossed_vanishing_ties", 1},
+                              {"crossed_noisy_ties", 1},
+                              {"crossed_fillets", 0.25}};
 
 class Bundles : public ::testing::TestWithParam<Bundle> {};
 
@@ -53,6 +62,7 @@ TEST_P(Bundles, CrossLikeAGridAndTwoEdgesDecide) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Bundles, ::testing::ValuesIn(bundles), [](const auto& info) { return std::string(info.param.family); });
+INSTANTIATE_TEST_SUITE_P(Families, Bundles, ::testing::ValuesIn(bundles),
+                         [](const auto& info) { return std::string(info.param.family); });
 
 }  // namespace

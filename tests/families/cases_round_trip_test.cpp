@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `fathom cases` prints, read back, is the generated case to the last digit: every family, and the catalogues.
+// What `fathom cases` prints, read back, is the generated case to the last digit: every family, and
+// the catalogues.
 #include <gtest/gtest.h>
-#include <memory>
 #include <stdio.h>
+
+#include <memory>
 #include <string>
 
 #include "fathom/files.hpp"
@@ -15,7 +17,8 @@ using namespace fathom;
 using namespace fathom::families;
 
 std::vector<Case> printed(const std::string& options) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("'" FATHOM_EXECUTABLE "' cases " + options).c_str(), "r"), pclose);
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(("'" FATHOM_EXECUTABLE "' cases " + options).c_str(), "r"),
+                                                   pclose);
   std::vector<Case> result;
   std::string line;
   for (int c = fgetc(pipe.get()); c != EOF; c = fgetc(pipe.get())) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every entry of the catalogue: what is written beside it is what the pipeline and its twins find; and the approach to it.
+// Every entry of the catalogue: what is written beside it is what the pipeline and its twins find;
+// and the approach to it.
 #include "verify/families/catalogue.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,9 @@ Depth solve(const Case& pair, Method method = Method::exact) {
   return penetration_depth(pair.a.points, pair.b.points, {.method = method, .validate = true});
 }
 
-int rank_of(const Body& body) { return polytope::convex_hull(polytope::place(body.points, body.points).a.points()).rank; }
+int rank_of(const Body& body) {
+  return polytope::convex_hull(polytope::place(body.points, body.points).a.points()).rank;
+}
 
 class EveryEntry : public ::testing::TestWithParam<CatalogueEntry> {};
 
@@ -69,7 +72,8 @@ TEST_P(EveryEntry, IsApproached) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEntry, ::testing::ValuesIn(std::vector<CatalogueEntry>(catalogue().begin(), catalogue().end())),
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryEntry,
+                         ::testing::ValuesIn(std::vector<CatalogueEntry>(catalogue().begin(), catalogue().end())),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Catalogue, NamesAreUniqueAndPlainAndFound) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each degradation breaks what its name says: shown on the hulls of the result, by exact equalities that fail on the generic pair.
+// Each degradation breaks what its name says: shown on the hulls of the result, by exact equalities
+// that fail on the generic pair.
 #include "verify/families/degrade.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,9 @@ std::vector<Vector> normals(const polytope::Polytope& p) {
   return result;
 }
 
-mpz_class offset(const polytope::Polytope& p, const polytope::Facet& f) { return dot(f.normal, p.vertices[p.corners[f.begin]]); }
+mpz_class offset(const polytope::Polytope& p, const polytope::Facet& f) {
+  return dot(f.normal, p.vertices[p.corners[f.begin]]);
+}
 
 template <class Law>
 bool any(const std::vector<Vector>& list, Law law) {
@@ -74,14 +77,16 @@ bool has_duplicates(const std::vector<Vector>& points) {
 bool has_point_inside_an_edge(const std::vector<Vector>& points, const polytope::Polytope& hull) {
   return std::ranges::any_of(hull.edges, [&](const polytope::Edge& e) {
     const Vector &from = hull.vertices[e.from], &to = hull.vertices[e.to];
-    return std::ranges::any_of(
-        points, [&](const Vector& p) { return p != from && p != to && parallel(p - from, to - from) && dot(p - from, p - to) < 0; });
+    return std::ranges::any_of(points, [&](const Vector& p) {
+      return p != from && p != to && parallel(p - from, to - from) && dot(p - from, p - to) < 0;
+    });
   });
 }
 
 bool has_facet_of_five_points(const std::vector<Vector>& points, const polytope::Polytope& hull) {
   return std::ranges::any_of(hull.facets, [&](const polytope::Facet& f) {
-    const auto on_it = std::ranges::count_if(points, [&](const Vector& p) { return dot(f.normal, p) == offset(hull, f); });
+    const auto on_it =
+        std::ranges::count_if(points, [&](const Vector& p) { return dot(f.normal, p) == offset(hull, f); });
     return f.end - f.begin >= 4 && on_it >= 5;
   });
 }
@@ -98,8 +103,8 @@ bool has_node_on_arc(const Shape& s) {
 
 bool have_coplanar_facets(const Shape& s) {
   return std::ranges::any_of(s.a.facets, [&](const polytope::Facet& f) {
-    return std::ranges::any_of(s.b.facets,
-                               [&](const polytope::Facet& g) { return f.normal == g.normal && offset(s.a, f) == offset(s.b, g); });
+    return std::ranges::any_of(
+        s.b.facets, [&](const polytope::Facet& g) { return f.normal == g.normal && offset(s.a, f) == offset(s.b, g); });
   });
 }
 
@@ -108,7 +113,8 @@ bool ties_come_in_pairs(const Case& pair) {
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
   std::vector<Vector> found;
   for (const Optimum& o : depth.optima()) found.push_back(o.direction);
-  return !found.empty() && std::ranges::all_of(found, [&](const Vector& n) { return std::ranges::find(found, -n) != found.end(); });
+  return !found.empty() &&
+         std::ranges::all_of(found, [&](const Vector& n) { return std::ranges::find(found, -n) != found.end(); });
 }
 
 /// At most `most` different values of each coordinate.
@@ -124,34 +130,49 @@ using Law = std::function<bool(const Case&)>;
 
 const std::map<Degradation, Law>& laws() {
   static const Vector pole{0, 0, 1}, upright{0, 1, 0};
-  static const auto on_shape = [](bool (*law)(const Shape&)) { return [law](const Case& pair) { return law(shape(pair)); }; };
+  static const auto on_shape = [](bool (*law)(const Shape&)) {
+    return [law](const Case& pair) { return law(shape(pair)); };
+  };
   static const std::map<Degradation, Law> all{
-      {Degradation::duplicate_points,
-       on_shape([](const Shape& s) { return has_duplicates(s.placed.a.points()) && has_duplicates(s.placed.b.points()); })},
+      {Degradation::duplicate_points, on_shape([](const Shape& s) {
+         return has_duplicates(s.placed.a.points()) && has_duplicates(s.placed.b.points());
+       })},
       {Degradation::collinear_points, on_shape([](const Shape& s) {
-         return has_point_inside_an_edge(s.placed.a.points(), s.a) && has_point_inside_an_edge(s.placed.b.points(), s.b);
+         return has_point_inside_an_edge(s.placed.a.points(), s.a) &&
+                has_point_inside_an_edge(s.placed.b.points(), s.b);
        })},
       {Degradation::coplanar_points, on_shape([](const Shape& s) {
-         return has_facet_of_five_points(s.placed.a.points(), s.a) && has_facet_of_five_points(s.placed.b.points(), s.b);
+         return has_facet_of_five_points(s.placed.a.points(), s.a) &&
+                has_facet_of_five_points(s.placed.b.points(), s.b);
        })},
-      {Degradation::shared_vertex, on_shape([](const Shape& s) { return any(s.a.vertices, s.b.vertices, std::equal_to<Vector>()); })},
-      {Degradation::shared_edge_direction, on_shape([](const Shape& s) { return any(directions(s.a), directions(s.b), parallel); })},
-      {Degradation::shared_facet_normal, on_shape([](const Shape& s) { return any(normals(s.a), normals(s.b), std::equal_to<Vector>()); })},
-      {Degradation::opposite_facet_normals,
-       on_shape([](const Shape& s) { return any(normals(s.a), normals(s.b), [](const Vector& n, const Vector& m) { return n == -m; }); })},
+      {Degradation::shared_vertex,
+       on_shape([](const Shape& s) { return any(s.a.vertices, s.b.vertices, std::equal_to<Vector>()); })},
+      {Degradation::shared_edge_direction,
+       on_shape([](const Shape& s) { return any(directions(s.a), directions(s.b), parallel); })},
+      {Degradation::shared_facet_normal,
+       on_shape([](const Shape& s) { return any(normals(s.a), normals(s.b), std::equal_to<Vector>()); })},
+      {Degradation::opposite_facet_normals, on_shape([](const Shape& s) {
+         return any(normals(s.a), normals(s.b), [](const Vector& n, const Vector& m) { return n == -m; });
+       })},
       {Degradation::coplanar_facets, on_shape(have_coplanar_facets)},
-      {Degradation::axis_aligned_facet,
-       on_shape([](const Shape& s) { return each(normals(s.a), normals(s.b), [](const Vector& n) { return dot(n, n) == 1; }); })},
-      {Degradation::normal_at_pole,
-       on_shape([](const Shape& s) { return each(normals(s.a), normals(s.b), [](const Vector& n) { return parallel(n, pole); }); })},
-      {Degradation::normal_on_equator,
-       on_shape([](const Shape& s) { return each(normals(s.a), normals(s.b), [](const Vector& n) { return n.z == 0; }); })},
-      {Degradation::arc_on_equator,
-       on_shape([](const Shape& s) { return each(directions(s.a), directions(s.b), [](const Vector& d) { return parallel(d, pole); }); })},
-      {Degradation::vertical_edge,
-       on_shape([](const Shape& s) { return each(directions(s.a), directions(s.b), [](const Vector& d) { return d.y == 0; }); })},
+      {Degradation::axis_aligned_facet, on_shape([](const Shape& s) {
+         return each(normals(s.a), normals(s.b), [](const Vector& n) { return dot(n, n) == 1; });
+       })},
+      {Degradation::normal_at_pole, on_shape([](const Shape& s) {
+         return each(normals(s.a), normals(s.b), [](const Vector& n) { return parallel(n, pole); });
+       })},
+      {Degradation::normal_on_equator, on_shape([](const Shape& s) {
+         return each(normals(s.a), normals(s.b), [](const Vector& n) { return n.z == 0; });
+       })},
+      {Degradation::arc_on_equator, on_shape([](const Shape& s) {
+         return each(directions(s.a), directions(s.b), [](const Vector& d) { return parallel(d, pole); });
+       })},
+      {Degradation::vertical_edge, on_shape([](const Shape& s) {
+         return each(directions(s.a), directions(s.b), [](const Vector& d) { return d.y == 0; });
+       })},
       {Degradation::nodes_on_one_vertical, on_shape([](const Shape& s) {
-         return any(normals(s.a), normals(s.b), [](const Vector& n, const Vector& m) { return det(n, m, upright) == 0; });
+         return any(normals(s.a), normals(s.b),
+                    [](const Vector& n, const Vector& m) { return det(n, m, upright) == 0; });
        })},
       {Degradation::normal_on_arc, on_shape(has_node_on_arc)},
       {Degradation::flattened_body, on_shape([](const Shape& s) { return s.a.rank == 2 || s.b.rank == 2; })},
@@ -193,7 +214,9 @@ TEST_P(EveryWay, LeavesBodiesWithoutTheFeatureAlone) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Degrade, EveryWay, ::testing::ValuesIn(std::vector<DegradationName>(degradations().begin(), degradations().end())),
+INSTANTIATE_TEST_SUITE_P(Degrade, EveryWay,
+                         ::testing::ValuesIn(std::vector<DegradationName>(degradations().begin(),
+                                                                          degradations().end())),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Degrade, NamesAreInOrder) {

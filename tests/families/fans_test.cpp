@@ -36,12 +36,14 @@ TEST(Tangents, TouchTheOutlineAndTurnStrictly) {
       for (unsigned i = 0; i < n; ++i) {
         const ChainPoint &p = chain[i], &q = chain[i + 1];
         ASSERT_LT(p.along, q.along) << "n = " << n << ", width " << width << ", edge " << i;
-        const mpq_class slope = (q.height - p.height) / (q.along - p.along), x = times_power_of_two(mpq_class(slopes[i]), -slope_bits);
+        const mpq_class slope = (q.height - p.height) / (q.along - p.along),
+                        x = times_power_of_two(mpq_class(slopes[i]), -slope_bits);
         ASSERT_LT(slope, last) << "n = " << n << ", width " << width << ", edge " << i;
         last = slope;
         EXPECT_LT(abs(mpq_class(slope + x)), width / (2 * n)) << "within half of the least gap";
         const mpq_class support = x * x / 2 * outline.quadratic + x * x * x * x * outline.quartic;
-        EXPECT_LT(abs(mpq_class(p.height + x * p.along - support)), times_power_of_two(1, -49)) << "the edge's begin is on the tangent";
+        EXPECT_LT(abs(mpq_class(p.height + x * p.along - support)), times_power_of_two(1, -49))
+            << "the edge's begin is on the tangent";
         EXPECT_LT(abs(mpq_class(q.height + x * q.along - support)), times_power_of_two(1, -49)) << "and so is its end";
       }
     }

@@ -13,7 +13,8 @@ using namespace fathom::testing;
 using families::find_family;
 using families::ratio;
 
-/// The nearest crossings on either side of the plane x = y, and near the direction of z, where |x| and |y| are below z / 16.
+/// The nearest crossings on either side of the plane x = y, and near the direction of z, where |x|
+/// and |y| are below z / 16.
 struct Regions {
   Spread right, left, middle;
 };
@@ -38,7 +39,8 @@ void expect_two_minima(const Case& input, const mpq_class& share) {
   EXPECT_NE(minima.least, minima.greatest) << input.id;
   ASSERT_GT(found.middle.count, 0U) << input.id;
   EXPECT_GT(found.middle.least, minima.greatest * ratio(101, 100)) << input.id << ": a saddle";
-  EXPECT_EQ(fathom::testing::exact_depth(input.a.points, input.b.points).contact()->kind, ContactKind::edge_edge) << input.id;
+  EXPECT_EQ(fathom::testing::exact_depth(input.a.points, input.b.points).contact()->kind, ContactKind::edge_edge)
+      << input.id;
 }
 
 TEST(Fillets, TwoRegionsCompete) {
@@ -49,7 +51,8 @@ TEST(Fillets, TwoRegionsCompete) {
 
 TEST(Twists, TwoRegionsCompete) {
   for (const unsigned n : {32U, 64U, 128U, 256U})
-    for (const std::uint64_t seed : {1U, 2U, 3U}) expect_two_minima(find_family("crossed_twists")->make(seed, n), ratio(4, n * n));
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+      expect_two_minima(find_family("crossed_twists")->make(seed, n), ratio(4, n * n));
 }
 
 TEST(Fillets, ChainEdgesHaveThreeParallelCopiesAndFlatFacesBetween) {
@@ -57,7 +60,8 @@ TEST(Fillets, ChainEdgesHaveThreeParallelCopiesAndFlatFacesBetween) {
   const auto p = prepare(find_family("crossed_fillets")->make(1, n));
   for (const polytope::Polytope* body : {&p->a, &p->b}) {
     EXPECT_EQ(body->vertices.size(), 3 * (edges + 1) + 2) << "every point is extreme";
-    EXPECT_EQ(std::ranges::count_if(body->facets, [](const polytope::Facet& f) { return f.end - f.begin == 4; }), 2 * edges + 2)
+    EXPECT_EQ(std::ranges::count_if(body->facets, [](const polytope::Facet& f) { return f.end - f.begin == 4; }),
+              2 * edges + 2)
         << "and one trapezium at each end";
     const auto chain_edges = std::ranges::count_if(body->edges, [&](const polytope::Edge& e) {
       const polytope::VertexId low = std::min(e.from, e.to), high = std::max(e.from, e.to);

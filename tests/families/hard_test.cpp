@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Depths at rounding boundaries, deep and hair-thin pairs, long and thin bodies: that each has what its name says.
+// Depths at rounding boundaries, deep and hair-thin pairs, long and thin bodies: that each has what
+// its name says.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <limits>
 #include <map>
 #include <set>
@@ -38,7 +40,8 @@ bool in_binary64(const Case& input) {
   return all;
 }
 
-// --- Rounding boundaries ---------------------------------------------------------------------------------------------------------------
+// --- Rounding boundaries
+// ---------------------------------------------------------------------------------------------------------------
 
 /// What a format rounds a depth to. Numbers beyond the greatest are taken as one ulp more.
 template <class T>
@@ -48,9 +51,9 @@ struct Neighbours {
     const double down = root(squared, Rounding::rd), up = root(squared, Rounding::ru);
     constexpr double greatest = std::numeric_limits<T>::max();
     below = std::isinf(down) ? mpq_class(greatest) : mpq_class(down);
-    above = std::isinf(up)
-                ? mpq_class(greatest) + times_power_of_two(1, std::numeric_limits<T>::max_exponent - std::numeric_limits<T>::digits)
-                : mpq_class(up);
+    above = std::isinf(up) ? mpq_class(greatest) + times_power_of_two(1, std::numeric_limits<T>::max_exponent -
+                                                                             std::numeric_limits<T>::digits)
+                           : mpq_class(up);
     middle = (below + above) / 2;
   }
   static double root(const mpq_class& squared, Rounding mode) {
@@ -86,7 +89,8 @@ void expect_hard_to_round(const char* family) {
     ASSERT_EQ(depth.status(), Status::penetrating) << input.id;
     EXPECT_EQ(depth.optima().size(), 1U) << input.id;
     const Neighbours<T> around(depth.squared());
-    const mpq_class ulp = around.below == around.above ? mpq_class(around.below) : mpq_class(around.above - around.below);
+    const mpq_class ulp =
+        around.below == around.above ? mpq_class(around.below) : mpq_class(around.above - around.below);
     Closeness best;
     for (const mpq_class* boundary : {&around.below, &around.above, &around.middle}) {
       const Closeness here = closeness(depth.squared(), *boundary, ulp);
@@ -109,7 +113,8 @@ void expect_hard_to_round(const char* family) {
 TEST(RoundingBoundary, Binary32) { expect_hard_to_round<float>("rounding_binary32"); }
 TEST(RoundingBoundary, Binary64) { expect_hard_to_round<double>("rounding_binary64"); }
 
-// --- Extremes --------------------------------------------------------------------------------------------------------------------------
+// --- Extremes
+// --------------------------------------------------------------------------------------------------------------------------
 
 TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
   std::set<ContactKind> kinds;
@@ -123,7 +128,8 @@ TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
     const long log = binary_logarithm(share) / 2;
     EXPECT_LE(log, -38) << input.id;
     thinnest = std::min(thinnest, log);
-    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()), times_power_of_two(depth.squared(), 40))
+    EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()),
+              times_power_of_two(depth.squared(), 40))
         << input.id;
   }
   EXPECT_EQ(kinds.size(), 6U);
@@ -152,7 +158,9 @@ TEST(Deep, IsNearlyTheSumOfTheRadii) {
     const Depth depth = solved(input);
     ASSERT_EQ(depth.status(), Status::penetrating);
     EXPECT_GT(depth.squared(), ratio(1, 4)) << input.id;
-    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()), depth.squared() * ratio(3, 2)) << input.id;
+    EXPECT_LT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()),
+              depth.squared() * ratio(3, 2))
+        << input.id;
   }
 }
 

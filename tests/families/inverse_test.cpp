@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// That the answers which the bodies were built for are their answers; against the hull of all differences.
+// That the answers which the bodies were built for are their answers; against the hull of all
+// differences.
 #include <gtest/gtest.h>
+
 #include <map>
 #include <set>
 
@@ -51,7 +53,8 @@ TEST(Inverse, HasTheKindAndTheGapThatWereChosen) {
   }
 }
 
-// B is moved along n, past the tie: then the facet that was next is the nearest one, and of any kind.
+// B is moved along n, past the tie: then the facet that was next is the nearest one, and of any
+// kind.
 TEST(Inverse, TheNextFacetLiesOppositeAndIsOfAnyKind) {
   std::set<ContactKind> seen;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -75,12 +78,15 @@ TEST(Inverse, TiesAreExactAndOfTwoKinds) {
     ASSERT_EQ(depth.optima().size(), 2U) << input.id;
     EXPECT_EQ(depth.optima()[0].direction, -depth.optima()[1].direction) << input.id;
     EXPECT_NE(depth.optima()[0].contact.kind, depth.optima()[1].contact.kind) << input.id;
-    EXPECT_GT(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared() * ratio(129, 128)) << input.id;
+    EXPECT_GT(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared() * ratio(129, 128))
+        << input.id;
   }
 }
 
 /// (next / depth - 1), from the squares; to many digits, from below.
-mpq_class relative_gap(const mpq_class& next, const mpq_class& depth) { return quotient_of_roots(next, depth, 300) - 1; }
+mpq_class relative_gap(const mpq_class& next, const mpq_class& depth) {
+  return quotient_of_roots(next, depth, 300) - 1;
+}
 
 TEST(Inverse, RidgesHaveTheGapNearly) {
   std::set<ContactKind> seen;
@@ -89,7 +95,8 @@ TEST(Inverse, RidgesHaveTheGapNearly) {
     const Case input = find_family("inverse_ridge")->make(seed, seed % 2 ? 12 : 5);
     const Depth depth = solved(input);
     ASSERT_EQ(depth.optima().size(), 1U) << input.id;
-    const mpq_class gap = relative_gap(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());
+    const mpq_class gap =
+        relative_gap(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());
     long k = 1;
     while (times_power_of_two(gap, k) < ratio(3, 4)) ++k;
     EXPECT_LT(abs(times_power_of_two(gap, k) - 1), ratio(1, 1 << 16)) << input.id;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random shapes against other ways to their signed depth: segments in closed form, and polytopes inside and outside of discs and balls.
+// Random shapes against other ways to their signed depth: segments in closed form, and polytopes
+// inside and outside of discs and balls.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <array>
-#include <gtest/gtest.h>
 #include <vector>
 
 #include "fathom/signed_depth.hpp"
@@ -32,20 +34,24 @@ mpq_class squared_distance(const Point& point, const Segment& s) {
   return dot(gap, gap);
 }
 
-/// The least of: each end to the other segment; the common perpendicular, if both its feet are on the segments.
+/// The least of: each end to the other segment; the common perpendicular, if both its feet are on
+/// the segments.
 mpq_class squared_distance(const Segment& s, const Segment& t) {
-  mpq_class least = std::min({squared_distance(s.p, t), squared_distance(s.q, t), squared_distance(t.p, s), squared_distance(t.q, s)});
+  mpq_class least = std::min(
+      {squared_distance(s.p, t), squared_distance(s.q, t), squared_distance(t.p, s), squared_distance(t.q, s)});
   const Point u = s.q - s.p, v = t.q - t.p, w = t.p - s.p;
   const mpq_class uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
   if (determinant == 0) return least;
-  const mpq_class x = (dot(w, u) * vv - dot(w, v) * uv) / determinant, y = (dot(w, u) * uv - dot(w, v) * uu) / determinant;
+  const mpq_class x = (dot(w, u) * vv - dot(w, v) * uv) / determinant,
+                  y = (dot(w, u) * uv - dot(w, v) * uu) / determinant;
   if (x < 0 || x > 1 || y < 0 || y > 1) return least;
   const Point gap = w + y * v - x * u;
   return std::min<mpq_class>(least, dot(gap, gap));
 }
 
 TEST(RandomShapes, SpheresAndCapsulesHaveTheDistanceOfTheirSegments) {
-  for (const char* name : {"spheres", "capsules", "sphere_capsule", "inverse_sphere_sphere", "inverse_cap_cap", "inverse_side_side"})
+  for (const char* name :
+       {"spheres", "capsules", "sphere_capsule", "inverse_sphere_sphere", "inverse_cap_cap", "inverse_side_side"})
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       const ShapeCase shapes = find_family(name)->make_shapes(seed, 1);
       const Shape a = shape_of(shapes.pair.a), b = shape_of(shapes.pair.b);
@@ -89,13 +95,14 @@ const Polygons& polyhedra() {
     const std::array<Point, 3> kinds{
         {{1, 0, 0}, {mpq_class(3, 5), mpq_class(4, 5), 0}, {mpq_class(2, 3), mpq_class(2, 3), mpq_class(1, 3)}}};
     for (const Point& p : kinds)
-      for (const Point& q : {Point{p.x, p.y, p.z}, Point{p.y, p.z, p.x}, Point{p.z, p.x, p.y}, Point{p.y, p.x, p.z}, Point{p.x, p.z, p.y},
-                             Point{p.z, p.y, p.x}})
+      for (const Point& q : {Point{p.x, p.y, p.z}, Point{p.y, p.z, p.x}, Point{p.z, p.x, p.y}, Point{p.y, p.x, p.z},
+                             Point{p.x, p.z, p.y}, Point{p.z, p.y, p.x}})
         for (unsigned signs = 0; signs < 8; ++signs)
-          result.inside.push_back(
-              {signs & 1 ? mpq_class(-q.x) : q.x, signs & 2 ? mpq_class(-q.y) : q.y, signs & 4 ? mpq_class(-q.z) : q.z});
+          result.inside.push_back({signs & 1 ? mpq_class(-q.x) : q.x, signs & 2 ? mpq_class(-q.y) : q.y,
+                                   signs & 4 ? mpq_class(-q.z) : q.z});
     const std::vector<Point> center{{}};
-    const mpq_class inner = exact_value(root_binary64(penetration_depth(result.inside, center).squared(), Rounding::rd));
+    const mpq_class inner =
+        exact_value(root_binary64(penetration_depth(result.inside, center).squared(), Rounding::rd));
     for (const Point& p : result.inside) result.outside.push_back((1 / inner) * p);
     return result;
   }();

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Families of shapes: the same on every machine, and in doubles where they say so.
-#include <functional>
 #include <gtest/gtest.h>
+
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -69,7 +70,8 @@ TEST(ShapeFamilies, SameSeedSameCaseOtherSeedOtherCase) {
 /// Published cases must stay what they are.
 TEST(ShapeFamilies, CasesNeverChange) {
   std::uint64_t all = 0;
-  for (const Family& family : fathom::families::families(Kind::shapes)) all = all * 31 + hash(family.make_shapes(2, 10));
+  for (const Family& family : fathom::families::families(Kind::shapes))
+    all = all * 31 + hash(family.make_shapes(2, 10));
   EXPECT_EQ(all, 993028135343414840U) << "some family changed";
 }
 
@@ -110,7 +112,8 @@ TEST(ShapeFamilies, EverySituationOccurs) {
       const auto shape = [](const Body& body) { return body.shape ? *body.shape : hull(body.points); };
       if (const auto situation = situation_of(signed_depth(shape(pair.a), shape(pair.b)))) ++seen[*situation];
     }
-    for (const Situation situation : {Situation::apart, Situation::nearly, Situation::touching, Situation::shallow, Situation::deep})
+    for (const Situation situation :
+         {Situation::apart, Situation::nearly, Situation::touching, Situation::shallow, Situation::deep})
       EXPECT_GE(seen[situation], 1) << family.name << ", situation " << static_cast<int>(situation);
   }
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes whose signed depth is known before it is asked for: by inverse construction, and in the catalogue.
-#include <algorithm>
+// Shapes whose signed depth is known before it is asked for: by inverse construction, and in the
+// catalogue.
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <optional>
 #include <regex>
 #include <set>
@@ -104,7 +106,8 @@ TEST(ShapeCatalogue, HasTheSignedDepthThatIsWrittenThere) {
 
 // In a pose that no machine number holds.
 TEST(ShapeCatalogue, HasTheSameStatusInOtherPoses) {
-  const Pose pose = rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {ratio(1, 3), 1, -2});
+  const Pose pose =
+      rigid_pose({exact_value(0.3), exact_value(0.1), exact_value(-0.7), exact_value(0.52)}, {ratio(1, 3), 1, -2});
   for (const ShapeCatalogueEntry& entry : shape_catalogue()) {
     const NamedPair& pair = entry.shapes.pair;
     const Shape a = shape_of(pair.a), b = shape_of(pair.b);
@@ -114,7 +117,8 @@ TEST(ShapeCatalogue, HasTheSameStatusInOtherPoses) {
 }
 
 const ShapeCatalogueEntry& entry(const std::string& name) {
-  return *std::ranges::find_if(shape_catalogue(), [&name](const ShapeCatalogueEntry& e) { return e.shapes.id == name; });
+  return *std::ranges::find_if(shape_catalogue(),
+                               [&name](const ShapeCatalogueEntry& e) { return e.shapes.id == name; });
 }
 
 TEST(ShapeCatalogue, StatusFlipsAtEquality) {

@@ -46,14 +46,16 @@ TEST_P(TiePatch, TheWholeGridTiesNearlyAndNothingElseDoes) {
   }
 }
 
-// Far beyond the sizes of the other tests, from the chains' points alone: every 37th edge of either.
+// Far beyond the sizes of the other tests, from the chains' points alone: every 37th edge of
+// either.
 TEST_P(TiePatch, LargeChainsTieAsPromised) {
   const unsigned n = 5000;
   const Case input = find_family(GetParam())->make(1, n);
   const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
   Spread grid;
   for (unsigned i = 0; i < n; i += 37)
-    for (unsigned j = 0; j < n; j += 37) grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
+    for (unsigned j = 0; j < n; j += 37)
+      grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
   const bool rounded = std::string_view(GetParam()) == "crossed_vanishing_ties";
   EXPECT_TRUE(grid.within(promised(GetParam(), n) * (rounded ? 4 : ratio(11, 10))));
   EXPECT_FALSE(grid.within(promised(GetParam(), n) / 2));
@@ -78,7 +80,8 @@ TEST(NoisyTies, AreAsNearAsTheNoiseAllows) {
     const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
     Spread grid;
     for (unsigned i = 0; i < n; i += 7)
-      for (unsigned j = 0; j < n; j += 7) grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
+      for (unsigned j = 0; j < n; j += 7)
+        grid.add(spanned_plane(placed.a[i], placed.a[i + 1], placed.b[j], placed.b[j + 1]).squared());
     EXPECT_TRUE(grid.within(ratio(1, mpz_class(1) << 28))) << input.id;
     // Five times a rotation by 3/5, 4/5: coordinates are multiples of the noise.
     mpz_class unit = 1;
@@ -96,6 +99,7 @@ TEST(NoisyTies, AreAsNearAsTheNoiseAllows) {
   EXPECT_GT(below, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, TiePatch, ::testing::ValuesIn(tie_families), [](const auto& info) { return std::string(info.param); });
+INSTANTIATE_TEST_SUITE_P(Families, TiePatch, ::testing::ValuesIn(tie_families),
+                         [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

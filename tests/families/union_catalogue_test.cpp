@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every entry of the catalogue of unions: what is written beside it is what the search finds, its proof holds, and for tiny ones the naive
-// twin agrees.
+// Every entry of the catalogue of unions: what is written beside it is what the search finds, its
+// proof holds, and for tiny ones the naive twin agrees.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -54,7 +54,8 @@ TEST_P(EveryUnion, EqualsItsNaiveTwin) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, EveryUnion,
-                         ::testing::ValuesIn(std::vector<UnionCatalogueEntry>(union_catalogue().begin(), union_catalogue().end())),
+                         ::testing::ValuesIn(std::vector<UnionCatalogueEntry>(union_catalogue().begin(),
+                                                                              union_catalogue().end())),
                          [](const auto& info) { return info.param.pair.id; });
 
 TEST(UnionCatalogue, NamesAreUniqueAndPlain) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families of unions: the same on every machine, with pieces that have interiors, and for nobody who takes polytopes; cut bodies are whole.
+// Families of unions: the same on every machine, with pieces that have interiors, and for nobody
+// who takes polytopes; cut bodies are whole.
 #include <gtest/gtest.h>
+
 #include <map>
 #include <set>
 #include <string>
@@ -94,7 +96,8 @@ TEST(UnionFamilies, CutBodiesHaveTheDepthOfTheWholeWithClearance) {
 
 TEST(UnionFamilies, OthersAreNoConvexBodies) {
   for (const Family& family : fathom::families::families(Kind::unions)) {
-    if (is_cut(family.name) || family.name.ends_with("_apart") || family.name.ends_with("_touching") || family.name == "slots_narrow")
+    if (is_cut(family.name) || family.name.ends_with("_apart") || family.name.ends_with("_touching") ||
+        family.name == "slots_narrow")
       continue;
     std::size_t below = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -107,7 +110,8 @@ TEST(UnionFamilies, OthersAreNoConvexBodies) {
 
 TEST(UnionFamilies, SlotsAreFitsAndNarrowOnesAreNone) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    const UnionDepth fit = depth_of(find_family("slots")->make(seed, 3)), narrow = depth_of(find_family("slots_narrow")->make(seed, 3));
+    const UnionDepth fit = depth_of(find_family("slots")->make(seed, 3)),
+                     narrow = depth_of(find_family("slots_narrow")->make(seed, 3));
     ASSERT_EQ(fit.status, Status::penetrating);
     ASSERT_EQ(fit.optima.size(), 1U);
     EXPECT_FALSE(fit.optima[0].clearance);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kind of bad case gets its sentence: what was expected, where in the object, what was found. Cut and noisy text is refused.
+// Every kind of bad case gets its sentence: what was expected, where in the object, what was found.
+// Cut and noisy text is refused.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -27,7 +28,9 @@ std::string complaint(const std::string& text) {
 std::string of_a(const std::string& a) { return complaint("{\"a\":" + a + "," + good_b + "}"); }
 std::string of_vertices(const std::string& vertices) { return of_a("{\"vertices\":" + vertices + "}"); }
 std::string of_pose(const std::string& pose) { return of_a("{\"vertices\":[[0,0,0]],\"pose\":" + pose + "}"); }
-std::string of_field(const std::string& field) { return complaint("{" + field + ",\"a\":{\"vertices\":[[0,0,0]]}," + good_b + "}"); }
+std::string of_field(const std::string& field) {
+  return complaint("{" + field + ",\"a\":{\"vertices\":[[0,0,0]]}," + good_b + "}");
+}
 
 TEST(BadCase, Fields) {
   EXPECT_EQ(complaint("[]"), "expected a case (a JSON object), found an array");
@@ -38,7 +41,8 @@ TEST(BadCase, Fields) {
   EXPECT_EQ(of_a("null"), "a: expected an object with 'vertices', 'shape' or 'pieces', found null");
   EXPECT_EQ(of_a("[[0,0,0]]"), "a: expected an object with 'vertices', 'shape' or 'pieces', found an array");
   EXPECT_EQ(of_a("{}"), "a: expected a field 'vertices', found none");
-  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"vertices":[[0,0,0]]})"), "a.vertices: expected one field of this name, found a second one");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],"vertices":[[0,0,0]]})"),
+            "a.vertices: expected one field of this name, found a second one");
   EXPECT_EQ(complaint("{" + good_b + "," + good_b + "}"), "b: expected one field of this name, found a second one");
   EXPECT_EQ(of_field(R"("schema":"fathom/case/2")"), R"(schema: expected "fathom/case/1", found "fathom/case/2")");
   EXPECT_EQ(of_field(R"("schema":1)"), R"(schema: expected "fathom/case/1", found 1)");
@@ -52,22 +56,26 @@ TEST(BadCase, Fields) {
 
 TEST(BadCase, FieldsOfAnotherBody) {
   const std::string at_a = "a.", found = ", found one";
-  for (const auto& [field, value] :
-       {std::pair("radius", "5"), std::pair("half_length", "1"), std::pair("half", "[1,1,1]"), std::pair("radii", "[1,1,1]"),
-        std::pair("offset", "0"), std::pair("axis", "\"x\""), std::pair("terms", "[]")}) {
+  for (const auto& [field, value] : {std::pair("radius", "5"), std::pair("half_length", "1"),
+                                     std::pair("half", "[1,1,1]"), std::pair("radii", "[1,1,1]"),
+                                     std::pair("offset", "0"), std::pair("axis", "\"x\""), std::pair("terms", "[]")}) {
     const std::string more = ",\"" + std::string(field) + "\":" + value + "}";
     const std::string expected = at_a + field + ": expected no such field";
     EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
     EXPECT_EQ(of_a(R"({"shape":"hull","vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
     EXPECT_EQ(of_a(R"({"margin":0,"vertices":[[0,0,0]])" + more), expected + " of a hull" + found);
     EXPECT_EQ(of_a(R"({"pieces":[{"shape":"box","half":[1,1,1]}])" + more), expected + " beside 'pieces'" + found);
-    EXPECT_EQ(of_a(R"({"pieces":[{"vertices":[[0,0,0]])" + more + "]}"), "a.pieces[0]." + expected.substr(2) + " of a hull" + found);
+    EXPECT_EQ(of_a(R"({"pieces":[{"vertices":[[0,0,0]])" + more + "]}"),
+              "a.pieces[0]." + expected.substr(2) + " of a hull" + found);
     EXPECT_EQ(of_a(R"({"vertices":[[0,0,0]],")" + std::string(field) + R"(":null})"), "") << "law: null is no field";
   }
-  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"vertices":[[5,5,5]]})"), "a.vertices: expected no such field of a box, found one");
-  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"faces":[[0,1,2]]})"), "a.faces: expected no such field of a box, found one");
+  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"vertices":[[5,5,5]]})"),
+            "a.vertices: expected no such field of a box, found one");
+  EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"faces":[[0,1,2]]})"),
+            "a.faces: expected no such field of a box, found one");
   EXPECT_EQ(of_a(R"({"shape":"box","half":[1,1,1],"axis":"q"})"), "a.axis: expected no such field of a box, found one");
-  EXPECT_EQ(of_a(R"({"shape":"sphere","radius":1,"pieces":null,"name":"ball","terms":null})"), "") << "law: unknown fields are passed over";
+  EXPECT_EQ(of_a(R"({"shape":"sphere","radius":1,"pieces":null,"name":"ball","terms":null})"), "")
+      << "law: unknown fields are passed over";
 }
 
 TEST(BadCase, FacesOfPieces) {
@@ -88,49 +96,69 @@ TEST(BadCase, Vertices) {
   EXPECT_EQ(of_vertices("[[0,0,0],[0,0,0,0]]"), "a.vertices[1]: expected three coordinates, found 4");
   EXPECT_EQ(of_vertices("[[]]"), "a.vertices[0]: expected three coordinates, found 0");
   EXPECT_EQ(of_vertices("[{\"x\":0,\"y\":0,\"z\":0}]"), "a.vertices[0]: expected three coordinates, found an object");
-  EXPECT_EQ(of_vertices("[[0,0,0],[0,[0],0]]"), "a.vertices[1][1]: expected a number, or an exact number in quotes, found an array");
+  EXPECT_EQ(of_vertices("[[0,0,0],[0,[0],0]]"),
+            "a.vertices[1][1]: expected a number, or an exact number in quotes, found an array");
   EXPECT_EQ(of_vertices("[[0,0,0],[0,0,0],[0,0,0],[0,false,0]]"),
             "a.vertices[3][1]: expected a number, or an exact number in quotes, found false");
-  EXPECT_EQ(of_vertices("[[0,0,null]]"), "a.vertices[0][2]: expected a number, or an exact number in quotes, found null");
+  EXPECT_EQ(of_vertices("[[0,0,null]]"),
+            "a.vertices[0][2]: expected a number, or an exact number in quotes, found null");
   EXPECT_EQ(of_vertices(R"([["zero",0,0]])"), "a.vertices[0][0]: expected a number, found 'zero': unexpected 'z'");
   EXPECT_EQ(of_vertices(R"([[0,"",0]])"), "a.vertices[0][1]: expected a number, found nothing");
   EXPECT_EQ(of_vertices(R"([[0,"nan",0]])"), "a.vertices[0][1]: expected a number, found 'nan': not finite");
-  EXPECT_EQ(of_vertices(R"([[0,"1/0",0]])"), "a.vertices[0][1]: expected a number, found '1/0': the denominator is zero");
+  EXPECT_EQ(of_vertices(R"([[0,"1/0",0]])"),
+            "a.vertices[0][1]: expected a number, found '1/0': the denominator is zero");
   EXPECT_EQ(of_vertices(R"([[0,"1e100001",0]])"),
             "a.vertices[0][1]: expected a number, found '1e100001': the decimal exponent is beyond 100000");
-  EXPECT_EQ(of_vertices("[[0,1e400,0]]"), "a.vertices[0][1]: expected a number within the range of binary64, found '1e400'");
-  EXPECT_EQ(of_vertices("[[0,-" + std::string(400, '9') + ",0]]"),
-            "a.vertices[0][1]: expected a number within the range of binary64, found '-" + std::string(39, '9') + "...'");
+  EXPECT_EQ(of_vertices("[[0,1e400,0]]"),
+            "a.vertices[0][1]: expected a number within the range of binary64, found '1e400'");
+  EXPECT_EQ(
+      of_vertices("[[0,-" + std::string(400, '9') + ",0]]"),
+      "a.vertices[0][1]: expected a number within the range of binary64, found '-" + std::string(39, '9') + "...'");
 }
 
 TEST(BadCase, Pose) {
   EXPECT_EQ(of_pose("[]"), "a.pose: expected three rows of four numbers, found 0");
   EXPECT_EQ(of_pose("{}"),
-            "a.pose: expected three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\", "
+            "a.pose: expected three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 "
+            "rpy=0,0,90deg\", "
             "found an object");
   EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"), "");
-  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"), "a.pose: expected the last row 0 0 0 1 of a 4 x 4 matrix, found another");
-  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1],[0,0,0,1]]"), "a.pose: expected three rows of four numbers, found 5");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,2]]"),
+            "a.pose: expected the last row 0 0 0 1 of a 4 x 4 matrix, found another");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1],[0,0,0,1]]"),
+            "a.pose: expected three rows of four numbers, found 5");
   EXPECT_EQ(of_pose("[[1,0,0],[0,1,0],[0,0,1]]"), "a.pose[0]: expected four numbers, found 3");
   EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0,0],[0,0,1,0]]"), "a.pose[1]: expected four numbers, found 5");
   EXPECT_EQ(of_pose("[1,0,0]"), "a.pose[0]: expected four numbers, found 1");
-  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,\"t\"]]"), "a.pose[2][3]: expected a number, found 't': unexpected 't'");
-  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,{}],[0,0,1,0]]"), "a.pose[1][3]: expected a number, or an exact number in quotes, found an object");
-  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]],"pose_rounding":"binary64"})"),
-            "a.vertices[1]: expected a point within binary64 once placed, found a larger one");
-  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]]})"), "") << "exact: no bound";
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,0],[0,0,1,\"t\"]]"),
+            "a.pose[2][3]: expected a number, found 't': unexpected 't'");
+  EXPECT_EQ(of_pose("[[1,0,0,0],[0,1,0,{}],[0,0,1,0]]"),
+            "a.pose[1][3]: expected a number, or an exact number in quotes, found an object");
+  EXPECT_EQ(
+      of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]],"pose_rounding":"binary64"})"),
+      "a.vertices[1]: expected a point within binary64 once placed, found a larger one");
+  EXPECT_EQ(of_a(R"({"vertices":[[0,0,0],[10,0,0]],"pose":[[1e308,0,0,0],[0,1,0,0],[0,0,1,0]]})"), "")
+      << "exact: no bound";
 }
 
 TEST(BadCase, Syntax) {
-  EXPECT_EQ(complaint(""), "expected JSON, found a syntax error at column 1: unexpected end of input; expected '[', '{', or a literal");
+  EXPECT_EQ(
+      complaint(""),
+      "expected JSON, found a syntax error at column 1: unexpected end of input; expected '[', '{', or a literal");
   EXPECT_EQ(complaint("OFF"), "expected JSON, found a syntax error at column 1: invalid literal; last read: 'O'");
-  EXPECT_EQ(complaint(R"({"a":)"),
-            "expected JSON, found a syntax error at column 6: unexpected end of input; expected '[', '{', or a literal");
-  EXPECT_EQ(of_vertices("[[0,NaN,0]]"), "expected JSON, found a syntax error at column 22: invalid literal; last read: '0,N'");
-  EXPECT_EQ(complaint("{} {}"), "expected JSON, found a syntax error at column 4: unexpected '{'; expected end of input");
+  EXPECT_EQ(
+      complaint(R"({"a":)"),
+      "expected JSON, found a syntax error at column 6: unexpected end of input; expected '[', '{', or a literal");
+  EXPECT_EQ(of_vertices("[[0,NaN,0]]"),
+            "expected JSON, found a syntax error at column 22: invalid literal; last read: '0,N'");
+  EXPECT_EQ(complaint("{} {}"),
+            "expected JSON, found a syntax error at column 4: unexpected '{'; expected end of input");
   for (const char* number : {"Infinity", "-Infinity", ".5", "1.", "+1", "01", "0x10", "1e", "--1", "1/2"})
-    EXPECT_TRUE(of_vertices(std::string("[[0,") + number + ",0]]").starts_with("expected JSON, found a syntax error at column ")) << number;
-  EXPECT_TRUE(complaint("{\"id\":\"\xff\"}").starts_with("expected JSON, found a syntax error at column 8: invalid string: "));
+    EXPECT_TRUE(of_vertices(std::string("[[0,") + number + ",0]]")
+                    .starts_with("expected JSON, found a syntax error at column "))
+        << number;
+  EXPECT_TRUE(
+      complaint("{\"id\":\"\xff\"}").starts_with("expected JSON, found a syntax error at column 8: invalid string: "));
   const std::string sentence = complaint("{\"id\":\"" + std::string(1000, 'x'));
   EXPECT_LT(sentence.size(), 300u);
 }
@@ -199,7 +227,8 @@ TEST(BadStream, CannotBeOpened) {
   };
   const std::string folder = std::filesystem::temp_directory_path().string();
   EXPECT_EQ(complaint_of(folder), folder + ": expected a readable file, found a directory");
-  EXPECT_EQ(complaint_of(folder + "/no.jsonl"), folder + "/no.jsonl: expected a readable file, found none of this name");
+  EXPECT_EQ(complaint_of(folder + "/no.jsonl"),
+            folder + "/no.jsonl: expected a readable file, found none of this name");
   EXPECT_EQ(complaint_of(folder + "/no.json"), folder + "/no.json: expected a readable file, found none of this name");
 }
 
@@ -209,12 +238,14 @@ const std::string rich =
 
 TEST(Truncation, EveryPrefixOfACaseIsRefused) {
   ASSERT_EQ(complaint(rich), "");
-  for (std::size_t length = 0; length < rich.size(); ++length) EXPECT_NE(complaint(rich.substr(0, length)), "") << length;
+  for (std::size_t length = 0; length < rich.size(); ++length)
+    EXPECT_NE(complaint(rich.substr(0, length)), "") << length;
 }
 
 TEST(Truncation, EveryPrefixOfAStream) {
   const std::string text =
-      rich + "\n{\n \"id\": 3,\n \"a\": {\"vertices\": [[1, 2, 3]]},\n \"b\":\n {\"vertices\": [[1, 2, 3]]}\n}\n" + rich + "\n";
+      rich + "\n{\n \"id\": 3,\n \"a\": {\"vertices\": [[1, 2, 3]]},\n \"b\":\n {\"vertices\": [[1, 2, 3]]}\n}\n" +
+      rich + "\n";
   for (std::size_t length = 0; length <= text.size(); ++length) {
     std::istringstream input(text.substr(0, length));
     std::size_t good = 0;
@@ -279,7 +310,8 @@ TEST(Noise, TokensThatNearlyFit) {
                                         "\xff"};
   EXPECT_TRUE(rc::check([&] {
     std::string text;
-    for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens))) text += token;
+    for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens)))
+      text += token;
     expect_sound(text);
   }));
 }

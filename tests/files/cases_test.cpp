@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cases and streams of cases: what numbers mean, what a pose does, where one case ends and the next begins.
+// Cases and streams of cases: what numbers mean, what a pose does, where one case ends and the next
+// begins.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -52,8 +53,9 @@ TEST(Case, ANumberIsTheNearestBinary64) {
   EXPECT_EQ(first_vertex(with_vertex("[0.1,-1e-1,1E2]")), (Point{mpq_class(0.1), mpq_class(-0.1), 100}));
   EXPECT_EQ(first_vertex(with_vertex("[9007199254740993,-9007199254740993,9007199254740993.0]")),
             (Point{mpq_class("9007199254740992"), mpq_class("-9007199254740992"), mpq_class("9007199254740992")}));
-  EXPECT_EQ(first_vertex(with_vertex("[9223372036854775807,18446744073709551615,-9223372036854775808]")),
-            (Point{mpq_class("9223372036854775808"), mpq_class("18446744073709551616"), mpq_class("-9223372036854775808")}));
+  EXPECT_EQ(
+      first_vertex(with_vertex("[9223372036854775807,18446744073709551615,-9223372036854775808]")),
+      (Point{mpq_class("9223372036854775808"), mpq_class("18446744073709551616"), mpq_class("-9223372036854775808")}));
   EXPECT_EQ(first_vertex(with_vertex("[18446744073709551617,-100000000000000000000000,1e308]")),
             (Point{mpq_class("18446744073709551616"), mpq_class(-1e23), mpq_class(1e308)}));
   EXPECT_EQ(first_vertex(with_vertex("[-0,-0.0,1e-400]")), (Point{0, 0, 0}));
@@ -62,16 +64,19 @@ TEST(Case, ANumberIsTheNearestBinary64) {
 }
 
 TEST(Case, AStringIsExact) {
-  EXPECT_EQ(first_vertex(with_vertex(R"(["0.1","-22/7","0x1.8p-3"])")), (Point{mpq_class("1/10"), mpq_class("-22/7"), mpq_class("3/16")}));
+  EXPECT_EQ(first_vertex(with_vertex(R"(["0.1","-22/7","0x1.8p-3"])")),
+            (Point{mpq_class("1/10"), mpq_class("-22/7"), mpq_class("3/16")}));
   EXPECT_EQ(first_vertex(with_vertex(R"(["9007199254740993","1e400","\u0031e-400"])")),
-            (Point{mpq_class("9007199254740993"), mpq_class("1" + std::string(400, '0')), mpq_class("1/1" + std::string(400, '0'))}));
+            (Point{mpq_class("9007199254740993"), mpq_class("1" + std::string(400, '0')),
+                   mpq_class("1/1" + std::string(400, '0'))}));
 }
 
 TEST(Case, PoseIsExact) {
   const std::string pose = R"(,"pose":[["3/5","-4/5",0,0.1],["4/5","3/5",0,"0.1"],[0,0,1,1]])";
   EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", pose)), (Point{-1 + mpq_class(0.1), mpq_class("21/10"), 4}));
-  EXPECT_EQ(first_vertex(R"({"a":{"pose":[[2,0,0,0],[0,2,0,0],[0,0,2,0]],"vertices":[[1,2,3]]},"b":{"vertices":[[0,0,0]]}})"),
-            (Point{2, 4, 6}))
+  EXPECT_EQ(
+      first_vertex(R"({"a":{"pose":[[2,0,0,0],[0,2,0,0],[0,0,2,0]],"vertices":[[1,2,3]]},"b":{"vertices":[[0,0,0]]}})"),
+      (Point{2, 4, 6}))
       << "the order of fields does not matter";
 }
 
@@ -82,15 +87,17 @@ TEST(Case, PoseRoundingRoundsThePlacedVerticesOnce) {
   EXPECT_EQ(first_vertex(with_vertex(R"([1,2,"1/10"])", pose)), exact);
   EXPECT_EQ(first_vertex(with_vertex(R"([1,2,"1/10"])", pose, R"(,"pose_rounding":"binary64")")), rounded);
   EXPECT_EQ(first_vertex(with_vertex(R"([1,2,"1/10"])", pose + R"(,"pose_rounding":"binary64")")), rounded);
-  EXPECT_EQ(first_vertex(with_vertex(R"([1,2,"1/10"])", "", R"(,"pose_rounding":"binary64")")).z, mpq_class(0.1)) << "without a pose too";
-  const CaseItem item = parse_case(R"({"a":{"vertices":[["1/3",0,0]]},"b":{"vertices":[["1/3",0,0]],"pose_rounding":"binary64"}})", "c");
+  EXPECT_EQ(first_vertex(with_vertex(R"([1,2,"1/10"])", "", R"(,"pose_rounding":"binary64")")).z, mpq_class(0.1))
+      << "without a pose too";
+  const CaseItem item =
+      parse_case(R"({"a":{"vertices":[["1/3",0,0]]},"b":{"vertices":[["1/3",0,0]],"pose_rounding":"binary64"}})", "c");
   EXPECT_EQ(item.value().a.points[0].x, mpq_class("1/3"));
   EXPECT_EQ(item.value().b.points[0].x, mpq_class(1.0 / 3));
 }
 
 TEST(Case, BothBodiesInOrder) {
-  const CaseItem item =
-      parse_case(R"({"schema":"fathom/case/1","b":{"vertices":[[7,8,9]]},"a":{"vertices":[[1,2,3],[4,5,6]]},"id":"n"})", "c", 5);
+  const CaseItem item = parse_case(
+      R"({"schema":"fathom/case/1","b":{"vertices":[[7,8,9]]},"a":{"vertices":[[1,2,3],[4,5,6]]},"id":"n"})", "c", 5);
   ASSERT_TRUE(item.ok());
   EXPECT_EQ(item.line, 5u);
   EXPECT_EQ(item.id, "n");
@@ -117,13 +124,16 @@ TEST(Case, UnknownFieldsArePassedOver) {
   const std::string unknown =
       R"("flags":["a",{"vertices":[]}],"source":{"id":"no","a":{"vertices":3}},"x":[[[1],{}],null,true],"expected":{"pose":1},)";
   const CaseItem item = parse_case(
-      "{" + unknown + R"("a":{"vertices":[[1,2,3]],"normals":[[0,1,2]],"a":{}},"comment":1e3,"b":{"vertices":[[1,2,3]],"c":"d"}})", "c");
+      "{" + unknown +
+          R"("a":{"vertices":[[1,2,3]],"normals":[[0,1,2]],"a":{}},"comment":1e3,"b":{"vertices":[[1,2,3]],"c":"d"}})",
+      "c");
   ASSERT_TRUE(item.ok()) << item.error().what();
   EXPECT_EQ(item.id, "1");
 }
 
 TEST(Case, NullStandsForAnOptionalFieldThatIsNotGiven) {
-  EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", R"(,"pose":null,"pose_rounding":null)", R"(,"pose_rounding":null,"flags":null)")),
+  EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", R"(,"pose":null,"pose_rounding":null)",
+                                     R"(,"pose_rounding":null,"flags":null)")),
             (Point{1, 2, 3}));
 }
 
@@ -131,8 +141,9 @@ TEST(Case, NestingHasALimitThatTheCheckerSharesWhereverItStands) {
   const auto nested = [](std::size_t deep) { return std::string(deep, '[') + std::string(deep, ']'); };
   EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", "", ",\"x\":" + nested(63))), (Point{1, 2, 3}));
   EXPECT_EQ(first_vertex(with_vertex("[1,2,3]", ",\"x\":" + nested(62))), (Point{1, 2, 3}));
-  for (const std::string& text : {with_vertex("[1,2,3]", "", ",\"x\":" + nested(64)), with_vertex("[1,2,3]", ",\"x\":" + nested(63)),
-                                  with_vertex("[1,2,3]", "", ",\"x\":" + nested(300'000))}) {
+  for (const std::string& text :
+       {with_vertex("[1,2,3]", "", ",\"x\":" + nested(64)), with_vertex("[1,2,3]", ",\"x\":" + nested(63)),
+        with_vertex("[1,2,3]", "", ",\"x\":" + nested(300'000))}) {
     const CaseItem item = parse_case(text, "c");
     ASSERT_FALSE(item.ok());
     EXPECT_STREQ(item.error().what(), "c:1: expected values nested at most 64 deep, found a deeper one");
@@ -144,7 +155,8 @@ TEST(Case, NestingHasALimitThatTheCheckerSharesWhereverItStands) {
 }
 
 TEST(CaseStream, OneALine) {
-  const std::string x = with_vertex("[1,2,3]"), anonymous = R"({"a":{"vertices":[[1,2,3]]},"b":{"vertices":[[0,0,0]]}})";
+  const std::string x = with_vertex("[1,2,3]"),
+                    anonymous = R"({"a":{"vertices":[[1,2,3]]},"b":{"vertices":[[0,0,0]]}})";
   EXPECT_EQ(outline(all(x + "\n" + anonymous + "\n")), "x 2");
   EXPECT_EQ(outline(all("\n \t\r\n" + x + "\r\n\n\n" + anonymous)), "x 6");
   EXPECT_EQ(outline(all("\xEF\xBB\xBF" + x)), "x");
@@ -165,7 +177,8 @@ TEST(CaseStream, ABadCaseDoesNotStopIt) {
 
 TEST(CaseStream, PrettyPrintedCasesRunUntilTheirBracesBalance) {
   const std::string pretty =
-      "{\n  \"id\": \"}{\\\"\",\n\n  \"a\": {\n    \"vertices\": [\n[1,2,3]]},\n\"b\": {\"vertices\": [[0, 0, 0]]\n  }\n}\n";
+      "{\n  \"id\": \"}{\\\"\",\n\n  \"a\": {\n    \"vertices\": [\n[1,2,3]]},\n\"b\": {\"vertices\": [[0, 0, 0]]\n  "
+      "}\n}\n";
   const std::string x = with_vertex("[1,2,3]");
   EXPECT_EQ(outline(all(pretty)), "}{\"");
   EXPECT_EQ(outline(all(pretty + pretty + x + "\n\n" + pretty + x)), "}{\" }{\" x }{\" x");
@@ -247,7 +260,8 @@ TEST_F(JsonFile, IsOneCaseHoweverItIsBroken) {
   EXPECT_EQ(outline_of(".json", broken), "x");
   EXPECT_EQ(outline_of(".JSON", "\n\n" + broken + "\n \n"), "x");
   EXPECT_EQ(outline_of(".json", broken.substr(0, broken.size() - 2)), "!x@1") << "cut short: one error";
-  EXPECT_EQ(outline_of(".json", with_vertex("[1,2,3]") + "\n" + with_vertex("[1,2,3]") + "\n"), "x x") << "lines, whatever the name";
+  EXPECT_EQ(outline_of(".json", with_vertex("[1,2,3]") + "\n" + with_vertex("[1,2,3]") + "\n"), "x x")
+      << "lines, whatever the name";
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ TEST(FclText, IsRefusedWithItsLine) {
   expects("", "expected the text of an exception of FCL");
   expects(replaced(new_prism, "Box<double>(1, 2, 3)", "Sphere<double>(1.5)"),
           "log:20: expected a Box or a Convex (other shapes are not polytopes)");
-  expects(replaced(old_boxes, "Box0.5 1 2", "Convex(v count: 8, f count: 6)"), "log:4: expected a Convex with its points");
+  expects(replaced(old_boxes, "Box0.5 1 2", "Convex(v count: 8, f count: 6)"),
+          "log:4: expected a Convex with its points");
   expects(replaced(old_boxes, "Box0.5 1 2", "Box0.5 1"), "log:4: expected the three sides of a Box");
   expects(replaced(old_boxes, "Box0.5 1 2", "Box0.5 1 2 3"), "log:4: expected the three sides of a Box");
   expects(replaced(old_boxes, "Box0.5 1 2", "Box0.5 -1 2"), "none negative");
@@ -128,7 +129,8 @@ TEST(FclText, IsRefusedWithItsLine) {
   expects(replaced(old_boxes, "  X_FS1\n", ""), "log:5: expected X_FS1");
   expects(replaced(old_boxes, "Shape 2", "Shape 3"), "log:10: expected 'Shape 2:'");
   expects(replaced(new_prism, "(1, 2, 3),", "(1, 2),"), "log:6: expected the three coordinates of a point");
-  expects(replaced(new_prism, "Vector3<double>(1, 2, 3)", "Vector3<double>(1, 2, x)"), "log:6: expected the three coordinates");
+  expects(replaced(new_prism, "Vector3<double>(1, 2, 3)", "Vector3<double>(1, 2, x)"),
+          "log:6: expected the three coordinates");
 }
 
 TEST(FclText, AnyPrefixOfItIsReadOrRefused) {

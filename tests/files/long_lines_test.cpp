@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and cases beyond the limit of 256 MiB are refused and passed over; an input whose line has no end is given up.
+// Lines and cases beyond the limit of 256 MiB are refused and passed over; an input whose line has
+// no end is given up.
 #include <gtest/gtest.h>
 
 #include <istream>
@@ -45,7 +46,8 @@ std::vector<std::string> outline(Generated& buffer) {
   std::istream input(&buffer);
   CaseStream stream(input, "c");
   std::vector<std::string> result;
-  while (const std::optional<CaseItem> item = stream.next()) result.push_back(item->ok() ? item->id : item->error().what());
+  while (const std::optional<CaseItem> item = stream.next())
+    result.push_back(item->ok() ? item->id : item->error().what());
   return result;
 }
 

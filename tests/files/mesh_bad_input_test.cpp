@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kind of bad mesh gets its sentence: file, line, what was expected, what was found.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <thread>
 #include <tuple>
-#include <unistd.h>
 
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
@@ -38,11 +39,13 @@ TEST(BadOff, Sentences) {
   EXPECT_EQ(off("OFF\n"), "m.off:1: expected the numbers of vertices and faces, found the end of the file");
   EXPECT_EQ(off("OFF\n-1 0 0\n"), "m.off:2: expected the number of vertices, found '-1'");
   EXPECT_EQ(off("OFF\n8.5 0 0\n"), "m.off:2: expected the number of vertices, found '8.5'");
-  EXPECT_EQ(off("OFF\n99999999999999999999 0 0\n"), "m.off:2: expected the number of vertices, found '99999999999999999999'");
+  EXPECT_EQ(off("OFF\n99999999999999999999 0 0\n"),
+            "m.off:2: expected the number of vertices, found '99999999999999999999'");
   EXPECT_EQ(off("OFF\n8\n"), "m.off:2: expected the number of faces, found the end of the line");
   EXPECT_EQ(off("OFF\n0 0 0\n"), "m.off:2: expected at least one vertex, found '0'");
   EXPECT_EQ(off("OFF\n2 0 0\n0 0 0\n"), "m.off:3: expected vertex 2 of 2, found the end of the file");
-  EXPECT_EQ(off("OFF\n1000000000000000000 0 0\n0 0 0\n"), "m.off:3: expected vertex 2 of 1000000000000000000, found the end of the file");
+  EXPECT_EQ(off("OFF\n1000000000000000000 0 0\n0 0 0\n"),
+            "m.off:3: expected vertex 2 of 1000000000000000000, found the end of the file");
   EXPECT_EQ(off("OFF\n1 0 0\n\n0 0\n"), "m.off:4: expected a number, found the end of the line");
   EXPECT_EQ(off("OFF\n1 0 0\n0 zero 0\n"), "m.off:3: expected a number, found 'zero': unexpected 'z'");
   EXPECT_EQ(off("OFF\n1 0 0\n0 nan 0\n"), "m.off:3: expected a number, found 'nan': not finite");
@@ -55,24 +58,30 @@ TEST(BadOff, Sentences) {
   EXPECT_EQ(off("OFF\n1 1 0\n0 0 0\n3 0 0 -1\n"), "m.off:4: expected a vertex index below 1, found '-1'");
   EXPECT_EQ(off("OFF\n1 1 0\n0 0 0\n3 0 0\n"), "m.off:4: expected a vertex index below 1, found the end of the line");
   EXPECT_EQ(off("OFF\n1 1 0\n0 0 0\nx 0 0 0\n"), "m.off:4: expected the number of corners of a face, found 'x'");
-  EXPECT_EQ(off("OFF\n1 1 0\n0 0 0\n18446744073709551615 0\n"), "m.off:4: expected a vertex index below 1, found the end of the line");
+  EXPECT_EQ(off("OFF\n1 1 0\n0 0 0\n18446744073709551615 0\n"),
+            "m.off:4: expected a vertex index below 1, found the end of the line");
   EXPECT_EQ(off("OFF\n1 0 0\n0 0 0\n1 1 1\n"), "m.off:4: expected the end of the file after 0 faces, found '1 1 1'");
   EXPECT_EQ(off("OFF\r\n1 0 0\r\n\r\n0 x 0\r\n"), "m.off:4: expected a number, found 'x': unexpected 'x'");
-  EXPECT_EQ(off(std::string("OFF\n1 0 0\n0 0\0 0\n", 18)), "m.off:3: expected a number, found '0\\x00': unexpected '\\x00'");
+  EXPECT_EQ(off(std::string("OFF\n1 0 0\n0 0\0 0\n", 18)),
+            "m.off:3: expected a number, found '0\\x00': unexpected '\\x00'");
 }
 
 TEST(BadObj, Sentences) {
   const auto obj = [](const std::string& text) { return complaint(text, "m.obj"); };
-  EXPECT_EQ(obj("# no vertex\nvn 0 0 1\n"), "m.obj:2: expected at least one vertex 'v x y z', found the end of the file");
+  EXPECT_EQ(obj("# no vertex\nvn 0 0 1\n"),
+            "m.obj:2: expected at least one vertex 'v x y z', found the end of the file");
   EXPECT_EQ(obj("v 0 0\n"), "m.obj:1: expected a number, found the end of the line");
   EXPECT_EQ(obj("v 0 0 \\\n# x\n0"), "m.obj:2: expected a number, found the end of the line");
-  EXPECT_EQ(obj("v 0 0 0\nf 1 2\nv 1 1 1\nf 1 4 2 3\nf 1 4\n"), "m.obj:4: expected a vertex index of at most 2, found '4'");
+  EXPECT_EQ(obj("v 0 0 0\nf 1 2\nv 1 1 1\nf 1 4 2 3\nf 1 4\n"),
+            "m.obj:4: expected a vertex index of at most 2, found '4'");
   EXPECT_EQ(obj("v 0 0 0\nf 1\nf 2\n"), "m.obj:3: expected a vertex index of at most 1, found '2'");
   EXPECT_EQ(obj("v 0 0 0\nf 1 -2\nv 1 1 1\n"), "m.obj:2: expected a vertex index of at least -1, found '-2'");
-  EXPECT_EQ(obj("v 0 0 0\nf 1 -9223372036854775808\n"), "m.obj:2: expected a vertex index of at least -1, found '-9223372036854775808'");
+  EXPECT_EQ(obj("v 0 0 0\nf 1 -9223372036854775808\n"),
+            "m.obj:2: expected a vertex index of at least -1, found '-9223372036854775808'");
   for (const char* index : {"0", "a", "1.5", "1/a", "1 a", "/1", "99999999999999999999", "+1"}) {
     const std::string text = std::string("v 0 0 0\nf ") + index + "\n";
-    EXPECT_TRUE(obj(text).starts_with("m.obj:2: expected a vertex index such as 3, -1, 3/1 or 3//2, found '")) << obj(text);
+    EXPECT_TRUE(obj(text).starts_with("m.obj:2: expected a vertex index such as 3, -1, 3/1 or 3//2, found '"))
+        << obj(text);
   }
   EXPECT_EQ(obj("v 0 0 0\nf\n"), "m.obj:2: expected the corners of a face, found the end of the line");
 }
@@ -87,14 +96,17 @@ TEST(BadPly, Header) {
   EXPECT_EQ(whole("plyx"), "m.ply:1: expected the header 'ply', found 'plyx'");
   EXPECT_EQ(whole(" ply\n"), "m.ply:1: expected the header 'ply', found 'ply'");
   EXPECT_EQ(whole("ply"), "m.ply:2: expected 'end_header', found the end of the file");
-  EXPECT_EQ(whole("ply\nformat ascii 1.0\nelement vertex 3\n"), "m.ply:3: expected 'end_header', found the end of the file");
+  EXPECT_EQ(whole("ply\nformat ascii 1.0\nelement vertex 3\n"),
+            "m.ply:3: expected 'end_header', found the end of the file");
   EXPECT_EQ(whole("ply\nend_header\n"), "m.ply:2: expected 'format' before the header ends, found 'end_header'");
   EXPECT_EQ(whole("ply\nformat binary 1.0\n\n"),
             "m.ply:2: expected 'ascii', 'binary_little_endian' or 'binary_big_endian', found 'binary'");
   EXPECT_EQ(whole("ply\nformat ascii 2.0\n\n"), "m.ply:2: expected version 1.0, found '2.0'");
-  EXPECT_EQ(whole("ply\nvertex 3\n\n"), "m.ply:2: expected 'element', 'property', 'comment' or 'end_header', found 'vertex'");
+  EXPECT_EQ(whole("ply\nvertex 3\n\n"),
+            "m.ply:2: expected 'element', 'property', 'comment' or 'end_header', found 'vertex'");
   EXPECT_EQ(whole("ply\nproperty float x\n\n"), "m.ply:2: expected 'element', found 'property'");
-  EXPECT_EQ(whole("ply\nelement vertex\n\n"), "m.ply:2: expected how many 'vertex' there are, found the end of the line");
+  EXPECT_EQ(whole("ply\nelement vertex\n\n"),
+            "m.ply:2: expected how many 'vertex' there are, found the end of the line");
   EXPECT_EQ(whole("ply\nelement vertex x\n\n"), "m.ply:2: expected how many 'vertex' there are, found 'x'");
   EXPECT_EQ(whole("ply\nelement vertex 1\nproperty real x\n\n"),
             "m.ply:3: expected a type such as uchar, int, float or double, found 'real'");
@@ -102,8 +114,10 @@ TEST(BadPly, Header) {
   EXPECT_EQ(whole("ply\nelement face 1\nproperty list float int x\n\n"),
             "m.ply:3: expected an integer type for the length of a list, found 'a floating-point one'");
   EXPECT_EQ(ply("ascii", ""), "m.ply:3: expected an element 'vertex', found none in the header");
-  EXPECT_EQ(ply("ascii", "element vertex 0\n" + xyz_floats), "m.ply:7: expected at least one vertex, found 0 in the header");
-  EXPECT_EQ(ply("ascii", "element vertex 1\n"), "m.ply:4: expected one property 'x' of the vertices, found 0 in the header");
+  EXPECT_EQ(ply("ascii", "element vertex 0\n" + xyz_floats),
+            "m.ply:7: expected at least one vertex, found 0 in the header");
+  EXPECT_EQ(ply("ascii", "element vertex 1\n"),
+            "m.ply:4: expected one property 'x' of the vertices, found 0 in the header");
   EXPECT_EQ(ply("ascii", "element vertex 1\n" + xyz_floats + "property int y\n"),
             "m.ply:8: expected one property 'y' of the vertices, found 2 in the header");
   EXPECT_EQ(ply("ascii", "element vertex 1\nproperty list int int x\nproperty int y\nproperty int z\n"),
@@ -129,7 +143,8 @@ TEST(BadPly, Text) {
   EXPECT_EQ(ply("ascii", face, "0 0 0\n3 0 0\n"), "m.ply:11: expected an integer, found the end of the line");
   EXPECT_EQ(ply("ascii", face, "0 0 0\n3 0 0 x\n"), "m.ply:11: expected an integer, found 'x'");
   const std::string other = vertex + "element other 1\nproperty list uchar int x\n";
-  EXPECT_EQ(ply("ascii", other, "0 0 0\n9223372036854775807 1\n"), "m.ply:11: expected one more value, found the end of the line");
+  EXPECT_EQ(ply("ascii", other, "0 0 0\n9223372036854775807 1\n"),
+            "m.ply:11: expected one more value, found the end of the line");
 }
 
 std::string float_bytes(float value) {
@@ -144,15 +159,18 @@ TEST(BadPly, Binary) {
   const std::string other = vertex + "element other 1\nproperty list uint double x\n";
   const std::string zeros(12, '\0'), little = "binary_little_endian";
   const auto at = [&](const std::string& elements, std::size_t offset) {
-    return " at byte " + std::to_string(("ply\nformat " + little + " 1.0\n" + elements + "end_header\n").size() + offset);
+    return " at byte " +
+           std::to_string(("ply\nformat " + little + " 1.0\n" + elements + "end_header\n").size() + offset);
   };
   EXPECT_EQ(ply(little, vertex, zeros.substr(1)),
             "m.ply: expected 4 more bytes for vertex 1 of 1, found the end of the file" + at(vertex, 8));
-  EXPECT_EQ(ply(little, vertex, zeros + "ab"), "m.ply: expected the end of the file, found 2 more bytes" + at(vertex, 12));
+  EXPECT_EQ(ply(little, vertex, zeros + "ab"),
+            "m.ply: expected the end of the file, found 2 more bytes" + at(vertex, 12));
   const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(ply(little, vertex, float_bytes(0) + float_bytes(nan) + float_bytes(0)),
             "m.ply: expected a finite number, found nan" + at(vertex, 4));
-  EXPECT_EQ(ply(little, vertex, float_bytes(infinity) + zeros), "m.ply: expected a finite number, found inf" + at(vertex, 0));
+  EXPECT_EQ(ply(little, vertex, float_bytes(infinity) + zeros),
+            "m.ply: expected a finite number, found inf" + at(vertex, 0));
   EXPECT_EQ(ply(little, face, zeros + std::string("\1\0\0\0\1\0\0\0", 8)),
             "m.ply: expected a vertex index below 1, found 1" + at(face, 16));
   EXPECT_EQ(ply(little, face, zeros + "\xff\xff\xff\xff"),
@@ -160,10 +178,12 @@ TEST(BadPly, Binary) {
   EXPECT_EQ(ply(little, other, zeros + "\xff\xff\xff\xff"),
             "m.ply: expected 34359738360 more bytes for other 1 of 1, found the end of the file" + at(other, 16));
   const std::string huge = "element vertex 18446744073709551615\n" + xyz_floats;
-  EXPECT_EQ(ply(little, huge, zeros),
-            "m.ply: expected 4 more bytes for vertex 2 of 18446744073709551615, found the end of the file" + at(huge, 12));
+  EXPECT_EQ(
+      ply(little, huge, zeros),
+      "m.ply: expected 4 more bytes for vertex 2 of 18446744073709551615, found the end of the file" + at(huge, 12));
   const std::string negative = vertex + "element face 1\nproperty list char int vertex_indices\n";
-  EXPECT_EQ(ply(little, negative, zeros + "\xff"), "m.ply: expected the number of corners of a face, found -1" + at(negative, 12));
+  EXPECT_EQ(ply(little, negative, zeros + "\xff"),
+            "m.ply: expected the number of corners of a face, found -1" + at(negative, 12));
 }
 
 TEST(BadStl, Sentences) {
@@ -173,18 +193,22 @@ TEST(BadStl, Sentences) {
   EXPECT_EQ(stl("solid\n"), "m.stl:1: expected 'facet' or 'endsolid', found the end of the file");
   EXPECT_EQ(stl("solid\nendsolid\n"), "m.stl:2: expected at least one facet, found the end of the file");
   EXPECT_EQ(stl("solid\nfacets\n"), "m.stl:2: expected 'facet' or 'endsolid', found 'facets'");
-  EXPECT_EQ(stl("solid\nfacet normal 0 0\nouter"), "m.stl:2: expected three components of a normal, found the end of the line");
+  EXPECT_EQ(stl("solid\nfacet normal 0 0\nouter"),
+            "m.stl:2: expected three components of a normal, found the end of the line");
   EXPECT_EQ(stl("solid\nfacet\n"), "m.stl:2: expected 'normal', found the end of the file");
   EXPECT_EQ(stl(solid + "vertex 0 0 up\n"), "m.stl:4: expected a number, found 'up': unexpected 'u'");
   EXPECT_EQ(stl(solid + "vertex 0 0\n"), "m.stl:4: expected a number, found the end of the line");
   EXPECT_EQ(stl(solid + "vertex 0 0 NaN\n"), "m.stl:4: expected a number, found 'NaN': not finite");
   EXPECT_EQ(stl(solid + three + "vertex 1 1 0\n"), "m.stl:7: expected 'endloop', found 'vertex'");
-  EXPECT_EQ(stl(solid + three + "endloop endfacet\n"), "m.stl:7: expected 'facet' or 'endsolid', found the end of the file");
-  EXPECT_EQ(stl(solid + three + "endloop endfacet\nendsolid s\nfacet"), "m.stl:9: expected 'solid' or the end of the file, found 'facet'");
+  EXPECT_EQ(stl(solid + three + "endloop endfacet\n"),
+            "m.stl:7: expected 'facet' or 'endsolid', found the end of the file");
+  EXPECT_EQ(stl(solid + three + "endloop endfacet\nendsolid s\nfacet"),
+            "m.stl:9: expected 'solid' or the end of the file, found 'facet'");
   EXPECT_EQ(stl("noise"), "m.stl: expected at least 84 bytes of a binary STL, or 'solid', found 5 bytes");
   const std::string header = std::string(80, ' ') + std::string("\2\0\0\0", 4);
   EXPECT_EQ(stl(header), "m.stl: expected 184 bytes for 2 triangles of a binary STL, found 84 bytes");
-  EXPECT_EQ(stl(header + std::string(101, '\0')), "m.stl: expected 184 bytes for 2 triangles of a binary STL, found 185 bytes");
+  EXPECT_EQ(stl(header + std::string(101, '\0')),
+            "m.stl: expected 184 bytes for 2 triangles of a binary STL, found 185 bytes");
   EXPECT_EQ(stl("solid" + std::string(75, '\0') + header.substr(80)),
             "m.stl: expected 184 bytes for 2 triangles of a binary STL, found 84 bytes");
   EXPECT_EQ(stl(std::string(84, '\0')), "m.stl: expected at least one triangle, found 0");
@@ -213,7 +237,8 @@ TEST(BadXyz, Sentences) {
 }
 
 TEST(BadMesh, UnknownContent) {
-  EXPECT_EQ(complaint("{\"a\": 1}", "m.json"), "m.json:1: expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found '{\"a\": 1}'");
+  EXPECT_EQ(complaint("{\"a\": 1}", "m.json"),
+            "m.json:1: expected a mesh (OFF, OBJ, PLY, STL or lines x y z), found '{\"a\": 1}'");
   EXPECT_EQ(complaint("\x7f"
                       "ELF",
                       "m"),
@@ -226,11 +251,14 @@ TEST(BadMesh, OtherFormatsAreNamed) {
        {std::tuple("glTF\x02", "m.glb", "glTF, which is not read: export"),
         std::tuple("{\"asset\":{}}", "m.gltf", "glTF, which is not read"),
         std::tuple("<?xml version=\"1.0\"?>\n<COLLADA>", "m", "COLLADA, which is not read: export"),
-        std::tuple("<?xml version=\"1.0\"?>\n<robot name=\"r\">", "r.urdf", "a description of a robot, which is not read: name the mesh"),
+        std::tuple("<?xml version=\"1.0\"?>\n<robot name=\"r\">", "r.urdf",
+                   "a description of a robot, which is not read: name the mesh"),
         std::tuple("<robot>", "m.xml", "a description of a robot"),
         std::tuple("\x93NUMPY\x01", "m.npy", "an array of numpy, which is not read"),
-        std::tuple("x,y,z\n0,0,0\n", "m.csv", "'x,y,z\\x0a0,0,0\\x0a': a table of points has no line with names above them")})
-    EXPECT_TRUE(complaint(bytes, name).starts_with(std::string(name) + ":1: " + expected + what)) << complaint(bytes, name);
+        std::tuple("x,y,z\n0,0,0\n", "m.csv",
+                   "'x,y,z\\x0a0,0,0\\x0a': a table of points has no line with names above them")})
+    EXPECT_TRUE(complaint(bytes, name).starts_with(std::string(name) + ":1: " + expected + what))
+        << complaint(bytes, name);
 }
 
 std::string complaint_of_file(const std::string& path) {
@@ -257,8 +285,10 @@ class Files : public testing::Test {
 };
 
 TEST_F(Files, MissingDirectoryEmptyDevice) {
-  EXPECT_EQ(complaint_of_file(path("none.off")), path("none.off") + ": expected a readable file, found none of this name");
-  EXPECT_EQ(complaint_of_file(path("none/m.off")), path("none/m.off") + ": expected a readable file, found none of this name");
+  EXPECT_EQ(complaint_of_file(path("none.off")),
+            path("none.off") + ": expected a readable file, found none of this name");
+  EXPECT_EQ(complaint_of_file(path("none/m.off")),
+            path("none/m.off") + ": expected a readable file, found none of this name");
   EXPECT_EQ(complaint_of_file(folder_.string()), folder_.string() + ": expected a readable file, found a directory");
   EXPECT_EQ(complaint_of_file("/dev/null"), "/dev/null: expected a mesh, found an empty file");
   EXPECT_EQ(complaint_of_file(""), ": expected a readable file, found none of this name");
@@ -266,7 +296,8 @@ TEST_F(Files, MissingDirectoryEmptyDevice) {
   EXPECT_EQ(complaint_of_file(path("empty.obj")), path("empty.obj") + ": expected a mesh, found an empty file");
   EXPECT_EQ(complaint_of_file(path("empty.obj") + "/m.off"),
             path("empty.obj") + "/m.off: expected a readable file, found none of this name");
-  EXPECT_EQ(complaint_of_file(std::string("a\0.off", 6)), "'a\\x00.off': expected a readable file, found a null byte in its name");
+  EXPECT_EQ(complaint_of_file(std::string("a\0.off", 6)),
+            "'a\\x00.off': expected a readable file, found a null byte in its name");
 }
 
 /// The superuser may read everything: for the length of a test, be somebody else.

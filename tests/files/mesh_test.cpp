@@ -15,7 +15,9 @@ const std::string data = FATHOM_TEST_DATA "/";
 
 using Points = std::vector<Point>;
 
-Points read(const std::string& name, Decimals decimals = Decimals::binary64) { return read_mesh(data + name, decimals).points; }
+Points read(const std::string& name, Decimals decimals = Decimals::binary64) {
+  return read_mesh(data + name, decimals).points;
+}
 Points parse(const std::string& text, const std::string& name, Decimals decimals = Decimals::binary64) {
   return parse_mesh(text, name, decimals).points;
 }
@@ -26,8 +28,8 @@ const Points wedge{point("-3/2", "0", "-2"),     point("9/4", "1/8", "-2"), poin
 constexpr std::size_t corners[]{0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5};
 
 TEST(Mesh, TheSameBodyInEveryFormat) {
-  for (const char* name : {"wedge.off", "wedge_colours.off", "wedge.obj", "wedge_text.ply", "wedge_little.ply", "wedge_big.ply",
-                           "wedge.xyz", "wedge.pts", "wedge.txt"}) {
+  for (const char* name : {"wedge.off", "wedge_colours.off", "wedge.obj", "wedge_text.ply", "wedge_little.ply",
+                           "wedge_big.ply", "wedge.xyz", "wedge.pts", "wedge.txt"}) {
     EXPECT_EQ(read(name), wedge) << name;
     EXPECT_EQ(read(name, Decimals::exact), wedge) << name;
   }
@@ -41,10 +43,12 @@ TEST(Mesh, StlRepeatsEachCorner) {
 }
 
 TEST(Mesh, AnUnknownExtensionIsToldByContent) {
-  for (const char* name : {"wedge.off", "wedge_colours.off", "wedge.obj", "wedge_text.ply", "wedge_little.ply", "wedge_big.ply",
-                           "wedge.xyz", "wedge.pts", "wedge.txt", "wedge_text.stl", "wedge_binary.stl"}) {
+  for (const char* name :
+       {"wedge.off", "wedge_colours.off", "wedge.obj", "wedge_text.ply", "wedge_little.ply", "wedge_big.ply",
+        "wedge.xyz", "wedge.pts", "wedge.txt", "wedge_text.stl", "wedge_binary.stl"}) {
     const std::string bytes = read_file(data + name);
-    for (const char* other : {"mesh", "mesh.dat", ".d/mesh", "a.off/mesh", "mesh."}) EXPECT_EQ(parse(bytes, other), read(name)) << name;
+    for (const char* other : {"mesh", "mesh.dat", ".d/mesh", "a.off/mesh", "mesh."})
+      EXPECT_EQ(parse(bytes, other), read(name)) << name;
   }
 }
 
@@ -73,7 +77,8 @@ TEST(Mesh, DecimalsMeanBinary64UnlessExact) {
     EXPECT_EQ(parse(prefix + text, name, Decimals::exact), (Points{point("1/10", "1/10", "-1/10")})) << name;
   }
   const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + text;
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n" +
+      text;
   EXPECT_EQ(parse(ply, "m.ply"), Points{rounded}) << "the declared type does not round a second time";
   EXPECT_EQ(parse(ply, "m.ply", Decimals::exact), (Points{point("1/10", "1/10", "-1/10")}));
 }
@@ -99,11 +104,11 @@ TEST(Mesh, RepeatedPointsKeepTheirIds) {
 
 TEST(MeshOff, HeaderAndCountsMayShareALine) {
   const Points expected{point("1", "2", "3"), point("4", "5", "6")};
-  for (const char* text :
-       {"OFF\n2 0 0\n1 2 3\n4 5 6\n", "OFF 2 0 0\n1 2 3\n4 5 6", "OFF\r\n2 0\r\n1 2 3\r\n4 5 6\r\n", "OFF\r2 0 0\r1 2 3\r4 5 6\r",
-        "\xEF\xBB\xBFOFF # header\n\n# counts\n2 0 0 # two\n\n1 2 3#first\n  4\t5 6  \n\n# end\n",
-        "STOFF\n2 0 0\n1 2 3 .5 .5\n4 5 6 .5 .5\n", "NOFF\n2 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n",
-        "STCNOFF\n2 0 0\n1 2 3 0 0 1 1 0 0 1 0 0\n4 5 6 0 0 1 1 0 0 1 0 0\n"}) {
+  for (const char* text : {"OFF\n2 0 0\n1 2 3\n4 5 6\n", "OFF 2 0 0\n1 2 3\n4 5 6", "OFF\r\n2 0\r\n1 2 3\r\n4 5 6\r\n",
+                           "OFF\r2 0 0\r1 2 3\r4 5 6\r",
+                           "\xEF\xBB\xBFOFF # header\n\n# counts\n2 0 0 # two\n\n1 2 3#first\n  4\t5 6  \n\n# end\n",
+                           "STOFF\n2 0 0\n1 2 3 .5 .5\n4 5 6 .5 .5\n", "NOFF\n2 0 0\n1 2 3 0 0 1\n4 5 6 0 0 1\n",
+                           "STCNOFF\n2 0 0\n1 2 3 0 0 1 1 0 0 1 0 0\n4 5 6 0 0 1 1 0 0 1 0 0\n"}) {
     EXPECT_EQ(parse(text, "m.off"), expected) << text;
   }
 }
@@ -116,8 +121,9 @@ TEST(MeshOff, FacesOfAnySizeWithColours) {
 
 TEST(MeshObj, IndicesInEveryForm) {
   const std::string vertices = "v 0 0 0 1.0\nv 1 0 0 .5 .5 .5\nv 0 1 0\n";
-  for (const char* face : {"f 1 2 3", "f 1/2 2/2 3/2", "f 1//2 2//2 3//2", "f 1/2/3 2/2/3 3/2/3", "f -1 -2 -3", "f -1/-1/-1 -2/-1/-1 1//-1",
-                           "f 1 2 \\\n 3", "f 1 \\\r\n\\\r\n 2 3 # comment", "f 1\\\n 2 3"}) {
+  for (const char* face :
+       {"f 1 2 3", "f 1/2 2/2 3/2", "f 1//2 2//2 3//2", "f 1/2/3 2/2/3 3/2/3", "f -1 -2 -3",
+        "f -1/-1/-1 -2/-1/-1 1//-1", "f 1 2 \\\n 3", "f 1 \\\r\n\\\r\n 2 3 # comment", "f 1\\\n 2 3"}) {
     EXPECT_EQ(parse(vertices + face + "\n", "m.obj").size(), 3u) << face;
     EXPECT_EQ(parse(vertices + face, "m.obj").size(), 3u) << face;
   }
@@ -125,19 +131,22 @@ TEST(MeshObj, IndicesInEveryForm) {
 }
 
 TEST(MeshObj, OtherLinesArePassedOver) {
-  EXPECT_EQ(parse("mtllib a\nvn x\nvt\nusemtl \xff\n\tv 1 2 3\nl 1 9\np 7\ncurv 1\n", "m.obj"), Points{point("1", "2", "3")});
+  EXPECT_EQ(parse("mtllib a\nvn x\nvt\nusemtl \xff\n\tv 1 2 3\nl 1 9\np 7\ncurv 1\n", "m.obj"),
+            Points{point("1", "2", "3")});
 }
 
 TEST(MeshObj, AJoinedLineEndsWhereItEnds) {
   EXPECT_EQ(parse("# no joining \\\nv 1 2 3\n", "m.obj"), Points{point("1", "2", "3")});
-  EXPECT_EQ(parse("g a \\\nv 9 9 9\nv 1 2 \\\n3\n", "m.obj"), Points{point("1", "2", "3")}) << "the second line belongs to g";
+  EXPECT_EQ(parse("g a \\\nv 9 9 9\nv 1 2 \\\n3\n", "m.obj"), Points{point("1", "2", "3")})
+      << "the second line belongs to g";
 }
 
 // --- PLY
 
 std::string ply_header(const std::string& format, const std::string& elements, const std::string& end = "\n") {
   std::string text = "ply\nformat " + format + " 1.0\n" + elements + "end_header\n";
-  for (std::size_t at = 0; end != "\n" && (at = text.find('\n', at)) != std::string::npos; at += end.size()) text.replace(at, 1, end);
+  for (std::size_t at = 0; end != "\n" && (at = text.find('\n', at)) != std::string::npos; at += end.size())
+    text.replace(at, 1, end);
   return text;
 }
 
@@ -152,9 +161,10 @@ template <class T>
 void expect_ply_type(const std::vector<std::string>& names, T value, const mpq_class& meaning) {
   for (const std::string& type : names) {
     for (const bool big : {false, true}) {
-      const std::string elements = "element vertex 1\nproperty " + type + " z\nproperty " + type + " x\nproperty " + type + " y\n";
-      const std::string bytes = ply_header(big ? "binary_big_endian" : "binary_little_endian", elements) + bytes_of(value, big) +
-                                bytes_of(T(1), big) + bytes_of(T(2), big);
+      const std::string elements =
+          "element vertex 1\nproperty " + type + " z\nproperty " + type + " x\nproperty " + type + " y\n";
+      const std::string bytes = ply_header(big ? "binary_big_endian" : "binary_little_endian", elements) +
+                                bytes_of(value, big) + bytes_of(T(1), big) + bytes_of(T(2), big);
       EXPECT_EQ(parse(bytes, "m.ply"), (Points{{1, 2, meaning}})) << type;
     }
   }
@@ -173,33 +183,42 @@ TEST(MeshPly, EveryScalarTypeIsExact) {
 
 TEST(MeshPly, ListsAndElementsInAnyOrder) {
   const std::string elements =
-      "obj_info x\nelement nothing 1000000000000000000\nelement face 2\nproperty list uchar int other\nproperty list uchar int "
-      "vertex_indices\nelement vertex 2\nproperty double y\nproperty list int float more\nproperty int x\nproperty float z\ncomment end\n";
+      "obj_info x\nelement nothing 1000000000000000000\nelement face 2\nproperty list uchar int other\nproperty list "
+      "uchar int "
+      "vertex_indices\nelement vertex 2\nproperty double y\nproperty list int float more\nproperty int x\nproperty "
+      "float z\ncomment end\n";
   const Points expected{point("1", "2", "3"), point("4", "5", "6")};
   EXPECT_EQ(parse(ply_header("ascii", elements) + "0 2 0 1\n3 7 8 9 1 1\n2 2 .5 .5 1 3\n5 0 4 6\n", "m.ply"), expected);
-  EXPECT_EQ(parse(ply_header("ascii", elements, "\r\n") + "0 2 0 1\r\n3 7 8 9 1 1\r\n2 0 1 3\r\n5 0 4 6", "m.ply"), expected);
+  EXPECT_EQ(parse(ply_header("ascii", elements, "\r\n") + "0 2 0 1\r\n3 7 8 9 1 1\r\n2 0 1 3\r\n5 0 4 6", "m.ply"),
+            expected);
 }
 
 TEST(MeshPly, ABinaryBodyMayStartWithALineFeed) {
   const std::string elements = "element vertex 1\nproperty uchar x\nproperty uchar y\nproperty uchar z\n";
   for (const char* end : {"\r", "\r\n", "\n"})
-    EXPECT_EQ(parse(ply_header("binary_little_endian", elements, end) + "\n\r\n", "m.ply"), (Points{point("10", "13", "10")})) << end;
+    EXPECT_EQ(parse(ply_header("binary_little_endian", elements, end) + "\n\r\n", "m.ply"),
+              (Points{point("10", "13", "10")}))
+        << end;
 }
 
 // --- STL
 
 TEST(MeshStl, TextInAnyCaseWithSeveralSolids) {
-  const std::string facet = "FACET NORMAL nan -inf 0\nouter loop vertex 0 0 0\nvertex 1 0 0\n\n VERTEX 0 1 0 endloop\nendfacet\n";
+  const std::string facet =
+      "FACET NORMAL nan -inf 0\nouter loop vertex 0 0 0\nvertex 1 0 0\n\n VERTEX 0 1 0 endloop\nendfacet\n";
   EXPECT_EQ(parse("solid\n" + facet + "endsolid\n", "m.stl").size(), 3u);
-  EXPECT_EQ(parse("Solid a b\n" + facet + facet + "EndSolid a b\nsolid endsolid\n" + facet + "endsolid endsolid", "m.stl").size(), 9u);
+  EXPECT_EQ(
+      parse("Solid a b\n" + facet + facet + "EndSolid a b\nsolid endsolid\n" + facet + "endsolid endsolid", "m.stl")
+          .size(),
+      9u);
 }
 
 // --- points
 
 TEST(MeshXyz, SeparatorsAndColumns) {
   const Points expected{point("1", "2", "3"), point("4", "5", "6")};
-  for (const char* text : {"1 2 3\n4 5 6", "1,2,3\n4, 5 ,6\n", "# x\n\n 1\t2 3 # y\r\n4 5 6\r\n", "1 2 3 0 0 1\n4 5 6 0 0 1\n",
-                           "2\n1 2 3\n4 5 6\n", "1,2,3,red\n4,5,6,\n"}) {
+  for (const char* text : {"1 2 3\n4 5 6", "1,2,3\n4, 5 ,6\n", "# x\n\n 1\t2 3 # y\r\n4 5 6\r\n",
+                           "1 2 3 0 0 1\n4 5 6 0 0 1\n", "2\n1 2 3\n4 5 6\n", "1,2,3,red\n4,5,6,\n"}) {
     EXPECT_EQ(parse(text, "m.xyz"), expected) << text;
   }
 }

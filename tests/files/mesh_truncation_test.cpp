@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that are cut off, changed or noise: each is refused with a sentence, or is a well-formed body. Nothing else may happen.
+// Files that are cut off, changed or noise: each is refused with a sentence, or is a well-formed
+// body. Nothing else may happen.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -15,11 +16,13 @@ namespace {
 [[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=8 max_success=3000 max_size=300", 0);
 
 const std::string data = FATHOM_TEST_DATA "/";
-constexpr std::array whole_files{"wedge.off",      "wedge_colours.off", "wedge.obj", "wedge_text.ply", "wedge_little.ply", "wedge_big.ply",
-                                 "wedge_text.stl", "wedge_binary.stl",  "wedge.xyz", "wedge.pts",      "wedge.txt"};
+constexpr std::array whole_files{"wedge.off",        "wedge_colours.off", "wedge.obj",      "wedge_text.ply",
+                                 "wedge_little.ply", "wedge_big.ply",     "wedge_text.stl", "wedge_binary.stl",
+                                 "wedge.xyz",        "wedge.pts",         "wedge.txt"};
 constexpr std::array names{"m.off", "m.obj", "m.ply", "m.stl", "m.xyz", "m"};
 
-/// True for a body that stands for something; false for a refusal that names the file and says why. Anything else fails the test.
+/// True for a body that stands for something; false for a refusal that names the file and says why.
+/// Anything else fails the test.
 bool is_body(std::string_view bytes, const std::string& name) {
   try {
     const Body body = parse_mesh(bytes, name, Decimals::binary64);
@@ -40,11 +43,13 @@ TEST(Truncation, EveryPrefixOfEveryFormat) {
   for (const std::string name : whole_files) {
     const std::string bytes = read_file(data + name);
     ASSERT_TRUE(is_body(bytes, name)) << name;
-    for (std::size_t length = 0; length < bytes.size(); ++length) is_body(std::string_view(bytes).substr(0, length), name);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+      is_body(std::string_view(bytes).substr(0, length), name);
   }
 }
 
-// In these formats the end is known: what lacks more than blanks, a comment or a digit of the last number is refused.
+// In these formats the end is known: what lacks more than blanks, a comment or a digit of the last
+// number is refused.
 TEST(Truncation, CutsAreNoticedWhereTheFormatCanTell) {
   struct Tail {
     const char* name;
@@ -128,7 +133,8 @@ TEST(Noise, TokensThatNearlyFit) {
                                         "COFF"};
   EXPECT_TRUE(rc::check([&] {
     std::string text;
-    for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens))) text += token + " ";
+    for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens)))
+      text += token + " ";
     is_body(text, *rc::gen::elementOf(names));
   }));
 }

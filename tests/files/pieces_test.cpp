@@ -56,15 +56,17 @@ TEST(Pieces, NamesRunToTheEndOfTheirLine) {
   const std::string f = "f 1 2 3 4 # a comment\n";
   for (const char* const letter : {"o", "g"})
     for (const char* const name : {" wall#", " wall #", " # ", " #"})
-      EXPECT_EQ(pieces_of(five + ((letter + std::string(name) + "1\n") + f) + letter + name + "2\n" + f).size(), 2U) << letter << name;
+      EXPECT_EQ(pieces_of(five + ((letter + std::string(name) + "1\n") + f) + letter + name + "2\n" + f).size(), 2U)
+          << letter << name;
   EXPECT_EQ(pieces_of(five + ("g wall#1\n" + f) + "g b\n" + f + "g wall#1 \n" + f).size(), 2U);
 }
 
 TEST(Pieces, KeepTheFacesOfTheirMeshes) {
-  const Body body = files::union_of({Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = std::make_shared<const MeshFaces>()},
-                                     Body{.points = {{5, 0, 0}}},
-                                     Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
-                                          .faces = std::make_shared<const MeshFaces>(MeshFaces{{3, 2, 1, 0}, {4}})}});
+  const Body body =
+      files::union_of({Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = std::make_shared<const MeshFaces>()},
+                       Body{.points = {{5, 0, 0}}},
+                       Body{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                            .faces = std::make_shared<const MeshFaces>(MeshFaces{{3, 2, 1, 0}, {4}})}});
   ASSERT_TRUE(body.pieces && body.faces);
   EXPECT_EQ(body.pieces->size(), 3U);
   EXPECT_EQ(*body.faces, (MeshFaces{{0, 1, 2, 7, 6, 5, 4}, {3, 7}})) << "law: corners count the points of all pieces";
@@ -81,7 +83,9 @@ TEST(Pieces, BadFilesAreRefusedWithTheirLine) {
 /// A folder for the length of a test.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("fathom_pieces_test_" + std::to_string(std::random_device()()))) {
+  Folder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("fathom_pieces_test_" + std::to_string(std::random_device()()))) {
     std::filesystem::create_directory(path_);
   }
   Folder(const Folder&) = delete;
@@ -102,9 +106,11 @@ TEST(PieceFolders, FilesArePiecesInNaturalOrder) {
   folder.add("part_9.off", off(9));
   folder.add("part_11.OBJ", std::string(five) + "o a\nf 1 2 3 4\no b\nf 1 2 3 5\n");
   folder.add("part_12.stl",
-             "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 12\nendloop\nendfacet\nendsolid\n");
+             "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+             "12\nendloop\nendfacet\nendsolid\n");
   folder.add("part_13.ply",
-             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n1 0 0\n0 1 "
+             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+             "z\nend_header\n0 0 0\n1 0 0\n0 1 "
              "0\n0 0 13\n");
   folder.add("notes.txt", "no piece");
   folder.add(".part_1.off", "hidden");
@@ -141,16 +147,19 @@ std::string complaint_of_folder(const Folder& folder) {
 TEST(PieceFolders, BadOnesAreRefusedWithFileAndLine) {
   const Folder empty, bad, open;
   empty.add("a.mtl", "");
-  EXPECT_EQ(complaint_of_folder(empty),
-            empty.path() + ": expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
+  EXPECT_EQ(
+      complaint_of_folder(empty),
+      empty.path() + ": expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
   bad.add("a.off", off(1));
   bad.add("b.off", "OFF\n4 0 0\n0 0 0\n1 0 zero\n");
   EXPECT_EQ(complaint_of_folder(bad).substr(0, bad.path().size() + 9), bad.path() + "/b.off:4:");
   const Folder piped;
   ASSERT_EQ(::mkfifo((piped.path() + "/x.ply").c_str(), 0600), 0);
-  EXPECT_EQ(complaint_of_folder(piped), piped.path() + "/x.ply: expected a file, found a named pipe, whose writer may never come");
+  EXPECT_EQ(complaint_of_folder(piped),
+            piped.path() + "/x.ply: expected a file, found a named pipe, whose writer may never come");
   open.add("b.obj", "v 0 0 0\no a\n");
-  EXPECT_EQ(complaint_of_folder(open).substr(0, open.path().size() + 36), open.path() + "/b.obj:2: expected at least one face");
+  EXPECT_EQ(complaint_of_folder(open).substr(0, open.path().size() + 36),
+            open.path() + "/b.obj:2: expected at least one face");
 }
 
 TEST(NaturalOrder, IsThatInWhichPeopleCount) {

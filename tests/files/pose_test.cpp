@@ -83,19 +83,21 @@ const Pose quarter{{{0, -1, 0, 1}, {1, 0, 0, 2}, {0, 0, 1, 3}}};  // a quarter t
 
 TEST(PoseText, HasManyForms) {
   for (const char* text :
-       {"0 -1 0 1; 1 0 0 2; 0 0 1 3", "0,-1,0,1,1,0,0,2,0,0,1,3", "[[0,-1,0,1],[1,0,0,2],[0,0,1,3]]", "0 -1 0 1\n1 0 0 2\n0 0 1 3\n",
-        "0 -1 0 1 1 0 0 2 0 0 1 3 0 0 0 1", "[[0,-1,0,1],[1,0,0,2],[0,0,1,3],[0,0,0,1]]", "[0,-1,0,1,1,0,0,2,0,0,1,3,0.0,0,0,1.0]",
+       {"0 -1 0 1; 1 0 0 2; 0 0 1 3", "0,-1,0,1,1,0,0,2,0,0,1,3", "[[0,-1,0,1],[1,0,0,2],[0,0,1,3]]",
+        "0 -1 0 1\n1 0 0 2\n0 0 1 3\n", "0 -1 0 1 1 0 0 2 0 0 1 3 0 0 0 1",
+        "[[0,-1,0,1],[1,0,0,2],[0,0,1,3],[0,0,0,1]]", "[0,-1,0,1,1,0,0,2,0,0,1,3,0.0,0,0,1.0]",
         "array([[ 0., -1.,  0.,  1.],\n       [ 1.,  0.,  0.,  2.],\n       [ 0.,  0.,  1.,  3.]])",
-        R"([["0",-1,0,"1"],[1,0,0,2],[0,0,1,3]])", "{{0,-1,0,1},{1,0,0,2},{0,0,1,3}}", "xyz=1,2,3 quat=1,0,0,1", "quat=2,0,0,2;xyz=1 2 3",
-        "xyz=(1, 2, 3), xyzw=[0, 0, 5, 5]", "translation=1,2,3 quaternion=1,0,0,1", "xyz=1,2,3 rpy=0,0,90deg",
-        "rpy = 0, 0, 90 deg xyz=1,2,3", "xyz=1,2,3 rpy=360,0,-270deg"})
+        R"([["0",-1,0,"1"],[1,0,0,2],[0,0,1,3]])", "{{0,-1,0,1},{1,0,0,2},{0,0,1,3}}", "xyz=1,2,3 quat=1,0,0,1",
+        "quat=2,0,0,2;xyz=1 2 3", "xyz=(1, 2, 3), xyzw=[0, 0, 5, 5]", "translation=1,2,3 quaternion=1,0,0,1",
+        "xyz=1,2,3 rpy=0,0,90deg", "rpy = 0, 0, 90 deg xyz=1,2,3", "xyz=1,2,3 rpy=360,0,-270deg"})
     EXPECT_EQ(exact_pose(read(text)), quarter) << text;
   EXPECT_EQ(exact_pose(read("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1")), quarter) << "written column by column";
   EXPECT_EQ(exact_pose(read("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
 }
 
 TEST(PoseText, AFileMayBeginWithAByteOrderMark) {
-  const std::string path = std::filesystem::temp_directory_path() / ("fathom_pose_test_" + std::to_string(std::random_device()()));
+  const std::string path =
+      std::filesystem::temp_directory_path() / ("fathom_pose_test_" + std::to_string(std::random_device()()));
   std::ofstream(path) << "\xEF\xBB\xBFxyz=1,2,3 rpy=0,0,90deg\n";
   EXPECT_EQ(exact_pose(read_pose("@" + path, "--pose-a", Decimals::exact)), quarter);
   std::filesystem::remove(path);
@@ -149,9 +151,10 @@ TEST(PoseText, FaultsSayWhatIsMeant) {
       {"pos=1,2,3", "expected xyz=, quat=, xyzw= or rpy=, found 'pos'"},
       {"=1", "expected xyz=, quat=, xyzw= or rpy=, found nothing"},
       {"xyz=1,2,3 foo", "xyz: expected three numbers, found 4"}};
-  for (const auto& [text, fault] : faults) EXPECT_NE(fault_of(text).find(fault), std::string::npos) << text << ": " << fault_of(text);
-  for (const std::string piece :
-       {"=", "xyz", "xyz=", "rpy=deg", "[", "]", "\"", "\"\"", ";;;", "(", "x(", ",", "@", "xyz=1,2,3 =", "= =", "\xff="})
+  for (const auto& [text, fault] : faults)
+    EXPECT_NE(fault_of(text).find(fault), std::string::npos) << text << ": " << fault_of(text);
+  for (const std::string piece : {"=", "xyz", "xyz=", "rpy=deg", "[", "]", "\"", "\"\"", ";;;", "(", "x(", ",", "@",
+                                  "xyz=1,2,3 =", "= =", "\xff="})
     EXPECT_NE(fault_of(piece), "") << piece;
 }
 
@@ -166,7 +169,8 @@ TEST(PoseNote, NamesWhatIsNoRotation) {
   EXPECT_EQ(note_of("1 1 0 1; 0 1 0 2; 0 0 1 3"), "det 1, not a rotation: the body is sheared by it");
   EXPECT_EQ(note_of("1000 0 0 1; 0 1000 0 2; 0 0 1000 3"), "det 1e+09, not a rotation: the body is scaled by 1000");
   EXPECT_EQ(note_of("-2 0 0 1; 0 -2 0 2; 0 0 -2 3"), "det -8, not a rotation: the body is mirrored and scaled by 2");
-  EXPECT_EQ(note_of("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1"), "the last column is 0 0 0 1: this 4 x 4 is read as transposed");
+  EXPECT_EQ(note_of("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1"),
+            "the last column is 0 0 0 1: this 4 x 4 is read as transposed");
   EXPECT_NE(note_of("0 1 0 -1 0 0 0 0 1 1 2 3").find("read column by column, would be a rotation"), std::string::npos);
   EXPECT_EQ(note_of("1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"), "");
   EXPECT_NE(pose_note(read("2 0 0 0; 0 2 0 0; 0 0 2 0"), true).find("radius or margin stays"), std::string::npos);

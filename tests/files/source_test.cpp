@@ -43,15 +43,18 @@ class Pipe {
 };
 
 TEST(ReadFile, PipesAndDevicesHaveALimit) {
-  EXPECT_EQ(complaint_of("/dev/zero"), "/dev/zero: expected a readable file, found a pipe or device of more than 1000 bytes");
+  EXPECT_EQ(complaint_of("/dev/zero"),
+            "/dev/zero: expected a readable file, found a pipe or device of more than 1000 bytes");
   EXPECT_EQ(complaint_of("/dev/null"), "");
   EXPECT_EQ(complaint_of(Pipe(limit).name()), "");
   const Pipe longer(limit + 1);
-  EXPECT_EQ(complaint_of(longer.name()), longer.name() + ": expected a readable file, found a pipe or device of more than 1000 bytes");
+  EXPECT_EQ(complaint_of(longer.name()),
+            longer.name() + ": expected a readable file, found a pipe or device of more than 1000 bytes");
 }
 
 TEST(ReadFile, FilesHaveNone) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / ("fathom-source-" + std::to_string(::getpid()));
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("fathom-source-" + std::to_string(::getpid()));
   std::ofstream(path) << std::string(2 * limit, 'x');
   EXPECT_EQ(read_file(path, limit), std::string(2 * limit, 'x'));
   std::filesystem::remove(path);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reader of cases on arbitrary bytes. The first byte picks the layout. Corpus: tests/data/*.json, *.jsonl with any byte in front.
+// The reader of cases on arbitrary bytes. The first byte picks the layout. Corpus:
+// tests/data/*.json, *.jsonl with any byte in front.
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>

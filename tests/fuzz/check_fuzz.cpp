@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate checker on arbitrary bytes: certificates one after another, or, where a brace comes first, a case file and a line of
-// results. Corpus: tests/fuzz/corpus/check. tests/fuzz/fuzz.sh builds and runs it.
+// The certificate checker on arbitrary bytes: certificates one after another, or, where a brace
+// comes first, a case file and a line of results. Corpus: tests/fuzz/corpus/check.
+// tests/fuzz/fuzz.sh builds and runs it.
 #include <cstdint>
 #include <cstdlib>
 #include <sstream>

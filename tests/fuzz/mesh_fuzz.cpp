@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mesh readers on arbitrary bytes. The first byte picks the format and the meaning of decimals. Corpus: tests/data/wedge*, each
-// with any byte in front.
+// The mesh readers on arbitrary bytes. The first byte picks the format and the meaning of decimals.
+// Corpus: tests/data/wedge*, each with any byte in front.
 #include <cstdint>
 #include <cstdlib>
 
@@ -12,8 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const fathom::Decimals decimals = data[0] % 2 == 0 ? fathom::Decimals::binary64 : fathom::Decimals::exact;
   const int format = data[0] / 2 % 6;
   try {
-    const fathom::Body body = format < 5 ? fathom::parse_mesh(bytes, "m", decimals, static_cast<fathom::MeshFormat>(format))
-                                         : fathom::parse_mesh(bytes, "m", decimals);
+    const fathom::Body body = format < 5
+                                  ? fathom::parse_mesh(bytes, "m", decimals, static_cast<fathom::MeshFormat>(format))
+                                  : fathom::parse_mesh(bytes, "m", decimals);
     if (body.points.empty()) std::abort();
   } catch (const fathom::InputError&) {
     // A refusal is a fine answer; any other exception is a finding.

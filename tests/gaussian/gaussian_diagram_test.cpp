@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaussian diagrams against the definition: over the interior of an arc exactly its edge is extreme, beside it exactly its face's vertex.
-// And each mutation of a diagram is refused.
+// Gaussian diagrams against the definition: over the interior of an arc exactly its edge is
+// extreme, beside it exactly its face's vertex. And each mutation of a diagram is refused.
 
 #include "reference/gaussian/gaussian_diagram.hpp"
 
@@ -29,7 +29,8 @@ struct Body {
 
 std::vector<Vector> corners(const std::vector<int>& coordinates) {
   std::vector<Vector> points;
-  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3) points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
+  for (std::size_t i = 0; i + 2 < coordinates.size(); i += 3)
+    points.push_back({coordinates[i], coordinates[i + 1], coordinates[i + 2]});
   return points;
 }
 
@@ -86,7 +87,8 @@ void for_all(const std::function<void(const GaussianDiagram&, const polytope::Po
 
 /// A direction in the interior of the arc.
 Vector middle(const GaussianDiagram& diagram, const Arc& arc) {
-  if (diagram.rank == 1) return cross(arc.circle.exact(), arc.circle.exact().x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  if (diagram.rank == 1)
+    return cross(arc.circle.exact(), arc.circle.exact().x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
   if (diagram.rank == 2) return cross(arc.circle.exact(), diagram.nodes[arc.from].exact());
   return diagram.nodes[arc.from].exact() + diagram.nodes[arc.to].exact();
 }
@@ -108,7 +110,8 @@ TEST(GaussianDiagram, ArcsAreTheNormalsOfTheirEdges) {
       const Vector u = middle(diagram, arc), d = arc.circle.exact();
       EXPECT_EQ(extreme_naive(points, u), sorted_pair(arc.above, arc.below));
       EXPECT_EQ(sorted_pair(edge.from, edge.to), sorted_pair(arc.above, arc.below));
-      // A little to either side. The step is small against every difference of products, which are integers.
+      // A little to either side. The step is small against every difference of products, which are
+      // integers.
       mpz_class k = 1;
       for (const Vector& p : points) k += 2 * abs(dot(p, d));
       EXPECT_EQ(extreme_naive(points, k * u + d), std::vector{arc.above});
@@ -164,9 +167,13 @@ struct Mutation {
 std::vector<Mutation> mutations_of_arcs() {
   return {
       {"negated circle",
-       [](GaussianDiagram& d, ArcId i) { return d.arcs[i].circle = kernels::Direction(-d.arcs[i].circle.exact()), true; }},
-      {"above and below exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
-      {"from and to exchanged", [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
+       [](GaussianDiagram& d, ArcId i) {
+         return d.arcs[i].circle = kernels::Direction(-d.arcs[i].circle.exact()), true;
+       }},
+      {"above and below exchanged",
+       [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].above, d.arcs[i].below), true; }},
+      {"from and to exchanged",
+       [](GaussianDiagram& d, ArcId i) { return std::swap(d.arcs[i].from, d.arcs[i].to), d.rank > 1; }},
       {"above is below", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = d.arcs[i].below, true; }},
       {"another arc's circle",
        [](GaussianDiagram& d, ArcId i) {
@@ -176,13 +183,18 @@ std::vector<Mutation> mutations_of_arcs() {
        }},
       {"another node",
        [](GaussianDiagram& d, ArcId i) {
-         return d.rank > 1 && (d.arcs[i].from = NodeId((d.arcs[i].from.value + 1) % static_cast<std::uint32_t>(d.nodes.size())), true);
+         return d.rank > 1 &&
+                (d.arcs[i].from = NodeId((d.arcs[i].from.value + 1) % static_cast<std::uint32_t>(d.nodes.size())),
+                 true);
        }},
       {"a node on a full circle, none on another",
        [](GaussianDiagram& d, ArcId i) { return d.arcs[i].to = d.rank == 1 ? NodeId(0) : NodeId::none(), true; }},
-      {"a vertex that is not there", [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = VertexId(1000000), true; }},
+      {"a vertex that is not there",
+       [](GaussianDiagram& d, ArcId i) { return d.arcs[i].above = VertexId(1000000), true; }},
       {"the arc is missing",
-       [](GaussianDiagram& d, ArcId i) { return d.arcs.erase(d.arcs.begin() + static_cast<std::ptrdiff_t>(i.value)), true; }},
+       [](GaussianDiagram& d, ArcId i) {
+         return d.arcs.erase(d.arcs.begin() + static_cast<std::ptrdiff_t>(i.value)), true;
+       }},
       {"the faces of a parallel edge of the same length",
        [](GaussianDiagram& d, ArcId i) {
          for (const Arc& other : d.arcs) {
@@ -216,7 +228,8 @@ TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
       spoiled.nodes[i] = kernels::Direction(-diagram.nodes[i].exact());
       ASSERT_FALSE(validate(spoiled, polytope, colour).ok()) << "negated node " << i.value;
       spoiled = diagram;
-      std::swap(spoiled.nodes[i], spoiled.nodes[NodeId((i.value + 1) % static_cast<std::uint32_t>(diagram.nodes.size()))]);
+      std::swap(spoiled.nodes[i],
+                spoiled.nodes[NodeId((i.value + 1) % static_cast<std::uint32_t>(diagram.nodes.size()))]);
       ASSERT_FALSE(validate(spoiled, polytope, colour).ok()) << "exchanged node " << i.value;
       spoiled = diagram;
       spoiled.nodes.pop_back();
@@ -231,14 +244,17 @@ TEST(Validate, RefusesMutationsOfNodesAndOfTheWhole) {
   });
 }
 
-// The diagram of a polytope that is none follows its facets and edges faithfully, and is refused all the same.
+// The diagram of a polytope that is none follows its facets and edges faithfully, and is refused
+// all the same.
 TEST(Validate, RefusesTheDiagramOfABrokenPolytope) {
   const auto expect_refused = [](const std::string& what, const polytope::Polytope& broken) {
-    for (const Colour colour : both_colours) EXPECT_FALSE(validate(diagram_of(broken, colour), broken, colour).ok()) << what;
+    for (const Colour colour : both_colours)
+      EXPECT_FALSE(validate(diagram_of(broken, colour), broken, colour).ok()) << what;
   };
   const polytope::Polytope segment = polytope::convex_hull(corners({1, 2, 3, 4, 6, 8})),
                            square = polytope::convex_hull(corners({0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0})),
-                           cube = polytope::convex_hull(corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
+                           cube = polytope::convex_hull(
+                               corners({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}));
   polytope::Polytope broken = segment;
   broken.vertices.back() = broken.vertices.front();
   expect_refused("a segment of length 0", broken);
@@ -274,8 +290,8 @@ TEST(PerColour, HoldsOneForEachColour) {
   EXPECT_EQ(names.b, "b!");
 }
 
-// Crossings against a construction that asks for no signs of arcs: arcs are cut into chords, chords meet in points with rational
-// coordinates, and a point is on a chord if its coordinates say so.
+// Crossings against a construction that asks for no signs of arcs: arcs are cut into chords, chords
+// meet in points with rational coordinates, and a point is on a chord if its coordinates say so.
 
 /// One arc and the diagram that it lives in.
 struct Case {
@@ -290,18 +306,25 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
 }
 
 Case short_arc(const Vector& from, const Vector& to) {
-  return {{3, {kernels::Direction(from), kernels::Direction(to)}, {{kernels::Direction(cross(from, to)), NodeId(0), NodeId(1), {}, {}}}}};
+  return {{3,
+           {kernels::Direction(from), kernels::Direction(to)},
+           {{kernels::Direction(cross(from, to)), NodeId(0), NodeId(1), {}, {}}}}};
 }
 Case half_circle(const Vector& from, const Vector& circle) {
-  return {{2, {kernels::Direction(from), kernels::Direction(-from)}, {{kernels::Direction(circle), NodeId(0), NodeId(1), {}, {}}}}};
+  return {{2,
+           {kernels::Direction(from), kernels::Direction(-from)},
+           {{kernels::Direction(circle), NodeId(0), NodeId(1), {}, {}}}}};
 }
-Case full_circle(const Vector& circle) { return {{1, {}, {{kernels::Direction(circle), NodeId::none(), NodeId::none(), {}, {}}}}}; }
+Case full_circle(const Vector& circle) {
+  return {{1, {}, {{kernels::Direction(circle), NodeId::none(), NodeId::none(), {}, {}}}}};
+}
 
 /// The arc as a chain of directions, each less than pi from the next.
 std::vector<Vector> chain(const Case& c) {
   const Vector d = c.arc().circle.exact();
   if (c.diagram.rank == 3) return {c.diagram.nodes[NodeId(0)].exact(), c.diagram.nodes[NodeId(1)].exact()};
-  const Vector start = c.diagram.rank == 2 ? c.diagram.nodes[NodeId(0)].exact() : cross(d, d.x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  const Vector start =
+      c.diagram.rank == 2 ? c.diagram.nodes[NodeId(0)].exact() : cross(d, d.x == 0 ? Vector{1, 0, 0} : Vector{0, 1, 0});
   const Vector quarter = cross(d, start);
   if (c.diagram.rank == 2) return {start, quarter, -start};
   return {start, quarter, -start, -quarter, start};
@@ -317,7 +340,8 @@ std::optional<Coordinates> coordinates(const Vector& u, const Vector& p, const V
   for (int i = 0; i < 3; ++i) {
     const mpz_class minor = pu[i] * qu[i + 1] - pu[i + 1] * qu[i];
     if (minor == 0) continue;
-    Coordinates c{mpq_class(uu[i] * qu[i + 1] - uu[i + 1] * qu[i], minor), mpq_class(pu[i] * uu[i + 1] - pu[i + 1] * uu[i], minor)};
+    Coordinates c{mpq_class(uu[i] * qu[i + 1] - uu[i + 1] * qu[i], minor),
+                  mpq_class(pu[i] * uu[i + 1] - pu[i + 1] * uu[i], minor)};
     c.s.canonicalize();
     c.t.canonicalize();
     for (int k = 0; k < 3; ++k) {
@@ -346,7 +370,8 @@ bool in_interior(const Vector& u, const Case& c) {
   return on_arc(u, c) && std::none_of(c.diagram.nodes.begin(), c.diagram.nodes.end(), at);
 }
 
-/// The points in which the arc's chords cross the plane <x,d> = 0, found on each chord p + t (q - p).
+/// The points in which the arc's chords cross the plane <x,d> = 0, found on each chord p + t (q -
+/// p).
 std::vector<Vector> meets(const Case& c, const Vector& d) {
   std::vector<Vector> points;
   const std::vector<Vector> v = chain(c);
@@ -405,8 +430,8 @@ Case related_arc(const Case& e, Size size) {
   const Vector to = *rc::gen::element(r, cross(d, from), -cross(d, from), r - from);
   RC_PRE(!is_zero(from));
   RC_PRE(!is_zero(cross(from, to)));
-  return *rc::gen::element(short_arc(from, to), half_circle(from, cross(from, to)), full_circle(cross(from, to)), full_circle(d),
-                           full_circle(-d));
+  return *rc::gen::element(short_arc(from, to), half_circle(from, cross(from, to)), full_circle(cross(from, to)),
+                           full_circle(d), full_circle(-d));
 }
 
 template <class Property>
@@ -428,10 +453,12 @@ void for_all_pairs(const Property& property) {
 TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
   int crossing = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
-    const std::vector<kernels::Sign> signs = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> signs =
+        strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
     RC_ASSERT(signs == naive_crossings(e, f));
     crossing += !signs.empty();
-    std::vector<kernels::Sign> opposite = strict_crossings(unperturbed().kernel, f.diagram, f.arc(), e.diagram, e.arc());
+    std::vector<kernels::Sign> opposite =
+        strict_crossings(unperturbed().kernel, f.diagram, f.arc(), e.diagram, e.arc());
     for (kernels::Sign& s : opposite) s = -s;
     std::sort(opposite.begin(), opposite.end());
     RC_ASSERT(signs == opposite);
@@ -443,7 +470,8 @@ TEST(StrictCrossings, AreTheCommonPointsOfTheInteriors) {
 Case as_of_a(const Case& c) {
   Case result{{c.diagram.rank, {}, {c.arc()}}};
   result.diagram.arcs.front().circle = kernels::Direction(c.arc().circle.exact(), kernels::Role::circle_of_a);
-  for (const kernels::Direction& n : c.diagram.nodes) result.diagram.nodes.emplace_back(n.exact(), kernels::Role::node_of_a);
+  for (const kernels::Direction& n : c.diagram.nodes)
+    result.diagram.nodes.emplace_back(n.exact(), kernels::Role::node_of_a);
   return result;
 }
 
@@ -451,8 +479,10 @@ TEST(PerturbedCrossings, KeepStrictOnesAndCloseNoGap) {
   int resolved = 0;
   for_all_pairs([&](const Case& e, const Case& f) {
     const Case moved = as_of_a(e);
-    const std::vector<kernels::Sign> strict = strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
-    const std::vector<kernels::Sign> all = perturbed_crossings(perturbed({}).kernel, moved.diagram, moved.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> strict =
+        strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+    const std::vector<kernels::Sign> all =
+        perturbed_crossings(perturbed({}).kernel, moved.diagram, moved.arc(), f.diagram, f.arc());
     RC_ASSERT(std::includes(all.begin(), all.end(), strict.begin(), strict.end()));
     if (!all.empty()) RC_ASSERT(touch(e.diagram, e.arc(), f.diagram, f.arc()));
     const bool full = e.diagram.rank == 1 && f.diagram.rank == 1;
@@ -480,7 +510,8 @@ TEST(Contains, AsksForThePointOnTheArc) {
     EXPECT_TRUE(rc::check("on the great circle, " + name(size), [&] {
       const Case e = any_arc(size);
       const std::vector<Vector> joints = chain(e);
-      Vector u = *rc::gen::element(*integers(size) * joints[0] + *integers(size) * joints[1], joints.front(), joints.back());
+      Vector u =
+          *rc::gen::element(*integers(size) * joints[0] + *integers(size) * joints[1], joints.front(), joints.back());
       if (*rc::gen::arbitrary<bool>()) u = -u;
       RC_PRE(!is_zero(u));
       RC_ASSERT(contains(e.diagram, e.arc(), u) == on_arc(u, e));
@@ -498,7 +529,9 @@ TEST(StrictCrossings, OfTwoFullCirclesAreTwo) {
 
 TEST(StrictCrossings, DoNotCountAnEndOnTheOtherArc) {
   const Case e = short_arc({1, -1, 0}, {1, 1, 0});
-  const auto with = [&](const Case& f) { return strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc()); };
+  const auto with = [&](const Case& f) {
+    return strict_crossings(unperturbed().kernel, e.diagram, e.arc(), f.diagram, f.arc());
+  };
   // e's circle is (0,0,2); those of the arcs through (1,0,0) from below to above are (0,-2,0).
   EXPECT_EQ(with(short_arc({1, 0, -1}, {1, 0, 1})), std::vector<kernels::Sign>{kernels::Sign::positive});
   EXPECT_EQ(with(short_arc({1, 0, 1}, {1, 0, -1})), std::vector<kernels::Sign>{kernels::Sign::negative});

@@ -20,9 +20,10 @@ using Json = nlohmann::json;
 
 std::vector<Record> sample() {
   std::vector<Record> result;
-  for (const Recipe& recipe : {Recipe{Source::family, "boxes_posed", 8, 5}, Recipe{Source::family, "solid_point", 4, 2},
-                               Recipe{Source::family, "touching_vertex_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
-                               Recipe{Source::family, "random_ball", 5, 2}}) {
+  for (const Recipe& recipe :
+       {Recipe{Source::family, "boxes_posed", 8, 5}, Recipe{Source::family, "solid_point", 4, 2},
+        Recipe{Source::family, "touching_vertex_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
+        Recipe{Source::family, "random_ball", 5, 2}}) {
     for (Record& record : records_of(recipe)) result.push_back(std::move(record));
   }
   return result;

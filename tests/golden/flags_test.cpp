@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each flag on a pair that has it, and none on a pair that has none; all of them are explained in the notes and known to the schema.
+// Each flag on a pair that has it, and none on a pair that has none; all of them are explained in
+// the notes and known to the schema.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -82,7 +83,8 @@ TEST(Flags, OfPointsAndFeatures) {
   EXPECT_EQ(flags(tetrahedron, shared).count("shared_points"), 1u);
   expect("identical_bodies", tetrahedron, tetrahedron);
   EXPECT_FALSE(flags(tetrahedron, shared).contains("identical_bodies"));
-  for (const char* flag : {"degenerate_contact", "polygonal_facets", "parallel_edges", "equal_normals", "opposite_normals"})
+  for (const char* flag :
+       {"degenerate_contact", "polygonal_facets", "parallel_edges", "equal_normals", "opposite_normals"})
     expect(flag, cube, moved(cube, exact("1/2")));
   EXPECT_TRUE(flags(tetrahedron, moved(tetrahedron, 1)).contains("equal_normals"));
   EXPECT_FALSE(flags(tetrahedron, moved(tetrahedron, 1)).contains("opposite_normals"));
@@ -91,7 +93,8 @@ TEST(Flags, OfPointsAndFeatures) {
 TEST(Flags, OfCoordinates) {
   const mpq_class huge = exact("0x1p128");
   expect("huge_coordinates", scaled(tetrahedron, huge), scaled(other_tetrahedron, huge));
-  EXPECT_FALSE(flags(scaled(tetrahedron, huge / 16), scaled(other_tetrahedron, huge / 16)).contains("huge_coordinates"));
+  EXPECT_FALSE(
+      flags(scaled(tetrahedron, huge / 16), scaled(other_tetrahedron, huge / 16)).contains("huge_coordinates"));
   expect("tiny_coordinates", scaled(tetrahedron, exact("0x1p-130")), other_tetrahedron);
   expect("uneven_coordinates", scaled(tetrahedron, exact("0x1p-60")), other_tetrahedron);
   expect("offset_coordinates", moved(tetrahedron, exact("0x1p40")), moved(other_tetrahedron, exact("0x1p40")));
@@ -111,8 +114,8 @@ TEST(Flags, OfRounding) {
   EXPECT_TRUE(in_both.contains("depth_in_binary64") && in_both.contains("depth_in_binary32"));
   EXPECT_TRUE(wide.contains("depth_in_binary64") && !wide.contains("depth_in_binary32"));
   EXPECT_FALSE(neither.contains("depth_in_binary64") || neither.contains("hard_rounding_binary64"));
-  for (const char* hard :
-       {"0x1.00000000000008p-1", "0x1.00000000000008000001p-1", "0x1.00000000000007ffffffp-1", "0x1.0000000000001000001p-1"})
+  for (const char* hard : {"0x1.00000000000008p-1", "0x1.00000000000008000001p-1", "0x1.00000000000007ffffffp-1",
+                           "0x1.0000000000001000001p-1"})
     EXPECT_TRUE(with_depth(hard).contains("hard_rounding_binary64")) << hard;
   EXPECT_FALSE(with_depth("0x1.00000000000004p-1").contains("hard_rounding_binary64"));
   EXPECT_TRUE(with_depth("0x1.000001p-1").contains("hard_rounding_binary32"));
@@ -146,15 +149,17 @@ TEST(Flags, AreExplainedInTheNotesAndKnownToTheSchema) {
 
 TEST(Notes, ExplainEveryFieldOfARecord) {
   const Json penetrating = record(tetrahedron, other_tetrahedron), disjoint = record(tetrahedron, moved(cube, 100));
-  for (const Json* part :
-       {&penetrating, &disjoint, &penetrating["expected"], &disjoint["expected"], &penetrating["expected"]["optima"][0]}) {
-    for (const auto& [key, value] : part->items()) EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
+  for (const Json* part : {&penetrating, &disjoint, &penetrating["expected"], &disjoint["expected"],
+                           &penetrating["expected"]["optima"][0]}) {
+    for (const auto& [key, value] : part->items())
+      EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
   }
   for (const Recipe& recipe :
        {Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"}, Recipe{Source::shape_family, "cylinders", 8, 1}}) {
     const Json shapes = Json::parse(records_of(recipe).front().line);
     for (const Json* part : {&shapes, &shapes["source"], &shapes["expected"], &shapes["expected"]["signed_depth"]})
-      for (const auto& [key, value] : part->items()) EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
+      for (const auto& [key, value] : part->items())
+        EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
   }
 }
 

@@ -38,7 +38,9 @@ inline Record enclosed_record() {
   for (const Recipe& recipe : some_recipes(1, Level::P0)) {
     if (recipe.name != "cylinder_capsule") continue;
     for (Record& record : records_of(recipe))
-      if (record.line.find("\"bounds\"") != std::string::npos && record.line.find("\"penetrating\"") != std::string::npos) return record;
+      if (record.line.find("\"bounds\"") != std::string::npos &&
+          record.line.find("\"penetrating\"") != std::string::npos)
+        return record;
   }
   ADD_FAILURE() << "no pair that is enclosed";
   return {};

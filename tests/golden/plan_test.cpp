@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/golden/shards/plan.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -21,7 +22,9 @@ std::vector<Recipe> recipes(const std::vector<ShardPlan>& shards) {
   return result;
 }
 
-bool same(const ShardPlan& s, const ShardPlan& t) { return s.name == t.name && s.level == t.level && s.recipes() == t.recipes(); }
+bool same(const ShardPlan& s, const ShardPlan& t) {
+  return s.name == t.name && s.level == t.level && s.recipes() == t.recipes();
+}
 
 void expect_prefix(const std::vector<ShardPlan>& part, const std::vector<ShardPlan>& whole) {
   ASSERT_LT(part.size(), whole.size());
@@ -55,11 +58,13 @@ TEST(Plan, NoIdAndNoShardOccursTwice) {
 
 TEST(Plan, LevelZeroHoldsEverythingByName) {
   std::set<std::string> families, others;
-  for (const Recipe& recipe : recipes(plan(Level::L0, 1))) (recipe.source == Source::family ? families : others).insert(recipe.name);
+  for (const Recipe& recipe : recipes(plan(Level::L0, 1)))
+    (recipe.source == Source::family ? families : others).insert(recipe.name);
   for (const families::Family& family : families::families()) {
     EXPECT_EQ(families.contains(std::string(family.name)), family.name != "catalogue") << family.name;
   }
-  for (const families::CatalogueEntry& entry : families::catalogue()) EXPECT_TRUE(others.contains(std::string(entry.name))) << entry.name;
+  for (const families::CatalogueEntry& entry : families::catalogue())
+    EXPECT_TRUE(others.contains(std::string(entry.name))) << entry.name;
   ASSERT_EQ(real_cases().size(), 63u);
   for (const Case& real : real_cases()) EXPECT_TRUE(others.contains(real.id)) << real.id;
 }
@@ -76,7 +81,8 @@ TEST(Plan, LevelsOfShapesAreAChainOfTheirOwn) {
     EXPECT_EQ(kind_of(recipe.source), Kind::polytopes);
     EXPECT_FALSE(ids.contains(id_of(recipe))) << id_of(recipe);
   }
-  for (const Recipe& recipe : recipes(p0)) (recipe.source == Source::shape_family ? families : others).insert(recipe.name);
+  for (const Recipe& recipe : recipes(p0))
+    (recipe.source == Source::shape_family ? families : others).insert(recipe.name);
   EXPECT_EQ(families.size(), families::families(families::Kind::shapes).size());
   EXPECT_EQ(others.size(), families::shape_catalogue().size());
   EXPECT_GT(recipes(p0).size(), 400u);
@@ -108,7 +114,8 @@ TEST(Plan, SizesAndCountsAreThoseOfTheLevel) {
   EXPECT_LT(count(Level::L0), 800u);
   EXPECT_GT(count(Level::L1), 5000u);
   EXPECT_GT(count(Level::L2), 70000u);
-  for (const auto& [level, most] : {std::pair(Level::L0, 12U), std::pair(Level::L1, 30U), std::pair(Level::L2, 1000U)}) {
+  for (const auto& [level, most] :
+       {std::pair(Level::L0, 12U), std::pair(Level::L1, 30U), std::pair(Level::L2, 1000U)}) {
     std::map<std::string, std::set<unsigned>> sizes;
     for (const Recipe& recipe : recipes(plan(level, 1))) sizes[recipe.name].insert(recipe.size);
     EXPECT_LE(*sizes["random_ball"].rbegin(), most);
@@ -117,19 +124,22 @@ TEST(Plan, SizesAndCountsAreThoseOfTheLevel) {
   }
 }
 
-/// The plan of data version 1.2.0, which may not change: all ids of the released levels, in their order.
+/// The plan of data version 1.2.0, which may not change: all ids of the released levels, in their
+/// order.
 TEST(Plan, ReleasedLevelsStayAsTheyAre) {
   struct Released {
     Level level;
     std::size_t count;
     std::uint64_t hash;  // FNV-1a
   };
-  for (const Released& released : {Released{Level::L2, 89'047, 0x5e3900c08701338aU}, Released{Level::P1, 4305, 0x8cbd9cee07ba36dcU}}) {
+  for (const Released& released :
+       {Released{Level::L2, 89'047, 0x5e3900c08701338aU}, Released{Level::P1, 4305, 0x8cbd9cee07ba36dcU}}) {
     std::size_t count = 0;
     std::uint64_t hash = 0xcbf29ce484222325U;
     for (const ShardPlan& shard : plan(released.level, 1)) {
       for (const Recipe& recipe : shard.recipes()) {
-        for (const char c : shard.name + id_of(recipe) + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+        for (const char c : shard.name + id_of(recipe) + '\n')
+          hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
         ++count;
       }
     }
@@ -190,8 +200,8 @@ TEST(Recipe, IdsSayWhereTheCaseIsFrom) {
   EXPECT_EQ(id_of({Source::union_family, "combs", 4, 12}, Form::binary64), "combs-n4-s12.b64");
   EXPECT_EQ(id_of({Source::union_catalogue, "slot_filled"}), "union_catalogue-slot_filled");
   EXPECT_EQ(cases_of({Source::real, "fcl-545"}).front().id, "real-fcl-545");
-  for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
-                              Source::union_family, Source::union_catalogue})
+  for (const Source source : {Source::family, Source::catalogue, Source::real, Source::shape_family,
+                              Source::shape_catalogue, Source::union_family, Source::union_catalogue})
     EXPECT_THROW(base_bodies({source, "no_such_thing", 8, 1}), std::invalid_argument);
 }
 

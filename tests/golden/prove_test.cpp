@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records of every kind that are right are proved, and given again in another way; whatever is changed in one, it is refused.
+// Records of every kind that are right are proved, and given again in another way; whatever is
+// changed in one, it is refused.
 #include "verify/golden/records/prove.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,8 @@ TEST_P(EveryKind, WhatIsMadeIsProvedAndGivenAgain) {
 TEST_P(EveryKind, TheCertificateOfAnotherIsRefused) {
   const Record record = records_of(GetParam().one).front(), other = records_of(GetParam().other).back();
   const std::string& proof = other.certificate;
-  EXPECT_NE(faults_of(line_with(record.line, proof), proof).value_or("").find("that of another record"), std::string::npos);
+  EXPECT_NE(faults_of(line_with(record.line, proof), proof).value_or("").find("that of another record"),
+            std::string::npos);
   const std::string renamed = replaced(proof, "id " + other.id, "id " + record.id);
   ASSERT_TRUE(fathom_check::verify(renamed).accepted()) << "it is true of other bodies";
   EXPECT_EQ(faults_of(line_with(record.line, renamed), renamed), GetParam().mismatch);
@@ -123,11 +125,13 @@ std::vector<Record> specimens() {
   for (const Recipe& recipe :
        {Recipe{Source::family, "random_ball", 6, 2}, Recipe{Source::family, "exact_ties", 6, 2},
         Recipe{Source::family, "boxes_posed", 6, 1}, Recipe{Source::family, "touching_edge_face", 4, 1},
-        Recipe{Source::family, "random_disjoint", 4, 1}, Recipe{Source::family, "solid_polygon", 4, 3}, Recipe{Source::real, "fcl-545"},
-        Recipe{Source::shape_family, "capsules", 8, 1}, Recipe{Source::shape_family, "rounded_hulls", 8, 4},
-        Recipe{Source::shape_family, "cones", 8, 1}, Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
-        Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"}, Recipe{Source::shape_catalogue, "spheres_concentric"},
-        Recipe{Source::union_catalogue, "slot_exact_fit"}, Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
+        Recipe{Source::family, "random_disjoint", 4, 1}, Recipe{Source::family, "solid_polygon", 4, 3},
+        Recipe{Source::real, "fcl-545"}, Recipe{Source::shape_family, "capsules", 8, 1},
+        Recipe{Source::shape_family, "rounded_hulls", 8, 4}, Recipe{Source::shape_family, "cones", 8, 1},
+        Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
+        Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"},
+        Recipe{Source::shape_catalogue, "spheres_concentric"}, Recipe{Source::union_catalogue, "slot_exact_fit"},
+        Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
     result.push_back(records_of(recipe).back());
   }
   return result;
@@ -146,7 +150,8 @@ void expect_refused(const Record& record, const Json& forgery, const std::string
 /// Other values of the same type, and of another.
 std::vector<Json> other_values(const Json& value) {
   if (value.is_number())
-    return {value.get<std::uint64_t>() + 1, value.get<std::uint64_t>() + 0.5, std::to_string(value.get<std::uint64_t>())};
+    return {value.get<std::uint64_t>() + 1, value.get<std::uint64_t>() + 0.5,
+            std::to_string(value.get<std::uint64_t>())};
   if (value.is_null()) return {0, "0", Json::object()};
   if (!value.is_string()) return {};
   const std::string text = value;
@@ -155,7 +160,8 @@ std::vector<Json> other_values(const Json& value) {
   return {text + "0", changed, text == "0" ? Json("0/1") : Json()};
 }
 
-/// Changes every value below `at`, one at a time; `at` is a place in `forgery`, which is whole again afterwards.
+/// Changes every value below `at`, one at a time; `at` is a place in `forgery`, which is whole
+/// again afterwards.
 void forge_below(const Record& record, Json& forgery, Json& at, const std::string& path) {
   const Json before = at;
   for (const Json& other : other_values(before)) {
@@ -164,7 +170,8 @@ void forge_below(const Record& record, Json& forgery, Json& at, const std::strin
     at = before;
   }
   if (before.is_structured() && !before.empty()) {
-    for (std::size_t i = 0; i < before.size(); i += before.is_array() ? std::max<std::size_t>(1, before.size() - 1) : 1) {
+    for (std::size_t i = 0; i < before.size();
+         i += before.is_array() ? std::max<std::size_t>(1, before.size() - 1) : 1) {
       if (before.is_array()) {
         at.erase(i);
       } else {
@@ -224,7 +231,9 @@ TEST(Prove, OtherFormsOfTheSameRecordAreRefused) {
 TEST(Prove, CertificatesMustBeThoseOfTheRecord) {
   const Record record = records_of({Source::family, "boxes_aligned", 8, 1}).front();
   const std::string& proof = record.certificate;
-  const auto refused = [&record](const std::string& certificate) { return faults_of(record.line, certificate).has_value(); };
+  const auto refused = [&record](const std::string& certificate) {
+    return faults_of(record.line, certificate).has_value();
+  };
   EXPECT_FALSE(refused(proof));
   EXPECT_TRUE(refused(""));
   EXPECT_TRUE(refused(proof + proof));
@@ -244,9 +253,12 @@ TEST(Prove, TheDistanceMustBeProvedToo) {
   // The certificate of format 1, with its own sum: it says that they are disjoint.
   std::string weaker = record.certificate;
   weaker[weaker.find('2')] = '1';
-  const std::size_t claim = weaker.find("claim apart "), directions = weaker.find("directions "), weights = weaker.find("weights_a ");
-  weaker = weaker.substr(0, claim) + "claim disjoint\n" + weaker.substr(directions, weights - directions) + "end 4 4 1 0 0\n";
-  EXPECT_EQ(faults_of(line_with(record.line, weaker), weaker), "the certificate does not prove how far the bodies are apart");
+  const std::size_t claim = weaker.find("claim apart "), directions = weaker.find("directions "),
+                    weights = weaker.find("weights_a ");
+  weaker = weaker.substr(0, claim) + "claim disjoint\n" + weaker.substr(directions, weights - directions) +
+           "end 4 4 1 0 0\n";
+  EXPECT_EQ(faults_of(line_with(record.line, weaker), weaker),
+            "the certificate does not prove how far the bodies are apart");
 }
 
 TEST(Prove, AnIdStandsForItsOwnPointsOnly) {
@@ -255,7 +267,8 @@ TEST(Prove, AnIdStandsForItsOwnPointsOnly) {
   const auto relabelled_as = [](const Recipe& named, Form form, const Recipe& made) {
     return record_of(named, {form, id_of(named, form), base_bodies(made)});
   };
-  const Record honest = relabelled_as(other, Form::given, other), relabelled = relabelled_as(recipe, Form::given, other);
+  const Record honest = relabelled_as(other, Form::given, other),
+               relabelled = relabelled_as(recipe, Form::given, other);
   EXPECT_FALSE(faults_of(honest.line, honest.certificate));
   EXPECT_EQ(faults_of(relabelled.line, relabelled.certificate), "source: it does not yield these points");
   // Nothing is rounded to a format that holds it already.

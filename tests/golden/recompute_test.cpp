@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whatever is changed in a record, the other methods notice. That they give what is right: prove_test.cpp.
+// Whatever is changed in a record, the other methods notice. That they give what is right:
+// prove_test.cpp.
 #include <gtest/gtest.h>
 
 #include "fathom/numbers.hpp"
@@ -32,10 +33,11 @@ Json other(const Json& value) {
 
 TEST(Recompute, NoticesEveryChangedValue) {
   std::size_t changed = 0;
-  for (const Recipe& recipe : {Recipe{Source::family, "random_ball", 6, 4}, Recipe{Source::family, "exact_ties", 6, 2},
-                               Recipe{Source::family, "touching_edge_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
-                               Recipe{Source::shape_family, "capsules", 8, 1}, Recipe{Source::union_catalogue, "cavity_too_small"},
-                               Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
+  for (const Recipe& recipe :
+       {Recipe{Source::family, "random_ball", 6, 4}, Recipe{Source::family, "exact_ties", 6, 2},
+        Recipe{Source::family, "touching_edge_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
+        Recipe{Source::shape_family, "capsules", 8, 1}, Recipe{Source::union_catalogue, "cavity_too_small"},
+        Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
     const Record record = records_of(recipe).front();
     const Json right = Json::parse(record.line);
     for (const char* part : {"/expected", "/flags", "/formats"}) {
@@ -62,7 +64,8 @@ TEST(Recompute, SaysWhereAndHow) {
   wrong["expected"]["depth"]["squared"] = "1/7";
   EXPECT_EQ(disagreement_with(Method::naive, wrong.dump()),
             "by the method naive: expected.depth.squared: expected " + right + ", found \"1/7\"");
-  EXPECT_EQ(disagreement_with(Method::exact, "{}").value_or("").substr(0, 41), "by the method exact: expected a record, f");
+  EXPECT_EQ(disagreement_with(Method::exact, "{}").value_or("").substr(0, 41),
+            "by the method exact: expected a record, f");
 }
 
 TEST(Recompute, CanBeStopped) {

@@ -41,7 +41,9 @@ void expect_answer(const Json& expected, const Depth& depth, const std::string& 
     const Optimum& optimum = depth.optima()[i];
     EXPECT_EQ(listed["direction"], texts(optimum.direction)) << id;
     EXPECT_EQ(listed["translation"], texts(optimum.translation())) << id;
-    EXPECT_EQ(listed["contact"], Json({{"kind", name(optimum.contact.kind)}, {"a", optimum.contact.a}, {"b", optimum.contact.b}})) << id;
+    EXPECT_EQ(listed["contact"],
+              Json({{"kind", name(optimum.contact.kind)}, {"a", optimum.contact.a}, {"b", optimum.contact.b}}))
+        << id;
   }
   if (!depth.distance()) return;
   EXPECT_EQ(expected["distance"]["squared"], exact_text(depth.distance()->squared)) << id;
@@ -60,14 +62,18 @@ TEST(Record, AgreesWithTheNaiveAndTheExactMethod) {
       }
       if (expected["status"] != "penetrating") continue;
       const auto gap = depth::second_nearest_squared_naive(points.a.points, points.b.points);
-      EXPECT_EQ(expected["gap"].is_null() ? "" : expected["gap"]["squared"].get<std::string>(), gap ? exact_text(*gap) : "") << record.id;
+      EXPECT_EQ(expected["gap"].is_null() ? "" : expected["gap"]["squared"].get<std::string>(),
+                gap ? exact_text(*gap) : "")
+          << record.id;
     }
   }
   EXPECT_EQ(statuses.size(), 3u);
 }
 
-/// By definition: x is the rounding of sign * sqrt(squared) in that mode, in the format whose next numbers are `below` and `above` x.
-void expect_root(const std::string& where, const mpq_class& squared, int sign, double x, Rounding mode, double below, double above) {
+/// By definition: x is the rounding of sign * sqrt(squared) in that mode, in the format whose next
+/// numbers are `below` and `above` x.
+void expect_root(const std::string& where, const mpq_class& squared, int sign, double x, Rounding mode, double below,
+                 double above) {
   const auto signed_square = [](double v) { return mpq_class(exact_value(v) * abs(exact_value(v))); };
   const mpq_class exact = sign * squared;
   const auto middle = [](double u, double v) {
@@ -81,7 +87,8 @@ void expect_root(const std::string& where, const mpq_class& squared, int sign, d
   }
 }
 
-void expect_vector(const std::string& id, const Json& rounded, const std::array<mpq_class, 3>& squares, const std::array<int, 3>& signs) {
+void expect_vector(const std::string& id, const Json& rounded, const std::array<mpq_class, 3>& squares,
+                   const std::array<int, 3>& signs) {
   constexpr std::array modes{Rounding::rn, Rounding::rd, Rounding::ru};
   constexpr std::array names{"rn", "rd", "ru"};
   for (std::size_t mode = 0; mode < modes.size(); ++mode) {
@@ -89,7 +96,8 @@ void expect_vector(const std::string& id, const Json& rounded, const std::array<
       const std::string where = id + " " + names[mode] + " component " + std::to_string(i);
       const double x = std::stod(rounded["f64"][names[mode]][i].get<std::string>());
       if (std::isfinite(x))
-        expect_root(where, squares[i], signs[i], x, modes[mode], std::nextafter(x, -HUGE_VAL), std::nextafter(x, HUGE_VAL));
+        expect_root(where, squares[i], signs[i], x, modes[mode], std::nextafter(x, -HUGE_VAL),
+                    std::nextafter(x, HUGE_VAL));
       const double wide = std::stod(rounded["f32"][names[mode]][i].get<std::string>());
       const auto narrow = static_cast<float>(wide);
       ASSERT_EQ(double{narrow}, wide) << where << ": no binary32";
@@ -130,7 +138,8 @@ TEST(Record, DirectionsAndTranslationsAreCorrectlyRounded) {
 
 TEST(Record, RoundedOnesHoldTheRoundedPoints) {
   std::set<std::size_t> counts;
-  for (const char* name : {"random_ball", "boxes_posed", "boxes_aligned", "huge_coordinates", "near_ties", "crossed_fans"}) {
+  for (const char* name :
+       {"random_ball", "boxes_posed", "boxes_aligned", "huge_coordinates", "near_ties", "crossed_fans"}) {
     const Recipe recipe{Source::family, name, 8, 3};
     const auto base = std::get<HullPair>(base_bodies(recipe));
     const std::vector<Record> records = records_of(recipe);
@@ -140,28 +149,36 @@ TEST(Record, RoundedOnesHoldTheRoundedPoints) {
     for (const Record& record : records) {
       const Case found = points_of(record);
       const HullPair points{found.a, found.b};
-      const Form form = record.id.ends_with(".b64") ? Form::binary64 : record.id.ends_with(".b32") ? Form::binary32 : Form::given;
+      const Form form = record.id.ends_with(".b64")   ? Form::binary64
+                        : record.id.ends_with(".b32") ? Form::binary32
+                                                      : Form::given;
       EXPECT_TRUE(in_format(points, form)) << record.id;
       EXPECT_EQ(record.in_binary64, in_format(points, Form::binary64)) << record.id;
       EXPECT_EQ(record.in_binary32, in_format(points, Form::binary32)) << record.id;
       for (std::size_t i = 0; i < points.a.points.size(); ++i) {
         const mpq_class &exact = base.a.points[i].x, &stored = points.a.points[i].x;
         const mpq_class in_double = exact_value(round_binary64(exact, Rounding::rn));
-        const mpq_class in_single = form == Form::binary32 ? exact_value(double{round_binary32(exact, Rounding::rn)}) : exact;
+        const mpq_class in_single =
+            form == Form::binary32 ? exact_value(double{round_binary32(exact, Rounding::rn)}) : exact;
         EXPECT_EQ(stored, form == Form::given ? exact : form == Form::binary64 ? in_double : in_single) << record.id;
       }
     }
     // No two records hold the same points.
-    for (std::size_t i = 1; i < records.size(); ++i) EXPECT_NE(points_of(records[i - 1]).b.points, points_of(records[i]).b.points) << name;
+    for (std::size_t i = 1; i < records.size(); ++i)
+      EXPECT_NE(points_of(records[i - 1]).b.points, points_of(records[i]).b.points) << name;
   }
   EXPECT_GE(counts.size(), 3u) << "one, two and three records of a base case";
 }
 
 TEST(Record, APointIsInAFormatIfRoundingLeavesIt) {
-  const auto fits = [](const mpq_class& x, Form form) { return in_format(HullPair{{{{x, 0, 0}}}, {{{0, 0, x}}}}, form); };
-  std::vector<mpq_class> values{0, mpq_class(1, 3), exact_value(0x1p-1074), exact_value(0x1p-149), exact_value(0x1.fffffep127)};
+  const auto fits = [](const mpq_class& x, Form form) {
+    return in_format(HullPair{{{{x, 0, 0}}}, {{{0, 0, x}}}}, form);
+  };
+  std::vector<mpq_class> values{0, mpq_class(1, 3), exact_value(0x1p-1074), exact_value(0x1p-149),
+                                exact_value(0x1.fffffep127)};
   for (const double power : {0x1p-1074, 0x1p-1022, 0x1p-149, 0x1p-126, 1.0, 0x1p53, 0x1p127, 0x1p1023}) {
-    for (const long m : {1L, -3L, (1L << 24) - 1, (1L << 24) + 1, (1L << 25) - 2, (1L << 53) - 1, -(1L << 53) - 1, (1L << 54) - 2}) {
+    for (const long m :
+         {1L, -3L, (1L << 24) - 1, (1L << 24) + 1, (1L << 25) - 2, (1L << 53) - 1, -(1L << 53) - 1, (1L << 54) - 2}) {
       values.emplace_back(exact_value(power) * m);
       values.emplace_back(exact_value(power) / m);
     }
@@ -178,7 +195,9 @@ TEST(Record, APointIsInAFormatIfRoundingLeavesIt) {
 TEST(Record, NoRoundingThatOverflowsOrShrinksABodyToAPoint) {
   const mpq_class zero = 0, third(1, 3);
   const mpq_class huge = exact_value(1e300), tiny = exact_value(1e-300);
-  const auto with = [&](const mpq_class& x) { return HullPair{{{{x, zero, zero}, {zero, x, third}}}, {{{third, zero, zero}}}}; };
+  const auto with = [&](const mpq_class& x) {
+    return HullPair{{{{x, zero, zero}, {zero, x, third}}}, {{{third, zero, zero}}}};
+  };
   EXPECT_TRUE(rounded(with(huge), Form::binary64));
   EXPECT_FALSE(rounded(with(huge), Form::binary32));
   EXPECT_FALSE(rounded(with(huge * huge), Form::binary64));

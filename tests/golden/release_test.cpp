@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Law: the pages of a shard and of a release are read only in the one form in which they are written, field by field.
+// Law: the pages of a shard and of a release are read only in the one form in which they are
+// written, field by field.
 #include "verify/golden/release/release.hpp"
 
 #include <gtest/gtest.h>
@@ -15,10 +16,12 @@ namespace {
 constexpr std::uint64_t seed = UINT64_MAX;  // beyond what a JSON number may hold
 
 Manifest manifest_of_plan(const ShardPlan& shard) {
-  Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.count(), 2 * shard.count(), "1.5.4", {}};
+  Manifest manifest{shard.name, shard.level, std::string(data_version), seed, shard.count(), 2 * shard.count(),
+                    "1.5.4",    {}};
   for (const std::string_view suffix : suffixes_of(shard.level)) {
     const std::size_t i = manifest.files.size();
-    manifest.files.push_back({shard.name + std::string(suffix), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}});
+    manifest.files.push_back(
+        {shard.name + std::string(suffix), {10 + i, std::string(64, 'a')}, {100 + i, std::string(64, 'b')}});
   }
   return manifest;
 }
@@ -108,9 +111,10 @@ TEST(Sums, OneForm) {
   EXPECT_EQ(*parse_sums(text), sums);
   const std::string line = sums[0].sha256 + "  ";
   for (const std::string& wrong :
-       {text.substr(1), text.substr(0, text.size() - 1), text + '\n', text + text, sums[1].sha256 + "  b.zst\n" + line + "a.json\n",
-        line + "\n", line + ".hidden\n", line + "../up\n", line + "a b\n", line + "a\r\n", sums[0].sha256 + " *a\n",
-        std::string(64, 'A') + "  a\n", std::string(64, 'g') + "  a\n", std::string("short  a\n"), "\n" + text})
+       {text.substr(1), text.substr(0, text.size() - 1), text + '\n', text + text,
+        sums[1].sha256 + "  b.zst\n" + line + "a.json\n", line + "\n", line + ".hidden\n", line + "../up\n",
+        line + "a b\n", line + "a\r\n", sums[0].sha256 + " *a\n", std::string(64, 'A') + "  a\n",
+        std::string(64, 'g') + "  a\n", std::string("short  a\n"), "\n" + text})
     EXPECT_FALSE(parse_sums(wrong)) << wrong;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What records of shapes say; a forger who makes all sums right is refused. What is asked of every kind alike: prove_test.cpp.
+// What records of shapes say; a forger who makes all sums right is refused. What is asked of every
+// kind alike: prove_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -129,7 +130,9 @@ TEST(ShapeRecord, NoRoundingThatOverflowsOrLeavesNoShape) {
     return families::posed(families::named("sphere", {{"radius", {radius}}}), {1, 0, 0, 0}, {x, 0, 0});
   };
   const mpq_class huge = exact_value(1e300), tiny = exact_value(1e-300);
-  const auto with = [&](const mpq_class& radius, const mpq_class& x) { return families::NamedPair{ball(radius, x), ball(1, 0)}; };
+  const auto with = [&](const mpq_class& radius, const mpq_class& x) {
+    return families::NamedPair{ball(radius, x), ball(1, 0)};
+  };
   EXPECT_TRUE(rounded(with(1, tiny), Form::binary32));
   EXPECT_FALSE(rounded(with(1, huge), Form::binary32));
   EXPECT_FALSE(rounded(with(tiny, 0), Form::binary32)) << "the radius becomes 0";
@@ -151,7 +154,8 @@ TEST(ShapeForger, BoundsThatAreRaisedOrExchanged) {
   const Json value = Json::parse(record.line)["expected"]["signed_depth"]["bounds"];
   const std::string low = value[0], high = value[1], claim = "claim signed_bounds " + low + ' ' + high + '\n';
   const auto refused = [&](const std::string& new_low, const std::string& new_high) {
-    const std::string proof = replaced(record.certificate, claim, "claim signed_bounds " + new_low + ' ' + new_high + '\n');
+    const std::string proof =
+        replaced(record.certificate, claim, "claim signed_bounds " + new_low + ' ' + new_high + '\n');
     Json line = Json::parse(line_with(record.line, proof));
     Json& stated = line["expected"]["signed_depth"];
     stated["bounds"] = {new_low, new_high};
@@ -163,8 +167,10 @@ TEST(ShapeForger, BoundsThatAreRaisedOrExchanged) {
   const mpq_class width = read(high) - read(low), slack = width / 8;
   EXPECT_FALSE(refused(exact_text(mpq_class(read(low) - slack)), high)) << "wider bounds are true";
   EXPECT_TRUE(refused(high, low));
-  EXPECT_TRUE(refused(exact_text(mpq_class(read(high) + width)), exact_text(mpq_class(read(high) + 2 * width)))) << "above the true value";
-  EXPECT_TRUE(refused(exact_text(mpq_class(read(low) - 2 * width)), exact_text(mpq_class(read(low) - width)))) << "below it";
+  EXPECT_TRUE(refused(exact_text(mpq_class(read(high) + width)), exact_text(mpq_class(read(high) + 2 * width))))
+      << "above the true value";
+  EXPECT_TRUE(refused(exact_text(mpq_class(read(low) - 2 * width)), exact_text(mpq_class(read(low) - width))))
+      << "below it";
   EXPECT_TRUE(refused(high, high));
   EXPECT_TRUE(refused(low, low));
 }

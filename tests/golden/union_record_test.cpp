@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What records of unions say; a forger who makes all sums right is refused. What is asked of every kind alike: prove_test.cpp.
+// What records of unions say; a forger who makes all sums right is refused. What is asked of every
+// kind alike: prove_test.cpp.
 #include <gtest/gtest.h>
 
 #include "fathom/certificate.hpp"
@@ -91,7 +92,8 @@ TEST(UnionRecord, NoRoundingThatOverflowsOrFlattensAPiece) {
   EXPECT_TRUE(rounded(with(1, next), Form::binary64));
   const std::optional<RecordBodies> third_rounded = rounded(with(0, third), Form::binary64);
   ASSERT_TRUE(third_rounded);
-  EXPECT_EQ(std::get<Unions>(*third_rounded).b.at(1), families::box_from({0, 0, 0}, {exact_value(round_binary64(third)), 1, 1}));
+  EXPECT_EQ(std::get<Unions>(*third_rounded).b.at(1),
+            families::box_from({0, 0, 0}, {exact_value(round_binary64(third)), 1, 1}));
 }
 
 // ---- forgers ----
@@ -106,12 +108,17 @@ TEST(UnionForger, AnotherDepthFewerOptimaOtherPieces) {
     return faults_of(forged.dump(), record.certificate).value_or("");
   };
   EXPECT_EQ(fault([](Json&) {}), "");
-  EXPECT_NE(fault([](Json& forged) { forged["expected"]["depth"]["squared"] = "1"; }).find("expected.depth.squared"), std::string::npos);
-  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"].erase(1); }).find("expected.optima"), std::string::npos);
-  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"][0]["clearance"] = true; }).find("expected.optima"), std::string::npos);
-  EXPECT_NE(fault([](Json& forged) { forged["source"]["known"]["optima"] = 2; }).find("source.known.optima"), std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["depth"]["squared"] = "1"; }).find("expected.depth.squared"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"].erase(1); }).find("expected.optima"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"][0]["clearance"] = true; }).find("expected.optima"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["source"]["known"]["optima"] = 2; }).find("source.known.optima"),
+            std::string::npos);
   EXPECT_NE(fault([](Json& forged) { forged["b"]["pieces"].erase(0); }).find("b.pieces"), std::string::npos);
-  EXPECT_NE(fault([](Json& forged) { forged["a"]["pieces"][0]["vertices"][0][0] = "0x1p-1"; }).find("a.pieces"), std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["a"]["pieces"][0]["vertices"][0][0] = "0x1p-1"; }).find("a.pieces"),
+            std::string::npos);
 }
 
 TEST(UnionForger, ACertificateThatIsNotAccepted) {
@@ -139,8 +146,9 @@ TEST(UnionProve, WhatIsKnownIsNotDenied) {
   const auto proved = [&] { return std::get<UnionStatement>(proved_truth(made, {}, record.certificate)); };
   EXPECT_EQ(proved().squared, mpq_class(9, 16));
   const KnownUnion known = *std::get<Unions>(made.bodies).known;
-  for (const KnownUnion& wrong : {KnownUnion{Status::touching, known.squared, known.optima},
-                                  KnownUnion{known.status, known.squared + 1, known.optima}, KnownUnion{known.status, known.squared, 2}}) {
+  for (const KnownUnion& wrong :
+       {KnownUnion{Status::touching, known.squared, known.optima},
+        KnownUnion{known.status, known.squared + 1, known.optima}, KnownUnion{known.status, known.squared, 2}}) {
     std::get<Unions>(made.bodies).known = wrong;
     EXPECT_THROW(proved(), NotProved);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Law: what was written comes back line by line, whatever the sizes; and a file that is anything else than one whole frame is refused.
+// Law: what was written comes back line by line, whatever the sizes; and a file that is anything
+// else than one whole frame is refused.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -92,7 +93,8 @@ TEST_F(ZstdFile, OnlyOneWholeFrame) {
   EXPECT_EQ(fault_of(good + '\0'), "something follows the Zstandard frame");
   EXPECT_EQ(fault_of(good + good), "something follows the Zstandard frame");
   EXPECT_NE(fault_of("x" + good), "");
-  std::size_t faults = 0;  // some bits say how much memory a reader needs: another value there may still yield the content
+  std::size_t faults =
+      0;  // some bits say how much memory a reader needs: another value there may still yield the content
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string wrong = good;
     wrong[i] = static_cast<char>(wrong[i] ^ 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <set>
 
 #include "fathom/numbers.hpp"
@@ -47,7 +48,8 @@ TEST(CompareStream, EndsAfterItsCount) {
 
 TEST(CompareStream, FindsTheFirstDifferenceOnAnyNumberOfThreads) {
   for (const unsigned jobs : {1u, 2u, 7u}) {
-    const StreamResult result = compare_stream(plan_of(0, 100, jobs), solver_by(Method::automatic), wrong_on({"31", "32", "33", "90"}));
+    const StreamResult result =
+        compare_stream(plan_of(0, 100, jobs), solver_by(Method::automatic), wrong_on({"31", "32", "33", "90"}));
     ASSERT_TRUE(result.first);
     EXPECT_EQ(result.end, 31u);
     EXPECT_EQ(result.first->number, 31u);
@@ -89,7 +91,9 @@ void expect_a_function(Case (*make)(std::uint64_t seed, std::uint64_t number), c
 }
 
 TEST(RandomCase, IsAFunctionOfSeedAndNumber) { expect_a_function(random_case, families::families()); }
-TEST(RandomUnions, IsAFunctionOfSeedAndNumber) { expect_a_function(random_unions, families::families(families::Kind::unions)); }
+TEST(RandomUnions, IsAFunctionOfSeedAndNumber) {
+  expect_a_function(random_unions, families::families(families::Kind::unions));
+}
 
 }  // namespace
 }  // namespace fathom::harness

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subjects written as lines of shell. What the liar of tests/cli/certify_liar_test.py does is not done again here.
+// Subjects written as lines of shell. What the liar of tests/cli/certify_liar_test.py does is not
+// done again here.
 #include "verify/harness/examiner.hpp"
 
 #include <gtest/gtest.h>
@@ -10,13 +11,15 @@
 namespace fathom::harness {
 namespace {
 
-const std::string hello = R"({"type":"hello","protocol":"fathom/subject/1","name":"s","version":"1","precision":"binary64",)"
-                          R"("conventions":{"touching":"either","depth":"positive","moves":"a","unit":true}})";
+const std::string hello =
+    R"({"type":"hello","protocol":"fathom/subject/1","name":"s","version":"1","precision":"binary64",)"
+    R"("conventions":{"touching":"either","depth":"positive","moves":"a","unit":true}})";
 
 /// Says hello, then for each run executes `body` with the run's id in $id.
 SubjectCommand subject(const std::string& body) {
-  return {"read x; echo '" + hello + R"('; while read -r x; do id=${x#*id\":\"}; id=${id%%\"*}; case $x in *stop*) exit 0;; esac; )" +
-          body + "; done"};
+  return {"read x; echo '" + hello +
+          R"('; while read -r x; do id=${x#*id\":\"}; id=${id%%\"*}; case $x in *stop*) exit 0;; esac; )" + body +
+          "; done"};
 }
 const std::string apart = R"(echo "{\"type\":\"reply\",\"id\":\"$id\",\"overlap\":false}")";
 
@@ -28,7 +31,9 @@ struct Notes {
   Settings settings(double time_out = 10) {
     Settings settings;
     settings.time_out = time_out;
-    settings.unattributed = [this](const Unattributed& thing) { texts.push_back(thing.after.value_or("-") + ": " + thing.detail); };
+    settings.unattributed = [this](const Unattributed& thing) {
+      texts.push_back(thing.after.value_or("-") + ": " + thing.detail);
+    };
     return settings;
   }
 };
@@ -53,10 +58,13 @@ TEST(Examiner, AsksAndJudges) {
 
 TEST(Examiner, BlamesOnlyTheCaseAtHand) {
   Notes notes;
-  Examiner examiner(subject("case $x in *[[]7,*) kill -9 $$;; *[[]8,*) echo nonsense;; *) " + apart + ";; esac"), notes.settings());
-  const std::vector<std::pair<int, Verdict>> expected{{1, Verdict::pass},    {7, Verdict::crash}, {7, Verdict::crash}, {2, Verdict::pass},
-                                                      {8, Verdict::garbage}, {3, Verdict::pass},  {4, Verdict::pass}};
-  for (const auto& [distance, verdict] : expected) EXPECT_EQ(examiner.examine(points("x", distance)).verdict, verdict) << distance;
+  Examiner examiner(subject("case $x in *[[]7,*) kill -9 $$;; *[[]8,*) echo nonsense;; *) " + apart + ";; esac"),
+                    notes.settings());
+  const std::vector<std::pair<int, Verdict>> expected{{1, Verdict::pass}, {7, Verdict::crash},   {7, Verdict::crash},
+                                                      {2, Verdict::pass}, {8, Verdict::garbage}, {3, Verdict::pass},
+                                                      {4, Verdict::pass}};
+  for (const auto& [distance, verdict] : expected)
+    EXPECT_EQ(examiner.examine(points("x", distance)).verdict, verdict) << distance;
   EXPECT_EQ(examiner.starts(), 7U) << "each failing case is put to a fresh process again";
   EXPECT_TRUE(notes.texts.empty()) << notes.texts.front();
 }
@@ -91,7 +99,8 @@ TEST(Examiner, BlamesNoCaseForWhatComesAfterAGoodAnswer) {
 
 TEST(Examiner, BlamesTheCaseThatFailsAgain) {
   Notes notes;  // dies after each answer, and whenever it has read case 7
-  Examiner examiner(subject("case $x in *[[]7,*) kill -11 $$;; *) " + apart + "; sleep 0.005; kill -9 $$;; esac"), notes.settings());
+  Examiner examiner(subject("case $x in *[[]7,*) kill -11 $$;; *) " + apart + "; sleep 0.005; kill -9 $$;; esac"),
+                    notes.settings());
   EXPECT_EQ(examiner.examine(points("a", 1)).verdict, Verdict::pass);
   const Outcome outcome = examiner.examine(points("b", 7));
   EXPECT_EQ(outcome.verdict, Verdict::crash);
@@ -122,9 +131,10 @@ TEST(Examiner, HearsHowItEnds) {
     command.shell.replace(command.shell.find("exit 0"), 6, way);
     return command;
   };
-  for (const auto& [way, detail] : {std::pair<std::string, std::string>{"exit 3", "a: after stop: ended with exit code 3"},
-                                    {"kill -11 $$", "a: after stop: killed by signal 11 (Segmentation fault)"},
-                                    {"echo bye; exit 0", "a: wrote 'bye'"}}) {
+  for (const auto& [way, detail] :
+       {std::pair<std::string, std::string>{"exit 3", "a: after stop: ended with exit code 3"},
+        {"kill -11 $$", "a: after stop: killed by signal 11 (Segmentation fault)"},
+        {"echo bye; exit 0", "a: wrote 'bye'"}}) {
     Notes notes;
     Examiner examiner(at_stop(way), notes.settings());
     examiner.examine(points("a", 1));

@@ -61,7 +61,8 @@ inline harness::Outcome speechless(const Case& pair, Verdict verdict) {
 }
 
 /// A case of a family, rounded to the precision.
-inline Case family_case(const char* family, unsigned size, std::uint64_t seed, Precision precision = Precision::binary64) {
+inline Case family_case(const char* family, unsigned size, std::uint64_t seed,
+                        Precision precision = Precision::binary64) {
   const families::Family* found = families::find_family(family);
   if (!found) throw std::invalid_argument(std::string("no family ") + family);
   const std::optional<Case> seen = harness::as_seen(found->make(seed, size), precision);
@@ -69,7 +70,8 @@ inline Case family_case(const char* family, unsigned size, std::uint64_t seed, P
   return *seen;
 }
 
-inline Body box(const mpq_class& x, const mpq_class& y, const mpq_class& z, const mpq_class& sx, const mpq_class& sy, const mpq_class& sz) {
+inline Body box(const mpq_class& x, const mpq_class& y, const mpq_class& z, const mpq_class& sx, const mpq_class& sy,
+                const mpq_class& sz) {
   Body body;
   for (int corner = 0; corner < 8; ++corner)
     body.points.push_back({x + (corner & 1 ? sx : 0), y + (corner & 2 ? sy : 0), z + (corner & 4 ? sz : 0)});

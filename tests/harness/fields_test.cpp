@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each field of a table is everywhere: in JSON, out and in, in differences, schemas, the page of a failure, VERDICTS.md, the class of
-// Python, and what Python and C take. That each member of a struct has its row, and each number its member in C, the compiler asks.
+// Each field of a table is everywhere: in JSON, out and in, in differences, schemas, the page of a
+// failure, VERDICTS.md, the class of Python, and what Python and C take. That each member of a
+// struct has its row, and each number its member in C, the compiler asks.
 #include "verify/judge/fields.hpp"
 
-#include <fstream>
 #include <gtest/gtest.h>
+
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -83,7 +85,8 @@ Struct filled() {
   return all;
 }
 
-/// Of unions, which have squares; or of shapes, which have a signed depth in their place, and no bounds of unions.
+/// Of unions, which have squares; or of shapes, which have a signed depth in their place, and no
+/// bounds of unions.
 Judgement filled_judgement(bool of_shapes) {
   auto all = filled<Judgement>();
   if (!of_shapes) return all;
@@ -146,8 +149,11 @@ TEST(Fields, DifferInTheirOwnNames) {
         Judgement other = all;
         other.*field.member = Judgement().*field.member;
         const std::string found = difference(all, other).value_or("no difference");
-        const bool is_derived = field.name == "depth_squared" || field.name == "deeper_squared";  // what follows from it may come first
-        EXPECT_TRUE(is_derived ? found != "no difference" : found.starts_with("judgement." + std::string(field.name) + ':')) << found;
+        const bool is_derived =
+            field.name == "depth_squared" || field.name == "deeper_squared";  // what follows from it may come first
+        EXPECT_TRUE(is_derived ? found != "no difference"
+                               : found.starts_with("judgement." + std::string(field.name) + ':'))
+            << found;
       }
     });
   }
@@ -194,8 +200,10 @@ void expect_described(const Json& object, const Names& first = {}) {
     const Json& property = object["properties"][name];
     const std::string expected_kind = kind(judging::value_of(field, all));
     const bool is_of_one_kind = name == field.name && !expected_kind.empty() && expected_kind != "string";
-    EXPECT_TRUE(!is_of_one_kind || kind_in(property) == expected_kind) << name << ": " << property << ", " << expected_kind;
-    EXPECT_TRUE((!std::is_same_v<Struct, Judgement> || property.value("description", "") == field.meaning)) << name << ": " << property;
+    EXPECT_TRUE(!is_of_one_kind || kind_in(property) == expected_kind)
+        << name << ": " << property << ", " << expected_kind;
+    EXPECT_TRUE((!std::is_same_v<Struct, Judgement> || property.value("description", "") == field.meaning))
+        << name << ": " << property;
   });
   EXPECT_EQ(keys_of(object["properties"]), expected) << "law: the schema has the fields of the table";
   EXPECT_EQ(object.value("additionalProperties", true), false);
@@ -212,7 +220,8 @@ TEST(Fields, AreInTheSchemas) {
   expect_described<Outcome>(schema["case"], head);
   expect_described<Unattributed>(schema["unattributed"], head);
   const Json protocol = Json::parse(file_of("schemas/subject.schema.json"))["$defs"]["reply"]["properties"];
-  for (const std::string& name : names_in(filled<Reply>())) EXPECT_TRUE(protocol.contains(name)) << "law: the protocol has " << name;
+  for (const std::string& name : names_in(filled<Reply>()))
+    EXPECT_TRUE(protocol.contains(name)) << "law: the protocol has " << name;
 }
 
 TEST(Fields, OfTheSummaryAreInTheSchema) {
@@ -249,7 +258,8 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   EXPECT_EQ(hello_text(read_hello(text)), text) << "law: what was written is read as it was";
   const std::string python = file_of("bindings/python/fathom/_questions.py");
   for (const std::string& name : names_in(all.conventions))  // the sign of a depth, beside the depth itself
-    EXPECT_NE(python.find((name == "depth" ? "sign" : name) + ": "), std::string::npos) << "law: Python's judge takes " << name;
+    EXPECT_NE(python.find((name == "depth" ? "sign" : name) + ": "), std::string::npos)
+        << "law: Python's judge takes " << name;
 }
 
 // ---- pages ----
@@ -262,7 +272,8 @@ TEST(Fields, OfAJudgementAreOnThePageOfAFailure) {
     const std::string page = failure_article(subject, {outcome, Case{"a text", {}, {}}, ""}, "f1");
     for_each_field(judging::judgement_fields, [&](const auto& field) {
       if constexpr (requires { field.label; }) {
-        const bool is_there = !judging::has(field, *outcome.judgement) || page.find(std::string(field.label)) != page.npos;
+        const bool is_there =
+            !judging::has(field, *outcome.judgement) || page.find(std::string(field.label)) != page.npos;
         EXPECT_TRUE(is_there) << "law: the residuals have " << field.name;
       }
       using Value = std::decay_t<decltype(judging::value_of(field, *outcome.judgement))>;
@@ -284,7 +295,8 @@ TEST(Fields, OfAJudgementAreInVerdictsMd) {
   for_each_field(judging::judgement_fields, [&](const auto& field) {
     std::ostringstream entry;
     entry << "- `" << field.name << '`' << (field.unit.empty() ? "" : ", ") << field.unit
-          << (field.since == judging::first_version ? "" : ", since " + std::string(field.since)) << ": " << field.meaning;
+          << (field.since == judging::first_version ? "" : ", since " + std::string(field.since)) << ": "
+          << field.meaning;
     EXPECT_NE(page.find(entry.str()), std::string::npos) << "law: the page has this entry:\n" << entry.str();
   });
 }
@@ -296,7 +308,8 @@ template <class Value>
 std::string annotation() {
   if constexpr (std::is_same_v<Value, bool>) return "bool";
   if constexpr (std::is_same_v<Value, std::vector<Verdict>>) return "list[str]";
-  if constexpr (std::is_same_v<Value, mpq_class> || std::is_same_v<Value, std::optional<mpq_class>>) return "Fraction | None";
+  if constexpr (std::is_same_v<Value, mpq_class> || std::is_same_v<Value, std::optional<mpq_class>>)
+    return "Fraction | None";
   if constexpr (std::is_same_v<Value, std::optional<double>>) return "float | None";
   if constexpr (std::is_same_v<Value, std::optional<Between>>) return "tuple[float, float] | None";
   if constexpr (std::is_same_v<Value, std::optional<Accuracy>>) return "str | None";
@@ -327,8 +340,10 @@ TEST(Fields, OfAReplyAreTakenByPythonAndC) {
   for_each_field(judging::reply_fields, [&](const auto& field) {
     const std::string name(field.name), part = name.substr(0, name.find('.'));
     EXPECT_NE(judge.find(' ' + part + ": "), std::string::npos) << "law: Python's judge takes " << part;
-    const std::string member = std::regex_replace(name == "contacts" ? "contact_positions" : name, std::regex("[.]"), "_");
-    EXPECT_TRUE(std::regex_search(claim, std::regex("[ *]" + member + "(\\[3\\])?[,;]"))) << "law: fathom_claim has " << member;
+    const std::string member =
+        std::regex_replace(name == "contacts" ? "contact_positions" : name, std::regex("[.]"), "_");
+    EXPECT_TRUE(std::regex_search(claim, std::regex("[ *]" + member + "(\\[3\\])?[,;]")))
+        << "law: fathom_claim has " << member;
   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size that cases are brought to.                                                                          [verify/PROTOCOL.md]
+// The size that cases are brought to.                                          [verify/PROTOCOL.md]
 #include <gtest/gtest.h>
 
 #include "tests/harness/fake_subject.hpp"

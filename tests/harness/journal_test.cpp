@@ -100,7 +100,9 @@ TEST(Lines, EveryPrefixIsNoOutcome) {
 
 class Journals : public testing::Test {
  protected:
-  Journals() : path_(testing::TempDir() + "journal_test_" + std::to_string(::getpid()) + ".jsonl") { std::remove(path_.c_str()); }
+  Journals() : path_(testing::TempDir() + "journal_test_" + std::to_string(::getpid()) + ".jsonl") {
+    std::remove(path_.c_str());
+  }
   ~Journals() override { std::remove(path_.c_str()); }
 
   [[nodiscard]] std::string text() const {
@@ -128,7 +130,8 @@ class Journals : public testing::Test {
 TEST_F(Journals, CutAnywhere) {
   const std::string lines = outcome_line(rich("one")) + '\n' + outcome_line(rich("two")) + '\n';
   const std::string whole = header() + '\n' + lines + summary_line({2, 0, 2, 0}) + '\n';
-  const std::size_t first = header().size() + 1, second = first + outcome_line(rich("one")).size() + 1, third = first + lines.size();
+  const std::size_t first = header().size() + 1, second = first + outcome_line(rich("one")).size() + 1,
+                    third = first + lines.size();
   for (std::size_t size = 0; size <= whole.size(); ++size) {
     const auto is_near = [size](std::size_t end) { return size + 2 >= end && size <= end + 2; };
     if (size % 41 != 0 && !is_near(first) && !is_near(second) && !is_near(third) && !is_near(whole.size())) continue;
@@ -143,7 +146,8 @@ TEST_F(Journals, CutAnywhere) {
 }
 
 TEST_F(Journals, WhatIsNoCasesFault) {
-  for (const Unattributed& thing : {Unattributed{"x\n", "killed"}, Unattributed{"", "wrote '\xff'"}, Unattributed{std::nullopt, "ended"}}) {
+  for (const Unattributed& thing :
+       {Unattributed{"x\n", "killed"}, Unattributed{"", "wrote '\xff'"}, Unattributed{std::nullopt, "ended"}}) {
     const std::string line = unattributed_line(thing);
     EXPECT_EQ(line.find('\n'), std::string::npos);
     ASSERT_TRUE(read_unattributed(line)) << line;
@@ -166,11 +170,14 @@ TEST_F(Journals, OfAnotherRun) {
 }
 
 TEST_F(Journals, OfTheSameRunByAnotherCommand) {
-  const auto from = [](const char* version, const char* command) { return header_line({}, {}, {version, command, ""}); };
+  const auto from = [](const char* version, const char* command) {
+    return header_line({}, {}, {version, command, ""});
+  };
   write(from("1", "fathom certify --subject ./x a") + '\n');
   EXPECT_EQ(resumed(from("1", "fathom certify --resume --subject ./x a")).size(), 0U);
   EXPECT_EQ(text(), from("1", "fathom certify --subject ./x a") + '\n') << "the one that began it";
-  EXPECT_THROW(resumed(from("2", "fathom certify --subject ./x a")), InputError) << "another fathom may judge otherwise";
+  EXPECT_THROW(resumed(from("2", "fathom certify --subject ./x a")), InputError)
+      << "another fathom may judge otherwise";
   for (const char* none : {"", "[]", "null", "nonsense"}) EXPECT_FALSE(same_run(none, none)) << none;
 }
 

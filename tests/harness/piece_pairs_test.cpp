@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of the answers about pairs of pieces is the one about the unions, and what becomes of those that are none.
+// Which of the answers about pairs of pieces is the one about the unions, and what becomes of those
+// that are none.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -14,15 +15,19 @@ namespace {
 
 using unions::box;
 
-/// A of two boxes, B of three; the first is 1/2 deep in the first of B, the second 1/4 in the second.
+/// A of two boxes, B of three; the first is 1/2 deep in the first of B, the second 1/4 in the
+/// second.
 Case unions_case() {
   const Pieces a{box({0, 0, 0}, {1, 1, 1}), box({0, 0, 4}, {1, 1, 5})};
-  const Pieces b{box({mpq_class(1, 2), 0, 0}, {9, 1, 1}), box({mpq_class(3, 4), 0, 4}, {9, 1, 5}), box({20, 0, 0}, {21, 1, 1})};
+  const Pieces b{box({mpq_class(1, 2), 0, 0}, {9, 1, 1}), box({mpq_class(3, 4), 0, 4}, {9, 1, 5}),
+                 box({20, 0, 0}, {21, 1, 1})};
   return {"two", Body{.points = {}, .pieces = std::make_shared<const Pieces>(a)},
           Body{.points = {}, .pieces = std::make_shared<const Pieces>(b)}};
 }
 
-SubjectAnswer says(std::optional<double> depth) { return {{}, Reply{.overlap = true, .depth = depth, .direction = Triple{-1, 0, 0}}}; }
+SubjectAnswer says(std::optional<double> depth) {
+  return {{}, Reply{.overlap = true, .depth = depth, .direction = Triple{-1, 0, 0}}};
+}
 SubjectAnswer says_apart(std::optional<double> distance = {}) { return {{}, Reply{.distance = distance}}; }
 
 /// Answers by the ids of pairs; all others are apart by 7.
@@ -51,7 +56,8 @@ struct Script {
 TEST(PiecePairs, TheDeepestReplyIsTheAnswer) {
   Script script{{{"two[0,0]", says(0.5)}, {"two[1,1]", says(0.25)}}, {}, {}};
   const Outcome outcome = script.run();
-  EXPECT_EQ(script.asked, (std::vector<std::string>{"two[0,0]", "two[0,1]", "two[0,2]", "two[1,0]", "two[1,1]", "two[1,2]"}));
+  EXPECT_EQ(script.asked,
+            (std::vector<std::string>{"two[0,0]", "two[0,1]", "two[0,2]", "two[1,0]", "two[1,1]", "two[1,2]"}));
   EXPECT_EQ(outcome.id, "two");
   EXPECT_EQ(outcome.verdict, Verdict::pass);
   EXPECT_EQ(outcome.reply->depth, 0.5);
@@ -145,8 +151,8 @@ TEST(PiecePairs, TimesAddUpIfAllAreThere) {
 TEST(PiecePairs, Ids) {
   const Case pair = unions_case();
   EXPECT_TRUE(is_pair_of("two[1,2]", pair));
-  for (const char* other :
-       {"two", "two[2,0]", "two[0,3]", "two[01,2]", "two[1,2]x", "two[1,2", "two[ 1,2]", "two[,]", "tow[1,2]", "two[-1,0]"})
+  for (const char* other : {"two", "two[2,0]", "two[0,3]", "two[01,2]", "two[1,2]x", "two[1,2", "two[ 1,2]", "two[,]",
+                            "tow[1,2]", "two[-1,0]"})
     EXPECT_FALSE(is_pair_of(other, pair)) << other;
   EXPECT_FALSE(is_pair_of("p[0,0]", {"p", Body{box({0, 0, 0}, {1, 1, 1})}, Body{box({0, 0, 0}, {1, 1, 1})}}));
 }

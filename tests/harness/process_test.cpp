@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Children that do everything but what they should. Deadlines are generous where an answer is due, and short where none can come.
+// Children that do everything but what they should. Deadlines are generous where an answer is due,
+// and short where none can come.
 #include "verify/harness/process.hpp"
 
 #include <fcntl.h>
@@ -62,12 +63,13 @@ TEST(Process, KnowsWhatIsUnread) {
 }
 
 TEST(Process, NoShellStandsBetweenWhereTheCommandIsPlain) {
-  for (const std::string plain :
-       {"sleep 60", "/bin/sleep 60", "'/bin/sleep' 60", "  \"sleep\" '6;0'", "sleep 60 2>/dev/null", "sleep $HOME \"$HOME\""})
+  for (const std::string plain : {"sleep 60", "/bin/sleep 60", "'/bin/sleep' 60", "  \"sleep\" '6;0'",
+                                  "sleep 60 2>/dev/null", "sleep $HOME \"$HOME\""})
     EXPECT_EQ(without_shell(plain), "exec " + plain);
-  for (const std::string other : {"exit 3", "exec sleep 60", "sleep 1; sleep 1", "sleep 1 | cat", "sleep 1 &", "A=1 sleep 60", "$SLEEP 60",
-                                  "\"$SLEEP\" 60", "(sleep 60)", "sleep $(cat x)", "sleep `cat x`", "no-such-program x", "./no/such x",
-                                  "/tmp", "", " ", "sleep 'x", "sleep 1\nsleep 1", "if true"})
+  for (const std::string other :
+       {"exit 3", "exec sleep 60", "sleep 1; sleep 1", "sleep 1 | cat", "sleep 1 &", "A=1 sleep 60", "$SLEEP 60",
+        "\"$SLEEP\" 60", "(sleep 60)", "sleep $(cat x)", "sleep `cat x`", "no-such-program x", "./no/such x", "/tmp",
+        "", " ", "sleep 'x", "sleep 1\nsleep 1", "if true"})
     EXPECT_EQ(without_shell(other), other);
 }
 
@@ -100,7 +102,8 @@ TEST(Process, IsGoneBeforeItIsWrittenTo) {
 }
 
 TEST(Process, Signals) {
-  for (const char* command : {"kill -SEGV $$", "sh -c 'kill -SEGV $$'; exit $?"}) {  // the shell's own signal, and one of its child
+  for (const char* command :
+       {"kill -SEGV $$", "sh -c 'kill -SEGV $$'; exit $?"}) {  // the shell's own signal, and one of its child
     Process process(command);
     const auto ending = process.ending(in_time());
     ASSERT_TRUE(ending);

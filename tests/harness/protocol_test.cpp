@@ -43,8 +43,9 @@ TEST(Hello, IsReadAndWrittenBack) {
 }
 
 TEST(Hello, LacksNothing) {
-  for (const char* part : {R"("protocol":"fathom/subject/1",)", R"("name":"x",)", R"("version":"1",)", R"("precision":"binary32",)",
-                           R"("touching":"separate",)", R"("depth":"negative",)", R"("moves":"b",)", R"(,"unit":false)"})
+  for (const char* part :
+       {R"("protocol":"fathom/subject/1",)", R"("name":"x",)", R"("version":"1",)", R"("precision":"binary32",)",
+        R"("touching":"separate",)", R"("depth":"negative",)", R"("moves":"b",)", R"(,"unit":false)"})
     EXPECT_THROW(read_hello(without(hello, part)), ProtocolError) << part;
   for (const auto& [part, other] : {std::pair("subject/1", "subject/2"),
                                     {"binary32", "binary16"},
@@ -66,26 +67,34 @@ Reply replied(const std::string& fields, Precision precision = Precision::binary
 }
 
 TEST(Replies, AreRead) {
-  const Reply reply = replied(R"("overlap":true,"depth":0.1,"direction":[1,-0.5,2e3],"witness":{"a":[1,2,3],"b":["0x1.8p1",5,6]},"x":{})");
+  const Reply reply = replied(
+      R"("overlap":true,"depth":0.1,"direction":[1,-0.5,2e3],"witness":{"a":[1,2,3],"b":["0x1.8p1",5,6]},"x":{})");
   EXPECT_TRUE(reply.overlap);
   EXPECT_EQ(reply.depth, 0.1);
   EXPECT_EQ(reply.direction, (Triple{1, -0.5, 2000}));
   EXPECT_EQ(reply.witness_a, (Triple{1, 2, 3}));
   EXPECT_EQ(reply.witness_b, (Triple{3, 5, 6}));
-  EXPECT_EQ(read_reply(R"({"type":"reply","id":7,"overlap":false})", Precision::binary64).ticket, "7") << "a number will do";
-  EXPECT_EQ(std::get<Failed>(read_reply(reply_with(R"("failed":"a \"b\" 1e5 nan")"), Precision::binary64).said).why, "a \"b\" 1e5 nan");
-  EXPECT_EQ(std::get<Unsupported>(read_reply(reply_with(R"("unsupported":"flat")"), Precision::binary64).said).why, "flat");
+  EXPECT_EQ(read_reply(R"({"type":"reply","id":7,"overlap":false})", Precision::binary64).ticket, "7")
+      << "a number will do";
+  EXPECT_EQ(std::get<Failed>(read_reply(reply_with(R"("failed":"a \"b\" 1e5 nan")"), Precision::binary64).said).why,
+            "a \"b\" 1e5 nan");
+  EXPECT_EQ(std::get<Unsupported>(read_reply(reply_with(R"("unsupported":"flat")"), Precision::binary64).said).why,
+            "flat");
 }
 
 TEST(Replies, HaveContacts) {
   const Reply reply =
-      replied(R"("overlap":true,"depth":1,"contacts":[{"position":[0.1,2,3]},{"position":[4,5,6],"depth":0.1}])", Precision::binary32);
-  EXPECT_EQ(reply.contacts, (std::vector<ContactPoint>{{{static_cast<double>(0.1F), 2, 3}, {}}, {{4, 5, 6}, static_cast<double>(0.1F)}}));
-  for (const char* contacts :
-       {"[]", "{}", "null", "[[1,2,3]]", "[{}]", R"([{"depth":1}])", R"([{"position":[1,2]}])", R"([{"position":[1,2,3],"depth":null}])"})
+      replied(R"("overlap":true,"depth":1,"contacts":[{"position":[0.1,2,3]},{"position":[4,5,6],"depth":0.1}])",
+              Precision::binary32);
+  EXPECT_EQ(reply.contacts, (std::vector<ContactPoint>{{{static_cast<double>(0.1F), 2, 3}, {}},
+                                                       {{4, 5, 6}, static_cast<double>(0.1F)}}));
+  for (const char* contacts : {"[]", "{}", "null", "[[1,2,3]]", "[{}]", R"([{"depth":1}])", R"([{"position":[1,2]}])",
+                               R"([{"position":[1,2,3],"depth":null}])"})
     EXPECT_THROW(replied(std::string(R"("overlap":true,"contacts":)") + contacts), ProtocolError) << contacts;
   EXPECT_THROW(replied(R"("failed":"no","contacts":[{"position":[1,2,3]}])"), ProtocolError);
-  EXPECT_NE(read_reply(reply_with(R"("overlap":true,"contacts":[{"position":[1,2,3],"dept":1}])"), Precision::binary64).remark, "");
+  EXPECT_NE(read_reply(reply_with(R"("overlap":true,"contacts":[{"position":[1,2,3],"dept":1}])"), Precision::binary64)
+                .remark,
+            "");
 }
 
 TEST(Replies, HaveADistance) {
@@ -108,10 +117,11 @@ TEST(Replies, NumbersOfPrintf) {
 
 // Readers differ in which of the two they take.
 TEST(Replies, HaveEachFieldOnce) {
-  for (const char* fields : {R"("overlap":true,"depth":1,"depth":1)", R"("overlap":true,"overlap":true)", R"("id":"7","overlap":true)",
-                             R"("overlap":true,"depth":1,"\u0064epth":2)", R"("overlap":true,"x":1,"x":2)", R"("failed":"a","failed":"b")",
-                             R"("overlap":true,"depth":1,"witness":{"a":[1,2,3],"a":[1,2,3]})",
-                             R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3],"depth":1,"depth":1}])"}) {
+  for (const char* fields :
+       {R"("overlap":true,"depth":1,"depth":1)", R"("overlap":true,"overlap":true)", R"("id":"7","overlap":true)",
+        R"("overlap":true,"depth":1,"\u0064epth":2)", R"("overlap":true,"x":1,"x":2)", R"("failed":"a","failed":"b")",
+        R"("overlap":true,"depth":1,"witness":{"a":[1,2,3],"a":[1,2,3]})",
+        R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3],"depth":1,"depth":1}])"}) {
     try {
       read_reply(reply_with(fields), Precision::binary64);
       ADD_FAILURE() << fields;
@@ -119,7 +129,8 @@ TEST(Replies, HaveEachFieldOnce) {
       EXPECT_TRUE(std::string(error.what()).starts_with("expected each field once, found '")) << error.what();
     }
   }
-  EXPECT_NO_THROW(replied(R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3]},{"position":[1,2,3]}],"x":{"depth":1})"));
+  EXPECT_NO_THROW(
+      replied(R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3]},{"position":[1,2,3]}],"x":{"depth":1})"));
   EXPECT_THROW(read_hello(with(hello, R"("name":"x")", R"("name":"x","name":"x")")), ProtocolError);
 }
 
@@ -127,15 +138,18 @@ TEST(Replies, HaveEachFieldOnce) {
 TEST(Replies, ExponentsOfAnySize) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
-    const auto depth = [&](const std::string& text) { return *replied(R"("overlap":true,"depth":)" + text, precision).depth; };
-    for (const char* text :
-         {"1e400", "1e100001", "1e+99999999999", "0.1E0000999999", "0x1p400001", "0x.8P+99999999999", "\"1e99999999999\""})
+    const auto depth = [&](const std::string& text) {
+      return *replied(R"("overlap":true,"depth":)" + text, precision).depth;
+    };
+    for (const char* text : {"1e400", "1e100001", "1e+99999999999", "0.1E0000999999", "0x1p400001", "0x.8P+99999999999",
+                             "\"1e99999999999\""})
       EXPECT_EQ(depth(text), inf) << text;
     for (const char* text : {"-1e99999999999", "-0x1p99999999999"}) EXPECT_EQ(depth(text), -inf) << text;
     for (const char* text : {"1e-99999999999", "-1e-100001", "0e99999999999", "0x1p-99999999999", "0x0p99999999999"})
       EXPECT_EQ(depth(text), 0) << text;
     EXPECT_EQ(depth("15e-0000000000001"), 1.5);
-    for (const char* text : {"1e", "1e+", "1e9999999999x", "0x1p", "0x1p99999999999.5"}) EXPECT_THROW(depth(text), ProtocolError) << text;
+    for (const char* text : {"1e", "1e+", "1e9999999999x", "0x1p", "0x1p99999999999.5"})
+      EXPECT_THROW(depth(text), ProtocolError) << text;
   }
 }
 
@@ -143,7 +157,8 @@ TEST(Replies, AreRoundedOnce) {
   EXPECT_EQ(replied(R"("overlap":true,"depth":0.1)", Precision::binary32).depth, static_cast<double>(0.1F));
   // Half way between two binary32 numbers, and a little more, which binary64 does not see.
   EXPECT_EQ(replied(R"("overlap":true,"depth":1.000000059604644775390625)", Precision::binary32).depth, 1.0);
-  EXPECT_EQ(replied(R"("overlap":true,"depth":1.00000005960464477539062500001)", Precision::binary32).depth, 1 + 0x1p-23);
+  EXPECT_EQ(replied(R"("overlap":true,"depth":1.00000005960464477539062500001)", Precision::binary32).depth,
+            1 + 0x1p-23);
   EXPECT_TRUE(std::isinf(*replied(R"("overlap":true,"depth":1e39)", Precision::binary32).depth));
 }
 
@@ -239,9 +254,11 @@ TEST(Faces, OfACubeWithMorePoints) {
     ASSERT_EQ(face.size(), 4U);
     for (std::size_t i = 0; i < face.size(); ++i) {
       EXPECT_TRUE(face[i] >= 1 && face[i] <= 8);
-      // Seen from outside each corner is a left turn: the determinant of three corners, O inside, is positive.
+      // Seen from outside each corner is a left turn: the determinant of three corners, O inside,
+      // is positive.
       const Point &p = points[face[i]], &q = points[face[(i + 1) % 4]], &r = points[face[(i + 2) % 4]];
-      const mpq_class det = p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
+      const mpq_class det =
+          p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
       EXPECT_GT(det, 0);
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which shapes a subject is given, how it is given them, and that it is judged on what it was given.
+// Which shapes a subject is given, how it is given them, and that it is judged on what it was
+// given.
 #include <gtest/gtest.h>
+
 #include <set>
 #include <string>
 
@@ -60,7 +62,8 @@ TEST(ShapesSeen, MarginsAndSums) {
   EXPECT_EQ(as_seen(rounded, Precision::binary64, {"box", "margin"})->a.words->shape, "box") << "with a margin";
   const Case flat{"id", body("sphere", {{"radius", {1}}, {"margin", {0}}}), block(1)};
   EXPECT_TRUE(as_seen(flat, Precision::binary64, {"sphere"})) << "a margin of 0 is none";
-  const NamedBody terms[] = {named("sphere", {{"radius", {1}}}), named("cylinder", {{"radius", {1}}, {"half_length", {2}}})};
+  const NamedBody terms[] = {named("sphere", {{"radius", {1}}}),
+                             named("cylinder", {{"radius", {1}}, {"half_length", {2}}})};
   const Case sum{"id", files::body_of(files::named_sum({terms[0], terms[1]})), block(1)};
   EXPECT_EQ(why_not(sum, {"sphere", "cylinder"}), R"(the subject does not declare "sum" among its shapes)");
   EXPECT_EQ(why_not(sum, {"sphere", "sum"}), R"(the subject does not declare "cylinder" among its shapes)");
@@ -99,15 +102,16 @@ TEST(ShapesSeen, RoundingThatLeavesNoShape) {
   EXPECT_TRUE(as_seen({"id", ball(tiny), block(1)}, Precision::binary64, every_word()));
   EXPECT_TRUE(why(files::body_of(posed(named("sphere", {{"radius", {1}}}), {tiny, 0, 0, 0}, {1, 0, 0})))
                   .starts_with("rounding to binary32 leaves "));
-  EXPECT_TRUE(why(body("halfspace", {{"normal", {0, 0, tiny}}, {"offset", {0}}})).starts_with("rounding to binary32 leaves "));
+  EXPECT_TRUE(
+      why(body("halfspace", {{"normal", {0, 0, tiny}}, {"offset", {0}}})).starts_with("rounding to binary32 leaves "));
   EXPECT_EQ(why(block(huge)), "a number of a shape overflows binary32, the precision of the subject");
   EXPECT_EQ(why_not({"id", block(huge), block(1)}, {}, Precision::binary32),
             "a coordinate overflows binary32, the precision of the subject");
 }
 
 TEST(ShapesSeen, AsWordsOnTheWire) {
-  NamedBody given =
-      posed(named("capsule", {{"radius", {mpq_class(1, 2)}}, {"half_length", {1}}, {"margin", {tenth}}}), {1, 1, 0, 0}, {0, 0, tenth});
+  NamedBody given = posed(named("capsule", {{"radius", {mpq_class(1, 2)}}, {"half_length", {1}}, {"margin", {tenth}}}),
+                          {1, 1, 0, 0}, {0, 0, tenth});
   const Case pair{"id", files::body_of(given), block(1)};
   const auto message = [&](Precision precision, const std::set<std::string>& shapes) {
     return run_message("7", *as_seen(pair, precision, shapes), precision, true);
@@ -148,7 +152,8 @@ TEST(ShapesSeen, HelloNamesThem) {
   EXPECT_EQ(hello_text(read_hello(hello_text(info))), hello_text(info));
   EXPECT_EQ(read_hello(hello_text(info)).shapes, info.shapes);
   EXPECT_TRUE(read_hello(hello("[]")).shapes.empty());
-  for (const char* wrong : {R"(["cube"])", R"(["rounded_box"])", R"([3])", R"("sphere")", R"({"sphere":true})", R"([""])"}) {
+  for (const char* wrong :
+       {R"(["cube"])", R"(["rounded_box"])", R"([3])", R"("sphere")", R"({"sphere":true})", R"([""])"}) {
     try {
       read_hello(hello(wrong));
       ADD_FAILURE() << wrong;
@@ -173,7 +178,8 @@ TEST(ShapesSeen, VariantsAreTheSameProblem) {
     const ShapeTruth truth = truth_about(files::shape_of(seen->a), files::shape_of(seen->b));
     for (const Variant& variant : variants(*seen, Precision::binary32, all_variants)) {
       const ShapeTruth anew = truth_about(files::shape_of(variant.seen.a), files::shape_of(variant.seen.b));
-      EXPECT_TRUE(overlapping(truth.depth, anew.depth, scaled(1, variant.exponent))) << family.name << ' ' << variant.name;
+      EXPECT_TRUE(overlapping(truth.depth, anew.depth, scaled(1, variant.exponent)))
+          << family.name << ' ' << variant.name;
       EXPECT_NE(digest_of(variant.seen), digest_of(*seen));
       for (const Body* moved : {&variant.seen.a, &variant.seen.b}) {
         ASSERT_TRUE(moved->words) << variant.name;
@@ -189,14 +195,16 @@ TEST(ShapesSeen, VariantsAreTheSameProblem) {
 
 TEST(ShapesSeen, TheTruthIsProved) {
   const Case exact{"exact", ball(1), body("sphere", {{"radius", {mpq_class(1, 3)}}})};
-  const Case enclosed{"enclosed", body("cylinder", {{"radius", {1}}, {"half_length", {1}}}), body("ellipsoid", {{"radii", {1, 2, 3}}})};
+  const Case enclosed{"enclosed", body("cylinder", {{"radius", {1}}, {"half_length", {1}}}),
+                      body("ellipsoid", {{"radii", {1, 2, 3}}})};
   for (const Case& pair : {exact, enclosed}) {
     const std::string text = accepted_certificate(pair, nullptr);
     EXPECT_TRUE(fathom_check::verify(text).accepted());
     EXPECT_NE(text.find(pair.id), std::string::npos);
     ShapeTruth truth = truth_about(files::shape_of(pair.a), files::shape_of(pair.b));
     EXPECT_EQ(accepted_certificate(pair.id, truth, nullptr), text);
-    if (truth.depth.bounds()) truth.depth.value = Bounds{truth.depth.bounds()->high + 1, truth.depth.bounds()->high + 2};
+    if (truth.depth.bounds())
+      truth.depth.value = Bounds{truth.depth.bounds()->high + 1, truth.depth.bounds()->high + 2};
     else truth.depth.value = Surd{truth.depth.exact()->rational + 1, truth.depth.exact()->root};
     EXPECT_THROW(accepted_certificate(pair.id, truth, nullptr), std::logic_error);
   }
@@ -206,7 +214,9 @@ TEST(ShapesSeen, AreJudgedAsTheyWereSeen) {
   SubjectInfo info;
   info.format = Precision::binary32;
   info.shapes = {"sphere"};
-  const Case pair{"id", ball(tenth), files::body_of(posed(named("sphere", {{"radius", {tenth}}}), {1, 0, 0, 0}, {mpq_class(3, 20), 0, 0}))};
+  const Case pair{
+      "id", ball(tenth),
+      files::body_of(posed(named("sphere", {{"radius", {tenth}}}), {1, 0, 0, 0}, {mpq_class(3, 20), 0, 0}))};
   const Case seen = *as_seen(pair, info.format, info.shapes);
   Reply reply;
   reply.overlap = true;

@@ -84,7 +84,8 @@ TEST(Shrink, EachStepIsSmallerCertifiedAndOfThePrecision) {
     EXPECT_EQ(doubled(steps[i].pair).verdict, verdict);
     EXPECT_TRUE(accepted(steps[i].certificate));
     EXPECT_TRUE(i == 0 || size_of(steps[i].pair) < size_of(steps[i - 1].pair)) << i;
-    for_each_coordinate(steps[i].pair, [](const mpq_class& value) { EXPECT_TRUE(representable(value, Precision::binary32)); });
+    for_each_coordinate(steps[i].pair,
+                        [](const mpq_class& value) { EXPECT_TRUE(representable(value, Precision::binary32)); });
   }
 }
 
@@ -226,7 +227,8 @@ TEST(Simplify, RoundsAndOffersOnlyCheaperNumbers) {
   for (const mpq_class& value : {mpq_class(-1), mpq_class(77), mpq_class(-1001, 1024), scaled(12345, 400)})
     for (const mpq_class& other : simpler(value)) {
       EXPECT_NE(other, value);
-      EXPECT_TRUE(cost(other) < cost(value) || (cost(other) == cost(value) && value < 0 && other >= 0)) << other << " for " << value;
+      EXPECT_TRUE(cost(other) < cost(value) || (cost(other) == cost(value) && value < 0 && other >= 0))
+          << other << " for " << value;
     }
 }
 

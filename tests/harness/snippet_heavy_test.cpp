@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every snippet compiles against the library that is installed; some are run, and show the wrong number again.
+// Every snippet compiles against the library that is installed; some are run, and show the wrong
+// number again.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
@@ -86,16 +88,17 @@ TEST_F(Snippets, CompileForASubjectThatRounds) {
   Outcome outcome = claimed(pair, 1);
   outcome.reply->contacts = {{{0.5, 0.5, 0.5}, 1.0}, {{0.25, 0.5, 0.5}, {}}};
   const std::string text = snippet(info, pair, outcome);
-  for (const char* line : {"const mpq_class radius_a(\"1/20\"), radius_b(\"1/20\");",
-                           "fathom::truth_about(rounded(a, radius_a), rounded(b, radius_b));", "truth.added_a = radius_a;"})
+  for (const char* line :
+       {"const mpq_class radius_a(\"1/20\"), radius_b(\"1/20\");",
+        "fathom::truth_about(rounded(a, radius_a), rounded(b, radius_b));", "truth.added_a = radius_a;"})
     EXPECT_NE(text.find(line), std::string::npos) << text;
   const Ran ran = compile(info, text, "-fsyntax-only");
   EXPECT_EQ(ran.code, 0) << ran.said;
 }
 
 TEST_F(Snippets, CompileForShapes) {
-  for (const char* name : {"capsule_hull", "tapered_capsule_box", "cylinder_capsule", "cone_cylinder", "frusta", "ellipsoid_box", "sums",
-                           "rounded_boxes", "shapes_halfspace"}) {
+  for (const char* name : {"capsule_hull", "tapered_capsule_box", "cylinder_capsule", "cone_cylinder", "frusta",
+                           "ellipsoid_box", "sums", "rounded_boxes", "shapes_halfspace"}) {
     const Case pair = families::find_family(name)->make(1, 8);
     Outcome outcome;
     outcome.id = pair.id;
@@ -120,10 +123,11 @@ struct Wrong {
 };
 
 class RunSnippets : public Snippets, public ::testing::WithParamInterface<Wrong> {};
-INSTANTIATE_TEST_SUITE_P(Real, RunSnippets,
-                         ::testing::Values(Wrong{subject("libccd", "libccd-epa"), "real::libccd-25-binary64", 0, "overlap 1 depth 0 "},
-                                           Wrong{subject("bullet", "bullet64-epa"), "real::parry-epa3-2", 1.2, " depth 1.2"},
-                                           Wrong{subject("ode", "ode-collide", true), "real::fcl-545-unit", 1.03923, "depth 1.0392"}));
+INSTANTIATE_TEST_SUITE_P(
+    Real, RunSnippets,
+    ::testing::Values(Wrong{subject("libccd", "libccd-epa"), "real::libccd-25-binary64", 0, "overlap 1 depth 0 "},
+                      Wrong{subject("bullet", "bullet64-epa"), "real::parry-epa3-2", 1.2, " depth 1.2"},
+                      Wrong{subject("ode", "ode-collide", true), "real::fcl-545-unit", 1.03923, "depth 1.0392"}));
 
 TEST_P(RunSnippets, ShowTheWrongNumberAgain) {
   const auto& [info, id, depth, shown] = GetParam();

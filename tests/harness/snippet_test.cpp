@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in a snippet. That they compile, and show the wrong number again: snippet_heavy_test.cpp.
+// What stands in a snippet. That they compile, and show the wrong number again:
+// snippet_heavy_test.cpp.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -75,7 +75,8 @@ TEST(TwoWays, AProofThatNoCheckerWouldReadIsNone) {
 TEST(TwoWays, TheDistanceIsProvedToo) {
   const Case pair = family_case("random_disjoint", 8, 4);
   Depth right = penetration_depth(pair.a.points, pair.b.points);
-  EXPECT_NE(accepted_certificate(pair, right).find("\nclaim apart " + right.distance()->squared.get_str() + "\n"), std::string::npos);
+  EXPECT_NE(accepted_certificate(pair, right).find("\nclaim apart " + right.distance()->squared.get_str() + "\n"),
+            std::string::npos);
   std::get<Distance>(right.outcome).squared *= 4;
   EXPECT_THROW(accepted_certificate(pair, right), std::logic_error);
 }
@@ -105,13 +106,15 @@ TEST(KeepDifference, MakesItSmallAndWritesIt) {
 TEST(KeepDifference, KeepsWhatCannotBeMadeSmaller) {
   const Folder folder;
   const Case third{"third", {{{0, 0, 0}, {mpq_class(1, 3), 0, 0}}}, {{{0, 1, 0}, {0, 2, 0}}}};
-  const Solver wrong = planted([](const Case& shown, Depth& depth) { depth.flat_a = shown.a.points[1].x != mpq_class(1, 3); });
+  const Solver wrong =
+      planted([](const Case& shown, Depth& depth) { depth.flat_a = shown.a.points[1].x != mpq_class(1, 3); });
   const KeptDifference kept = keep_difference(folder.path, third, "they differ", solver_by(Method::automatic), wrong);
   EXPECT_EQ(kept.pair.a.points, third.a.points);
   EXPECT_EQ(kept.sentence, "they differ");
   const Case ball = family_case("random_ball", 20, 4);
   const Solver always = planted([](const Case&, Depth& depth) { depth.flat_a = !depth.flat_a; });
-  const KeptDifference stopped = keep_difference(folder.path, ball, "x", solver_by(Method::automatic), always, [] { return true; });
+  const KeptDifference stopped =
+      keep_difference(folder.path, ball, "x", solver_by(Method::automatic), always, [] { return true; });
   EXPECT_EQ(stopped.pair.a.points.size(), ball.a.points.size());
 }
 
@@ -120,7 +123,8 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
   const Truth truth = truth_about(pair.a.points, pair.b.points);
   ASSERT_EQ(truth.depth.status(), Status::penetrating);
   Reply reply = fathom::testing::right_reply(truth.depth);
-  reply.direction = Triple{0.6, 0, 0.8};  // its travel is found by the certificate's polytope in one way, by a ray in the other
+  reply.direction =
+      Triple{0.6, 0, 0.8};  // its travel is found by the certificate's polytope in one way, by a ray in the other
   const SubjectAnswer answer{"1", reply};
   const auto judged = [&](std::vector<Solver> second) {
     Outcome outcome = outcome_for(pair);
@@ -130,7 +134,8 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
   const Outcome once = judged({}), twice = judged({solver_by(Method::exact), solver_by(Method::naive)});
   ASSERT_TRUE(twice.judgement->travel_squared);
   EXPECT_EQ(difference(*once.judgement, *twice.judgement), std::nullopt);
-  const Solver deeper = planted([](const Case&, Depth& depth) { std::get<Penetration>(depth.outcome).optima.front().support *= 2; });
+  const Solver deeper =
+      planted([](const Case&, Depth& depth) { std::get<Penetration>(depth.outcome).optima.front().support *= 2; });
   try {
     judged({solver_by(Method::exact), deeper});
     FAIL() << "no disagreement";
@@ -150,7 +155,8 @@ TEST(JudgementDifference, NamesTheField) {
     Judgement wrong = right;
     change(wrong);
     for (const auto& sentence : {difference(right, wrong), difference(wrong, right)})
-      EXPECT_TRUE(sentence && sentence->starts_with("judgement." + field + ": ")) << field << " / " << sentence.value_or("none");
+      EXPECT_TRUE(sentence && sentence->starts_with("judgement." + field + ": "))
+          << field << " / " << sentence.value_or("none");
   };
   expect_named("verdict", [](Judgement& j) { j.verdict = Verdict::too_deep; });
   expect_named("findings", [](Judgement& j) { j.findings.push_back(Verdict::nan); });

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/variants.hpp"
 
-#include <algorithm>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
@@ -47,7 +48,8 @@ TEST_P(OfEachPrecision, TheLawHoldsWhenEachVariantIsSolvedAnew) {
       EXPECT_EQ(anew.squared(), depth_squared_of(variant, depth.squared())) << pair.id << ' ' << variant.name;
       EXPECT_EQ(anew.status(), depth.status()) << pair.id << ' ' << variant.name;
       EXPECT_EQ(variant.seen.id, pair.id);
-      for_each_coordinate(variant.seen, [&](const mpq_class& value) { EXPECT_TRUE(representable(value, GetParam())) << pair.id; });
+      for_each_coordinate(variant.seen,
+                          [&](const mpq_class& value) { EXPECT_TRUE(representable(value, GetParam())) << pair.id; });
       ++seen;
     }
   }
@@ -77,7 +79,8 @@ TEST_P(OfEachPrecision, EachVariantIsWhatItsNameSays) {
         EXPECT_EQ(variant.exponent, 0);
       } else {
         EXPECT_NE(variant.exponent, 0);
-        for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i].y, scaled(pair.a.points[i].y, variant.exponent));
+        for (std::size_t i = 0; i < a.points.size(); ++i)
+          EXPECT_EQ(a.points[i].y, scaled(pair.a.points[i].y, variant.exponent));
       }
     }
   EXPECT_GT(longest, 50u);
@@ -86,7 +89,8 @@ TEST_P(OfEachPrecision, EachVariantIsWhatItsNameSays) {
 TEST(Variants, ComeInOneOrderAndAreTheSameEachTime) {
   const Case pair = family_case("random_ball", 20, 1);
   const std::vector<std::string> names = {"scale", "permute", "nonsense"};
-  const std::vector<Variant> first = variants(pair, Precision::binary64, names), again = variants(pair, Precision::binary64, names);
+  const std::vector<Variant> first = variants(pair, Precision::binary64, names),
+                             again = variants(pair, Precision::binary64, names);
   ASSERT_EQ(first.size(), 2u);
   EXPECT_EQ(first[0].name, "permute");
   EXPECT_EQ(first[1].name, "scale");
@@ -131,7 +135,8 @@ TEST(CompareVariant, ARightSubjectIsInvariant) {
     }
 }
 
-// Bodies so small that an ulp is a good part of them: the depth of a larger variant has more digits.
+// Bodies so small that an ulp is a good part of them: the depth of a larger variant has more
+// digits.
 TEST(CompareVariant, CorrectRoundingIsInvariantWithoutATolerance) {
   const Examine right = judged([](const Case&, Reply&) {}, {0, 0, 0});
   std::size_t compared = 0, rounded_otherwise = 0;
@@ -144,7 +149,8 @@ TEST(CompareVariant, CorrectRoundingIsInvariantWithoutATolerance) {
       const Outcome outcome = compare_variant(original, right(variant.seen), variant, {0, 0, 0});
       EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << variant.name << ": " << outcome.judgement->sentence;
       ++compared;
-      rounded_otherwise += scaled(exact_value(*outcome.reply->depth), -variant.exponent) != exact_value(*original.reply->depth);
+      rounded_otherwise +=
+          scaled(exact_value(*outcome.reply->depth), -variant.exponent) != exact_value(*original.reply->depth);
     }
   }
   EXPECT_GT(compared, 100u);
@@ -227,7 +233,8 @@ TEST(CompareVariant, PricesDirectionsRatherThanComparingThem) {
   const Examine along_y = judged([](const Case&, Reply& reply) { reply.direction = {0, 1, 0}; });
   const Outcome outcome = compared(along_y, right, pair, "permute", {});
   EXPECT_EQ(outcome.verdict, Verdict::not_invariant);
-  EXPECT_NE(outcome.judgement->sentence.find("different depths: 1 and 0.5"), std::string::npos) << outcome.judgement->sentence;
+  EXPECT_NE(outcome.judgement->sentence.find("different depths: 1 and 0.5"), std::string::npos)
+      << outcome.judgement->sentence;
   // A tie is not a difference.
   const Case tied{"tied", box(0, 0, 0, 1, 1, 1), box(mpq_class(1, 2), mpq_class(1, 2), 0, 1, 1, 1)};
   const auto along = [](const Triple& u) { return judged([u](const Case&, Reply& reply) { reply.direction = u; }); };

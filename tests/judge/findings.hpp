@@ -24,7 +24,8 @@ inline Reply with_witness(Reply reply, std::optional<Triple> a, std::optional<Tr
 
 /// The sentence has to be one line, and the verdict the first of what is found.
 template <class AnyTruth>
-Findings findings(const AnyTruth& truth, const Reply& reply, const Conventions& conventions = {}, const Tolerance& tolerance = {}) {
+Findings findings(const AnyTruth& truth, const Reply& reply, const Conventions& conventions = {},
+                  const Tolerance& tolerance = {}) {
   const Judgement result = judge(truth, reply, conventions, Precision::binary64, tolerance);
   EXPECT_EQ(result.sentence.find('\n'), std::string::npos);
   EXPECT_FALSE(result.sentence.empty());

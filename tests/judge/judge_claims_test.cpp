@@ -44,7 +44,8 @@ TEST(Judge, Distances) {
   EXPECT_EQ(findings(touching_cubes(), apart(0.1)), Findings{Verdict::too_far});
   const Judgement result = judge(cubes, apart(0.75, left));
   EXPECT_EQ(result.sentence,
-            "too far by 0.25: 0.75 is claimed, the distance is 0.5; inconsistent: the gap across its direction is 0.5, not 0.75");
+            "too far by 0.25: 0.75 is claimed, the distance is 0.5; inconsistent: the gap across its direction is 0.5, "
+            "not 0.75");
   EXPECT_EQ(result.error, 0.25);
   EXPECT_EQ(result.error_relative, 0.5);
   EXPECT_EQ(result.distance_squared, mpq_class(1, 4));
@@ -58,7 +59,8 @@ TEST(Judge, Distances) {
   EXPECT_EQ(findings(cubes, apart(0.5, left), negative), Findings{}) << "a distance has no sign to declare";
 }
 
-// The direction leads the body that moves farther away; what leads nearer, or aside, has another gap.
+// The direction leads the body that moves farther away; what leads nearer, or aside, has another
+// gap.
 TEST(Judge, DirectionsBesideADistance) {
   const Truth& cubes = disjoint_cubes();
   Conventions b;
@@ -79,9 +81,9 @@ TEST(Judge, WitnessPointsBesideADistanceAreNearestPoints) {
   EXPECT_EQ(findings(cubes, with_witness(apart(0.5, left), a, b)), Findings{});
   EXPECT_EQ(findings(cubes, with_witness(apart(0.5), a, aside)), Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes, with_witness(apart(0.5), beyond, b)), Findings{Verdict::witness_off});
-  EXPECT_EQ(
-      judge(cubes, with_witness(apart(0.5, left), b, a)).sentence,
-      "the witness point of A is 0.5 away from it; the witness point of B is 0.5 away from it; the witness points miss the distance by 1");
+  EXPECT_EQ(judge(cubes, with_witness(apart(0.5, left), b, a)).sentence,
+            "the witness point of A is 0.5 away from it; the witness point of B is 0.5 away from it; the witness "
+            "points miss the distance by 1");
   EXPECT_EQ(judge(cubes, with_witness(apart(0.5), a, b)).witness_gap, 0);
 }
 
@@ -92,7 +94,8 @@ TEST(Judge, WithoutADistanceAnAnswerApartIsItsClassificationAlone) {
   const Judgement result = judge(disjoint_cubes(), reply);
   EXPECT_EQ(result.verdict, Verdict::pass);
   EXPECT_EQ(result.sentence, "right: the bodies are apart by 0.5");
-  EXPECT_FALSE(result.price_squared || result.witness_a_squared || result.witness_gap || result.error || result.accuracy);
+  EXPECT_FALSE(result.price_squared || result.witness_a_squared || result.witness_gap || result.error ||
+               result.accuracy);
 }
 
 Tolerance by(const char* policy) {
@@ -110,13 +113,15 @@ TEST(Judge, ASeparatingClaimIsHeldToItsOwnPrice) {
   EXPECT_EQ(found(overlap(0.6, left)), Findings{});
   EXPECT_EQ(found(overlap(1.2, up)), (Findings{Verdict::too_deep, Verdict::inconsistent}));
   EXPECT_EQ(found(overlap(0.8, up)), (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(found(overlap(0.5, left)), (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
+  EXPECT_EQ(found(overlap(0.5, left)),
+            (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_EQ(found(overlap(1)), Findings{Verdict::too_deep}) << "without a direction there is nothing to separate along";
   const Judgement result = judge(cubes(), overlap(1, up), separating);
   EXPECT_TRUE(result.longer);
   EXPECT_FALSE(result.accuracy);
   EXPECT_EQ(result.dearer, kernels::nearest_binary64({-1, mpq_class(25, 9)}));
-  EXPECT_EQ(result.sentence, "separating: 1 is claimed, the price of its direction; the depth is 0.6, the price is 66.67 % more");
+  EXPECT_EQ(result.sentence,
+            "separating: 1 is claimed, the price of its direction; the depth is 0.6, the price is 66.67 % more");
   const Judgement shortest = judge(cubes(), overlap(0.6, left), separating);
   EXPECT_FALSE(shortest.longer);
   EXPECT_EQ(shortest.dearer, 0);
@@ -174,7 +179,8 @@ TEST(Judge, ContactsLieInBothBodies) {
   EXPECT_EQ(result.contact_b_squared, mpq_class(9, 400));
   Reply both = at(1.25);
   both.contacts.front().position[0] = 0.25;
-  EXPECT_EQ(judge(cubes(), both).sentence, "a contact is 0.25 away from A; a contact is 0.15 away from B") << "each the farthest";
+  EXPECT_EQ(judge(cubes(), both).sentence, "a contact is 0.25 away from A; a contact is 0.15 away from B")
+      << "each the farthest";
   Reply alone = at(9);
   alone.depth.reset();
   EXPECT_EQ(findings(cubes(), alone), Findings{}) << "without a depth they are not read";
@@ -199,7 +205,8 @@ TEST(Judge, ContactsAreAsDeepAsTheAnswer) {
   EXPECT_EQ(findings(cubes(), with(0.6, {0.6, nan})), Findings{Verdict::nan});
   const Judgement result = judge(cubes(), with(0.75, {0.5, 0.25}));
   EXPECT_EQ(result.sentence,
-            "too deep by 0.15: 0.75 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 0.75, the "
+            "too deep by 0.15: 0.75 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at "
+            "0.6, not at 0.75, the "
             "depth of the deepest contact differs by 0.25");
   EXPECT_EQ(result.deepest, -0.25);
   Conventions negative;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The judge over all families: against its naive twin with claims on and beside every border, and the laws that every judgement obeys.
+// The judge over all families: against its naive twin with claims on and beside every border, and
+// the laws that every judgement obeys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,9 +38,11 @@ double near(const mpf_class& x, Random& random) {
 }
 
 Tolerance some_tolerance(Random& random) {
-  const mpq_class relatives[] = {0, mpq_class(1, 1000), mpq_class(1, 8), 2}, absolutes[] = {0, mpq_class(1, 1000000), mpq_class(1, 16)};
+  const mpq_class relatives[] = {0, mpq_class(1, 1000), mpq_class(1, 8), 2},
+                  absolutes[] = {0, mpq_class(1, 1000000), mpq_class(1, 16)};
   const auto relative = random.between(0, 3), absolute = random.between(0, 2);
-  return {relatives[relative], absolutes[absolute], static_cast<unsigned long>(random.between(0, 1) * random.between(0, 40))};
+  return {relatives[relative], absolutes[absolute],
+          static_cast<unsigned long>(random.between(0, 1) * random.between(0, 40))};
 }
 
 Triple some_direction(const Depth& depth, Random& random) {
@@ -53,9 +56,12 @@ Triple some_direction(const Depth& depth, Random& random) {
   return k == 3 ? opposite(u) : u;
 }
 
-/// Points where the optimum has them, rounded; some moved from their body, or from each other, by what is just allowed, or not quite.
-void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
-  const std::optional<Witness> points = truth.depth.distance() ? truth.depth.distance()->witness : truth.depth.witness();
+/// Points where the optimum has them, rounded; some moved from their body, or from each other, by
+/// what is just allowed, or not quite.
+void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision,
+                 Random& random) {
+  const std::optional<Witness> points =
+      truth.depth.distance() ? truth.depth.distance()->witness : truth.depth.witness();
   if (!points || truth.a.size() > 8 || truth.b.size() > 8) return;
   const Vector& n = truth.depth.direction();
   const mpf_class length = sqrt(mpf_class(dot(n, n), 600));
@@ -73,8 +79,10 @@ void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& na
   if (random.between(0, 3) != 0) reply.witness_b = moved(points->b, some_way());
 }
 
-/// Where the bodies meet at the translation, or less than it inside, moved by about the tolerance; depths about that of the reply.
-void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision, Random& random) {
+/// Where the bodies meet at the translation, or less than it inside, moved by about the tolerance;
+/// depths about that of the reply.
+void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision,
+                  Random& random) {
   Reply witnesses;
   for (auto i = random.between(0, 2); i >= 0; --i) {
     add_witness(witnesses, truth, naive, precision, random);
@@ -82,13 +90,15 @@ void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& n
     if (!position) continue;
     std::optional<double> depth;
     if (reply.depth && random.coin())
-      depth = near(mpf_class(exact_value(*reply.depth)) + naive.depth_tol() * static_cast<int>(random.between(-1, 1)), random);
+      depth = near(mpf_class(exact_value(*reply.depth)) + naive.depth_tol() * static_cast<int>(random.between(-1, 1)),
+                   random);
     if (depth && precision == Precision::binary32) depth = static_cast<float>(*depth);
     reply.contacts.push_back({*position, depth});
   }
 }
 
-// Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the tolerance.
+// Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the
+// tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   Random random(11);
   std::size_t compared = 0, failing = 0, off = 0;
@@ -135,7 +145,8 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   EXPECT_LT(failing, compared * 19 / 20);
 }
 
-// Bodies that are apart and all others, said to be apart by their distance or by a gap, plus and minus the tolerance.
+// Bodies that are apart and all others, said to be apart by their distance or by a gap, plus and
+// minus the tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinAboutDistances) {
   Random random(12);
   std::size_t compared = 0, failing = 0, apart = 0;
@@ -148,7 +159,8 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinAboutDistances) {
         conventions.depth = static_cast<Conventions::Sign>(random.between(0, 1));
         conventions.moves = static_cast<Conventions::Body>(random.between(0, 1));
         conventions.unit = random.coin();
-        const testing::NaiveJudge of_depths(truth, conventions, precision, tolerance), naive = of_depths.about_distance();
+        const testing::NaiveJudge of_depths(truth, conventions, precision, tolerance),
+            naive = of_depths.about_distance();
         Reply reply;
         mpf_class target = naive.distance(), tol = naive.depth_tol();
         const Triple u = some_direction(truth.depth, random);
@@ -179,8 +191,8 @@ TEST(JudgeFamilies, RightAnswersPassWithEveryOptimum) {
   for (const Truth& truth : truths(2, 8)) {
     const std::size_t ties = std::max<std::size_t>(truth.depth.optima().size(), 1);
     for (std::size_t k = 0; k < std::min<std::size_t>(ties, 8); ++k) {
-      const Judgement result =
-          judge(truth, right_answer(truth.depth, k), {}, Precision::binary64, {mpq_class(1, 100'000'000), mpq_class(1, 1'000'000'000), 8});
+      const Judgement result = judge(truth, right_answer(truth.depth, k), {}, Precision::binary64,
+                                     {mpq_class(1, 100'000'000), mpq_class(1, 1'000'000'000), 8});
       EXPECT_TRUE(passes(result.verdict)) << result.sentence;
       if (truth.depth.status() != Status::penetrating) continue;
       ++penetrating;
@@ -213,7 +225,8 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
     ++penetrating;
     // Where the way back is about as short, the reversed direction is right too.
     const mpq_class back = *judge(truth, reversed).price_squared;
-    const mpq_class slack = 32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared(), Precision::binary64, 0).direction;
+    const mpq_class slack =
+        32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared(), Precision::binary64, 0).direction;
     if (back < truth.depth.squared() * mpq_class(11, 10) || back < slack * slack) continue;
     EXPECT_EQ(verdict(reversed), Verdict::wrong_sign);
     ++reversible;

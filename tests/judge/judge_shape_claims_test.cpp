@@ -36,14 +36,16 @@ TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnPrice) {
   const ShapeTruth truth = balls();
   EXPECT_EQ(findings(truth, overlap(2, up)), Findings{Verdict::too_deep});
   EXPECT_EQ(findings(truth, overlap(2, up), separating), Findings{});
-  EXPECT_EQ(findings(truth, overlap(1, up), separating), (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
+  EXPECT_EQ(findings(truth, overlap(1, up), separating),
+            (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_EQ(judge(truth, overlap(2, up), separating).dearer, 3);
   Tolerance within;
   within.policy = *policy_of("within=300%");
   EXPECT_EQ(findings(truth, overlap(2, up), {}, within), Findings{});
   within.policy = *policy_of("within=299.99%");
   EXPECT_EQ(findings(truth, overlap(2, up), {}, within), Findings{Verdict::too_deep});
-  // Of bodies that are known by bounds alone: 2 along the axis, 2 - 5/4 sqrt(2) at least, which is 2 / 0.2322 - 1 = 761.2 % more.
+  // Of bodies that are known by bounds alone: 2 along the axis, 2 - 5/4 sqrt(2) at least, which is
+  // 2 / 0.2322 - 1 = 761.2 % more.
   within.policy = *policy_of("within=762%");
   EXPECT_EQ(findings(cylinders(), overlap(2, up), {}, within), Findings{});
   within.policy = *policy_of("within=761%");
@@ -72,9 +74,11 @@ TEST(JudgeShapes, Distances) {
   EXPECT_EQ(findings(balls, far(0.501)), Findings{Verdict::too_far});
   EXPECT_EQ(findings(balls, far(0.499)), Findings{Verdict::too_near});
   EXPECT_EQ(findings(balls, with_witness(far(0.5, left), Triple{1, 0, 0}, Triple{1.5, 0, 0}), {}, none), Findings{});
-  EXPECT_EQ(findings(balls, with_witness(far(0.5, left), Triple{1, 0, 0}, Triple{1.75, 0, 0})), Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(balls, with_witness(far(0.5, left), Triple{1, 0, 0}, Triple{1.75, 0, 0})),
+            Findings{Verdict::witness_off});
   EXPECT_EQ(judge(balls, far(0.75, left)).sentence,
-            "too far by 0.25: 0.75 is claimed, the distance is 0.5; inconsistent: the gap across its direction is 0.5, not 0.75");
+            "too far by 0.25: 0.75 is claimed, the distance is 0.5; inconsistent: the gap across its direction is 0.5, "
+            "not 0.75");
   const Shape one = cylinder(1, 1);
   const ShapeTruth cylinders = truth_about(one, at(one, mpq_class(5, 2), mpq_class(5, 2)));
   const double distance = kernels::nearest_binary64({-2, mpq_class(25, 2)});

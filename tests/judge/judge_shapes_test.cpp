@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they leave open; and that shapes that are
-// polytopes are judged as polytopes are.
-#include <cmath>
+// Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they
+// leave open; and that shapes that are polytopes are judged as polytopes are.
 #include <gtest/gtest.h>
+
+#include <cmath>
 #include <stdexcept>
 
 #include "fathom/judge.hpp"
@@ -43,15 +44,16 @@ double capsule_depth() { return kernels::nearest_binary64({1, mpq_class(-1, 2)})
 double cylinder_depth() { return kernels::nearest_binary64({2, mpq_class(-25, 8)}); }
 
 TEST(JudgeShapes, RightAnswersAreCorrectlyRounded) {
-  const Judgement ball =
-      judge(balls(), with_witness(overlap(0.5, left), Triple{1, 0, 0}, Triple{0.5, 0, 0}), {}, Precision::binary64, none);
+  const Judgement ball = judge(balls(), with_witness(overlap(0.5, left), Triple{1, 0, 0}, Triple{0.5, 0, 0}), {},
+                               Precision::binary64, none);
   EXPECT_EQ(ball.sentence, "right: 0.5 is claimed, the depth is 0.5 (correctly rounded)");
   EXPECT_EQ(ball.status, Status::penetrating);
   EXPECT_EQ(ball.signed_depth, (Between{0.5, 0.5}));
   EXPECT_EQ(ball.price, (Between{0.5, 0.5}));
   EXPECT_EQ(ball.witness_a_distance, (Between{0, 0}));
   EXPECT_EQ(ball.error, 0);
-  for (const auto& [truth, depth] : {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
+  for (const auto& [truth, depth] :
+       {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
     const Judgement result = judge(truth, overlap(depth, diagonal), {}, Precision::binary64, none);
     EXPECT_EQ(result.verdict, Verdict::pass) << result.sentence;
     EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded) << result.sentence;
@@ -61,7 +63,8 @@ TEST(JudgeShapes, RightAnswersAreCorrectlyRounded) {
   }
 }
 
-// A radius of the subject's own widens nothing: what is wrong by a thousandth of the depth without it is wrong, and classes are of that.
+// A radius of the subject's own widens nothing: what is wrong by a thousandth of the depth without
+// it is wrong, and classes are of that.
 TEST(JudgeShapes, RadiiThatTheSubjectAddedAreNoExcuse) {
   constexpr double radius = 1000;
   const Shape grown = with_margin(sphere(1), radius);
@@ -76,7 +79,8 @@ TEST(JudgeShapes, RadiiThatTheSubjectAddedAreNoExcuse) {
     EXPECT_EQ(judge(truth, overlap(right + 0x1p-22)).accuracy, Accuracy::millionth);
     EXPECT_EQ(judge(truth, overlap(right + 0.00025)).accuracy, Accuracy::tolerance);
     EXPECT_EQ(*judge(truth, overlap(right + 0.0009765625)).error_relative, 0.0009765625 / 0.5);
-    EXPECT_EQ(judge(truth, overlap(std::nextafter(2000.0 + depth / 3, 0)), {}, Precision::binary64, none).accuracy, std::nullopt);
+    EXPECT_EQ(judge(truth, overlap(std::nextafter(2000.0 + depth / 3, 0)), {}, Precision::binary64, none).accuracy,
+              std::nullopt);
   }
 }
 
@@ -92,12 +96,14 @@ TEST(JudgeShapes, WrongDepthsSaySo) {
     EXPECT_EQ(findings(truth, Reply{}), Findings{Verdict::false_separation});
   }
   EXPECT_EQ(judge(balls(), overlap(0.75)).sentence, "too deep by 0.25: 0.75 is claimed, the depth is 0.5");
-  EXPECT_EQ(judge(cylinders(), overlap(0.3)).sentence, "too deep by 0.06777: 0.3 is claimed, the depth is 0.23223304703");
+  EXPECT_EQ(judge(cylinders(), overlap(0.3)).sentence,
+            "too deep by 0.06777: 0.3 is claimed, the depth is 0.23223304703");
   EXPECT_EQ(judge(cylinders(), Reply{}).sentence, "said to be apart: the bodies overlap, the depth is 0.23223304703");
 }
 
 TEST(JudgeShapes, DirectionsArePricedAndTried) {
-  for (const auto& [truth, depth] : {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
+  for (const auto& [truth, depth] :
+       {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
     EXPECT_EQ(findings(truth, overlap(depth, opposite(diagonal))), Findings{Verdict::wrong_sign});
     EXPECT_EQ(findings(truth, overlap(depth, up)), (Findings{Verdict::not_separating, Verdict::inconsistent}));
     EXPECT_EQ(findings(truth, overlap(depth, Triple{0, 0, 0})), Findings{Verdict::not_a_direction});
@@ -107,7 +113,8 @@ TEST(JudgeShapes, DirectionsArePricedAndTried) {
   EXPECT_EQ(slanted.findings, Findings{Verdict::too_deep}) << "consistent with its own direction: " << slanted.sentence;
   EXPECT_EQ(slanted.price, (Between{0.5, 0.5}));
   const double way = kernels::nearest_binary64({mpq_class(-1, 2), mpq_class(3, 4)});
-  EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), {}, none), (Findings{Verdict::too_deep, Verdict::inconsistent}))
+  EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), {}, none),
+            (Findings{Verdict::too_deep, Verdict::inconsistent}))
       << "but it separates";
   EXPECT_EQ(findings(capsules(), overlap(way - 1e-9, left), {}, none),
             (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
@@ -125,8 +132,10 @@ TEST(JudgeShapes, WitnessPoints) {
   const Reply reply = overlap(cylinder_depth(), diagonal);
   EXPECT_EQ(findings(cylinders(), with_witness(reply, a, b), {}, {0, 0, 8}), Findings{});
   EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{1, 1, 0}, b)), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, Triple{far - h, far - h, 1.1})), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{0.5, 0.5, 0}, b)), Findings{Verdict::witness_off}) << "inside, but not across";
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, Triple{far - h, far - h, 1.1})),
+            Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{0.5, 0.5, 0}, b)), Findings{Verdict::witness_off})
+      << "inside, but not across";
   const Judgement off = judge(cylinders(), with_witness(reply, Triple{2, 0, 0}, b));
   EXPECT_LE(off.witness_a_distance->low, 1);
   EXPECT_GE(off.witness_a_distance->high, 1);
@@ -165,8 +174,10 @@ TEST(JudgeShapes, OutOfAHalfSpaceTheWayCounts) {
   EXPECT_EQ(findings(b_moves, overlap(0.5, down)), Findings{}) << "the floor goes down";
   EXPECT_EQ(findings(a_moves, overlap(0.5, down)), Findings{Verdict::wrong_sign});
   EXPECT_EQ(findings(a_moves, overlap(0.5, right)), (Findings{Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(findings(a_moves, overlap(0.5, Triple{0.6, 0, 0.8})), (Findings{Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(findings(a_moves, overlap(0.625, Triple{0.6, 0, 0.8})), Findings{Verdict::too_deep}) << "consistent with its own direction";
+  EXPECT_EQ(findings(a_moves, overlap(0.5, Triple{0.6, 0, 0.8})),
+            (Findings{Verdict::not_separating, Verdict::inconsistent}));
+  EXPECT_EQ(findings(a_moves, overlap(0.625, Triple{0.6, 0, 0.8})), Findings{Verdict::too_deep})
+      << "consistent with its own direction";
   EXPECT_FALSE(judge(a_moves, overlap(0.5, right)).price);
   EXPECT_EQ(judge(a_moves, overlap(0.5, right)).sentence,
             "not separating: its direction does not lead out of the half-space; "
@@ -189,9 +200,11 @@ TEST(JudgeShapes, ClaimsInsideTheBoundsAreNeitherTooDeepNorTooShallow) {
     EXPECT_EQ(closer->too_long(exact_value(claim)), claim > depth);
     EXPECT_EQ(closer->too_short(exact_value(claim)), claim < depth);
     EXPECT_FALSE(closer->open());
-    EXPECT_EQ(findings(truth, overlap(claim), {}, none), Findings{claim > depth ? Verdict::too_deep : Verdict::too_shallow});
+    EXPECT_EQ(findings(truth, overlap(claim), {}, none),
+              Findings{claim > depth ? Verdict::too_deep : Verdict::too_shallow});
   }
-  // A truth that knows next to nothing: every answer but the absurd is within it, until more bits are asked for.
+  // A truth that knows next to nothing: every answer but the absurd is within it, until more bits
+  // are asked for.
   SignedDepthOptions hasty;
   hasty.bits = 1;
   hasty.support_calls = 1;
@@ -210,7 +223,8 @@ ShapeTruth of_family(const char* family, std::uint64_t seed) {
   return truth_about(files::shape_of(pair.a), files::shape_of(pair.b));
 }
 
-// Ellipsoids with less than 2^-200 between them: neither answer is wrong, and a depth beyond the bounds is.
+// Ellipsoids with less than 2^-200 between them: neither answer is wrong, and a depth beyond the
+// bounds is.
 TEST(JudgeShapes, WhatIsUndecidedIsNobodysFault) {
   const mpz_class scale = mpz_class(1) << 220, root = sqrt(mpz_class(2 * scale * scale));
   mpq_class root_of_two(root, scale);
@@ -228,9 +242,11 @@ TEST(JudgeShapes, WhatIsUndecidedIsNobodysFault) {
       EXPECT_FALSE(result.status);
       EXPECT_LE(result.signed_depth->low, 0);
       EXPECT_GE(result.signed_depth->high, 0);
-      EXPECT_EQ(result.sentence,
-                std::string("undecided: the bounds of the truth leave open whether the bodies overlap, and it says that they ") +
-                    (reply.overlap ? "do" : "do not"));
+      EXPECT_EQ(
+          result.sentence,
+          std::string(
+              "undecided: the bounds of the truth leave open whether the bodies overlap, and it says that they ") +
+              (reply.overlap ? "do" : "do not"));
     }
   }
   EXPECT_EQ(findings(truth, overlap(1e-9), {}, none), Findings{Verdict::too_deep});
@@ -249,7 +265,8 @@ TEST(JudgeShapes, MoreBitsTellHowDeepTheyOverlap) {
 TEST(JudgeShapes, AHalfSpaceFarFromO) {
   const ShapeTruth truth = truth_about(sphere(1), halfspace({1, 1, 1}, 1000));
   const double depth = kernels::nearest_binary64(*truth.depth.exact()), h = std::sqrt(1.0 / 3), foot = 1000.0 / 3;
-  EXPECT_EQ(findings(truth, with_witness(overlap(depth, Triple{h, h, h}), Triple{-h, -h, -h}, Triple{foot, foot, foot}), {}, none),
+  EXPECT_EQ(findings(truth, with_witness(overlap(depth, Triple{h, h, h}), Triple{-h, -h, -h}, Triple{foot, foot, foot}),
+                     {}, none),
             Findings{});
   const Judgement shallow = judge(truth, overlap(depth - 1, Triple{h, h, h}));
   EXPECT_EQ(shallow.findings, (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
@@ -288,8 +305,8 @@ Reply right_reply(const ShapeTruth& truth) {
   const auto status = truth.depth.status();
   if (status == Status::disjoint) return {};
   const Bounds bounds = truth.depth.bounds() ? *truth.depth.bounds() : Bounds{};
-  const double depth =
-      truth.depth.exact() ? kernels::nearest_binary64(*truth.depth.exact()) : round_binary64((bounds.low + bounds.high) / 2);
+  const double depth = truth.depth.exact() ? kernels::nearest_binary64(*truth.depth.exact())
+                                           : round_binary64((bounds.low + bounds.high) / 2);
   return overlap(std::max(depth, 0.0), testing::unit(truth.depth.direction()));
 }
 
@@ -300,7 +317,8 @@ TEST(JudgeShapes, OfAllFamiliesRightAnswersPassAndScaledOnesFail) {
       const families::NamedPair pair = family.make_shapes(seed, family.usual_size).pair;
       const ShapeTruth truth = truth_about(files::shape_of(pair.a), files::shape_of(pair.b));
       const Reply reply = right_reply(truth);
-      const Judgement right = judge(truth, reply, {}, Precision::binary64, {mpq_class(1, 1'000'000), mpq_class(1, 1'000'000'000), 8});
+      const Judgement right =
+          judge(truth, reply, {}, Precision::binary64, {mpq_class(1, 1'000'000), mpq_class(1, 1'000'000'000), 8});
       EXPECT_TRUE(passes(right.verdict)) << family.name << ' ' << seed << ": " << right.sentence;
       if (truth.depth.status() != Status::penetrating || truth.depth.low_binary64() < 1e-3) continue;
       ++penetrating;
@@ -309,7 +327,8 @@ TEST(JudgeShapes, OfAllFamiliesRightAnswersPassAndScaledOnesFail) {
       *deep.depth *= 1.01;
       *shallow.depth *= 0.99;
       const Tolerance tolerance{mpq_class(1, 1000), 0, 0};
-      EXPECT_EQ(judge(truth, deep, {}, Precision::binary64, tolerance).verdict, Verdict::too_deep) << family.name << ' ' << seed;
+      EXPECT_EQ(judge(truth, deep, {}, Precision::binary64, tolerance).verdict, Verdict::too_deep)
+          << family.name << ' ' << seed;
       EXPECT_EQ(judge(truth, shallow, {}, Precision::binary64, tolerance).findings,
                 (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}))
           << family.name << ' ' << seed;

@@ -66,14 +66,15 @@ TEST(Judge, Depths) {
   EXPECT_EQ(findings(cubes(), overlap(nan)), Findings{Verdict::nan});
   EXPECT_EQ(findings(cubes(), overlap(infinity)), Findings{Verdict::nan});
   EXPECT_EQ(findings(cubes(), overlap({})), Findings{});
-  EXPECT_EQ(
-      judge(cubes(), overlap(1.0392, left)).sentence,
-      "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 1.0392");
+  EXPECT_EQ(judge(cubes(), overlap(1.0392, left)).sentence,
+            "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is "
+            "at 0.6, not at 1.0392");
 }
 
 TEST(Judge, OnTheBorderOfEachToleranceAnAnswerPasses) {
   const Truth half = truth_about(cube(0), cube(mpq_class(1, 2)));
-  const Tolerance eighth[] = {{mpq_class(1, 8), 0, 0}, {0, mpq_class(1, 16), 0}, {0, 0, 1UL << 49}};  // of the depth, the extent, in ulps
+  const Tolerance eighth[] = {
+      {mpq_class(1, 8), 0, 0}, {0, mpq_class(1, 16), 0}, {0, 0, 1UL << 49}};  // of the depth, the extent, in ulps
   for (const Tolerance& tolerance : eighth) {
     for (const double d : {0.4375, 0.5625}) {
       EXPECT_EQ(findings(half, overlap(d, left), {}, tolerance), Findings{}) << d;
@@ -83,7 +84,8 @@ TEST(Judge, OnTheBorderOfEachToleranceAnAnswerPasses) {
   }
   EXPECT_EQ(findings(half, overlap({}), {}, {-1, -1, 0}), Findings{}) << "tolerances below 0 count as 0";
   EXPECT_EQ(findings(half, overlap(std::nextafter(0.5, 1)), {}, {-1, -1, 0}), Findings{Verdict::too_deep});
-  // Half an ulp at 1/2 is the distance of the number below it, as VERDICTS.md says; the class tells it from a right one.
+  // Half an ulp at 1/2 is the distance of the number below it, as VERDICTS.md says; the class tells
+  // it from a right one.
   const double below = std::nextafter(0.5, 0);
   EXPECT_EQ(judge(half, overlap(below), {}, {}, {0, 0, 0}).accuracy, Accuracy::ulps_4);
   EXPECT_EQ(findings(half, overlap(std::nextafter(below, 0)), {}, {0, 0, 0}), Findings{Verdict::too_shallow});
@@ -105,16 +107,19 @@ TEST(Judge, SignsOfTheDepth) {
 TEST(Judge, Directions) {
   EXPECT_EQ(findings(cubes(), overlap(0.6, right)), Findings{Verdict::wrong_sign});
   EXPECT_EQ(findings(cubes(), overlap(0.6, up)), (Findings{Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(findings(cubes(), overlap(1, up)), Findings{Verdict::too_deep}) << "consistent with its own direction, and too deep";
+  EXPECT_EQ(findings(cubes(), overlap(1, up)), Findings{Verdict::too_deep})
+      << "consistent with its own direction, and too deep";
   EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{0, 0, 0})), Findings{Verdict::not_a_direction});
   EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{-2, 0, 0})), Findings{Verdict::not_a_direction});
   EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{-0.9995, 0, 0})), Findings{});
   EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{-0.9985, 0, 0})), Findings{Verdict::not_a_direction});
-  EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{2, 0, 0})), (Findings{Verdict::not_a_direction, Verdict::wrong_sign}));
+  EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{2, 0, 0})),
+            (Findings{Verdict::not_a_direction, Verdict::wrong_sign}));
   EXPECT_EQ(findings(cubes(), overlap(0.6, Triple{nan, 0, 0})), Findings{Verdict::nan});
   EXPECT_EQ(findings(cubes(), overlap({}, Triple{nan, 0, 0})), Findings{}) << "without a depth it is not needed";
   EXPECT_EQ(judge(cubes(), overlap(0.6, up)).sentence,
-            "not separating: 0.4 of overlap is left along its direction; inconsistent: the plane across its direction is at 1, not at 0.6");
+            "not separating: 0.4 of overlap is left along its direction; inconsistent: the plane across its direction "
+            "is at 1, not at 0.6");
   EXPECT_EQ(judge(cubes(), overlap(0.6, up)).overlap_left, kernels::nearest_binary64({1 - exact_value(0.6), 0}));
   EXPECT_FALSE(judge(cubes(), overlap(1, up)).overlap_left);
 }
@@ -134,7 +139,8 @@ TEST(Judge, TheBodyThatMoves) {
   EXPECT_EQ(findings(cubes(), overlap(0.6, left), b), Findings{Verdict::wrong_sign});
 }
 
-// A slanted direction: A leaves through the same side of P, later than along the normal, and the plane across the direction is later still.
+// A slanted direction: A leaves through the same side of P, later than along the normal, and the
+// plane across the direction is later still.
 TEST(Judge, ASlantedDirectionIsPricedByItsOwnPlane) {
   Conventions any;
   any.unit = false;
@@ -164,7 +170,8 @@ TEST(Judge, ClassificationNearContact) {
   EXPECT_EQ(judge(barely, Reply{}).sentence, "within the tolerance: said to be apart, the depth is 1e-07");
   EXPECT_EQ(findings(hardly, overlap({})), Findings{});
   EXPECT_EQ(findings(hardly, overlap(1e-7)), Findings{});
-  EXPECT_EQ(findings(hardly, overlap(1e-7, right)), Findings{Verdict::wrong_sign}) << "the pair is 2 long across -x, and 1e-7 apart";
+  EXPECT_EQ(findings(hardly, overlap(1e-7, right)), Findings{Verdict::wrong_sign})
+      << "the pair is 2 long across -x, and 1e-7 apart";
   EXPECT_EQ(findings(hardly, overlap(1e-5)), (Findings{Verdict::false_overlap, Verdict::too_deep}));
   const Tolerance exact{0, 0, 0};
   EXPECT_EQ(findings(barely, Reply{}, {}, exact), Findings{Verdict::false_separation});
@@ -198,13 +205,16 @@ TEST(Judge, WitnessPoints) {
   EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{0.9, 0.5, 0.5}, {})), Findings{}) << "inside";
   EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1.25, 0.5, 0.5}, {})), Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes(), with_witness(reply, {}, Triple{0.4, -3, 0.5})), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1, 0.5, 0.5}, Triple{0.4, 0.5, 0.6})), Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1, 0.5, 0.5}, Triple{0.4, 0.5, 0.6})),
+            Findings{Verdict::witness_off});
   EXPECT_EQ(findings(cubes(), with_witness(reply, Triple{1, nan, 0.5}, {})), Findings{Verdict::nan});
   Reply undirected = reply;
   undirected.direction.reset();
   EXPECT_EQ(findings(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.4, 0.5, 0.5})), Findings{});
-  EXPECT_EQ(findings(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})), Findings{Verdict::witness_off});
-  EXPECT_NEAR(*judge(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})).witness_gap, 0.1, 1e-15);
+  EXPECT_EQ(findings(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})),
+            Findings{Verdict::witness_off});
+  EXPECT_NEAR(*judge(cubes(), with_witness(undirected, Triple{1, 0.5, 0.5}, Triple{0.5, 0.5, 0.5})).witness_gap, 0.1,
+              1e-15);
   const Judgement off = judge(cubes(), with_witness(reply, Triple{1.25, 0.5, 0.5}, Triple{0.4, -3, 0.5}));
   EXPECT_EQ(off.witness_a_squared, mpq_class(1, 16));
   EXPECT_EQ(off.witness_b_squared, 9);
@@ -223,7 +233,8 @@ TEST(Judge, EveryTieIsRight) {
 
 TEST(Judge, FlatBodiesAndPoints) {
   const std::vector<Point> point{{mpq_class(1, 4), mpq_class(1, 2), mpq_class(1, 2)}}, elsewhere{{5, 0, 0}};
-  const Truth inside = truth_about(point, cube(0)), apart = truth_about(point, elsewhere), equal = truth_about(point, point);
+  const Truth inside = truth_about(point, cube(0)), apart = truth_about(point, elsewhere),
+              equal = truth_about(point, point);
   EXPECT_EQ(findings(inside, overlap(0.25, left)), Findings{});
   EXPECT_EQ(findings(apart, Reply{}), Findings{});
   EXPECT_EQ(findings(apart, overlap({})), Findings{Verdict::false_overlap}) << "no extent, no tolerance";
@@ -237,12 +248,14 @@ TEST(Judge, ExtremeScales) {
   const Truth large = truth_about(box({0, 0, 0}, {huge, huge, huge}), box({huge / 2, 0, 0}, {2 * huge, huge, huge}));
   EXPECT_EQ(findings(large, overlap(5e299, left)), Findings{});
   EXPECT_EQ(findings(large, overlap(1.7e308, left)), (Findings{Verdict::too_deep, Verdict::inconsistent}));
-  const Truth small = truth_about(box({0, 0, 0}, {3 * tiny, 3 * tiny, 3 * tiny}), box({tiny, 0, 0}, {4 * tiny, 3 * tiny, 3 * tiny}));
+  const Truth small =
+      truth_about(box({0, 0, 0}, {3 * tiny, 3 * tiny, 3 * tiny}), box({tiny, 0, 0}, {4 * tiny, 3 * tiny, 3 * tiny}));
   EXPECT_EQ(judge(small, overlap(1e-323, left)).accuracy, Accuracy::correctly_rounded);
   EXPECT_EQ(judge(small, overlap(5e-324, left)).error_ulps, -1);
   EXPECT_EQ(judge(small, overlap(1.7e308, left)).error_relative, infinity);
   const Truth far = truth_about({{huge, 0, 0}}, {{-huge, tiny, 0}});
-  EXPECT_EQ(findings(far, overlap(1e-323, left)), (Findings{Verdict::false_overlap, Verdict::too_deep, Verdict::inconsistent}));
+  EXPECT_EQ(findings(far, overlap(1e-323, left)),
+            (Findings{Verdict::false_overlap, Verdict::too_deep, Verdict::inconsistent}));
 }
 
 TEST(Judge, ABinary32SubjectIsJudgedOnWhatItSees) {
@@ -255,7 +268,8 @@ TEST(Judge, ABinary32SubjectIsJudgedOnWhatItSees) {
   const Judgement result = judge(truth, overlap(claimed, left), {}, Precision::binary32);
   EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded);
   EXPECT_EQ(result.sentence.substr(0, 18), "right: 0.6 is clai") << "as a float";
-  EXPECT_EQ(judge(truth, overlap(claimed + 0x1p-24, left), {}, Precision::binary32).error_ulps, 1.5) << "the depth is a tie of two floats";
+  EXPECT_EQ(judge(truth, overlap(claimed + 0x1p-24, left), {}, Precision::binary32).error_ulps, 1.5)
+      << "the depth is a tie of two floats";
   EXPECT_FALSE(seen({{exact_value(1e300), 0, 0}}, Precision::binary32));
   EXPECT_EQ(judge({{0, 0, 0}}, {{0.1, 0, 0}}, overlap({}), {}, Precision::binary32).distance_squared,
             exact_value(0.1F) * exact_value(0.1F));

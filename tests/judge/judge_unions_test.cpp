@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers about unions: each verdict on bodies of boxes whose answers one can see, and the findings once more by a twin that looks at
-// every plane of every pair of boxes.
+// Answers about unions: each verdict on bodies of boxes whose answers one can see, and the findings
+// once more by a twin that looks at every plane of every pair of boxes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,23 +32,25 @@ using unions::moved;
 
 constexpr Triple up{0, 1, 0}, down{0, -1, 0}, back{0, 0, 1};
 
-/// A plate between two blocks, 1/2 deep in the one on its right; the slot is as wide as it, and it comes to lie there exactly.
+/// A plate between two blocks, 1/2 deep in the one on its right; the slot is as wide as it, and it
+/// comes to lie there exactly.
 const UnionTruth& slot() {
-  static const UnionTruth truth =
-      truth_about({box({mpq_class(1, 2), -1, -1}, {mpq_class(3, 2), 1, 1})}, {box({-9, -9, -9}, {0, 9, 9}), box({1, -9, -9}, {9, 9, 9})});
+  static const UnionTruth truth = truth_about({box({mpq_class(1, 2), -1, -1}, {mpq_class(3, 2), 1, 1})},
+                                              {box({-9, -9, -9}, {0, 9, 9}), box({1, -9, -9}, {9, 9, 9})});
   return truth;
 }
 
-/// A bar under one block and over the next: out of either it is 1/2 in y, out of both 2 in x and 1/2 in y.
+/// A bar under one block and over the next: out of either it is 1/2 in y, out of both 2 in x and
+/// 1/2 in y.
 const UnionTruth& bar() {
-  static const UnionTruth truth =
-      truth_about({box({0, 0, 0}, {6, 1, 2})}, {box({-4, mpq_class(1, 2), -9}, {2, 9, 9}), box({4, -9, -9}, {9, mpq_class(1, 2), 9})});
+  static const UnionTruth truth = truth_about({box({0, 0, 0}, {6, 1, 2})}, {box({-4, mpq_class(1, 2), -9}, {2, 9, 9}),
+                                                                            box({4, -9, -9}, {9, mpq_class(1, 2), 9})});
   return truth;
 }
 
 const UnionTruth& far_away() {
-  static const UnionTruth truth =
-      truth_about({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 5}, {1, 1, 6})}, {box({3, 0, 0}, {4, 1, 1}), box({2, 0, 5}, {4, 1, 6})});
+  static const UnionTruth truth = truth_about({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 5}, {1, 1, 6})},
+                                              {box({3, 0, 0}, {4, 1, 1}), box({2, 0, 5}, {4, 1, 6})});
   return truth;
 }
 
@@ -74,10 +76,10 @@ TEST(JudgeUnions, TheDeepestPairHasItsPrice) {
   EXPECT_EQ(result.deeper_squared, 17);
   EXPECT_EQ(result.error, -1.5615528128088303);
   EXPECT_EQ(result.overlap_left, 2.0) << "out of the other block";
-  EXPECT_EQ(
-      result.sentence,
-      "too shallow by 1.562: 0.5 is claimed, the depth is 2.0615528128088303, 4.123 times as much; not separating: 2 of overlap is left "
-      "after its translation");
+  EXPECT_EQ(result.sentence,
+            "too shallow by 1.562: 0.5 is claimed, the depth is 2.0615528128088303, 4.123 times as much; not "
+            "separating: 2 of overlap is left "
+            "after its translation");
 }
 
 TEST(JudgeUnions, Classification) {
@@ -85,7 +87,8 @@ TEST(JudgeUnions, Classification) {
   EXPECT_EQ(findings(bar(), separate), Findings{Verdict::false_separation});
   EXPECT_EQ(findings(far_away(), separate), Findings{});
   EXPECT_EQ(findings(far_away(), overlap({})), Findings{Verdict::false_overlap});
-  const UnionTruth touching = truth_about({box({0, 0, 0}, {1, 1, 1})}, {box({1, 0, 0}, {2, 1, 1}), box({5, 5, 5}, {6, 6, 6})});
+  const UnionTruth touching =
+      truth_about({box({0, 0, 0}, {1, 1, 1})}, {box({1, 0, 0}, {2, 1, 1}), box({5, 5, 5}, {6, 6, 6})});
   EXPECT_EQ(judge(touching, separate).verdict, Verdict::touching_by_convention);
   Conventions conventions;
   conventions.touching = Conventions::Touching::overlap;
@@ -103,12 +106,14 @@ TEST(JudgeUnions, TooDeepAndTheWayThatIsLeft) {
 
 TEST(JudgeUnions, ATranslationBehindTheFirstGapIsOverlapAgain) {
   // Out of the first block after 1, into the second after 2, out of that after 3.
-  const UnionTruth truth = truth_about({box({0, 0, 0}, {1, 1, 1})}, {box({0, -9, -9}, {1, 9, 9}), box({3, -9, -9}, {4, 9, 9})});
+  const UnionTruth truth =
+      truth_about({box({0, 0, 0}, {1, 1, 1})}, {box({0, -9, -9}, {1, 9, 9}), box({3, -9, -9}, {4, 9, 9})});
   EXPECT_EQ(findings(truth, overlap(1, right)), Findings{});
   EXPECT_EQ(findings(truth, overlap(1, left)), Findings{});
   const Judgement behind = judge(truth, overlap(3, right));
   EXPECT_EQ(behind.findings, (Findings{Verdict::too_deep, Verdict::not_separating}));
-  EXPECT_NE(behind.sentence.find("not separating: 1 of overlap is left after its translation"), std::string::npos) << behind.sentence;
+  EXPECT_NE(behind.sentence.find("not separating: 1 of overlap is left after its translation"), std::string::npos)
+      << behind.sentence;
   EXPECT_EQ(findings(truth, overlap(2, right)), Findings{Verdict::too_deep});
 }
 
@@ -127,7 +132,8 @@ TEST(JudgeUnions, Signs) {
   conventions.depth = Conventions::Sign::negative;
   conventions.moves = Conventions::Body::b;
   EXPECT_EQ(findings(slot(), overlap(-0.5, right), conventions), Findings{});
-  EXPECT_EQ(findings(slot(), overlap(-0.25, right), conventions), (Findings{Verdict::too_shallow, Verdict::not_separating}));
+  EXPECT_EQ(findings(slot(), overlap(-0.25, right), conventions),
+            (Findings{Verdict::too_shallow, Verdict::not_separating}));
 }
 
 TEST(JudgeUnions, Policies) {
@@ -174,7 +180,8 @@ TEST(JudgeUnions, RoundedOptimaPassWithoutATolerance) {
   std::mt19937_64 random(20);
   int overlapping = 0, slanted = 0;
   for (int i = 0; i < 40; ++i) {
-    const UnionTruth truth = truth_about(unions::random_pieces(random, 3, 6, 9, 3), unions::random_pieces(random, 2, 6, 9, 4));
+    const UnionTruth truth =
+        truth_about(unions::random_pieces(random, 3, 6, 9, 3), unions::random_pieces(random, 2, 6, 9, 4));
     if (truth.depth.status != Status::penetrating) continue;
     ++overlapping;
     for (const UnionOptimum& optimum : truth.depth.optima) {
@@ -189,7 +196,8 @@ TEST(JudgeUnions, RoundedOptimaPassWithoutATolerance) {
       const Judgement result = judge(truth, overlap(depth, direction), {}, Precision::binary64, none);
       EXPECT_EQ(result.verdict, Verdict::pass) << result.sentence;
       EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded);
-      const double less = std::nextafter(std::nextafter(depth, 0), 0), more = std::nextafter(std::nextafter(depth, 99), 99);
+      const double less = std::nextafter(std::nextafter(depth, 0), 0),
+                   more = std::nextafter(std::nextafter(depth, 99), 99);
       EXPECT_EQ(judge(truth, overlap(less), {}, Precision::binary64, none).verdict, Verdict::too_shallow);
       EXPECT_EQ(judge(truth, overlap(more), {}, Precision::binary64, none).verdict, Verdict::too_deep);
     }
@@ -237,7 +245,8 @@ class NaiveJudge {
 
   [[nodiscard]] Lies lies(const Triple& direction, long way) const {
     const mpq_class by(way);
-    const Pieces a = moved(a_, {by * mpq_class(direction[0]), by * mpq_class(direction[1]), by * mpq_class(direction[2])});
+    const Pieces a =
+        moved(a_, {by * mpq_class(direction[0]), by * mpq_class(direction[1]), by * mpq_class(direction[2])});
     if (unions::naive_union(a, b_).squared > tol_ * tol_) return Lies::overlapping;
     return squared_distance(a) > tol_ * tol_ ? Lies::apart : Lies::touching;
   }
@@ -248,8 +257,8 @@ class NaiveJudge {
       for (const std::vector<Point>& q : b_) {
         mpq_class squared = 0;
         for (const auto axis : {&Point::x, &Point::y, &Point::z}) {
-          const mpq_class gap =
-              std::max({mpq_class(0), mpq_class(q.front().*axis - p.back().*axis), mpq_class(p.front().*axis - q.back().*axis)});
+          const mpq_class gap = std::max(
+              {mpq_class(0), mpq_class(q.front().*axis - p.back().*axis), mpq_class(p.front().*axis - q.back().*axis)});
           squared += gap * gap;
         }
         if (!least || squared < *least) least = squared;
@@ -259,7 +268,9 @@ class NaiveJudge {
   }
 
   /// d - sqrt(squared) > tol, and the other way round.
-  [[nodiscard]] bool above(long d, const mpq_class& squared) const { return d - tol_ > 0 && (d - tol_) * (d - tol_) > squared; }
+  [[nodiscard]] bool above(long d, const mpq_class& squared) const {
+    return d - tol_ > 0 && (d - tol_) * (d - tol_) > squared;
+  }
   [[nodiscard]] bool below(long d, const mpq_class& squared) const { return (d + tol_) * (d + tol_) < squared; }
 
   Pieces a_, b_;
@@ -280,7 +291,8 @@ TEST(JudgeUnions, TheTwinFindsTheSame) {
     for (const long length : {1, 2, 3, 4}) {
       const std::array directions{left, right, up, down, back};
       const Triple direction = directions[random() % directions.size()];
-      const bool says = random() % 4 != 0 ? truth.depth.status == Status::penetrating : truth.depth.status != Status::penetrating;
+      const bool says =
+          random() % 4 != 0 ? truth.depth.status == Status::penetrating : truth.depth.status != Status::penetrating;
       const auto d = static_cast<double>(length);
       const Reply reply = says ? overlap(d, direction) : apart(d, direction);
       const Judgement judged = judge(truth, reply, {}, Precision::binary64, tolerance);
@@ -290,8 +302,9 @@ TEST(JudgeUnions, TheTwinFindsTheSame) {
       if (expected.empty()) ++met[Verdict::pass];
     }
   }
-  for (const Verdict verdict : {Verdict::pass, Verdict::false_separation, Verdict::false_overlap, Verdict::wrong_sign, Verdict::too_deep,
-                                Verdict::too_shallow, Verdict::too_far, Verdict::too_near, Verdict::not_separating, Verdict::inconsistent})
+  for (const Verdict verdict :
+       {Verdict::pass, Verdict::false_separation, Verdict::false_overlap, Verdict::wrong_sign, Verdict::too_deep,
+        Verdict::too_shallow, Verdict::too_far, Verdict::too_near, Verdict::not_separating, Verdict::inconsistent})
     EXPECT_GE(met[verdict], 3) << name(verdict);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The distance of a point from a hull, by trying every simplex: the nearest point lies inside one of at most four points, where it is the
-// foot of the perpendicular.
+// The distance of a point from a hull, by trying every simplex: the nearest point lies inside one
+// of at most four points, where it is the foot of the perpendicular.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace fathom::testing {
 
-/// Solves the rows (matrix | right side) of a positive definite system; returns nullopt if it is singular.
+/// Solves the rows (matrix | right side) of a positive definite system; returns nullopt if it is
+/// singular.
 inline std::optional<std::vector<mpq_class>> solved(std::vector<std::vector<mpq_class>> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i][i] == 0) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The findings of VERDICTS.md once more, straight from the page, in floating-point numbers of thousands of bits: roots are taken, the
-// hull of all differences is at hand, nothing is squared. Differences below 2^-2000 count as 0.
+// The findings of VERDICTS.md once more, straight from the page, in floating-point numbers of
+// thousands of bits: roots are taken, the hull of all differences is at hand, nothing is squared.
+// Differences below 2^-2000 count as 0.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +37,8 @@ class NaiveJudge {
     mpf_class d = has_depth ? real(exact_value(*reply.depth)) : real(0);
     if (conventions_.depth == Conventions::Sign::negative) d = -d;
     if (status == Status::penetrating && !overlap && more(depth_, tol_)) found.push_back(Verdict::false_separation);
-    if (status == Status::disjoint && overlap && (more(distance_, tol_) || more(d, tol_))) found.push_back(Verdict::false_overlap);
+    if (status == Status::disjoint && overlap && (more(distance_, tol_) || more(d, tol_)))
+      found.push_back(Verdict::false_overlap);
     if (status == Status::touching && overlap && conventions_.touching == Conventions::Touching::separate)
       found.push_back(Verdict::false_overlap);
     if (status == Status::touching && !overlap && conventions_.touching == Conventions::Touching::overlap)
@@ -86,7 +88,9 @@ class NaiveJudge {
  private:
   static constexpr mp_bitcnt_t bits = 6000;
   static mpf_class real(const mpf_class& x) { return mpf_class(x, bits); }
-  static mpf_class real(const mpq_class& x) { return mpf_class(mpf_class(x.get_num(), bits) / mpf_class(x.get_den(), bits), bits); }
+  static mpf_class real(const mpq_class& x) {
+    return mpf_class(mpf_class(x.get_num(), bits) / mpf_class(x.get_den(), bits), bits);
+  }
   static mpf_class real(int x) { return mpf_class(x, bits); }
   static mpf_class root(const mpf_class& x) { return mpf_class(sqrt(x), bits); }
   static bool more(const mpf_class& x, const mpf_class& y) {
@@ -115,8 +119,10 @@ class NaiveJudge {
     return found;
   }
 
-  /// The direction in which A moves, mended; nullopt if it is zero. `moved`: whether the way along it is to separate.
-  std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found, bool moved = true) const {
+  /// The direction in which A moves, mended; nullopt if it is zero. `moved`: whether the way along
+  /// it is to separate.
+  std::optional<Point> judge_direction(const Point& given, const mpf_class& d, std::vector<Verdict>& found,
+                                       bool moved = true) const {
     if (given == Point{0, 0, 0}) {
       found.push_back(Verdict::not_a_direction);
       return std::nullopt;
@@ -146,7 +152,8 @@ class NaiveJudge {
     std::optional<mpf_class> deepest;
     for (const ContactPoint& contact : reply.contacts) {
       for (const GivenPoints* body : {&truth_.a, &truth_.b})
-        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), witness_tol_)) found.push_back(Verdict::witness_off);
+        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), witness_tol_))
+          found.push_back(Verdict::witness_off);
       if (!contact.depth) continue;
       const mpf_class depth = real(exact_value(flipped ? -*contact.depth : *contact.depth));
       if (!deepest || depth > *deepest) deepest = depth;
@@ -196,7 +203,8 @@ class NaiveJudge {
     mpq_class result;
     for (const GivenPoints* body : {&truth_.a, &truth_.b}) {
       for (const Point& p : *body) {
-        for (const Point& q : *body) result = std::max({result, mpq_class(p.x - q.x), mpq_class(p.y - q.y), mpq_class(p.z - q.z)});
+        for (const Point& q : *body)
+          result = std::max({result, mpq_class(p.x - q.x), mpq_class(p.y - q.y), mpq_class(p.z - q.z)});
       }
     }
     return real(result);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judged in the unit of the bodies, an answer of another unit is what it is there; and the precision of points is not that of answers.
+// Judged in the unit of the bodies, an answer of another unit is what it is there; and the
+// precision of points is not that of answers.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -23,7 +24,8 @@ std::vector<Reply> replies(long exponent, Precision precision) {
   std::vector<Reply> result;
   for (const double factor : {1.0, 1 + 0x1p-52, 1 + 0x1p-23, 1.0001, 1.5, 0.5, -1.0}) {
     const mpq_class depth = scaled(mpq_class(2, 3), exponent) * exact_value(factor);
-    Reply reply = testing::overlap(precision == Precision::binary32 ? round_binary32(depth) : round_binary64(depth), Triple{-1, 0, 0});
+    Reply reply = testing::overlap(precision == Precision::binary32 ? round_binary32(depth) : round_binary64(depth),
+                                   Triple{-1, 0, 0});
     reply.witness_a = {round_binary64(scaled(1, exponent)), 0, 0};
     reply.witness_b = {round_binary64(scaled(mpq_class(1, 3), exponent)), 0, 0};
     result.push_back(reply);
@@ -71,10 +73,12 @@ TEST(NumberFormat, ShapesAreJudgedSoToo) {
 TEST(NumberFormat, PointsAreRoundedInTheirUnit) {
   const GivenPoints tenth{{mpq_class(1, 10), 0, 0}};
   EXPECT_EQ(seen(tenth, Precision::binary32)->front().x, exact_value(0.1F));
-  EXPECT_EQ(seen(tenth, {Precision::binary32, Precision::binary64, 40})->front().x, exact_value(0.1F)) << "no digit is lost or won";
+  EXPECT_EQ(seen(tenth, {Precision::binary32, Precision::binary64, 40})->front().x, exact_value(0.1F))
+      << "no digit is lost or won";
   const GivenPoints least{{scaled(mpq_class(3, 7), -1200), 0, 0}};
   EXPECT_EQ(seen(least, Precision::binary64)->front().x, 0);
-  EXPECT_EQ(seen(least, {Precision::binary32, Precision::binary32, 1200})->front().x, scaled(exact_value(3.0F / 7), -1200));
+  EXPECT_EQ(seen(least, {Precision::binary32, Precision::binary32, 1200})->front().x,
+            scaled(exact_value(3.0F / 7), -1200));
   EXPECT_FALSE(seen(least, {Precision::binary32, Precision::binary32, 1500})) << "it overflows there";
 }
 

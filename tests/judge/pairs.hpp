@@ -60,12 +60,15 @@ inline Triple rounded(const Point& p) {
 }
 inline Triple unit(const Vector& n) {
   const mpz_class square = dot(n, n);
-  const auto component = [&](const mpz_class& x) { return kernels::nearest_binary64({0, kernels::ratio(x * abs(x), square)}); };
+  const auto component = [&](const mpz_class& x) {
+    return kernels::nearest_binary64({0, kernels::ratio(x * abs(x), square)});
+  };
   return {component(n.x), component(n.y), component(n.z)};
 }
 inline Triple opposite(const Triple& u) { return {-u[0], -u[1], -u[2]}; }
 
-/// The right answer with the k-th optimum; of bodies that do not penetrate, the right classification (of touching ones: overlap).
+/// The right answer with the k-th optimum; of bodies that do not penetrate, the right
+/// classification (of touching ones: overlap).
 inline Reply right_answer(const Depth& depth, std::size_t k = 0) {
   if (depth.status() == Status::disjoint) return {};
   if (depth.status() == Status::touching) return overlap({});

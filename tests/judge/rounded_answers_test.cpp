@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers whose every number is the correct rounding of an exact optimum's pass with no tolerance at all, near O and far away, at the
-// ends of the exponents' range and in both precisions; answers a few ulps from them fail.                          [proofs/judge.md]
+// Answers whose every number is the correct rounding of an exact optimum's pass with no tolerance
+// at all, near O and far away, at the ends of the exponents' range and in both precisions; answers
+// a few ulps from them fail.                                                      [proofs/judge.md]
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,10 +40,12 @@ struct Rounded {
     };
     return {component(n.x), component(n.y), component(n.z)};
   }
-  /// The k-th optimum of bodies that overlap; of bodies that touch, a direction that separates them.
+  /// The k-th optimum of bodies that overlap; of bodies that touch, a direction that separates
+  /// them.
   [[nodiscard]] Reply answer(const Depth& depth, std::size_t k) const {
     const bool touching = depth.status() == Status::touching;
-    Reply reply = testing::overlap(root(depth.squared()), unit(touching ? depth.direction() : depth.optima()[k].direction));
+    Reply reply =
+        testing::overlap(root(depth.squared()), unit(touching ? depth.direction() : depth.optima()[k].direction));
     if (k > 0 || !depth.witness()) return reply;
     reply.witness_a = point(depth.witness()->a);
     reply.witness_b = point(depth.witness()->b);
@@ -52,7 +55,8 @@ struct Rounded {
   [[nodiscard]] double stepped(double x, int steps) const {
     for (; steps > 0; --steps) {
       const double up = std::copysign(INFINITY, x);
-      x = precision == Precision::binary64 ? std::nextafter(x, up) : std::nextafter(static_cast<float>(x), static_cast<float>(up));
+      x = precision == Precision::binary64 ? std::nextafter(x, up)
+                                           : std::nextafter(static_cast<float>(x), static_cast<float>(up));
     }
     return x;
   }
@@ -64,7 +68,8 @@ struct Placed {
   Truth truth;
 };
 
-/// The case scaled, after it was moved along x, y and z, as the precision sees it. Returns nullopt if that overflows.
+/// The case scaled, after it was moved along x, y and z, as the precision sees it. Returns nullopt
+/// if that overflows.
 std::optional<Placed> placed(const Case& input, Precision precision, long offset, const char* scale) {
   const mpq_class factor = *parse_number(scale, Decimals::exact).value;
   const auto moved = [&](std::vector<Point> points) {
@@ -73,7 +78,8 @@ std::optional<Placed> placed(const Case& input, Precision precision, long offset
   };
   auto a = moved(input.a.points), b = moved(input.b.points);
   if (!a || !b) return std::nullopt;
-  const std::string text = input.id + ", " + std::string(name(precision)) + ", moved by " + std::to_string(offset) + ", times " + scale;
+  const std::string text =
+      input.id + ", " + std::string(name(precision)) + ", moved by " + std::to_string(offset) + ", times " + scale;
   return Placed{text, precision, truth_about(std::move(*a), std::move(*b))};
 }
 
@@ -112,7 +118,8 @@ TEST(RoundedAnswers, PassWithNoToleranceAtAll) {
     for (std::size_t k = 0; k == 0 || k < std::min<std::size_t>(depth.optima().size(), 4); ++k) {
       Reply reply = nearest.answer(depth, k);
       ASSERT_TRUE(std::isfinite(*reply.depth));
-      for (const Tolerance& tolerance : {strictest, Tolerance{0, 0, 1}, Tolerance{}}) expect_passes(pair, reply, tolerance);
+      for (const Tolerance& tolerance : {strictest, Tolerance{0, 0, 1}, Tolerance{}})
+        expect_passes(pair, reply, tolerance);
       reply.direction.reset();
       expect_passes(pair, reply, strictest);
       ++seen[depth.status() == Status::touching ? "touching" : "penetrating"];
@@ -139,7 +146,8 @@ TEST(RoundedAnswers, ADepthTwoNumbersAwayFails) {
     if (pair.truth.depth.status() != Status::penetrating) continue;
     const Rounded nearest{pair.precision};
     Reply reply = testing::overlap(nearest.stepped(nearest.root(pair.truth.depth.squared()), 2));
-    EXPECT_EQ(judge(pair.truth, reply, {}, pair.precision, strictest).findings, std::vector<Verdict>{Verdict::too_deep}) << pair.text;
+    EXPECT_EQ(judge(pair.truth, reply, {}, pair.precision, strictest).findings, std::vector<Verdict>{Verdict::too_deep})
+        << pair.text;
     EXPECT_TRUE(passes(judge(pair.truth, reply, {}, pair.precision, {0, 0, 5}).verdict)) << pair.text;
   }
 }
@@ -169,7 +177,9 @@ TEST(RoundedAnswers, WitnessPointsSixteenUlpsAwayFail) {
     out.witness_a = moved_along(*right.witness_a, *right.direction, -by);
     apart.witness_a = moved_along(*right.witness_a, *right.direction, by);
     for (const Reply& reply : {out, apart}) {
-      EXPECT_EQ(judge(pair.truth, reply, {}, pair.precision, strictest).findings, std::vector<Verdict>{Verdict::witness_off}) << pair.text;
+      EXPECT_EQ(judge(pair.truth, reply, {}, pair.precision, strictest).findings,
+                std::vector<Verdict>{Verdict::witness_off})
+          << pair.text;
     }
     ++compared;
   }
@@ -189,7 +199,8 @@ TEST(RoundedAnswers, ADirectionFourRoundoffsAwayFails) {
   }
 }
 
-// The bounds are not loose: half of each of them, and a quarter of the direction's, would be too little for some rounded answer.
+// The bounds are not loose: half of each of them, and a quarter of the direction's, would be too
+// little for some rounded answer.
 TEST(RoundedAnswers, ReachAGoodPartOfTheSlack) {
   std::map<std::string, std::size_t> beyond;
   for (const Placed& pair : pairs_everywhere()) {

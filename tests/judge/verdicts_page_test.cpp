@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page verify/judge/VERDICTS.md tells the truth: it has a section for each verdict, in order of rank, and its examples are judged as
-// it says.
+// The page verify/judge/VERDICTS.md tells the truth: it has a section for each verdict, in order of
+// rank, and its examples are judged as it says.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -37,7 +37,9 @@ std::vector<Section> sections_of_page() {
   return sections;
 }
 
-double number(const Json& value) { return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>(); }
+double number(const Json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
 
 std::optional<Triple> triple(const Json& object, const char* key) {
   if (!object.contains(key)) return std::nullopt;
@@ -56,8 +58,8 @@ Reply reply_of(const Json& json, Precision precision) {
   reply.witness_a = triple(witness, "a");
   reply.witness_b = triple(witness, "b");
   for (const Json& contact : json.value("contacts", Json::array()))
-    reply.contacts.push_back(
-        {triple(contact, "position").value(), contact.contains("depth") ? std::optional(number(contact["depth"])) : std::nullopt});
+    reply.contacts.push_back({triple(contact, "position").value(),
+                              contact.contains("depth") ? std::optional(number(contact["depth"])) : std::nullopt});
   return reply;
 }
 
@@ -67,22 +69,27 @@ Conventions conventions_of(const Json& json) {
       {"either", Touching::either}, {"overlap", Touching::overlap}, {"separate", Touching::separate}};
   Conventions result;
   result.touching = touching.at(json.value("touching", "either"));
-  result.depth = json.value("depth", "positive") == "negative" ? Conventions::Sign::negative : Conventions::Sign::positive;
+  result.depth =
+      json.value("depth", "positive") == "negative" ? Conventions::Sign::negative : Conventions::Sign::positive;
   result.moves = json.value("moves", "a") == "b" ? Conventions::Body::b : Conventions::Body::a;
   result.unit = json.value("unit", true);
-  result.claims = json.value("claims", "minimum") == "separating" ? Conventions::Claims::separating : Conventions::Claims::minimum;
+  result.claims =
+      json.value("claims", "minimum") == "separating" ? Conventions::Claims::separating : Conventions::Claims::minimum;
   return result;
 }
 
 Judgement judged(const Json& example, const Json& usual_case) {
   const CaseItem item = parse_case(example.value("case", usual_case).dump(), "VERDICTS.md");
-  const Precision precision = example.value("precision", "binary64") == "binary32" ? Precision::binary32 : Precision::binary64;
+  const Precision precision =
+      example.value("precision", "binary64") == "binary32" ? Precision::binary32 : Precision::binary64;
   Tolerance tolerance;
-  if (example.contains("tolerance")) tolerance.relative = mpq_class(example["tolerance"].at("relative").get<std::string>());
+  if (example.contains("tolerance"))
+    tolerance.relative = mpq_class(example["tolerance"].at("relative").get<std::string>());
   const Reply reply = reply_of(example.at("reply"), precision);
   const Conventions conventions = conventions_of(example.value("conventions", Json::object()));
   if (item.value().b.pieces)
-    return judge(truth_about(pieces_of(item.value().a), pieces_of(item.value().b)), reply, conventions, precision, tolerance);
+    return judge(truth_about(pieces_of(item.value().a), pieces_of(item.value().b)), reply, conventions, precision,
+                 tolerance);
   const Truth truth = truth_about(*seen(item.value().a.points, precision), *seen(item.value().b.points, precision));
   return judge(truth, reply, conventions, precision, tolerance);
 }
@@ -95,10 +102,12 @@ TEST(VerdictsPage, HasASectionForEachVerdictInOrder) {
     const auto verdict = static_cast<Verdict>(i - 1);
     EXPECT_EQ(sections[i].title, name(verdict));
     EXPECT_EQ(verdict_named(sections[i].title), verdict);
-    const bool of_a_harness = verdict <= Verdict::failed || verdict == Verdict::not_invariant || verdict == Verdict::unsupported;
+    const bool of_a_harness =
+        verdict <= Verdict::failed || verdict == Verdict::not_invariant || verdict == Verdict::unsupported;
     EXPECT_EQ(sections[i].examples.empty(), of_a_harness) << sections[i].title;
     EXPECT_EQ(sections[i].commands.empty(), !of_a_harness) << sections[i].title;
-    for (const std::string& command : sections[i].commands) EXPECT_TRUE(command.starts_with("fathom certify ")) << command;
+    for (const std::string& command : sections[i].commands)
+      EXPECT_TRUE(command.starts_with("fathom certify ")) << command;
   }
   EXPECT_FALSE(verdict_named("too deep"));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Its promise, that "true" is never said where the hull has fewer vertices, and that it is said where it should be, or it saves nothing.
+// Its promise, that "true" is never said where the hull has fewer vertices, and that it is said
+// where it should be, or it saves nothing.
 #include "kernels/filters/all_extreme.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,8 @@ bool all_extreme_naive(const std::vector<Point>& points) {
 /// The corners of [0, 2] x [0, 1] x [0, 1], times `scale`, moved.
 std::vector<Point> box(const mpq_class& scale = 1, const mpq_class& moved = 0) {
   std::vector<Point> points;
-  for (int i = 0; i < 8; ++i) points.push_back({scale * (2 * (i & 1)) + moved, scale * (i >> 1 & 1) + moved, scale * (i >> 2) + moved});
+  for (int i = 0; i < 8; ++i)
+    points.push_back({scale * (2 * (i & 1)) + moved, scale * (i >> 1 & 1) + moved, scale * (i >> 2) + moved});
   return points;
 }
 
@@ -73,11 +75,13 @@ TEST(AllExtreme, SeesWhatIsPlain) {
   EXPECT_FALSE(all_seen_extreme(sphere)) << "just below the cap";
 }
 
-/// One more point on an edge, in a facet, or off them by less than doubles can tell: it must not be called extreme.
+/// One more point on an edge, in a facet, or off them by less than doubles can tell: it must not be
+/// called extreme.
 TEST(AllExtreme, IsNotDeceivedByAHair) {
   for (const unsigned bits : {40U, 52U, 60U, 200U}) {
     const mpq_class hair(1, mpz_class(1) << bits), half(1, 2);
-    const std::vector<Point> hidden{{1, 0, 0}, {1, hair, hair}, {1, half, hair}, {hair, hair, hair}, {2, 1 - hair, 1}, {2, half, 1}};
+    const std::vector<Point> hidden{{1, 0, 0},          {1, hair, hair},  {1, half, hair},
+                                    {hair, hair, hair}, {2, 1 - hair, 1}, {2, half, 1}};
     for (const Point& point : hidden) {
       for (const mpq_class& moved : {mpq_class(0), mpq_class(1000), mpq_class(-1, 3)}) {
         std::vector<Point> points = box(1, moved);
@@ -90,7 +94,8 @@ TEST(AllExtreme, IsNotDeceivedByAHair) {
 }
 
 TEST(AllExtreme, StandsOutsideOfDoubles) {
-  EXPECT_FALSE(all_seen_extreme(std::vector<Point>{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}})) << "the middle of three on a line";
+  EXPECT_FALSE(all_seen_extreme(std::vector<Point>{{0, 0, 0}, {1, 1, 1}, {3, 3, 3}}))
+      << "the middle of three on a line";
   const mpq_class beyond(mpz_class(1) << 5000);  // no double
   EXPECT_FALSE(all_seen_extreme(std::vector<Point>{{0, 0, 0}, {beyond, 0, 0}, {2 * beyond, 0, 0}}));
   EXPECT_FALSE(all_seen_extreme(std::vector<Point>{{0, 0, 0}, {1 / beyond, 0, 0}, {2 / beyond, 0, 0}}));

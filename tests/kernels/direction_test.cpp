@@ -33,7 +33,9 @@ mpq_class scaled(const mpz_class& c, std::size_t shift) {
   return r;
 }
 
-bool holds(const DoubleInterval& e, const mpq_class& value) { return mpq_class(e.low) <= value && value <= mpq_class(e.high); }
+bool holds(const DoubleInterval& e, const mpq_class& value) {
+  return mpq_class(e.low) <= value && value <= mpq_class(e.high);
+}
 
 /// How many numbers lie in the enclosure: 4 stands for more than 3.
 int width(const DoubleInterval& e) {
@@ -87,7 +89,8 @@ TEST(Enclose, IsAPointUpToFiftyThreeBits) {
   EXPECT_EQ(enclose(Vector{-power_of_two(70), 0, 0}).x.high, -0.5);
 }
 
-// Components at every distance around the end of the normal and of the subnormal range, with mantissas that round in every way.
+// Components at every distance around the end of the normal and of the subnormal range, with
+// mantissas that round in every way.
 TEST(Enclose, HoldsWhatFallsBelowTheNormalRange) {
   const mpz_class mantissas[] = {1,
                                  3,
@@ -157,7 +160,8 @@ TEST(Images, AreTruncatedAndOdd) {
     EXPECT_TRUE(largest(d) >= 0.5 && largest(d) <= 1);
     EXPECT_TRUE(minus.x == -d.x && minus.y == -d.y && minus.z == -d.z);
     const auto exponent = static_cast<long>(testing::bits(v));
-    EXPECT_TRUE(within_half_an_ulp(d.x, v.x, exponent) && within_half_an_ulp(d.y, v.y, exponent) && within_half_an_ulp(d.z, v.z, exponent));
+    EXPECT_TRUE(within_half_an_ulp(d.x, v.x, exponent) && within_half_an_ulp(d.y, v.y, exponent) &&
+                within_half_an_ulp(d.z, v.z, exponent));
   }
   EXPECT_EQ(image(mpz_class(1), 499), std::ldexp(1.0, -499));
   EXPECT_EQ(image(mpz_class(1), 600), 0) << "no product of two underflows";
@@ -191,7 +195,8 @@ TEST(Images, SureOrdersOnAVerticalAreRight) {
   Tally near, far;
   for (int i = 0; i < 4000; ++i) {
     const unsigned long bits = 20 + random() % 100;
-    const Vector d1 = random_direction(random, bits), n = random_direction(random, bits), v = random_direction(random, bits);
+    const Vector d1 = random_direction(random, bits), n = random_direction(random, bits),
+                 v = random_direction(random, bits);
     const Vector step = random_vector(random, 1 + random() % (3 * bits)), e = random_direction(random, bits);
     const Vector c = mpz_class(dot(d1, v)) * n - mpz_class(dot(d1, n)) * v;
     const Vector close = random() & 1 ? add(mpz_class(power_of_two(2 * bits)) * d1, step) : add(cross(c, e), step);

@@ -36,7 +36,8 @@ TEST(Dyadic, IsTheExactValueOfEveryDouble) {
 }
 
 TEST(Dyadic, OfRationals) {
-  for (const auto& [numerator, denominator] : {std::pair{0L, 1UL}, {12L, 1UL}, {-7L, 8UL}, {INT64_MAX, 2UL}, {-INT64_MAX, 1UL}}) {
+  for (const auto& [numerator, denominator] :
+       {std::pair{0L, 1UL}, {12L, 1UL}, {-7L, 8UL}, {INT64_MAX, 2UL}, {-INT64_MAX, 1UL}}) {
     const mpq_class q(numerator, denominator);
     const auto d = dyadic(q);
     ASSERT_TRUE(d) << q;
@@ -62,8 +63,9 @@ TEST(Dyadic, InBinary64AreItsNumbersAlone) {
     ASSERT_EQ(in_binary64(third).has_value(), is_number) << x;
   }
   const mpq_class top = value({1, 1024}), least = value({1, -1074});
-  for (const mpq_class& q : {top, mpq_class(-top), mpq_class(least / 2), mpq_class(3 * least / 2), value({(1L << 53) + 1, 0}),
-                             value({(1L << 53) + 1, 900}), mpq_class(1, 3), mpq_class(1, -4), mpq_class(1, 0)})
+  for (const mpq_class& q :
+       {top, mpq_class(-top), mpq_class(least / 2), mpq_class(3 * least / 2), value({(1L << 53) + 1, 0}),
+        value({(1L << 53) + 1, 900}), mpq_class(1, 3), mpq_class(1, -4), mpq_class(1, 0)})
     EXPECT_FALSE(in_binary64(q)) << q;
   EXPECT_EQ(in_binary64(mpq_class(top - value({1, 971}))), std::numeric_limits<double>::max());
   EXPECT_EQ(in_binary64(least), 0x1p-1074);

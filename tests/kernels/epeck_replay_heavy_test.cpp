@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every predicate that whole runs ask, over all families and the catalogue, asked again of CGAL's kernel of exact predicates and exact
-// constructions: through the functor, and through CGAL's own function where there is one. The signs must be the same.
+// Every predicate that whole runs ask, over all families and the catalogue, asked again of CGAL's
+// kernel of exact predicates and exact constructions: through the functor, and through CGAL's own
+// function where there is one. The signs must be the same.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <gtest/gtest.h>
 
@@ -56,10 +57,12 @@ Sign UnperturbedKernel::side_of_arc(const Direction& n, const Direction& d) cons
 Sign PerturbedKernel::side_of_arc(const Direction& n, const Direction& d) const {
   return recorded(Predicate::side_of_arc, true, decide<SideOfArc>(n, d), n, d);
 }
-Sign UnperturbedKernel::order_on_vertical(const Direction& d1, const Direction& d2, const Direction& n, const Direction& v) const {
+Sign UnperturbedKernel::order_on_vertical(const Direction& d1, const Direction& d2, const Direction& n,
+                                          const Direction& v) const {
   return recorded(Predicate::order_on_vertical, false, decide<OrderOnVertical>(d1, d2, n, v), d1, d2, n, v);
 }
-Sign PerturbedKernel::order_on_vertical(const Direction& d1, const Direction& d2, const Direction& n, const Direction& v) const {
+Sign PerturbedKernel::order_on_vertical(const Direction& d1, const Direction& d2, const Direction& n,
+                                        const Direction& v) const {
   return recorded(Predicate::order_on_vertical, true, decide<OrderOnVertical>(d1, d2, n, v), d1, d2, n, v);
 }
 Sign UnperturbedKernel::order_at_infinity(const Direction& d1, const Direction& d2, const Direction& z) const {
@@ -89,7 +92,9 @@ struct Answers {
   CGAL::Sign functor, cgal;
 };
 
-CGAL::Sign sign_of_product(const K::Vector_3& v, const K::Vector_3& w) { return CGAL::enum_cast<CGAL::Sign>(CGAL::angle(v, w)); }
+CGAL::Sign sign_of_product(const K::Vector_3& v, const K::Vector_3& w) {
+  return CGAL::enum_cast<CGAL::Sign>(CGAL::angle(v, w));
+}
 
 Answers ask(Predicate id, const std::vector<K::Vector_3>& w) {
   switch (id) {
@@ -97,15 +102,17 @@ Answers ask(Predicate id, const std::vector<K::Vector_3>& w) {
     case Predicate::x_order: return {XOrder<K>{}(w[0], w[1], w[2]), CGAL::orientation(w[0], w[1], w[2])};
     case Predicate::side_of_arc: return {SideOfArc<K>{}(w[0], w[1]), sign_of_product(w[0], w[1])};
     case Predicate::order_on_vertical:
-      return {OrderOnVertical<K>{}(w[0], w[1], w[2], w[3]), CGAL::orientation(w[0], w[1], CGAL::cross_product(w[3], w[2]))};
+      return {OrderOnVertical<K>{}(w[0], w[1], w[2], w[3]),
+              CGAL::orientation(w[0], w[1], CGAL::cross_product(w[3], w[2]))};
     default: return {OrderAtInfinity<K>{}(w[0], w[1], w[2]), CGAL::orientation(w[0], w[1], w[2])};
   }
 }
 
 // How many questions were compared, by name of the predicate.
 using Counts = std::map<std::string_view, std::size_t>;
-constexpr std::array<std::string_view, 8> all_names{"side_of_equator",   "x_order",      "side_of_arc",    "order_on_vertical",
-                                                    "order_at_infinity", "height_order", "projected_turn", "compare_distance"};
+constexpr std::array<std::string_view, 8> all_names{"side_of_equator",   "x_order",           "side_of_arc",
+                                                    "order_on_vertical", "order_at_infinity", "height_order",
+                                                    "projected_turn",    "compare_distance"};
 
 Sign unperturbed(const Question& q) {
   PredicateCounts uncounted;
@@ -136,8 +143,8 @@ void compare(const Question& q, Counts& counts) {
   ++counts[name];
 }
 
-// Charts, canonical subsets, closest lines, and the twin that asks for the crossings on the sphere. Runs seldom ask for the order on a
-// wall: here it is asked on some walls for some arcs.
+// Charts, canonical subsets, closest lines, and the twin that asks for the crossings on the sphere.
+// Runs seldom ask for the order on a wall: here it is asked on some walls for some arcs.
 void run(Prepared& p) {
   const lines::EdgeLinesOfA a(p.a, p.exponent);
   const lines::EdgeLinesOfB b(p.b, p.exponent);
@@ -147,15 +154,19 @@ void run(Prepared& p) {
     ASSERT_TRUE(canonical::validate(subsets, charts).ok());
     lines::closest_lines(p.context, subsets, lines::LineScene(charts, a, b), nearest);
     for (std::size_t i = 0; i < charts.of.a.arcs.size() * charts.of.b.arcs.size() * charts.walls.size(); i += 101) {
-      const auto pick = [i](std::size_t skip, const auto& from) -> const auto& { return from.begin()[i / skip % from.size()]; };
+      const auto pick = [i](std::size_t skip, const auto& from) -> const auto& {
+        return from.begin()[i / skip % from.size()];
+      };
       const std::size_t as = charts.of.a.arcs.size(), bs = charts.of.b.arcs.size();
-      std::ignore = chart::above_on_wall(testing::kernel_of(charts), charts, gaussian::Colour::a, pick(1, charts.of.a.arcs),
-                                         gaussian::Colour::b, pick(as, charts.of.b.arcs), pick(as * bs, charts.walls));
+      std::ignore =
+          chart::above_on_wall(testing::kernel_of(charts), charts, gaussian::Colour::a, pick(1, charts.of.a.arcs),
+                               gaussian::Colour::b, pick(as, charts.of.b.arcs), pick(as * bs, charts.walls));
     }
   }
   const UnperturbedKernel kernel(p.context.counters.predicates);
   for (const gaussian::Arc& e : p.minus_a.arcs) {
-    for (const gaussian::Arc& f : p.of_b.arcs) std::ignore = gaussian::strict_crossings(kernel, p.minus_a, e, p.of_b, f);
+    for (const gaussian::Arc& f : p.of_b.arcs)
+      std::ignore = gaussian::strict_crossings(kernel, p.minus_a, e, p.of_b, f);
   }
 }
 
@@ -175,9 +186,13 @@ void compare_sides(const polytope::Polytope& hull, Counts& counts) {
       ASSERT_EQ(to_int(plane.side(s)), side);
       ++counts["height_order"];
       for (const int axis : {0, 1, 2}) {
-        const auto seen = [&](std::uint32_t i) { return K::Point_2(points[i][(axis + 1) % 3], points[i][(axis + 2) % 3]); };
+        const auto seen = [&](std::uint32_t i) {
+          return K::Point_2(points[i][(axis + 1) % 3], points[i][(axis + 2) % 3]);
+        };
         const CGAL::Sign left = CGAL::orientation(seen(p), seen(q), seen(s));
-        ASSERT_EQ((ProjectedTurn<K>{axis}(points[p] - CGAL::ORIGIN, points[q] - CGAL::ORIGIN, points[s] - CGAL::ORIGIN)), left);
+        ASSERT_EQ(
+            (ProjectedTurn<K>{axis}(points[p] - CGAL::ORIGIN, points[q] - CGAL::ORIGIN, points[s] - CGAL::ORIGIN)),
+            left);
         ASSERT_EQ(to_int(turn(boxed, axis, p, q, s)), left);
         ++counts["projected_turn"];
       }
@@ -213,7 +228,8 @@ void compare_distances(const Prepared& p, Counts& counts) {
       const polytope::Polytope& body = of_a ? p.a : p.b;
       const polytope::VertexId corner = body.corners[body.facets[pair.facet].begin];
       const Vector& n = charts.of[pair.facet_of].node(gaussian::node_of(pair.facet)).exact();
-      const mpz_class height = dot(n, p.b.vertices[of_a ? pair.vertex : corner] - p.a.vertices[of_a ? corner : pair.vertex]);
+      const mpz_class height =
+          dot(n, p.b.vertices[of_a ? pair.vertex : corner] - p.a.vertices[of_a ? corner : pair.vertex]);
       if (height > 0) planes.push_back({n, height});
     }
   }

@@ -33,7 +33,8 @@ mpz_class some_integer(Random& random, unsigned long bits) {
 TEST(FixedInteger, ComputesAsGmpDoes) {
   Random random(1);
   for (int i = 0; i < 40000; ++i) {
-    const mpz_class a = some_integer(random, i % 2 == 0 ? 70 : 500), b = i % 7 == 0 ? a : some_integer(random, i % 3 == 0 ? 70 : 500);
+    const mpz_class a = some_integer(random, i % 2 == 0 ? 70 : 500),
+                    b = i % 7 == 0 ? a : some_integer(random, i % 3 == 0 ? 70 : 500);
     const Fixed x(a), y(b);
     ASSERT_EQ(x.to_mpz(), a);
     ASSERT_EQ(Fixed(x + y).to_mpz(), a + b) << a << " " << b;
@@ -109,7 +110,8 @@ TEST(FixedImages, RootsFromAboveAreThoseOfGmp) {
   for (int i = 0; i < 3000; ++i) {
     const mpz_class numerator = abs(some_integer(random, 800)), denominator = abs(some_integer(random, 800)) + 1;
     const long exponent = static_cast<long>(random() % 300);
-    ASSERT_EQ(root_from_above(Fixed(numerator), Fixed(denominator), exponent), root_from_above(numerator, denominator, exponent));
+    ASSERT_EQ(root_from_above(Fixed(numerator), Fixed(denominator), exponent),
+              root_from_above(numerator, denominator, exponent));
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Laws: points in binary64 and the same exact points cannot be told apart, except by asking for the form; both forms may be asked for at
-// once; a change is a change of the exact points.
+// Laws: points in binary64 and the same exact points cannot be told apart, except by asking for the
+// form; both forms may be asked for at once; a change is a change of the exact points.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,8 +43,8 @@ TEST(GivenPoints, KnowNoMinusZero) {
 }
 
 TEST(GivenPoints, AreFinite) {
-  for (const double bad :
-       {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()})
     for (std::size_t axis = 0; axis < 3; ++axis) {
       Doubles with_bad = doubles;
       with_bad[1][axis] = bad;

@@ -12,9 +12,12 @@ using Apple = Id<struct AppleTag>;
 using Pear = Id<struct PearTag>;
 using Apples = IdVector<Apple, int>;
 
-static_assert(sizeof(Apple) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<Apple>, "an id is as cheap as the number");
-static_assert(!std::is_convertible_v<std::uint32_t, Apple> && !std::is_convertible_v<Apple, std::uint32_t>, "a number is no id");
-static_assert(!std::is_constructible_v<Apple, Pear> && !std::is_assignable_v<Apple&, Pear>, "ids of two kinds do not mix");
+static_assert(sizeof(Apple) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<Apple>,
+              "an id is as cheap as the number");
+static_assert(!std::is_convertible_v<std::uint32_t, Apple> && !std::is_convertible_v<Apple, std::uint32_t>,
+              "a number is no id");
+static_assert(!std::is_constructible_v<Apple, Pear> && !std::is_assignable_v<Apple&, Pear>,
+              "ids of two kinds do not mix");
 
 template <class Left, class Right>
 concept Comparable = requires(Left left, Right right) {
@@ -41,7 +44,9 @@ TEST(Id, NoneIsNoIdAndGreaterThanAll) {
   EXPECT_EQ(Apple(3).next(), Apple(4));
 }
 
-TEST(Id, NumbersBecomeIdsInTheirOrder) { EXPECT_EQ(to_ids<Apple>({4, 0, 9}), (std::vector{Apple(4), Apple(0), Apple(9)})); }
+TEST(Id, NumbersBecomeIdsInTheirOrder) {
+  EXPECT_EQ(to_ids<Apple>({4, 0, 9}), (std::vector{Apple(4), Apple(0), Apple(9)}));
+}
 
 TEST(IdVector, FindsElementsByTheirIds) {
   Apples apples{5, 6, 7};

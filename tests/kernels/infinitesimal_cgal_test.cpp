@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The infinitesimals as CGAL's number type: its traits, and the constructions and predicates of that kernel, CGAL's and this project's,
-// against the formulas over Vec3.
+// The infinitesimals as CGAL's number type: its traits, and the constructions and predicates of
+// that kernel, CGAL's and this project's, against the formulas over Vec3.
 #include "kernels/number/infinitesimal_cgal.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,8 @@ Operands moved(const Perturbation& p, const Vector& n, const Vector& m, const Ve
           p.moved({0, 1, 0}, Role::vertical, infinitesimals), p.moved({0, 0, 1}, Role::pole, infinitesimals)};
 }
 
-// CGAL's functors of the kernel over the ring, and the predicates over it, give what the formulas over Vec3 give, on perturbed operands.
+// CGAL's functors of the kernel over the ring, and the predicates over it, give what the formulas
+// over Vec3 give, on perturbed operands.
 TEST(InfinitesimalKernel, AgreesWithThePlainFormulas) {
   const InfinitesimalKernel kernel;
   const auto orientation = kernel.orientation_3_object();
@@ -90,11 +91,15 @@ TEST(InfinitesimalKernel, AgreesWithThePlainFormulas) {
 TEST(InfinitesimalKernel, OrientationDecidesWhatTheFilterDecides) {
   const Perturbation p;
   const Direction vertical(Vector{0, 1, 0}, Role::vertical);
-  const auto c = [&](const Vector& w, Role role) { return to_cgal<InfinitesimalKernel>(p.moved(w, role, infinitesimals)); };
+  const auto c = [&](const Vector& w, Role role) {
+    return to_cgal<InfinitesimalKernel>(p.moved(w, role, infinitesimals));
+  };
   for (const Vector& n : {Vector{0, 0, 1}, Vector{1, 2, 3}, Vector{-1, 5, 1}}) {
     const int filtered = perturbed(p).x_order(Direction(n, Role::node_of_a), Direction(n, Role::fixed), vertical);
     EXPECT_NE(filtered, 0);
-    EXPECT_EQ(static_cast<int>(CGAL::orientation(c(n, Role::node_of_a), c(n, Role::fixed), c({0, 1, 0}, Role::vertical))), filtered);
+    EXPECT_EQ(
+        static_cast<int>(CGAL::orientation(c(n, Role::node_of_a), c(n, Role::fixed), c({0, 1, 0}, Role::vertical))),
+        filtered);
   }
 }
 

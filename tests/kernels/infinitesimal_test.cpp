@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The axioms of an ordered ring; arithmetic against a plain map of exponents; signs against honest small numbers; what is infinitely
-// smaller than what.
+// The axioms of an ordered ring; arithmetic against a plain map of exponents; signs against honest
+// small numbers; what is infinitely smaller than what.
 #include "kernels/number/infinitesimal.hpp"
 
 #include <gtest/gtest.h>
@@ -36,14 +36,15 @@ std::string text(const Infinitesimal& s) {
 constexpr int largest_coefficient = 4;
 constexpr unsigned largest_degree = 3, terms = 5;
 
-/// Up to five terms in e_1, e_2 and one of e_3, e_12: few monomials, so that they often meet and cancel.
+/// Up to five terms in e_1, e_2 and one of e_3, e_12: few monomials, so that they often meet and
+/// cancel.
 rc::Gen<Infinitesimal> polynomials() {
   using Term = std::tuple<unsigned, unsigned, unsigned, unsigned, int>;
   const auto degree = rc::gen::inRange(0U, largest_degree + 1);
   const auto coefficient = rc::gen::inRange(-largest_coefficient, largest_coefficient + 1);
   const auto term = rc::gen::tuple(degree, degree, degree, rc::gen::element(3U, 12U), coefficient);
-  const auto list =
-      rc::gen::mapcat(rc::gen::inRange(0U, terms + 1), [=](unsigned n) { return rc::gen::container<std::vector<Term>>(n, term); });
+  const auto list = rc::gen::mapcat(rc::gen::inRange(0U, terms + 1),
+                                    [=](unsigned n) { return rc::gen::container<std::vector<Term>>(n, term); });
   return rc::gen::resize(rc::kNominalSize, rc::gen::map(list, [](const std::vector<Term>& chosen) {
                            Infinitesimal sum;
                            for (const auto& [a, b, c, k, factor] : chosen) sum += factor * e(1, a) * e(2, b) * e(k, c);
@@ -91,7 +92,8 @@ Plain product(const Plain& s, const Plain& t) {
 bool well_formed(const Infinitesimal& s) {
   const auto& list = s.terms();
   return std::ranges::none_of(list, [](const auto& term) { return term.second == 0; }) &&
-         std::ranges::adjacent_find(list, [](const auto& t, const auto& u) { return !(t.first < u.first); }) == list.end();
+         std::ranges::adjacent_find(list, [](const auto& t, const auto& u) { return !(t.first < u.first); }) ==
+             list.end();
 }
 
 template <class Property>
@@ -171,15 +173,17 @@ TEST(Monomial, AllButTheLastInWhichTwoDifferIsOfNoAccount) {
   }));
 }
 
-// With degrees at most D, e_k = r^((D+1)^(k-1)) makes each monomial r^N with N its exponents read as digits, so different monomials
-// differ by a factor r at least, in the ring's order; and with coefficients at most C, C r/(1 - r) < 1 lets the largest outweigh the rest.
+// With degrees at most D, e_k = r^((D+1)^(k-1)) makes each monomial r^N with N its exponents read
+// as digits, so different monomials differ by a factor r at least, in the ring's order; and with
+// coefficients at most C, C r/(1 - r) < 1 lets the largest outweigh the rest.
 TEST(Infinitesimal, SignsAreThoseOfSmallEnoughNumbers) {
   constexpr unsigned base = largest_degree + 1, highest = base - 1 + base * (base - 1) + base * base * (base - 1);
   constexpr unsigned bits = 12;
   static_assert(4 * largest_coefficient * 100 < 1 << bits);  // a hundred terms on one monomial at most
   EXPECT_TRUE(rc::check("r = 2^-12", [&] {
     const auto degree = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0U, largest_degree + 1));
-    const auto coefficient = rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-largest_coefficient, largest_coefficient + 1));
+    const auto coefficient =
+        rc::gen::resize(rc::kNominalSize, rc::gen::inRange(-largest_coefficient, largest_coefficient + 1));
     Infinitesimal s;
     mpz_class value = 0;  // times 2^(bits highest)
     for (int term = *rc::gen::inRange(0, 100); term > 0; --term) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signs and roundings of sums of roots, against floating-point numbers of so many bits that no case here is in doubt.
+// Signs and roundings of sums of roots, against floating-point numbers of so many bits that no case
+// here is in doubt.
 
 #include "kernels/number/irrational.hpp"
 
@@ -92,7 +93,8 @@ TEST(Surd, ComparesWithRationalsAndWithEachOther) {
     for (const mpq_class& q : all) {
       const mpq_class &r = all[++k * 7 % all.size()], &s = all[k * 11 % all.size()];
       const mpf_class left(slow(p) + slow_root(q), bits), right(slow(r) + slow_root(s), bits);
-      const int with_rational = slow_sign(mpf_class(left - slow(r), bits)), with_surd = slow_sign(mpf_class(left - right, bits));
+      const int with_rational = slow_sign(mpf_class(left - slow(r), bits)),
+                with_surd = slow_sign(mpf_class(left - right, bits));
       EXPECT_EQ(compare(Surd{p, q}, r), with_rational) << p << " " << q << " " << r;
       EXPECT_EQ(compare(Surd{p, q}, Surd{r, s}), with_surd) << p << " " << q << " " << r << " " << s;
       equal += with_surd == 0 || with_rational == 0 ? 1 : 0;
@@ -142,7 +144,8 @@ void expect_rounded(const Surd& surd, const mpf_class& value) {
 TEST(Surd, RoundsIrrationalNumbers) {
   families::Random random(5);
   for (int i = 0; i < 400; ++i) {
-    const mpq_class s = families::ratio(random.between(1, 1000000), random.between(1, 1000)) + families::times_power_of_two(1, -i);
+    const mpq_class s =
+        families::ratio(random.between(1, 1000000), random.between(1, 1000)) + families::times_power_of_two(1, -i);
     // A rational that agrees with the root to i bits: cancellation.
     mpq_class near(slow_root(s));
     near = families::times_power_of_two(mpq_class(mpz_class(families::times_power_of_two(near, i))), -i);
@@ -150,15 +153,18 @@ TEST(Surd, RoundsIrrationalNumbers) {
     expect_rounded({near, s}, mpf_class(slow(near) + slow_root(s), bits));
     expect_rounded({-near, -s}, mpf_class(-slow(near) - slow_root(s), bits));
     // From the subnormal numbers of binary32 to those of binary64, and beyond.
-    const mpq_class tiny = families::times_power_of_two(near, -100 - 3 * i), square = families::times_power_of_two(s, -200 - 6 * i);
+    const mpq_class tiny = families::times_power_of_two(near, -100 - 3 * i),
+                    square = families::times_power_of_two(s, -200 - 6 * i);
     expect_rounded({tiny, -square}, mpf_class(slow(tiny) - slow_root(square), bits));
     expect_rounded({tiny, square}, mpf_class(slow(tiny) + slow_root(square), bits));
     // And to infinity.
     const mpq_class huge = families::times_power_of_two(near, 3 * i), large = families::times_power_of_two(s, 6 * i);
     expect_rounded({huge, large}, mpf_class(slow(huge) + slow_root(large), bits));
-    expect_nearest(nearest_root_binary64({near + 1, s}), mpf_class(sqrt(mpf_class(slow(near + 1) + slow_root(s), bits)), bits));
+    expect_nearest(nearest_root_binary64({near + 1, s}),
+                   mpf_class(sqrt(mpf_class(slow(near + 1) + slow_root(s), bits)), bits));
     if (near * near > s)
-      expect_nearest(nearest_root_binary64({near, -s}), mpf_class(sqrt(mpf_class(slow(near) - slow_root(s), bits)), bits));
+      expect_nearest(nearest_root_binary64({near, -s}),
+                     mpf_class(sqrt(mpf_class(slow(near) - slow_root(s), bits)), bits));
   }
 }
 
@@ -230,7 +236,8 @@ TEST(EncloseSurd, EqualsDigitsCutFromALongNumber) {
   families::Random random(6);
   const auto read = [](const std::string& text) { return *parse_number(text, Decimals::exact).value; };
   for (int i = 0; i < 300; ++i) {
-    const mpq_class s = families::ratio(random.between(1, 1000000), random.between(1, 1000)) + families::times_power_of_two(1, -i);
+    const mpq_class s =
+        families::ratio(random.between(1, 1000000), random.between(1, 1000)) + families::times_power_of_two(1, -i);
     mpq_class near(slow_root(s));
     near = families::times_power_of_two(mpq_class(mpz_class(families::times_power_of_two(near, i))), -i);
     for (const Surd& surd : {Surd{near, -s}, Surd{near, s}, Surd{-near, s}, Surd{-near, -s}, Surd{near - i, s}}) {
@@ -239,7 +246,8 @@ TEST(EncloseSurd, EqualsDigitsCutFromALongNumber) {
       const unsigned long digits = 1 + static_cast<unsigned long>(i) % 40;
       const auto [low, high] = around(value);
       const mpq_class expected = cut(low, digits);
-      if (expected != cut(high, digits)) continue;  // a rational value that is a decimal itself: they are in print above
+      if (expected != cut(high, digits))
+        continue;  // a rational value that is a decimal itself: they are in print above
       const Enclosure found = enclose(surd, digits);
       EXPECT_EQ(abs(read(sgn(value) > 0 ? found.low : found.high)), expected) << surd.rational << " " << surd.root;
       EXPECT_LE(compare(surd, read(found.high)), 0);
@@ -282,7 +290,8 @@ struct Values {
 
 Values values(const Enclosure& enclosure) { return {read(enclosure.low), read(enclosure.high)}; }
 
-/// Twin, for q > 0: the power 10^s with 10^(N-1) <= 10^s sqrt(q) < 10^N by trial, then one integer root.
+/// Twin, for q > 0: the power 10^s with 10^(N-1) <= 10^s sqrt(q) < 10^N by trial, then one integer
+/// root.
 Values naive(const mpq_class& q, long digits) {
   long scale = 0;
   while (square(power_of_ten(scale)) * q >= square(power_of_ten(digits))) --scale;
@@ -293,7 +302,8 @@ Values naive(const mpq_class& q, long digits) {
 }
 
 void expect_as_naive(const mpq_class& q, long digits) {
-  EXPECT_EQ(values(enclose_root(q, static_cast<std::size_t>(digits))), naive(q, digits)) << exact_text(q) << " to " << digits;
+  EXPECT_EQ(values(enclose_root(q, static_cast<std::size_t>(digits))), naive(q, digits))
+      << exact_text(q) << " to " << digits;
 }
 
 // At full size from the first case on: RapidCheck would begin with small numbers.
@@ -337,7 +347,8 @@ TEST(EncloseRoot, AsTheNaiveTwin) {
   }));
 }
 
-// Roots that are decimals, and squares off by far less than any working precision, at every digit count around the decimal's own.
+// Roots that are decimals, and squares off by far less than any working precision, at every digit
+// count around the decimal's own.
 TEST(EncloseRoot, DecimalsAndHairsBesideThem) {
   EXPECT_TRUE(rc::check([] {
     const mpz_class digits = mpz_class(std::to_string(random_word() >> random_in(0, 64))) + 1;
@@ -354,7 +365,8 @@ TEST(EncloseRoot, DecimalsAndHairsBesideThem) {
 TEST(EncloseRoot, HairsBesidePowersOfTen) {
   for (const long exponent : {-20L, -1L, 0L, 1L, 20L}) {
     for (const long digits : {1L, 2L, 19L, 60L}) {
-      for (const int sign : {-1, 0, 1}) expect_as_naive(mpq_class(power_of_ten(2 * exponent) * (1 + sign * power_of_ten(-3000))), digits);
+      for (const int sign : {-1, 0, 1})
+        expect_as_naive(mpq_class(power_of_ten(2 * exponent) * (1 + sign * power_of_ten(-3000))), digits);
     }
   }
 }
@@ -375,7 +387,8 @@ void expect_enclosed(const mpq_class& q, std::size_t digits) {
   const mpq_class unit = high - low;  // of the last digit: low is a multiple of it, between 10^(N-1) and 10^N units
   const mpq_class units = low / unit;
   EXPECT_EQ(units.get_den(), 1);
-  EXPECT_TRUE(power_of_ten(static_cast<long>(digits) - 1) <= units && units < power_of_ten(static_cast<long>(digits))) << digits;
+  EXPECT_TRUE(power_of_ten(static_cast<long>(digits) - 1) <= units && units < power_of_ten(static_cast<long>(digits)))
+      << digits;
 }
 
 TEST(EncloseRoot, ManyDigits) {
@@ -413,7 +426,8 @@ TEST(EncloseRoot, RefusesWhatHasNoAnswer) {
   EXPECT_THROW(enclose_root(mpq_class(2), most_root_digits + 1), std::invalid_argument);
 }
 
-/// Two neighbouring sums of Taylor's series, between which the cosine or sine of x lies for 0 < x < 2.
+/// Two neighbouring sums of Taylor's series, between which the cosine or sine of x lies for 0 < x <
+/// 2.
 std::pair<mpq_class, mpq_class> taylor(const mpq_class& x, bool sine) {
   mpq_class term = sine ? x : mpq_class(1), sum = term, before;
   for (unsigned k = sine ? 1 : 0; k < 60; k += 2) {
@@ -424,7 +438,8 @@ std::pair<mpq_class, mpq_class> taylor(const mpq_class& x, bool sine) {
   return sum < before ? std::pair(sum, before) : std::pair(before, sum);
 }
 
-/// Half the distance of two numbers of 53 bits near `value`, or of those below it if it is a power of two.
+/// Half the distance of two numbers of 53 bits near `value`, or of those below it if it is a power
+/// of two.
 mpq_class half_ulp(const mpq_class& value) {
   mpq_class ulp(1);
   while (ulp > abs(value)) ulp /= 2;
@@ -454,8 +469,9 @@ TEST(Angle, IsCorrectlyRoundedAsTaylorSays) {
 
 TEST(Angle, IsExactWhereItCanBe) {
   const mpq_class half(1, 2);
-  const std::pair<int, std::pair<mpq_class, mpq_class>> exactly[] = {{0, {1, 0}},    {90, {0, 1}},  {180, {-1, 0}},     {270, {0, -1}},
-                                                                     {-90, {0, -1}}, {360, {1, 0}}, {36000090, {0, 1}}, {-180, {-1, 0}}};
+  const std::pair<int, std::pair<mpq_class, mpq_class>> exactly[] = {{0, {1, 0}},        {90, {0, 1}},   {180, {-1, 0}},
+                                                                     {270, {0, -1}},     {-90, {0, -1}}, {360, {1, 0}},
+                                                                     {36000090, {0, 1}}, {-180, {-1, 0}}};
   for (const auto& [degrees, expected] : exactly) {
     const CosineAndSine found = cosine_and_sine(degrees, AngleUnit::degrees);
     EXPECT_EQ(std::pair(found.cosine, found.sine), expected) << degrees;
@@ -471,8 +487,10 @@ TEST(Angle, IsExactWhereItCanBe) {
 TEST(Angle, OfDegreesHasTheSymmetriesOfTheCircle) {
   for (int i = -400; i < 800; i += 7) {
     const mpq_class angle(i, 3);
-    const CosineAndSine here = cosine_and_sine(angle, AngleUnit::degrees), there = cosine_and_sine(90 - angle, AngleUnit::degrees),
-                        back = cosine_and_sine(-angle, AngleUnit::degrees), again = cosine_and_sine(angle + 720, AngleUnit::degrees);
+    const CosineAndSine here = cosine_and_sine(angle, AngleUnit::degrees),
+                        there = cosine_and_sine(90 - angle, AngleUnit::degrees),
+                        back = cosine_and_sine(-angle, AngleUnit::degrees),
+                        again = cosine_and_sine(angle + 720, AngleUnit::degrees);
     EXPECT_EQ(here.cosine, there.sine) << i;
     EXPECT_EQ(here.cosine, back.cosine) << i;
     EXPECT_EQ(here.sine, -back.sine) << i;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filter of the line scans against exact rationals: whatever it leaves out is strictly farther than the bound.
+// The filter of the line scans against exact rationals: whatever it leaves out is strictly farther
+// than the bound.
 
 #include "kernels/filters/line_filter.hpp"
 
@@ -18,14 +19,16 @@ namespace {
 
 using namespace fathom::testing;
 
-/// Bounds at which a filter would err: the squared distances themselves and their neighbours, and the ends of the range.
+/// Bounds at which a filter would err: the squared distances themselves and their neighbours, and
+/// the ends of the range.
 std::vector<double> bounds(const Scene& scene, std::size_t one) {
   std::vector<double> result{0, least_normal, 1e-300, 1e-200, 1e-20, 1, std::numeric_limits<double>::max(), infinite};
   for (const Line& m : scene.lines) {
     const Squared s = squared_distance(scene.lines[one], m);
     if (s.denominator == 0) continue;
     const double tie = image_bound(s.numerator, s.denominator, scene.exponent);
-    result.insert(result.end(), {tie, std::nextafter(tie, 0), tie * (1 - 0x1p-49), tie * (1 + 0x1p-40), tie * (1 - 0x1p-30), tie / 2});
+    result.insert(result.end(), {tie, std::nextafter(tie, 0), tie * (1 - 0x1p-49), tie * (1 + 0x1p-40),
+                                 tie * (1 - 0x1p-30), tie / 2});
   }
   return result;
 }
@@ -41,7 +44,8 @@ TEST(NotFarther, LeavesOutOnlyWhatIsStrictlyFarther) {
         for (const double bound : bounds(scene, one)) {
           not_farther(all, one, all, bound, unsure);
           for (const std::uint32_t j : left_out(all.size(), unsure)) {
-            ASSERT_TRUE(strictly_farther(scene.lines[one], scene.lines[j], bound, scene.exponent)) << bound << ' ' << scene.exponent;
+            ASSERT_TRUE(strictly_farther(scene.lines[one], scene.lines[j], bound, scene.exponent))
+                << bound << ' ' << scene.exponent;
           }
         }
       }
@@ -49,7 +53,8 @@ TEST(NotFarther, LeavesOutOnlyWhatIsStrictlyFarther) {
   }
 }
 
-// Two lines with one squared distance D, and D as the bound: the tie must come back, whatever the images make of it.
+// Two lines with one squared distance D, and D as the bound: the tie must come back, whatever the
+// images make of it.
 TEST(NotFarther, ReturnsExactTies) {
   Random random(2);
   std::vector<std::uint32_t> unsure;
@@ -72,7 +77,8 @@ TEST(NotFarther, ReturnsExactTies) {
   }
 }
 
-// Where large products cancel the images' errors add up to several units, while the distance is next to nothing.
+// Where large products cancel the images' errors add up to several units, while the distance is
+// next to nothing.
 TEST(NotFarther, ReturnsTiesThatCancellationHides) {
   Random random(13);
   std::vector<std::uint32_t> unsure;
@@ -101,7 +107,8 @@ TEST(NotFarther, ReturnsParallelLines) {
   for (int repeat = 0; repeat < 200; ++repeat) {
     const Vector d = random_direction(random, 70);
     std::vector<Line> lines{{random_vector(random, 60), d}};
-    for (int i = 0; i < 4; ++i) lines.push_back({random_vector(random, 60), (random_integer(random, 40) * mpz_class(2) + 1) * d});
+    for (int i = 0; i < 4; ++i)
+      lines.push_back({random_vector(random, 60), (random_integer(random, 40) * mpz_class(2) + 1) * d});
     const LineImages all = images(scene(std::move(lines)));
     for (const double bound : {0.0, least_normal, 1e-30, 1.0}) {
       not_farther(all, 0, all, bound, unsure);
@@ -130,7 +137,8 @@ TEST(NotFarther, DoesNotDependOnTheNeighbours) {
   }
 }
 
-// Lines in random position with the least of all their distances as bound: almost nothing else comes back.
+// Lines in random position with the least of all their distances as bound: almost nothing else
+// comes back.
 TEST(NotFarther, LeavesOutNearlyEverything) {
   Random random(6);
   const Scene of_a = random_lines(random, 60, 300), of_b = random_lines(random, 60, 300);
@@ -147,14 +155,16 @@ TEST(NotFarther, LeavesOutNearlyEverything) {
   std::vector<std::uint32_t> unsure;
   for (std::size_t i = 0; i < a.size(); ++i) {
     not_farther(a, i, b, least, unsure);
-    for (std::uint32_t j = 0; j < b.size(); ++j) EXPECT_NE(surely_farther(a, i, b, j, least), std::ranges::binary_search(unsure, j));
+    for (std::uint32_t j = 0; j < b.size(); ++j)
+      EXPECT_NE(surely_farther(a, i, b, j, least), std::ranges::binary_search(unsure, j));
     back += unsure.size();
   }
   EXPECT_GE(back, 1U);
   EXPECT_LE(back, 2U);
 }
 
-// Well away from parallel and from meeting, the filter tells distances apart that differ by a part in 10^12.
+// Well away from parallel and from meeting, the filter tells distances apart that differ by a part
+// in 10^12.
 TEST(NotFarther, IsSharp) {
   Random random(7);
   std::vector<std::uint32_t> unsure;
@@ -165,7 +175,8 @@ TEST(NotFarther, IsSharp) {
     const LineImages all = images(pair);
     const double dx = all.dy[0] * all.dz[1] - all.dz[0] * all.dy[1], dy = all.dz[0] * all.dx[1] - all.dx[0] * all.dz[1];
     const double dz = all.dx[0] * all.dy[1] - all.dy[0] * all.dx[1];
-    const double tie = image_bound(s.numerator, s.denominator, pair.exponent), squared_length = dx * dx + dy * dy + dz * dz;
+    const double tie = image_bound(s.numerator, s.denominator, pair.exponent),
+                 squared_length = dx * dx + dy * dy + dz * dz;
     if (squared_length < 0.25 || tie * squared_length < 0.01) continue;
     ++tried;
     not_farther(all, 0, all, tie * (1 - 1e-12), unsure);
@@ -225,7 +236,8 @@ TEST(ImageBound, IsATightUpperBound) {
   Random random(10);
   for (int repeat = 0; repeat < 20000; ++repeat) {
     const auto size = [&] { return static_cast<unsigned long>(below(random, repeat % 2 ? 70 : 2500) + 1); };
-    const mpz_class numerator = abs(random_integer(random, size())), denominator = abs(random_integer(random, size())) + 1;
+    const mpz_class numerator = abs(random_integer(random, size())),
+                    denominator = abs(random_integer(random, size())) + 1;
     const long exponent = below(random, 1500) - (repeat % 3 ? 0 : 600);
     mpq_class value(numerator, denominator);
     value.canonicalize();
@@ -250,16 +262,20 @@ TEST(ImageBound, AtTheEndsOfTheRange) {
   EXPECT_EQ(image_bound(1, 1, 100000), least_normal);
 }
 
-// The filter of the scan over pairs of arcs against exact signs: whatever it leaves out does not cross, or is strictly farther.
+// The filter of the scan over pairs of arcs against exact signs: whatever it leaves out does not
+// cross, or is strictly farther.
 
 /// Arcs of a diagram of rank 3, with lines along their circles' normals.
 struct Arcs {
   gaussian::GaussianDiagram diagram;
   std::vector<Line> lines;
-  [[nodiscard]] const gaussian::Arc& arc(std::size_t i) const { return diagram.arcs[gaussian::ArcId(static_cast<std::uint32_t>(i))]; }
+  [[nodiscard]] const gaussian::Arc& arc(std::size_t i) const {
+    return diagram.arcs[gaussian::ArcId(static_cast<std::uint32_t>(i))];
+  }
 };
 
-/// Arcs of small integers, rank 3 or (half-circles between the poles) rank 2: shared ends, ends on circles, overlaps.
+/// Arcs of small integers, rank 3 or (half-circles between the poles) rank 2: shared ends, ends on
+/// circles, overlaps.
 Arcs random_arcs(Random& random, int rank, unsigned long size, int n) {
   Arcs arcs;
   arcs.diagram.rank = rank;
@@ -281,7 +297,8 @@ Arcs random_arcs(Random& random, int rank, unsigned long size, int n) {
 
 ArcImages arc_images(const gaussian::GaussianDiagram& diagram) {
   ArcImages result;
-  for (const gaussian::Arc& arc : diagram.arcs) result.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
+  for (const gaussian::Arc& arc : diagram.arcs)
+    result.push_back(diagram.nodes[arc.from].exact(), diagram.nodes[arc.to].exact());
   return result;
 }
 
@@ -289,7 +306,8 @@ ArcImages arc_images(const gaussian::GaussianDiagram& diagram) {
 template <class Check>
 void scan_arcs(const Arcs& one, const Arcs& many, double bound, const Check& check) {
   const std::size_t size = std::max(bits(one.lines[0].point), bits(many.lines[0].point)) + 60;
-  const LineImages a = images(Scene{static_cast<long>(size), one.lines}), b = images(Scene{static_cast<long>(size), many.lines});
+  const LineImages a = images(Scene{static_cast<long>(size), one.lines}),
+                   b = images(Scene{static_cast<long>(size), many.lines});
   const ArcImages arcs_a = arc_images(one.diagram), arcs_b = arc_images(many.diagram);
   std::vector<std::uint32_t> unsure;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -300,7 +318,8 @@ void scan_arcs(const Arcs& one, const Arcs& many, double bound, const Check& che
   }
 }
 
-// With small integers the images' products are exact up to much less than the least product: the filter decides as exact signs would.
+// With small integers the images' products are exact up to much less than the least product: the
+// filter decides as exact signs would.
 TEST(CrossingAndNotFarther, KeepsThePairsThatTouchAndNoOthers) {
   Random random(11);
   int kept = 0, dropped = 0;
@@ -349,7 +368,8 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
     for (std::uint32_t k = 0; k < 20; ++k) {
       const Vector& circle = one.lines[k % 6].direction;
       const Vector end = cross(circle, random_direction(random, size)) + random_vector(random, 1);
-      const Vector other = many.diagram.nodes[many.diagram.arcs[gaussian::ArcId(k)].to].exact(), normal = cross(end, other);
+      const Vector other = many.diagram.nodes[many.diagram.arcs[gaussian::ArcId(k)].to].exact(),
+                   normal = cross(end, other);
       if (is_zero(normal)) continue;
       many.diagram.nodes[many.diagram.arcs[gaussian::ArcId(k)].from] = Direction(end);
       many.diagram.arcs[gaussian::ArcId(k)].circle = Direction(normal);
@@ -372,11 +392,12 @@ TEST(CrossingAndNotFarther, LeavesOutOnlyWhatDoesNotCrossOrIsFarther) {
   EXPECT_GT(far, 5000);
 }
 
-// The vertex test's filter against exact integers, on lines that are hard for it, in all rounding modes.
+// The vertex test's filter against exact integers, on lines that are hard for it, in all rounding
+// modes.
 
 // <s,w> > 0 and <s,w>^2 > bound |w|^2 at all corners of the lines i, i' and j, j'.
-bool exactly_beyond(const Line& p, const Line& q, const std::array<const Line*, 2>& rows, const std::array<const Line*, 2>& columns,
-                    const mpq_class& bound) {
+bool exactly_beyond(const Line& p, const Line& q, const std::array<const Line*, 2>& rows,
+                    const std::array<const Line*, 2>& columns, const mpq_class& bound) {
   for (const Line* i : rows) {
     for (const Line* j : columns) {
       const Vector w = cross(i->direction, j->direction);
@@ -396,7 +417,8 @@ TEST(CornersBeyond, VerdictsAreThoseOfExactArithmetic) {
       const std::size_t n = scene.lines.size();
       if (n < 6) continue;
       for (int k = 0; k < 12; ++k) {
-        // Rows and columns of two lines each, the difference from any two; the bound from one of the four crossings.
+        // Rows and columns of two lines each, the difference from any two; the bound from one of
+        // the four crossings.
         const std::size_t i = random() % (n - 1), j = random() % (n - 1), of_a = random() % n, of_b = random() % n;
         const Line &p = scene.lines[of_a], &q = scene.lines[of_b];
         const Vector w = cross(scene.lines[i].direction, scene.lines[j].direction);
@@ -414,7 +436,8 @@ TEST(CornersBeyond, VerdictsAreThoseOfExactArithmetic) {
         }
         const mpq_class exact = mpq_class(numerator) / mpq_class(denominator);
         EXPECT_LE(mpq_class(bound.below), times_power_of_four(exact, -scene.exponent));
-        const bool truth = exactly_beyond(p, q, {&scene.lines[i], &scene.lines[i + 1]}, {&scene.lines[j], &scene.lines[j + 1]}, exact);
+        const bool truth =
+            exactly_beyond(p, q, {&scene.lines[i], &scene.lines[i + 1]}, {&scene.lines[j], &scene.lines[j + 1]}, exact);
         ASSERT_TRUE(truth || verdict != CornerVerdict::beyond);
         ASSERT_TRUE(!truth || verdict != CornerVerdict::within);
         beyond += verdict == CornerVerdict::beyond;
@@ -432,10 +455,12 @@ TEST(CornersBeyond, AnInfiniteBoundIsNeverPassed) {
   Random random(9);
   const Scene scene = random_lines(random, 30, 8);
   const LineImages all = images(scene);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NE(corners_beyond(all, all, {{i, i, i + 1}, {0, 0, 1}}, {infinite, 0}), CornerVerdict::beyond);
+  for (std::size_t i = 0; i < 7; ++i)
+    EXPECT_NE(corners_beyond(all, all, {{i, i, i + 1}, {0, 0, 1}}, {infinite, 0}), CornerVerdict::beyond);
 }
 
-// The filter in wide floats against exact arithmetic: what is thrown out is farther, and little that is farther stays.
+// The filter in wide floats against exact arithmetic: what is thrown out is farther, and little
+// that is farther stays.
 
 class RandomLines {
  public:

@@ -30,7 +30,8 @@ template <class Number>
 Number any(Random& random) {
   Number x = any_double(random);
   // Digits all the way down.
-  if constexpr (std::is_same_v<Number, WideFloat>) x = x * (1 + WideFloat(any_double(random)) * 0x1p-70) + any_double(random) * 0x1p-60;
+  if constexpr (std::is_same_v<Number, WideFloat>)
+    x = x * (1 + WideFloat(any_double(random)) * 0x1p-70) + any_double(random) * 0x1p-60;
   return x;
 }
 
@@ -86,7 +87,8 @@ TYPED_TEST(TaylorModels, OperationsHoldWhatTheyShould) {
       sum = combination(a, f, b, g);
       below = least(f);
     }
-    const mpq_class s = n % 3 ? in_range(random) : mpq_class(n % 2 ? 1 : -1), t = n % 5 ? in_range(random) : mpq_class(1);
+    const mpq_class s = n % 3 ? in_range(random) : mpq_class(n % 2 ? 1 : -1),
+                    t = n % 5 ? in_range(random) : mpq_class(1);
     const mpq_class x = held(f, s, t, random), y = held(g, s, t, random);
     expect_holds(product, s, t, x * y);
     expect_holds(sum, s, t, exactly(a) * x + exactly(b) * y);
@@ -125,12 +127,14 @@ TYPED_TEST(TaylorModels, LeastIsAttained) {
 
 // The frame test against exact distances, on smooth chains and on wild lines.
 
-// Chords of the parabola z = -x^2 / 800 in the xz-plane or, upside down, the yz-plane, at nearly equal steps.
+// Chords of the parabola z = -x^2 / 800 in the xz-plane or, upside down, the yz-plane, at nearly
+// equal steps.
 Scene chain(Random& random, bool across, int n, long noise) {
   std::vector<Vector> points;
   const long step = 100000;
   for (long k = 0; k <= n; ++k) {
-    const mpz_class x = (k - n / 2) * step + (noise ? static_cast<long>(random() % static_cast<std::uint64_t>(noise)) : 0);
+    const mpz_class x =
+        (k - n / 2) * step + (noise ? static_cast<long>(random() % static_cast<std::uint64_t>(noise)) : 0);
     const mpz_class z = mpz_class(1000000) * 1000 - x * x / 8000000;
     points.push_back(across ? Vector{0, x, z} : Vector{x, 0, mpz_class(-z)});
   }
@@ -150,8 +154,9 @@ void check(const Scene& a, const Scene& b, const mpq_class& bound, Tally& tally,
     const RoundingMode mode(rounding_modes[mode_number % 4]);
     const double above = image_bound(bound.get_num(), bound.get_den(), a.exponent);
     const bool in_binary64 = frames_beyond(line_frame(images(a), rows), line_frame(images(b), columns), above);
-    const std::optional<WideFloat> margin = frames_margin(line_frame(wide_lines(a), rows), line_frame(wide_lines(b), columns),
-                                                          wide_bound(bound.get_num(), bound.get_den(), a.exponent));
+    const std::optional<WideFloat> margin =
+        frames_margin(line_frame(wide_lines(a), rows), line_frame(wide_lines(b), columns),
+                      wide_bound(bound.get_num(), bound.get_den(), a.exponent));
     beyond = margin && *margin > 0;
     tally.wide += beyond && !in_binary64;
     beyond |= in_binary64;
@@ -183,7 +188,8 @@ mpq_class least(const Scene& a, const Scene& b) {
   return least.value_or(0);
 }
 
-// On smooth chains the test is sharp: it clears a bound a part in 100 below the least distance, and never one at it.
+// On smooth chains the test is sharp: it clears a bound a part in 100 below the least distance, and
+// never one at it.
 TEST(FramesBeyond, SharpOnSmoothChains) {
   Random random(4);
   Tally below, at;
@@ -199,7 +205,8 @@ TEST(FramesBeyond, SharpOnSmoothChains) {
   EXPECT_GT(below.clear, 150) << "of " << below.tests;
 }
 
-// Where the bound is nearer than binary64 can tell: wide floats clear it, up to 2^-100, and never one at the least distance.
+// Where the bound is nearer than binary64 can tell: wide floats clear it, up to 2^-100, and never
+// one at the least distance.
 TEST(FramesBeyond, WideFramesTellNearerBounds) {
   Random random(14);
   for (const unsigned long digits : {56UL, 70UL, 90UL, 100UL}) {
@@ -240,14 +247,16 @@ TEST(LineFrame, TurningChainsHaveNone) {
   EXPECT_FALSE(frames_beyond(line_frame(images(scene), all_indices(2)), line_frame(images(scene), all_indices(1)), 0));
 }
 
-// The offset test against exact distances: on smooth chains with noise that no frame can hold, and with bounds at the distances of pairs.
+// The offset test against exact distances: on smooth chains with noise that no frame can hold, and
+// with bounds at the distances of pairs.
 
 // How far corners, and whole lines, are off.
 struct Noise {
   long corners, lines;
 };
 
-// Chords of a parabola over [-reach, reach] / 2^40, in the xz-plane or, upside down, the yz-plane; noise in multiples of 2^-40.
+// Chords of a parabola over [-reach, reach] / 2^40, in the xz-plane or, upside down, the yz-plane;
+// noise in multiples of 2^-40.
 Scene chain(Random& random, bool across, int n, long reach, const Noise& noise) {
   const auto off = [&](long size) { return mpz_class(size > 0 ? below(random, 2 * size + 1) - size : 0); };
   const auto any = [&](long size) { return Vector{off(size), off(size), off(size)}; };
@@ -257,7 +266,8 @@ Scene chain(Random& random, bool across, int n, long reach, const Noise& noise) 
     points.push_back((across ? Vector{0, x, z} : Vector{x, 0, mpz_class(-z)}) + any(noise.corners));
   }
   std::vector<Line> lines;
-  for (std::size_t k = 1; k < points.size(); ++k) lines.push_back({points[k - 1] + any(noise.lines), points[k] - points[k - 1]});
+  for (std::size_t k = 1; k < points.size(); ++k)
+    lines.push_back({points[k - 1] + any(noise.lines), points[k] - points[k - 1]});
   return {42, std::move(lines)};
 }
 
@@ -289,11 +299,13 @@ struct Block {
   };
   [[nodiscard]] Result test(const mpq_class& bound, std::size_t most) const {
     const WideFloat b = wide_bound(bound.get_num(), bound.get_den(), rows.exponent);
-    const LineFrame<WideFloat> of_rows = line_frame(wide_rows, row_run), of_columns = line_frame(wide_columns, column_run);
+    const LineFrame<WideFloat> of_rows = line_frame(wide_rows, row_run),
+                               of_columns = line_frame(wide_columns, column_run);
     const auto margin = frames_margin(of_rows, of_columns, b);
     const auto smooth = margin_model(of_rows.smooth(), of_columns.smooth(), b);
     Result result{margin && *margin > 0, {}};
-    if (smooth) result.left = pairs_left({wide_rows, row_run, of_rows}, {wide_columns, column_run, of_columns}, b, *smooth, most);
+    if (smooth)
+      result.left = pairs_left({wide_rows, row_run, of_rows}, {wide_columns, column_run, of_columns}, b, *smooth, most);
     return result;
   }
 };
@@ -337,7 +349,8 @@ TEST(PairsLeft, HoldEveryPairThatIsAsNear) {
   EXPECT_LT(kept, all * 9 / 10) << "it throws out pairs, too";
 }
 
-// Lines that are off by as much as the smooth chains' distances differ, over a small extent: no box holds that, one number a line does.
+// Lines that are off by as much as the smooth chains' distances differ, over a small extent: no box
+// holds that, one number a line does.
 TEST(PairsLeft, AreFewWhereNoFrameClears) {
   Random random(9);
   int tests = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where planes meet, by images: against exact coordinates, in every rounding mode, for planes that are nearly parallel or nearly meet in a
-// line too; and that the images tell enough.
+// Where planes meet, by images: against exact coordinates, in every rounding mode, for planes that
+// are nearly parallel or nearly meet in a line too; and that the images tell enough.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,9 @@ OrientedPlane plane_through(const Vector& normal, const Vector& p, unsigned long
   return oriented_plane(normal, dot(normal, p), static_cast<long>(bits));
 }
 
-/// Three planes and one more, which often passes through the others' common point, or nearly so. The second and the third are often nearly
-/// parallel to the first, or nearly through the line of the first two.
+/// Three planes and one more, which often passes through the others' common point, or nearly so.
+/// The second and the third are often nearly parallel to the first, or nearly through the line of
+/// the first two.
 std::array<OrientedPlane, 4> four_planes(Random& random, unsigned long bits) {
   std::array<Vector, 4> n;
   for (Vector& normal : n) normal = random_direction(random, bits);
@@ -39,7 +40,8 @@ std::array<OrientedPlane, 4> four_planes(Random& random, unsigned long bits) {
   const Vector common = random_vector(random, bits);
   std::array<OrientedPlane, 4> planes;
   const bool meet = random() % 2 == 0;
-  for (std::size_t i = 0; i < 4; ++i) planes[i] = plane_through(n[i], meet ? common : random_vector(random, bits), bits);
+  for (std::size_t i = 0; i < 4; ++i)
+    planes[i] = plane_through(n[i], meet ? common : random_vector(random, bits), bits);
   if (meet && random() % 2 == 0) planes[3] = plane_through(n[3], common + random_vector(random, few()), bits);
   return planes;
 }
@@ -90,7 +92,8 @@ TEST(MeetingImage, ErrsByNoMoreThanItSaysInEveryRoundingMode) {
     const auto exponent = static_cast<long>(bits);
     const auto [g, h, e, f] = four_planes(random, bits);
     const SquaredDistance at = squared_distance(rational_point(f.height * f.normal, dot(f.normal, f.normal), exponent));
-    expect_true(rational_point(g.height * g.normal, dot(g.normal, g.normal), exponent), foot_image(g.image), bits, f, at, told);
+    expect_true(rational_point(g.height * g.normal, dot(g.normal, g.normal), exponent), foot_image(g.image), bits, f,
+                at, told);
     const MeetingLine line(g.image, h.image);
     const Vector d = cross(g.normal, h.normal);
     if (is_zero(d)) {
@@ -98,7 +101,8 @@ TEST(MeetingImage, ErrsByNoMoreThanItSaysInEveryRoundingMode) {
       ASSERT_FALSE(line.surely_exists());
       continue;
     }
-    const RationalPoint foot = rational_point(g.height * cross(h.normal, d) + h.height * cross(d, g.normal), dot(d, d), exponent);
+    const RationalPoint foot =
+        rational_point(g.height * cross(h.normal, d) + h.height * cross(d, g.normal), dot(d, d), exponent);
     expect_true(foot, line.foot(), bits, f, at, told);
     expect_true(foot, line.foot(), bits, f, squared_distance(foot), told);
     const mpz_class w = dot(d, e.normal);
@@ -107,8 +111,8 @@ TEST(MeetingImage, ErrsByNoMoreThanItSaysInEveryRoundingMode) {
       ASSERT_EQ(to_int(*leads), sgn(w)) << "law: the way of a line";
     }
     if (w == 0) continue;
-    const RationalPoint meeting =
-        rational_point(g.height * cross(h.normal, e.normal) + h.height * cross(e.normal, g.normal) + e.height * d, w, exponent);
+    const RationalPoint meeting = rational_point(
+        g.height * cross(h.normal, e.normal) + h.height * cross(e.normal, g.normal) + e.height * d, w, exponent);
     expect_true(meeting, line.meeting(e.image), bits, f, at, told);
     expect_true(meeting, line.meeting(e.image), bits, f, squared_distance(meeting), told);
     if (HasFatalFailure()) return;

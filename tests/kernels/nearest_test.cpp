@@ -18,7 +18,9 @@ using namespace fathom::testing;
 struct Plane {
   Vector normal;
   mpz_class height;
-  friend std::ostream& operator<<(std::ostream& out, const Plane& p) { return out << '<' << p.normal << ", x> = " << p.height; }
+  friend std::ostream& operator<<(std::ostream& out, const Plane& p) {
+    return out << '<' << p.normal << ", x> = " << p.height;
+  }
 };
 
 /// Squared distance of a plane from O.
@@ -34,7 +36,9 @@ mpq_class squared_distance(const NearestPlanes& nearest) {
   return r;
 }
 
-std::vector<Vector> directions_of(const NearestPlanes& nearest) { return {nearest.directions().begin(), nearest.directions().end()}; }
+std::vector<Vector> directions_of(const NearestPlanes& nearest) {
+  return {nearest.directions().begin(), nearest.directions().end()};
+}
 
 /// The twin: least distance, and the primitive normals at that distance, sorted, each once.
 std::pair<mpq_class, std::vector<Vector>> naive(const std::vector<Plane>& planes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Correct rounding against a twin that does not cut: it bisects over all floating-point numbers in order and asks exact
-// questions only (is x <= q? is x^2 <= q?).
+// Correct rounding against a twin that does not cut: it bisects over all floating-point numbers in
+// order and asks exact questions only (is x <= q? is x^2 <= q?).
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -25,7 +25,8 @@ namespace {
 
 mpq_class power_of_two(long exponent) {
   mpq_class one = 1;
-  return exponent < 0 ? mpq_class(one >> static_cast<mp_bitcnt_t>(-exponent)) : mpq_class(one << static_cast<mp_bitcnt_t>(exponent));
+  return exponent < 0 ? mpq_class(one >> static_cast<mp_bitcnt_t>(-exponent))
+                      : mpq_class(one << static_cast<mp_bitcnt_t>(exponent));
 }
 
 mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
@@ -36,7 +37,8 @@ mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
 
 mpq_class square(const mpq_class& x) { return mpq_class(x * x); }
 
-/// The finite numbers x >= 0 of a format are those of its bit patterns 0 .. last, in the same order.
+/// The finite numbers x >= 0 of a format are those of its bit patterns 0 .. last, in the same
+/// order.
 template <class Float>
 struct Patterns;
 template <>
@@ -70,7 +72,9 @@ template <class Float>
 Neighbours<Float> naive(const mpq_class& q, Side side) {
   using Bits = typename Patterns<Float>::Bits;
   const auto number = [](Bits bits) { return std::bit_cast<Float>(bits); };
-  Bits low = 0, high = std::bit_cast<Bits>(std::numeric_limits<Float>::infinity());  // low <= the number; high, or infinity, above
+  Bits low = 0,
+       high =
+           std::bit_cast<Bits>(std::numeric_limits<Float>::infinity());  // low <= the number; high, or infinity, above
   while (high - low > 1) {
     const Bits middle = low + (high - low) / 2;
     (side(value_of(number(middle)), q) <= 0 ? low : high) = middle;
@@ -102,7 +106,8 @@ Neighbours<Float> rounded_root(const mpq_class& q) {
 template <class Float>
 bool same(const Neighbours<Float>& a, const Neighbours<Float>& b) {
   using Bits = typename Patterns<Float>::Bits;
-  return std::bit_cast<Bits>(a.rd) == std::bit_cast<Bits>(b.rd) && std::bit_cast<Bits>(a.ru) == std::bit_cast<Bits>(b.ru) &&
+  return std::bit_cast<Bits>(a.rd) == std::bit_cast<Bits>(b.rd) &&
+         std::bit_cast<Bits>(a.ru) == std::bit_cast<Bits>(b.ru) &&
          std::bit_cast<Bits>(a.rn) == std::bit_cast<Bits>(b.rn);
 }
 
@@ -114,9 +119,11 @@ Neighbours<Float> in_order(const EveryMode<Float>& rounded) {
 /// All roundings at once are those one by one.
 bool at_once(const mpq_class& q) {
   const Roundings value = roundings(q), negative = roundings(mpq_class(-q)), root = roundings_of_root(q);
-  return same(in_order(value.binary64), rounded_value<double>(q)) && same(in_order(value.binary32), rounded_value<float>(q)) &&
+  return same(in_order(value.binary64), rounded_value<double>(q)) &&
+         same(in_order(value.binary32), rounded_value<float>(q)) &&
          same(in_order(negative.binary64), rounded_value<double>(mpq_class(-q))) &&
-         same(in_order(negative.binary32), rounded_value<float>(mpq_class(-q))) && same(in_order(root.binary64), rounded_root<double>(q)) &&
+         same(in_order(negative.binary32), rounded_value<float>(mpq_class(-q))) &&
+         same(in_order(root.binary64), rounded_root<double>(q)) &&
          same(in_order(root.binary32), rounded_root<float>(q));
 }
 
@@ -130,7 +137,8 @@ void expect_as_naive(const mpq_class& q) {
   EXPECT_TRUE(at_once(q)) << told("all at once");
 }
 
-/// A finite number x >= 0 and the one after it (2^top after the largest), by any bit pattern: subnormals and the border included.
+/// A finite number x >= 0 and the one after it (2^top after the largest), by any bit pattern:
+/// subnormals and the border included.
 template <class Float>
 std::pair<mpq_class, mpq_class> random_neighbours(std::uint64_t seed) {
   using Bits = typename Patterns<Float>::Bits;
@@ -161,7 +169,8 @@ int random_in(int first, int last) { return *rc::gen::resize(rc::kNominalSize, r
 
 mpz_class random_integer() {
   mpz_class result = 0;
-  for (auto words = random_in(1, 5); words > 0; --words) result = (result << 64) + mpz_class(std::to_string(random_word()));
+  for (auto words = random_in(1, 5); words > 0; --words)
+    result = (result << 64) + mpz_class(std::to_string(random_word()));
   return mpz_class(result >> static_cast<mp_bitcnt_t>(random_in(0, 64)));
 }
 
@@ -193,7 +202,8 @@ TEST(Rounding, RandomRationals) {
   }));
 }
 
-// The three results stated directly: rd <= root <= ru by squares, they are neighbours or equal, and rn is the nearer one.
+// The three results stated directly: rd <= root <= ru by squares, they are neighbours or equal, and
+// rn is the nearer one.
 TEST(Rounding, TheRootLiesBetweenNeighboursBySquaring) {
   EXPECT_TRUE(rc::check([] {
     const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1));
@@ -232,8 +242,9 @@ TEST(Rounding, OverflowBorder) {
   constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
   const mpq_class border = power_of_two(1024) - power_of_two(970);  // the largest number plus half an ulp
   const mpq_class hair = power_of_two(-3000);
-  for (const mpq_class& x : {border, mpq_class(border - hair), mpq_class(border + hair), power_of_two(1024),
-                             mpq_class(power_of_two(1024) - hair), exact_value(largest), mpq_class(exact_value(largest) + hair)}) {
+  for (const mpq_class& x :
+       {border, mpq_class(border - hair), mpq_class(border + hair), power_of_two(1024),
+        mpq_class(power_of_two(1024) - hair), exact_value(largest), mpq_class(exact_value(largest) + hair)}) {
     EXPECT_EQ(round_binary64(x, Rounding::rd), largest);
     EXPECT_EQ(round_binary64(x, Rounding::ru), x == exact_value(largest) ? largest : infinity);
     EXPECT_EQ(round_binary64(x, Rounding::rn), x < border ? largest : infinity);
@@ -262,7 +273,8 @@ TEST(Rounding, UnderflowBorder) {
     EXPECT_EQ(root_binary64(square(x), Rounding::rn), x > half ? least : 0.0);
   }
   EXPECT_EQ(round_binary32(power_of_two(-150), Rounding::rn), 0.0f);
-  EXPECT_EQ(round_binary32(mpq_class(power_of_two(-150) + hair), Rounding::rn), std::numeric_limits<float>::denorm_min());
+  EXPECT_EQ(round_binary32(mpq_class(power_of_two(-150) + hair), Rounding::rn),
+            std::numeric_limits<float>::denorm_min());
 }
 
 TEST(Rounding, FarBeyondBothEnds) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact parsing against two twins: a regular expression with schoolbook evaluation for what is a number and which one, and the
-// standard library's readers of doubles for what the nearest binary64 is.
+// Exact parsing against two twins: a regular expression with schoolbook evaluation for what is a
+// number and which one, and the standard library's readers of doubles for what the nearest binary64
+// is.
 
 #include "kernels/number/parse.hpp"
 
@@ -56,7 +57,8 @@ mpz_class power(unsigned long base, long exponent) {
 std::string expansion(const mpq_class& x) {
   const long places = static_cast<long>(mpz_scan1(x.get_den_mpz_t(), 0));
   std::string digits = mpz_class(abs(x.get_num()) * power(5, places)).get_str();
-  if (static_cast<long>(digits.size()) <= places) digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
+  if (static_cast<long>(digits.size()) <= places)
+    digits.insert(0, static_cast<std::size_t>(places) + 1 - digits.size(), '0');
   digits.insert(digits.size() - static_cast<std::size_t>(places), 1, '.');
   return (sgn(x) < 0 ? "-" : "") + digits;
 }
@@ -146,8 +148,9 @@ TEST(ParseNumber, EachBadTokenHasItsReason) {
 
 /// Twin: the grammar as one regular expression, the value digit by digit.
 std::optional<mpq_class> naive(const std::string& token) {
-  static const std::regex grammar(R"(([+-]?)(?:(\d+)/(\d+)|0[xX](?=\.?[\da-fA-F])([\da-fA-F]*)\.?([\da-fA-F]*)(?:[pP]([+-]?\d+))?|)"
-                                  R"((?=\.?\d)(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?))");
+  static const std::regex grammar(
+      R"(([+-]?)(?:(\d+)/(\d+)|0[xX](?=\.?[\da-fA-F])([\da-fA-F]*)\.?([\da-fA-F]*)(?:[pP]([+-]?\d+))?|)"
+      R"((?=\.?\d)(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?))");
   std::smatch match;
   if (!std::regex_match(token, match, grammar)) return std::nullopt;
   const auto positional = [](const std::string& whole, const std::string& fraction, long base) {
@@ -173,7 +176,8 @@ std::optional<mpq_class> naive(const std::string& token) {
   return match[1] == "-" ? mpq_class(-value) : value;
 }
 
-// Tokens put together from parts that fit each other, most of the time: about as many numbers as noise.
+// Tokens put together from parts that fit each other, most of the time: about as many numbers as
+// noise.
 TEST(ParseNumber, AsTheGrammarOnNoise) {
   using Parts = std::vector<std::string>;
   // clang-format off
@@ -241,7 +245,8 @@ TEST(ParseNumber, Binary64AsTheStandardLibraryReads) {
   }));
 }
 
-// The middle of two neighbouring doubles, written out in full (up to 768 digits), and the decimals next to it.
+// The middle of two neighbouring doubles, written out in full (up to 768 digits), and the decimals
+// next to it.
 TEST(ParseNumber, Binary64OnTiesWrittenOut) {
   EXPECT_TRUE(rc::check([] {
     const double x = random_in(0, 4) == 0 ? std::bit_cast<double>(random_word() >> 12) : random_double();
@@ -251,7 +256,8 @@ TEST(ParseNumber, Binary64OnTiesWrittenOut) {
     expect_as_standard(middle);
     expect_as_standard(middle + "00000000000000000001");
     std::string below = middle;
-    below.back() = below.back() == '.' ? '.' : static_cast<char>(below.back() - 1);  // the last digit is a 5, or there is none
+    below.back() =
+        below.back() == '.' ? '.' : static_cast<char>(below.back() - 1);  // the last digit is a 5, or there is none
     expect_as_standard(below + "99999999999999999999");
     RC_ASSERT(!testing::Test::HasFailure());
   }));
@@ -314,7 +320,8 @@ TEST(ParseNumber, NeitherLocaleNorRoundingModeMatter) {
   const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaAndGrouping));
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
-    const ParsedNumber three_tenths = parse_number("0.3", Decimals::binary64), exactly = parse_number("1234.5", Decimals::exact);
+    const ParsedNumber three_tenths = parse_number("0.3", Decimals::binary64),
+                       exactly = parse_number("1234.5", Decimals::exact);
     std::fesetround(FE_TONEAREST);
     EXPECT_EQ(three_tenths.value, mpq_class("5404319552844595/18014398509481984"));
     EXPECT_EQ(exact_text(*exactly.value), "2469/2");
@@ -342,8 +349,8 @@ TEST(QuickNumber, TakesWhatMeshesHold) {
     EXPECT_TRUE(quick(token, Decimals::binary64)) << token;
     EXPECT_TRUE(quick(token, Decimals::exact)) << token;
   }
-  for (const char* token : {"0.1", "-.5", "1.", "1e5", "1.25E-7", "0.30000000000000004", "9007199254740993.0", "2.2250738585072012e-308",
-                            "1.7976931348623157e308", "4.9406564584124654e-324"}) {
+  for (const char* token : {"0.1", "-.5", "1.", "1e5", "1.25E-7", "0.30000000000000004", "9007199254740993.0",
+                            "2.2250738585072012e-308", "1.7976931348623157e308", "4.9406564584124654e-324"}) {
     EXPECT_TRUE(quick(token, Decimals::binary64)) << token;
     EXPECT_FALSE(quick(token, Decimals::exact)) << token;
   }
@@ -387,7 +394,8 @@ TEST(QuickNumber, AgreesOnWhateverIsWritten) {
       "x", "p", "inf", "nan", "49406564584124654"};
   EXPECT_TRUE(rc::check([&] {
     std::string token;
-    for (const std::string& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces))) token += piece;
+    for (const std::string& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces)))
+      token += piece;
     quick(token, Decimals::binary64);
     quick(token, Decimals::exact);
   }));
@@ -401,7 +409,8 @@ TEST(QuickNumber, AgreesOnWhateverIsWritten) {
 
 TEST(QuickNumber, LeavesDecimalsWhileRoundingIsNotToNearest) {
   std::fesetround(FE_UPWARD);
-  const bool decimal = quick_number("0.1", Decimals::binary64).has_value(), integer = quick_number("12", Decimals::binary64).has_value();
+  const bool decimal = quick_number("0.1", Decimals::binary64).has_value(),
+             integer = quick_number("12", Decimals::binary64).has_value();
   std::fesetround(FE_TONEAREST);
   EXPECT_FALSE(decimal);
   EXPECT_TRUE(integer);

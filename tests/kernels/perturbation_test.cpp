@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How operands move; that no sign between different groups vanishes (claims 1 to 6 of proofs/perturbation.md); that signs are those of an
-// honest perturbation by small numbers; what is refused.
+// How operands move; that no sign between different groups vanishes (claims 1 to 6 of
+// proofs/perturbation.md); that signs are those of an honest perturbation by small numbers; what is
+// refused.
 #include "kernels/predicates/perturbation.hpp"
 
 #include <gtest/gtest.h>
@@ -39,9 +40,11 @@ std::vector<Vector> small_vectors(bool up_to_sign) {
 }
 
 rc::Gen<Vector> tiny_directions() {
-  const auto component = rc::gen::resize(rc::kNominalSize, rc::gen::map(rc::gen::inRange(-2, 3), [](int i) { return mpz_class(i); }));
+  const auto component =
+      rc::gen::resize(rc::kNominalSize, rc::gen::map(rc::gen::inRange(-2, 3), [](int i) { return mpz_class(i); }));
   const auto three = [](const mpz_class& x, const mpz_class& y, const mpz_class& z) { return Vector{x, y, z}; };
-  return rc::gen::suchThat(rc::gen::apply(three, component, component, component), [](const Vector& v) { return !is_zero(v); });
+  return rc::gen::suchThat(rc::gen::apply(three, component, component, component),
+                           [](const Vector& v) { return !is_zero(v); });
 }
 
 Perturbation any_perturbation() {
@@ -135,11 +138,14 @@ TEST(NoSignVanishes, OfANodeOnTheEquatorAndOfACircleThroughTheVertical) {
           const int sign = perturbed(p).side_of_equator(Direction(w, role), pole_of(lower));
           EXPECT_EQ(sign * sign, 1);
           EXPECT_EQ(perturbed(p).side_of_equator(Direction(-w, role), pole_of(lower)), -sign);
-          EXPECT_EQ(perturbed(p).side_of_equator(Direction(w, role), pole_of(!lower)), -sign) << "each node lies in one hemisphere";
+          EXPECT_EQ(perturbed(p).side_of_equator(Direction(w, role), pole_of(!lower)), -sign)
+              << "each node lies in one hemisphere";
         }
       }
       for (const Role role : {Role::fixed, Role::circle_of_a}) {
-        EXPECT_EQ(perturbed(p).side_of_arc(vertical, Direction(w, role)) * perturbed(p).side_of_arc(vertical, Direction(-w, role)), -1);
+        EXPECT_EQ(perturbed(p).side_of_arc(vertical, Direction(w, role)) *
+                      perturbed(p).side_of_arc(vertical, Direction(-w, role)),
+                  -1);
       }
     }
   }
@@ -155,9 +161,9 @@ TEST(NoSignVanishes, OfPairsOfDifferentBodies) {
         EXPECT_NE(perturbed(p).side_of_arc(node, fixed), 0);
         EXPECT_NE(perturbed(p).side_of_arc(fixed, circle), 0);
         for (const bool lower : {false, true}) {
-          EXPECT_EQ(
-              perturbed(p).order_at_infinity(circle, fixed, pole_of(lower)) * perturbed(p).order_at_infinity(fixed, circle, pole_of(lower)),
-              -1);
+          EXPECT_EQ(perturbed(p).order_at_infinity(circle, fixed, pole_of(lower)) *
+                        perturbed(p).order_at_infinity(fixed, circle, pole_of(lower)),
+                    -1);
         }
       }
     }
@@ -203,13 +209,15 @@ Operands any_operands() {
   return {*tiny_directions(), *tiny_directions(), *tiny_directions(), *tiny_directions(), *rc::gen::arbitrary<bool>()};
 }
 
-// Letting in one infinitesimal after another ends with the sign of the whole polynomial, on random operands with components up to 2.
+// Letting in one infinitesimal after another ends with the sign of the whole polynomial, on random
+// operands with components up to 2.
 TEST(PerturbedKernel, TheFirstLevelThatDecidesIsTheWhole) {
   EXPECT_TRUE(rc::check("level by level", [] {
     const Perturbation p = any_perturbation();
     const Operands o = any_operands();
-    const auto whole =
-        ask_all(o, [&](const auto& functor, const auto&... w) { return sgn(functor(p.moved(w.exact(), w.role(), infinitesimals)...)); });
+    const auto whole = ask_all(o, [&](const auto& functor, const auto&... w) {
+      return sgn(functor(p.moved(w.exact(), w.role(), infinitesimals)...));
+    });
     RC_ASSERT(std::ranges::count(whole, 0) == 0);
     const Direction n(o.n, Role::node_of_a), m(o.m), d(o.d, Role::circle_of_a), g(o.g), z = pole_of(o.lower);
     const std::vector<int> filtered{perturbed(p).side_of_equator(n, z),
@@ -235,7 +243,8 @@ TEST(PerturbedKernel, RecordsTheMonomialThatDecides) {
   };
   EXPECT_EQ(decided(vertical, Direction(Vector{1, 0, 5})), "e1");
   EXPECT_EQ(decided(vertical, Direction(Vector{0, 0, 5})), "e2");
-  EXPECT_EQ(decided(Direction(Vector{0, 0, 1}, Role::node_of_a), Direction(Vector{1, 0, 0})), "e6") << "the entry in row 1, column 3";
+  EXPECT_EQ(decided(Direction(Vector{0, 0, 1}, Role::node_of_a), Direction(Vector{1, 0, 0})), "e6")
+      << "the entry in row 1, column 3";
   EXPECT_EQ(decided(vertical, Direction(Vector{0, 1, 0})), "none or several");
 }
 
@@ -260,8 +269,9 @@ Vec3<mpq_class> moved_by_numbers(const std::array<mpq_class, infinitesimals>& t,
   }
 }
 
-// The three largest infinitesimals as numbers: e_k = r^(4^(k-1)), r = 2^-16. No predicate's degree in one of them exceeds 3, so different
-// monomials differ by a factor r at least; and on components up to 2 the absolute values of all coefficients add up to less than 2^14.
+// The three largest infinitesimals as numbers: e_k = r^(4^(k-1)), r = 2^-16. No predicate's degree
+// in one of them exceeds 3, so different monomials differ by a factor r at least; and on components
+// up to 2 the absolute values of all coefficients add up to less than 2^14.
 TEST(PerturbedKernel, SignsAreThoseOfAnHonestPerturbation) {
   EXPECT_TRUE(rc::check("three small numbers", [] {
     const Perturbation p = any_perturbation();
@@ -271,15 +281,17 @@ TEST(PerturbedKernel, SignsAreThoseOfAnHonestPerturbation) {
       if (p.rank[i] <= level) t[i] = mpq_class(p.sign[i], power_of_two(16UL << (2 * (p.rank[i] - 1))));
     }
     const Operands o = any_operands();
-    const auto symbolic =
-        ask_all(o, [&](const auto& functor, const auto&... w) { return sgn(functor(p.moved(w.exact(), w.role(), level)...)); });
-    const auto numeric =
-        ask_all(o, [&](const auto& functor, const auto&... w) { return sgn(functor(moved_by_numbers(t, w.exact(), w.role())...)); });
+    const auto symbolic = ask_all(
+        o, [&](const auto& functor, const auto&... w) { return sgn(functor(p.moved(w.exact(), w.role(), level)...)); });
+    const auto numeric = ask_all(o, [&](const auto& functor, const auto&... w) {
+      return sgn(functor(moved_by_numbers(t, w.exact(), w.role())...));
+    });
     RC_ASSERT(symbolic == numeric);
   }));
 }
 
-// All 26 small nodes of either body, 13 of each in a hemisphere, 8 and more of them over one abscissa on the input: an order.
+// All 26 small nodes of either body, 13 of each in a hemisphere, 8 and more of them over one
+// abscissa on the input: an order.
 TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
   for (const Perturbation& p : perturbations()) {
     for (const bool lower : {false, true}) {
@@ -301,7 +313,8 @@ TEST(XOrder, IsTotalInEachPerturbedHemisphere) {
         }
       }
       std::ranges::sort(right_of);
-      for (std::size_t i = 0; i < right_of.size(); ++i) EXPECT_EQ(right_of[i], i) << "a tournament with these scores is transitive";
+      for (std::size_t i = 0; i < right_of.size(); ++i)
+        EXPECT_EQ(right_of[i], i) << "a tournament with these scores is transitive";
     }
   }
 }
@@ -310,12 +323,15 @@ TEST(PerturbedKernel, RefusesWhatNoPerturbationResolves) {
   for (const Perturbation& p : perturbations()) {
     const Vector n{1, 2, 3}, d{3, 0, -1};  // normal to each other
     EXPECT_THROW(perturbed(p).side_of_arc(Direction(n), Direction(d)), std::logic_error);
-    EXPECT_THROW(perturbed(p).side_of_arc(Direction(n, Role::node_of_a), Direction(d, Role::circle_of_a)), std::logic_error);
+    EXPECT_THROW(perturbed(p).side_of_arc(Direction(n, Role::node_of_a), Direction(d, Role::circle_of_a)),
+                 std::logic_error);
     EXPECT_THROW(perturbed(p).order_at_infinity(Direction(d), Direction(-d), pole_of(false)), std::logic_error);
-    EXPECT_THROW(perturbed(p).order_at_infinity(Direction(d, Role::circle_of_a), Direction(d + d, Role::circle_of_a), pole_of(false)),
+    EXPECT_THROW(perturbed(p).order_at_infinity(Direction(d, Role::circle_of_a), Direction(d + d, Role::circle_of_a),
+                                                pole_of(false)),
                  std::logic_error);
     EXPECT_THROW(perturbed(p).x_order(Direction(n), Direction(n), vertical), std::logic_error);
-    EXPECT_THROW(perturbed(p).x_order(Direction(n, Role::node_of_a), Direction(-n, Role::node_of_a), vertical), std::logic_error);
+    EXPECT_THROW(perturbed(p).x_order(Direction(n, Role::node_of_a), Direction(-n, Role::node_of_a), vertical),
+                 std::logic_error);
   }
 }
 

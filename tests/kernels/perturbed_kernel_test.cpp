@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbered axioms of the predicates; each sign against the plain integer formula and against the geometry that it stands for; and
-// which tier decided.
+// The numbered axioms of the predicates; each sign against the plain integer formula and against
+// the geometry that it stands for; and which tier decided.
 #include "kernels/predicates/perturbed_kernel.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,9 @@ int order(const mpq_class& p, const mpq_class& q) { return sgn(mpq_class(p - q))
 
 PredicateCounts counts;  // of all calls below
 
-int equator(const Vector& n, const Vector& z) { return unperturbed(counts).side_of_equator(Direction(n), Direction(z)); }
+int equator(const Vector& n, const Vector& z) {
+  return unperturbed(counts).side_of_equator(Direction(n), Direction(z));
+}
 int xorder(const Vector& n1, const Vector& n2, const Vector& v) {
   return unperturbed(counts).x_order(Direction(n1), Direction(n2), Direction(v));
 }
@@ -99,7 +101,8 @@ TEST(SideOfEquator, IsTheSignOfTheProduct) {
 
 TEST(XOrder, IsTheSignOfTheDeterminant) {
   for_all_sizes("plain", [](Size size) {
-    const Vector v = *directions(size), n1 = *directions(size), n2 = *directions(size), n3 = nearly_dependent(n1, v, size);
+    const Vector v = *directions(size), n1 = *directions(size), n2 = *directions(size),
+                 n3 = nearly_dependent(n1, v, size);
     RC_ASSERT(xorder(n1, n2, v) == plain_det(n1, n2, v));
     RC_ASSERT(xorder(n1, n3, v) == plain_det(n1, n3, v));
     RC_ASSERT(xorder(n3, n1, v) == -xorder(n1, n3, v));  // (1)
@@ -110,7 +113,8 @@ TEST(XOrder, IsTheSignOfTheDeterminant) {
 TEST(XOrder, OrdersTheAbscissae) {
   for_all_sizes("det(n1,n2,v) |z|^2 = (x2 - x1) <n1,z><n2,z>", [](Size size) {
     const auto [v, z] = frame(size);
-    const Vector n1 = in_hemisphere(z, size), n2 = *rc::gen::element(in_hemisphere(z, size), nearly_dependent(n1, v, size));
+    const Vector n1 = in_hemisphere(z, size),
+                 n2 = *rc::gen::element(in_hemisphere(z, size), nearly_dependent(n1, v, size));
     RC_PRE(plain_dot(n2, z) > 0);
     const Vector right = cross(v, z);
     const mpq_class x1 = quotient(dot(n1, right), dot(n1, z)), x2 = quotient(dot(n2, right), dot(n2, z));
@@ -198,7 +202,8 @@ TEST(OrderAtInfinity, IsTheOrderOnVerticalsFarAway) {
     const Vector d1 = *directions(size), d2 = *directions(size), left = -cross(v, z);
     const mpz_class far = plain::OrderOnVertical{}(d1, d2, left, v);
     RC_ASSERT(far == mpz_class(plain::OrderAtInfinity{}(d1, d2, z) * dot(v, v)));
-    // The form is linear in n: the verticals through z + k left, x = -k |v x z|^2 / |z|^2, have one sign from some k on.
+    // The form is linear in n: the verticals through z + k left, x = -k |v x z|^2 / |z|^2, have one
+    // sign from some k on.
     const mpz_class middle = plain::OrderOnVertical{}(d1, d2, z, v), k = abs(middle) + 1;
     RC_PRE(far != 0);
     RC_ASSERT(vertical(d1, d2, z + k * left, v) == infinity(d1, d2, z));
@@ -218,7 +223,8 @@ TEST(Predicates, DoNotSeeTheLengthOfADirection) {
   });
 }
 
-// The enclosure of 2^53 - 1 beside 2^1074 must not be the number to which it rounds: the product would vanish.
+// The enclosure of 2^53 - 1 beside 2^1074 must not be the number to which it rounds: the product
+// would vanish.
 TEST(Predicates, AreRightBelowTheNormalRange) {
   const Vector n{power_of_two(1074), power_of_two(53) - 1, 0}, z{-power_of_two(53), power_of_two(1074), 0};
   EXPECT_EQ(equator(n, z), -1);
@@ -248,7 +254,8 @@ void expect_counts(const Counted& c, std::uint64_t calls, std::uint64_t exact, s
 // In small integers the intervals are points, so even an exact zero is seen by the first tier.
 TEST(Tiers, IntervalsDecideSmallIntegers) {
   EXPECT_TRUE(rc::check("interval only", [] {
-    const Vector a = *directions(Size::small), b = *directions(Size::small), c = *directions(Size::small), d = *directions(Size::small);
+    const Vector a = *directions(Size::small), b = *directions(Size::small), c = *directions(Size::small),
+                 d = *directions(Size::small);
     const auto check = [](Predicate id, const std::function<int()>& call) {
       int sign = 0;
       const Counted c = counted(id, [&] { sign = call(); });
@@ -267,7 +274,8 @@ TEST(Tiers, IntervalsDecideSmallIntegers) {
 TEST(Tiers, IntervalsDecideLargeIntegersInGeneralPosition) {
   EXPECT_TRUE(rc::check("a component of 2000 bits has an enclosure of one unit in the last place", [] {
     std::mt19937_64 random(*rc::gen::inRange(0, 1 << 30));
-    const Vector a = random_direction(random, 2000), b = random_direction(random, 2000), c = random_direction(random, 2000);
+    const Vector a = random_direction(random, 2000), b = random_direction(random, 2000),
+                 c = random_direction(random, 2000);
     RC_PRE(abs(plain::XOrder{}(a, b, c)) > power_of_two(5970));
     const Counted made = counted(Predicate::x_order, [&] { xorder(a, b, c); });
     RC_ASSERT(made.calls == 1U && made.exact == 0U && made.zero == 0U);
@@ -277,26 +285,34 @@ TEST(Tiers, IntervalsDecideLargeIntegersInGeneralPosition) {
 TEST(Tiers, ExactArithmeticDecidesNearZeros) {
   std::mt19937_64 random(5);
   for (const unsigned long bits : {60, 2000}) {
-    const Vector a = random_direction(random, bits), b = random_direction(random, bits), c = random_direction(random, bits);
+    const Vector a = random_direction(random, bits), b = random_direction(random, bits),
+                 c = random_direction(random, bits);
     const Vector unit{1, 0, 0}, sum = a + b;
     ASSERT_NE(a.x, 0);
-    expect_counts(counted(Predicate::side_of_equator, [&] { EXPECT_EQ(equator(cross(a, b) + unit, a), sgn(a.x)); }), 1, 1, 0);
+    expect_counts(counted(Predicate::side_of_equator, [&] { EXPECT_EQ(equator(cross(a, b) + unit, a), sgn(a.x)); }), 1,
+                  1, 0);
     expect_counts(counted(Predicate::side_of_arc, [&] { EXPECT_EQ(side(cross(a, b) - unit, a), -sgn(a.x)); }), 1, 1, 0);
-    expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum + unit), plain_det(a, b, unit)); }), 1, 1, 0);
-    expect_counts(counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum - unit), -plain_det(a, b, unit)); }), 1, 1, 0);
-    expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical(a, a + unit, b, c), plain_det(a, unit, cross(c, b))); }),
+    expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum + unit), plain_det(a, b, unit)); }), 1,
+                  1, 0);
+    expect_counts(
+        counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum - unit), -plain_det(a, b, unit)); }),
+        1, 1, 0);
+    expect_counts(counted(Predicate::order_on_vertical,
+                          [&] { EXPECT_EQ(vertical(a, a + unit, b, c), plain_det(a, unit, cross(c, b))); }),
                   1, 1, 0);
   }
 }
 
 TEST(Tiers, ExactZerosAreCountedAsZero) {
   std::mt19937_64 random(6);
-  const Vector a = random_direction(random, 700), b = random_direction(random, 700), c = random_direction(random, 700), sum = a + b;
+  const Vector a = random_direction(random, 700), b = random_direction(random, 700), c = random_direction(random, 700),
+               sum = a + b;
   expect_counts(counted(Predicate::side_of_equator, [&] { EXPECT_EQ(equator(cross(a, b), a), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::side_of_arc, [&] { EXPECT_EQ(side(cross(a, b), b), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum), 0); }), 1, 1, 1);
-  expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical(a, mpz_class(3) * a, b, c), 0); }), 1, 1, 1);
+  expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical(a, mpz_class(3) * a, b, c), 0); }), 1, 1,
+                1);
 }
 
 TEST(Tiers, LeaveTheRoundingModeAlone) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every answer against the determinant of the definition, on points of mixed scales that often are nearly or exactly coplanar.
+// Every answer against the determinant of the definition, on points of mixed scales that often are
+// nearly or exactly coplanar.
 #include "kernels/filters/plane.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ mpz_class coordinate_of_any_size() {
 
 Vector any_vector() { return {coordinate_of_any_size(), coordinate_of_any_size(), coordinate_of_any_size()}; }
 
-/// Five points; half of the time the last two are combinations of the first three, perhaps one unit off.
+/// Five points; half of the time the last two are combinations of the first three, perhaps one unit
+/// off.
 Points five_points() {
   Points p{any_vector(), any_vector(), any_vector(), any_vector(), any_vector()};
   if (*rc::gen::arbitrary<bool>()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the rounded plane says for certain, against exact arithmetic, in every rounding mode; and that it says so often enough.
+// What the rounded plane says for certain, against exact arithmetic, in every rounding mode; and
+// that it says so often enough.
 #include "kernels/filters/rounded_plane.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ using testing::rounding_modes;
 using testing::RoundingMode;
 using Random = std::mt19937_64;
 
-/// Four points of some number of bits; the last often nearly or exactly in the plane of the others, which are often close together.
+/// Four points of some number of bits; the last often nearly or exactly in the plane of the others,
+/// which are often close together.
 std::array<Vector, 4> four_points(Random& random, unsigned long bits) {
   std::array<Vector, 4> p{random_vector(random, bits), random_vector(random, bits), random_vector(random, bits),
                           random_vector(random, bits)};

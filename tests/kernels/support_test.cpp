@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The filtered scan against exact arithmetic, above all where values tie or differ by less than binary64 can see.
+// The filtered scan against exact arithmetic, above all where values tie or differ by less than
+// binary64 can see.
 
 #include "kernels/filters/support.hpp"
 
@@ -60,7 +61,8 @@ void expect_scans_agree(const PointCloud& cloud, const Vector& u, Random& random
   }
 }
 
-// Points of one plane <u, p> = c, up to a few units of <u, p>: closer together than the filter can tell.
+// Points of one plane <u, p> = c, up to a few units of <u, p>: closer together than the filter can
+// tell.
 std::vector<Vector> nearly_coplanar(Random& random, const Vector& u, unsigned long bits, std::size_t n) {
   std::vector<Vector> points;
   for (std::size_t i = 0; i < n; ++i) {
@@ -91,7 +93,8 @@ TEST(PointCloud, ImagesAreWithinTheStatedError) {
   Random random(1);
   for (int repeat = 0; repeat < 2000; ++repeat) {
     std::vector<Vector> points;
-    for (int i = 0; i < 3; ++i) points.push_back(random_vector(random, 1 + static_cast<unsigned long>(below(random, 3000))));
+    for (int i = 0; i < 3; ++i)
+      points.push_back(random_vector(random, 1 + static_cast<unsigned long>(below(random, 3000))));
     const long exponent = binary_exponent(points) + below(random, 60);
     const PointCloud cloud(points, exponent);
     const auto unit = [](long e) { return mpq_class(1, power_of_two(static_cast<unsigned long>(e))); };
@@ -146,7 +149,8 @@ TEST(ExtremePoints, ZeroDirectionAndEmptyCloud) {
 }
 
 TEST(ExtremePoints, TiesAreAllListed) {
-  const PointCloud cube({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 1, 1}});
+  const PointCloud cube(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 1, 1}});
   EXPECT_EQ(extreme_points(cube, {1, 0, 0}), (std::vector<std::uint32_t>{1, 3, 5, 7, 8}));
   EXPECT_EQ(extreme_points(cube, {power_of_two(900), 0, 1}), (std::vector<std::uint32_t>{5, 7, 8}));
   EXPECT_EQ(extreme_points(cube, {-power_of_two(900), 0, -1}), (std::vector<std::uint32_t>{0, 2}));
@@ -187,12 +191,14 @@ TEST(ExtremePoints, AgreeWithTheNaiveTwinOnRandomSetsOfEverySize) {
       std::vector<Vector> points;
       for (std::size_t i = 0; i < n; ++i) points.push_back(random_vector(random, bits));
       const PointCloud cloud(points);
-      for (const unsigned long u_bits : {2UL, 30UL, 100UL, 3000UL}) expect_scans_agree(cloud, random_vector(random, u_bits), random);
+      for (const unsigned long u_bits : {2UL, 30UL, 100UL, 3000UL})
+        expect_scans_agree(cloud, random_vector(random, u_bits), random);
     }
   }
 }
 
-// Values that differ by 2^-40 to 2^-60 of the greatest possible one: the filter's error bound is what separates right from wrong.
+// Values that differ by 2^-40 to 2^-60 of the greatest possible one: the filter's error bound is
+// what separates right from wrong.
 TEST(ExtremePoints, AgreeWithTheNaiveTwinOnNearTies) {
   Random random(3);
   for (int repeat = 0; repeat < 4000; ++repeat) {
@@ -232,14 +238,16 @@ TEST(ExtremePoints, DoNotDependOnTheRoundingMode) {
   }
 }
 
-// Every answer against integers, above all on points that are level or parallel in the view, or nearly so.
+// Every answer against integers, above all on points that are level or parallel in the view, or
+// nearly so.
 
 using testing::directions;
 using testing::smallest_steps;
 using testing::vectors;
 
-/// The middle one of points o, p, q is turned about by lexicographic comparison of two determinants: the axis after the greatest
-/// component of u, in cyclic order, then the one after that.
+/// The middle one of points o, p, q is turned about by lexicographic comparison of two
+/// determinants: the axis after the greatest component of u, in cyclic order, then the one after
+/// that.
 int turn_naive(const Vector& u, const Vector& op, const Vector& oq) {
   const mpz_class sizes[3] = {abs(u.x), abs(u.y), abs(u.z)};
   int up = 0;
@@ -272,15 +280,16 @@ TEST(PlanarView, EveryAnswerIsExact) {
     }));
     EXPECT_TRUE(rc::check("level and parallel ones, or one unit off", [size] {
       const Vector u = *directions(size), o = *vectors(size), v = *vectors(size), level = cross(u, v);
-      check_view(u, {o, o + level + *smallest_steps(), o + v, o + v + v + *smallest_steps(), o + v + u + *smallest_steps(),
-                     o + mpz_class(3) * v + mpz_class(3) * u});
+      check_view(u, {o, o + level + *smallest_steps(), o + v, o + v + v + *smallest_steps(),
+                     o + v + u + *smallest_steps(), o + mpz_class(3) * v + mpz_class(3) * u});
     }));
   }
 }
 
 TEST(PlanarView, ZeroTurnsMeanParallelOrLevel) {
   EXPECT_TRUE(rc::check([] {
-    const Vector u = *directions(testing::Size::small), p = *directions(testing::Size::small), q = *directions(testing::Size::small);
+    const Vector u = *directions(testing::Size::small), p = *directions(testing::Size::small),
+                 q = *directions(testing::Size::small);
     const PointCloud cloud({Vector{0, 0, 0}, p, q});
     const bool level = dot(u, p) == 0 && dot(u, q) == 0;
     RC_ASSERT((PlanarView(cloud, u).turn(0, 1, 2) == Sign::zero) == (level || is_zero(cross(p, q))));
@@ -297,7 +306,9 @@ TEST(Greatest, KeepsAllTiesInTheirOrder) {
 
 TEST(Greatest, LooksAtListedOnesAlone) { EXPECT_EQ(greatest_of({3, 7, -5}, {2, 0}), std::vector<std::uint32_t>{0}); }
 
-TEST(Greatest, IsTheFirstOneIfAllAreNegative) { EXPECT_EQ(greatest_of({-3, -7}, {0, 1}), std::vector<std::uint32_t>{0}); }
+TEST(Greatest, IsTheFirstOneIfAllAreNegative) {
+  EXPECT_EQ(greatest_of({-3, -7}, {0, 1}), std::vector<std::uint32_t>{0});
+}
 
 TEST(Greatest, OfNothingIsNothing) { EXPECT_TRUE(greatest_of({1}, {}).empty()); }
 

@@ -70,7 +70,8 @@ TEST(LexicographicallyLess, OrdersByTheFirstDifference) {
   for_all_sizes("as arrays", [](Size size) {
     const Vector a = *vectors(size), b = *rc::gen::element(*vectors(size), a + *smallest_steps());
     const std::array<mpz_class, 3> of_a{a.x, a.y, a.z}, of_b{b.x, b.y, b.z};
-    RC_ASSERT(lexicographically_less(a, b) == std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()));
+    RC_ASSERT(lexicographically_less(a, b) ==
+              std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()));
   });
 }
 

@@ -18,7 +18,8 @@ class WideFloats : public ::testing::Test {
     const mpz_class n = random_.get_z_bits(bits);
     return small_() & 1 ? n : mpz_class(-n);
   }
-  // Any sign and size, with few or many digits, 0 at times; sometimes all digits are 0, or all are 1.
+  // Any sign and size, with few or many digits, 0 at times; sometimes all digits are 0, or all are
+  // 1.
   WideFloat any() {
     const unsigned long bits = 1 + small_() % 140;
     mpz_class n = integer(bits);
@@ -84,7 +85,8 @@ TEST_F(WideFloats, ProductsKeep118Digits) {
 }
 
 TEST_F(WideFloats, IntegersAreTruncatedTo122Bits) {
-  for (const unsigned long bits : {1UL, 53UL, 63UL, 64UL, 65UL, 121UL, 122UL, 123UL, 127UL, 128UL, 129UL, 190UL, 193UL, 700UL}) {
+  for (const unsigned long bits :
+       {1UL, 53UL, 63UL, 64UL, 65UL, 121UL, 122UL, 123UL, 127UL, 128UL, 129UL, 190UL, 193UL, 700UL}) {
     for (int n = 0; n < 200; ++n) {
       const mpz_class c = integer(bits);
       const auto size = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lines of a chart against those of the polytopes; and what does not compile: an edge of A in place of one of B.
+// The lines of a chart against those of the polytopes; and what does not compile: an edge of A in
+// place of one of B.
 
 #include "reference/lines/closest_lines.hpp"
 
@@ -25,14 +26,20 @@ using Nearest = kernels::NearestPlanes&;
 static_assert(std::is_invocable_v<decltype(offer_edges), A, gaussian::EdgeOfA, B, gaussian::EdgeOfB, Nearest>);
 static_assert(!std::is_invocable_v<decltype(offer_edges), A, gaussian::EdgeOfB, B, gaussian::EdgeOfA, Nearest>,
               "the edges of A and of B exchanged");
-static_assert(!std::is_invocable_v<decltype(offer_edges), B, gaussian::EdgeOfA, A, gaussian::EdgeOfB, Nearest>, "the bodies exchanged");
-static_assert(!std::is_invocable_v<decltype(offer_edges), A, gaussian::ArcId, B, gaussian::ArcId, Nearest>, "arcs of diagrams");
-static_assert(!std::is_invocable_v<decltype(offer_edges), A, chart::ChartArcOfA, B, chart::ChartArcOfB, Nearest>, "arcs of charts");
+static_assert(!std::is_invocable_v<decltype(offer_edges), B, gaussian::EdgeOfA, A, gaussian::EdgeOfB, Nearest>,
+              "the bodies exchanged");
+static_assert(!std::is_invocable_v<decltype(offer_edges), A, gaussian::ArcId, B, gaussian::ArcId, Nearest>,
+              "arcs of diagrams");
+static_assert(!std::is_invocable_v<decltype(offer_edges), A, chart::ChartArcOfA, B, chart::ChartArcOfB, Nearest>,
+              "arcs of charts");
 static_assert(!std::is_invocable_v<decltype(offer_edges), A, std::uint32_t, B, std::uint32_t, Nearest>, "numbers");
 
-static_assert(std::is_invocable_v<decltype(offer_arcs), const LineScene&, chart::ChartArcOfA, chart::ChartArcOfB, Nearest>);
-static_assert(!std::is_invocable_v<decltype(offer_arcs), const LineScene&, chart::ChartArcOfB, chart::ChartArcOfA, Nearest>);
-static_assert(!std::is_invocable_v<decltype(offer_arcs), const LineScene&, gaussian::EdgeOfA, gaussian::EdgeOfB, Nearest>);
+static_assert(
+    std::is_invocable_v<decltype(offer_arcs), const LineScene&, chart::ChartArcOfA, chart::ChartArcOfB, Nearest>);
+static_assert(
+    !std::is_invocable_v<decltype(offer_arcs), const LineScene&, chart::ChartArcOfB, chart::ChartArcOfA, Nearest>);
+static_assert(
+    !std::is_invocable_v<decltype(offer_arcs), const LineScene&, gaussian::EdgeOfA, gaussian::EdgeOfB, Nearest>);
 static_assert(std::is_invocable_v<decltype(&LineSearch::offer), LineSearch, chart::ChartArcOfA, chart::ChartArcOfB>);
 static_assert(!std::is_invocable_v<decltype(&LineSearch::offer), LineSearch, chart::ChartArcOfB, chart::ChartArcOfA>);
 static_assert(!std::is_constructible_v<LineScene, const chart::Charts&, B, A>);
@@ -50,7 +57,8 @@ TEST(LineScene, CarriesTheEdgesOfTheArcsDirectedUpward) {
         const polytope::Edge& edge = grids.prepared->b.edges[charts.of.b.arcs[i].arc.value];
         EXPECT_EQ(lines.point(line), grids.prepared->b.vertices[edge.from]) << input.id;
         const Vector d = lines.direction(line);
-        EXPECT_TRUE(is_zero(cross(d, grids.prepared->b.vertices[edge.to] - grids.prepared->b.vertices[edge.from]))) << input.id;
+        EXPECT_TRUE(is_zero(cross(d, grids.prepared->b.vertices[edge.to] - grids.prepared->b.vertices[edge.from])))
+            << input.id;
         EXPECT_GE(dot(d, charts.frame.v.exact()), 0) << input.id << ", directed downward";
         kernels::LineImages image(lines.images().exponent());
         image.push_back(lines.point(line), d);
@@ -70,12 +78,13 @@ using testing::text;
 void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right, const std::string& where) {
   ASSERT_EQ(left.empty(), right.empty()) << where;
   if (left.empty()) return;
-  EXPECT_EQ(mpz_class(left.numerator() * right.denominator()), mpz_class(right.numerator() * left.denominator())) << where;
+  EXPECT_EQ(mpz_class(left.numerator() * right.denominator()), mpz_class(right.numerator() * left.denominator()))
+      << where;
   EXPECT_EQ(left.directions(), right.directions()) << where;
 }
 
-// The filtered scan against exact arithmetic on every pair, one canonical pair at a time, so that ties and near ties that a better pair
-// elsewhere would hide are seen as well.
+// The filtered scan against exact arithmetic on every pair, one canonical pair at a time, so that
+// ties and near ties that a better pair elsewhere would hide are seen as well.
 TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
   for (const Case& input : cases_of_all_families(2, 12)) {
     const PreparedGrids grids(input);
@@ -95,7 +104,8 @@ TEST(ClosestLines, FilteredScanFindsWhatExactArithmeticFinds) {
   }
 }
 
-// AGHRS, Lemma 2.2: the plane's distance from O is the distance of the two lines, here from the foot points of their common perpendicular.
+// AGHRS, Lemma 2.2: the plane's distance from O is the distance of the two lines, here from the
+// foot points of their common perpendicular.
 TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
   std::size_t compared = 0;
   for (const Case& input : cases_of_all_families(1, 6)) {
@@ -111,8 +121,10 @@ TEST(ClosestLines, PlaneDistanceIsTheDistanceOfTheLines) {
         const mpz_class dd = dot(d, d), gg = dot(g, g), dg = dot(d, g), rd = dot(r, d), rg = dot(r, g);
         const mpz_class det2 = dd * gg - dg * dg;
         const mpz_class s = rd * gg - rg * dg, t = rd * dg - rg * dd;
-        const Vector foot{det2 * r.x + t * g.x - s * d.x, det2 * r.y + t * g.y - s * d.y, det2 * r.z + t * g.z - s * d.z};
-        EXPECT_EQ(mpz_class(dot(foot, foot) * nearest.denominator()), mpz_class(nearest.numerator() * det2 * det2)) << input.id;
+        const Vector foot{det2 * r.x + t * g.x - s * d.x, det2 * r.y + t * g.y - s * d.y,
+                          det2 * r.z + t * g.z - s * d.z};
+        EXPECT_EQ(mpz_class(dot(foot, foot) * nearest.denominator()), mpz_class(nearest.numerator() * det2 * det2))
+            << input.id;
         ++compared;
       }
     }
@@ -156,7 +168,8 @@ TEST(ClosestLines, TheFirstBitsOfLongCoordinatesLeaveFewPairs) {
   const Case input = families::find_family("crossed_vanishing_ties")->make(1, 600);
   families::Bodies bodies{input.a, input.b};
   for (const long k : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 9L, 10L})
-    bodies = families::rotated(bodies, families::rotation((1L << 30) + k, (1L << 29) - k, (1L << 30) - 7 * k, (1L << 28) + 3 * k));
+    bodies = families::rotated(
+        bodies, families::rotation((1L << 30) + k, (1L << 29) - k, (1L << 30) - 7 * k, (1L << 28) + 3 * k));
   const Options exact{.method = Method::exact, .closest_lines = ClosestLines::naive};
   const Depth depth = penetration_depth(bodies.a.points, bodies.b.points, exact);
   const Depth unturned = penetration_depth(input.a.points, input.b.points, exact);
@@ -203,8 +216,9 @@ TEST(SearchTrace, ChangesNothing) {
   EXPECT_GT(blocks, 100U);
 }
 
-// How the work of the cutting engine grows, in counts. The families are those of the closest-line study: rims with minima along an arc,
-// the same at random, thin fans, near ties over a fixed and over a shrinking patch; and two of another kind, twisted chains and fillets.
+// How the work of the cutting engine grows, in counts. The families are those of the closest-line
+// study: rims with minima along an arc, the same at random, thin fans, near ties over a fixed and
+// over a shrinking patch; and two of another kind, twisted chains and fillets.
 
 struct Work {
   double edges = 0, crossings = 0, work = 0, memory = 0;
@@ -244,8 +258,8 @@ TEST_P(Growth, OfWorkIsNearLinearWhileCrossingsAreQuadratic) {
   EXPECT_LE(large.memory / small.memory, std::pow(edges, 1.4));
 }
 
-// Ties beyond binary64: what the double filter cannot tell apart is told apart by blocks, in wide floats, and not pair by pair. How the
-// bodies lie does not matter.
+// Ties beyond binary64: what the double filter cannot tell apart is told apart by blocks, in wide
+// floats, and not pair by pair. How the bodies lie does not matter.
 struct Ties {
   const char* family;
   bool turned;
@@ -260,7 +274,8 @@ TEST_P(NearTies, AreLookedAtByBlocks) {
   const auto pairs = [](const Work& w) { return static_cast<double>(w.counters.pairs_evaluated); };
   EXPECT_LE(pairs(large) / pairs(small), std::pow(edges, 1.3)) << pairs(small) << " to " << pairs(large);
   EXPECT_LE(large.work, large.crossings / 50);
-  // Few are left to exact arithmetic, and those of the blocks that the offset test did are part of all.
+  // Few are left to exact arithmetic, and those of the blocks that the offset test did are part of
+  // all.
   EXPECT_LE(large.counters.pairs_exact, 8 * static_cast<std::uint64_t>(large.edges));
   EXPECT_GT(large.counters.wide_clears + large.counters.offset_blocks, 0U);
   EXPECT_LE(large.counters.wide_clears + large.counters.offset_blocks, large.counters.wide_tests);
@@ -270,9 +285,12 @@ TEST_P(NearTies, AreLookedAtByBlocks) {
 INSTANTIATE_TEST_SUITE_P(Families, NearTies,
                          ::testing::Values(Ties{"crossed_vanishing_ties", false}, Ties{"crossed_noisy_ties", false},
                                            Ties{"crossed_vanishing_ties", true}, Ties{"crossed_noisy_ties", true}),
-                         [](const auto& info) { return std::string(info.param.family) + (info.param.turned ? "_turned" : ""); });
+                         [](const auto& info) {
+                           return std::string(info.param.family) + (info.param.turned ? "_turned" : "");
+                         });
 
-// Where tests cost more than they can be worth, the rest of a grid is scanned: never far more work than every pair.
+// Where tests cost more than they can be worth, the rest of a grid is scanned: never far more work
+// than every pair.
 TEST(Fallback, WorkIsBoundedByTheCrossings) {
   const PreparedGrids grids(families::find_family("crossed_fans")->make(1, 400));
   for (const std::uint64_t allowance : {0ULL, 1ULL << 10, 1ULL << 20}) {
@@ -280,7 +298,8 @@ TEST(Fallback, WorkIsBoundedByTheCrossings) {
     kernels::Context context;
     std::uint64_t crossings = 0;
     for (std::size_t h = 0; h < 2; ++h) {
-      closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, {.cutting_size = {.few = 1, .base = 1, .allowance = allowance}});
+      closest_lines(context, grids.subsets[h], grids.scenes[h], nearest,
+                    {.cutting_size = {.few = 1, .base = 1, .allowance = allowance}});
       crossings += grids.subsets[h].sums().product;
     }
     const Counters& counters = context.counters;
@@ -293,7 +312,8 @@ TEST(Fallback, WorkIsBoundedByTheCrossings) {
 
 INSTANTIATE_TEST_SUITE_P(Families, Growth,
                          ::testing::Values("crossed_prisms", "crossed_random_prisms", "crossed_fans", "crossed_ties",
-                                           "crossed_shrinking_ties", "crossed_twists", "crossed_fillets", "crossed_parabolas"),
+                                           "crossed_shrinking_ties", "crossed_twists", "crossed_fillets",
+                                           "crossed_parabolas"),
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engines against each other and against exact arithmetic on every pair; cuttings against their definition.
+// The engines against each other and against exact arithmetic on every pair; cuttings against their
+// definition.
 #include "reference/lines/cutting.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,8 @@ void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlan
   EXPECT_EQ(left.directions(), right.directions()) << where;
 }
 
-// One grid under both engines, with cells so small that there is something to cut; without and with a good bound at the start.
+// One grid under both engines, with cells so small that there is something to cut; without and with
+// a good bound at the start.
 void expect_engines_agree(const Grid& grid, std::uint64_t seed, const std::string& where) {
   const kernels::NearestPlanes exact = exhaustive(grid);
   for (const bool informed : {false, true}) {
@@ -63,7 +65,8 @@ TEST(Engines, AgreeOnTwoThousandCanonicalPairs) {
   EXPECT_GE(large, 100U);
 }
 
-// Whole families of canonical pairs with one global best, as the pipeline runs them: every family, every catalogue entry.
+// Whole families of canonical pairs with one global best, as the pipeline runs them: every family,
+// every catalogue entry.
 TEST(Engines, AgreeOnFamiliesAndCatalogue) {
   std::size_t cut = 0;
   std::vector<Case> cases = cases_of_all_families(1, 48);
@@ -74,7 +77,8 @@ TEST(Engines, AgreeOnFamiliesAndCatalogue) {
     for (const ClosestLines engine : {ClosestLines::cutting, ClosestLines::sampled, ClosestLines::naive}) {
       kernels::Context context;
       // Whatever is not cleared as a whole is cut, and into small cells.
-      const ClosestLinesOptions options{.engine = engine, .scanned = 8, .cutting_size = {4, 2, 8}, .sampled_size = {4, 8}};
+      const ClosestLinesOptions options{
+          .engine = engine, .scanned = 8, .cutting_size = {4, 2, 8}, .sampled_size = {4, 8}};
       kernels::NearestPlanes& nearest = found[static_cast<std::size_t>(engine)];
       for (std::size_t h = 0; h < 2; ++h) closest_lines(context, grids.subsets[h], grids.scenes[h], nearest, options);
       cut += context.counters.grids_cut;
@@ -105,10 +109,12 @@ TEST(Engines, ResultsDoNotDependOnTheSeed) {
   }
 }
 
-// A cutting by its definition: lists within the quota unless the cell is small, and whatever is in no list strictly farther than the best.
+// A cutting by its definition: lists within the quota unless the cell is small, and whatever is in
+// no list strictly farther than the best.
 TEST(Cutting, QuotasHoldAndNothingIsLost) {
   std::size_t cells = 0, within = 0, lost = 0;
-  for (const char* name : {"crossed_fans", "crossed_parabolas", "crossed_ties", "crossed_fillets", "crossed_random_prisms"}) {
+  for (const char* name :
+       {"crossed_fans", "crossed_parabolas", "crossed_ties", "crossed_fillets", "crossed_random_prisms"}) {
     PreparedGrids(families::find_family(name)->make(2, 120)).for_each([&](const Grid& grid) {
       if (grid.rows() < 16 || grid.columns() < 16) return;
       const GridDistances distances(grid);
@@ -120,7 +126,8 @@ TEST(Cutting, QuotasHoldAndNothingIsLost) {
         const CuttingSize size{.r = 4, .few = 2, .base = 16};
         const std::vector<Cell> cutting = cut(blocks, side, CellTree::root, {CellTree::root}, size, search);
         const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
-        const std::size_t across = blocks.tree(other(side)).size(CellTree::root), along = blocks.tree(side).size(CellTree::root);
+        const std::size_t across = blocks.tree(other(side)).size(CellTree::root),
+                          along = blocks.tree(side).size(CellTree::root);
         std::vector<std::vector<char>> kept(along, std::vector<char>(across, 0));
         for (const Cell& cell : cutting) {
           std::uint64_t lines = 0;
@@ -171,7 +178,8 @@ TEST(Cutting, CellsHalve) {
   EXPECT_TRUE(seen);
 }
 
-// Hears the shares, and stops the work at the given question whether to, counted from 0; never if it is negative.
+// Hears the shares, and stops the work at the given question whether to, counted from 0; never if
+// it is negative.
 class Watch : public Monitor {
  public:
   explicit Watch(int last) : left_(last) {}

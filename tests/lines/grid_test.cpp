@@ -17,7 +17,8 @@ using testing::cases_of_all_families;
 using testing::PreparedGrids;
 using testing::text;
 
-// With O inside P: order, hemisphere and membership at every crossing of every canonical pair, under several perturbations.
+// With O inside P: order, hemisphere and membership at every crossing of every canonical pair,
+// under several perturbations.
 TEST(Grid, IsValidOnAllFamilies) {
   std::size_t grids = 0, falling = 0;
   const std::vector<kernels::Perturbation> perturbations = testing::perturbations();
@@ -65,7 +66,8 @@ TEST(Grid, ValidationNoticesDisorder) {
   EXPECT_GT(turned, 0U);
 }
 
-// The laws that make the vertex test right: at each crossing the outward normal has its plane above O, and P nowhere beyond it.
+// The laws that make the vertex test right: at each crossing the outward normal has its plane above
+// O, and P nowhere beyond it.
 TEST(Grid, EveryCrossingSupportsP) {
   std::size_t crossings = 0;
   for (const Case& input : cases_of_all_families(1, 10)) {
@@ -117,7 +119,8 @@ struct Audit {
   std::uint64_t blocks = 0, vertex = 0, frame = 0, wide = 0, offset = 0;
 };
 
-// A threshold above the least distance, by 10^-k for k = 1, ..., 12, or by 2^-k for k = 40, 45, ..., 90.
+// A threshold above the least distance, by 10^-k for k = 1, ..., 12, or by 2^-k for k = 40, 45,
+// ..., 90.
 mpq_class threshold_above(const mpq_class& least, int k) {
   mpz_class part;
   if (k < 40) {
@@ -128,28 +131,31 @@ mpq_class threshold_above(const mpq_class& least, int k) {
   return least * mpq_class(part + 1, part);
 }
 
-// The tests in wide floats, on one block. `left_nearer` counts the pairs that the offset test leaves and that are nearer than the
-// threshold.
+// The tests in wide floats, on one block. `left_nearer` counts the pairs that the offset test
+// leaves and that are nearer than the threshold.
 struct WideVerdict {
   bool clear = false, offset = false;
   std::uint64_t left_nearer = 0;
 };
 
-WideVerdict wide_verdict(const kernels::WideLines& a, const Lines& rows, const kernels::WideLines& b, const Lines& columns,
-                         const kernels::WideFloat& bound, const GridDistances& distances, std::uint32_t pivot) {
+WideVerdict wide_verdict(const kernels::WideLines& a, const Lines& rows, const kernels::WideLines& b,
+                         const Lines& columns, const kernels::WideFloat& bound, const GridDistances& distances,
+                         std::uint32_t pivot) {
   const auto row_frame = kernels::line_frame(a, rows), column_frame = kernels::line_frame(b, columns);
   const auto margin = kernels::frames_margin(row_frame, column_frame, bound);
   const auto smooth = kernels::margin_model(row_frame.smooth(), column_frame.smooth(), bound);
   WideVerdict verdict{margin && *margin > 0};
   if (!smooth) return verdict;
-  const auto left = kernels::pairs_left({a, rows, row_frame}, {b, columns, column_frame}, bound, *smooth, rows.size() * columns.size());
+  const auto left = kernels::pairs_left({a, rows, row_frame}, {b, columns, column_frame}, bound, *smooth,
+                                        rows.size() * columns.size());
   if (!left) return verdict;
   verdict.offset = left->size() < rows.size() * columns.size();
   for (const auto& [i, j] : *left) verdict.left_nearer += distances.rank(i, j) < pivot;
   return verdict;
 }
 
-// Random blocks of one grid, thresholds from 1e-1 to 2^-90 above its least distance, each block under all tests.
+// Random blocks of one grid, thresholds from 1e-1 to 2^-90 above its least distance, each block
+// under all tests.
 void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std::string& where) {
   const GridDistances distances(grid);
   if (distances.empty()) return;
@@ -157,10 +163,12 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
   const kernels::WideLines wide_rows = grid.wide_rows(), wide_columns = grid.wide_columns();
   constexpr int thresholds[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 40, 45, 50, 55, 60, 65, 70, 75, 80, 85, 90};
   for (const int k : thresholds) {
-    const kernels::NearestPlanes nearest = plane_at(k % 3 == 0 ? distances.least() : threshold_above(distances.least(), k));
+    const kernels::NearestPlanes nearest =
+        plane_at(k % 3 == 0 ? distances.least() : threshold_above(distances.least(), k));
     const kernels::WideFloat wide_bound =
         kernels::wide_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
-    const kernels::LineBound bound = kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
+    const kernels::LineBound bound =
+        kernels::line_bound(nearest.numerator(), nearest.denominator(), grid.scene().a.images().exponent());
     const std::uint32_t pivot = distances.rank_above(squared_distance(nearest));
     for (int n = 0; n < blocks / static_cast<int>(std::size(thresholds)); ++n) {
       const RoundingMode mode(rounding_modes[n % 4]);
@@ -175,8 +183,8 @@ void audit(const Grid& grid, int blocks, Random& random, Audit& sums, const std:
         }
       }
       const bool vertex = clearing.vertex_clears({side_of(rows), side_of(columns)}, nearest, bound);
-      const bool frame =
-          kernels::frames_beyond(kernels::line_frame(clearing.rows(), rows), kernels::line_frame(clearing.columns(), columns), bound.above);
+      const bool frame = kernels::frames_beyond(kernels::line_frame(clearing.rows(), rows),
+                                                kernels::line_frame(clearing.columns(), columns), bound.above);
       // Wide floats take their time.
       WideVerdict wide;
       if (n % 7 == 0) wide = wide_verdict(wide_rows, rows, wide_columns, columns, wide_bound, distances, pivot);
@@ -221,8 +229,11 @@ TEST(Clearing, NeverClearsANearerPair) {
   EXPECT_GE(sums.frame, sums.blocks / 20);
   EXPECT_GE(sums.wide, sums.frame / 7);
   EXPECT_GE(sums.offset, sums.blocks / 140);
-  for (const auto& [what, count] :
-       {std::pair("all", sums.blocks), {"vertex", sums.vertex}, {"frame", sums.frame}, {"wide", sums.wide}, {"offset", sums.offset}}) {
+  for (const auto& [what, count] : {std::pair("all", sums.blocks),
+                                    {"vertex", sums.vertex},
+                                    {"frame", sums.frame},
+                                    {"wide", sums.wide},
+                                    {"offset", sums.offset}}) {
     RecordProperty(what, std::to_string(count));
   }
 }

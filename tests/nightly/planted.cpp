@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-two-ways with differences planted: the second way finds deep overlaps of bodies of six points or more a little too deep, and loses
-// one of several shortest ways out of unions of three pieces or more. So the tests see that a difference is found, made smaller and kept.
+// fathom-two-ways with differences planted: the second way finds deep overlaps of bodies of six
+// points or more a little too deep, and loses one of several shortest ways out of unions of three
+// pieces or more. So the tests see that a difference is found, made smaller and kept.
 #include "fathom/union.hpp"
 #include "tests/nightly/two_ways.hpp"
 #include "tests/nightly/unions_by_parts.hpp"

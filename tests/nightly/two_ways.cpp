@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/nightly/two_ways.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <fmt/format.h>
 #include <random>
 #include <thread>
 
@@ -62,8 +63,11 @@ void add_options(CLI::App& app, Wanted& wanted) {
          "--until", [&](const std::string& text) { wanted.until = time_of(text); }, "or after this time")
       ->check(CLI::Validator(check_time, "", ""))
       ->type_name("10min");
-  app.add_option("--jobs", wanted.jobs, "threads; as many as there are cores unless given")->check(CLI::Range(1U, 1024U))->type_name("N");
-  app.add_option("--keep", wanted.keep, "the folder for a case with a difference; 'differences' unless given")->type_name("DIR");
+  app.add_option("--jobs", wanted.jobs, "threads; as many as there are cores unless given")
+      ->check(CLI::Range(1U, 1024U))
+      ->type_name("N");
+  app.add_option("--keep", wanted.keep, "the folder for a case with a difference; 'differences' unless given")
+      ->type_name("DIR");
   app.add_flag("--unions", wanted.unions, "cases of unions alone");
 }
 
@@ -78,7 +82,8 @@ Case case_of(const Wanted& wanted, std::uint64_t number) {
 
 std::size_t size_of(const Body& body) { return body.pieces ? body.pieces->size() : body.points.size(); }
 
-harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, const harness::Solver& x, const harness::Solver& y) {
+harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, const harness::Solver& x,
+                              const harness::Solver& y) {
   const Clock::time_point begin = Clock::now();
   harness::StreamPlan plan;
   plan.make = [&](std::uint64_t number) { return case_of(wanted, number); };
@@ -92,21 +97,24 @@ harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, con
 
 int run(const Wanted& wanted, const harness::Solver& x, const harness::Solver& y) {
   const cli::Working working;
-  cli::talk(fmt::format("seed {}, from case {}", wanted.seed, wanted.from));  // first, so that a killed run can be made again
+  cli::talk(
+      fmt::format("seed {}, from case {}", wanted.seed, wanted.from));  // first, so that a killed run can be made again
   cli::Progress progress;
   const harness::StreamResult result = compare(wanted, progress, x, y);
   progress.clear();
-  const std::string goes_on =
-      fmt::format("goes on: --seed {} --from {}{}", wanted.seed, result.end + (result.first ? 1 : 0), wanted.unions ? " --unions" : "");
+  const std::string goes_on = fmt::format("goes on: --seed {} --from {}{}", wanted.seed,
+                                          result.end + (result.first ? 1 : 0), wanted.unions ? " --unions" : "");
   if (!result.first) {
-    cli::print(fmt::format("seed {}, cases {} to {}: {} and {} agree in every field; {}", wanted.seed, wanted.from, result.end, x.name,
-                           y.name, goes_on));
+    cli::print(fmt::format("seed {}, cases {} to {}: {} and {} agree in every field; {}", wanted.seed, wanted.from,
+                           result.end, x.name, y.name, goes_on));
     return progress.stopped() ? interrupted : agreed;
   }
-  cli::print(fmt::format("seed {}, case {}, {}: {}", wanted.seed, result.end, result.first->pair.id, result.first->sentence));
+  cli::print(
+      fmt::format("seed {}, case {}, {}: {}", wanted.seed, result.end, result.first->pair.id, result.first->sentence));
   progress.report("making it smaller", -1);
   const auto stop = [&] { return progress.stopped(); };
-  const harness::KeptDifference kept = harness::keep_difference(wanted.keep, result.first->pair, result.first->sentence, x, y, stop);
+  const harness::KeptDifference kept =
+      harness::keep_difference(wanted.keep, result.first->pair, result.first->sentence, x, y, stop);
   progress.clear();
   cli::print(fmt::format("kept as {}, {} and {} {}: {}; {}", kept.path, size_of(kept.pair.a), size_of(kept.pair.b),
                          kept.pair.a.pieces ? "pieces" : "points", kept.sentence, goes_on));
@@ -119,10 +127,12 @@ int two_ways(int argc, char** argv, const harness::Solver& x, const harness::Sol
   cli::install_signal_handlers();
   Wanted wanted;
   wanted.seed = std::random_device()();
-  CLI::App app(fmt::format("Random cases of all families, of unions too, by {} and by {}, every field compared. The first difference is "
-                           "made small and kept.",
-                           x.name, y.name),
-               "fathom-two-ways");
+  CLI::App app(
+      fmt::format(
+          "Random cases of all families, of unions too, by {} and by {}, every field compared. The first difference is "
+          "made small and kept.",
+          x.name, y.name),
+      "fathom-two-ways");
   add_options(app, wanted);
   try {
     app.parse(argc, argv);

@@ -55,7 +55,8 @@ mpz_class volume(const Solid& points) {
   mpz_class result = 0;
   for (const polytope::Facet& facet : hull.facets)
     for (std::uint32_t i = facet.begin + 1; i + 1 < facet.end; ++i)
-      result += det(hull.vertices[hull.corners[facet.begin]], hull.vertices[hull.corners[i]], hull.vertices[hull.corners[i + 1]]);
+      result += det(hull.vertices[hull.corners[facet.begin]], hull.vertices[hull.corners[i]],
+                    hull.vertices[hull.corners[i + 1]]);
   return result;
 }
 
@@ -75,7 +76,8 @@ bool is_before(const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) 
 /// Each piece once.
 Pieces distinct(Pieces body) {
   for (Solid& piece : body) std::ranges::sort(piece, is_before);
-  std::ranges::sort(body, [](const Solid& p, const Solid& q) { return std::ranges::lexicographical_compare(p, q, is_before); });
+  std::ranges::sort(
+      body, [](const Solid& p, const Solid& q) { return std::ranges::lexicographical_compare(p, q, is_before); });
   body.erase(std::unique(body.begin(), body.end()), body.end());
   return body;
 }
@@ -143,8 +145,8 @@ UnionsFound unions_by_parts(const Case& pair, Monitor* monitor, Part* part) {
     return {*apart == 0 ? Status::touching : Status::disjoint, *apart, {}};
   }
   const mpq_class unit(common_denominator({&a, &b}));
-  UnionsFound answer =
-      penetrating(distinct(unions::scaled(std::move(a), unit)), distinct(unions::scaled(std::move(b), unit)), monitor, taken);
+  UnionsFound answer = penetrating(distinct(unions::scaled(std::move(a), unit)),
+                                   distinct(unions::scaled(std::move(b), unit)), monitor, taken);
   answer.squared /= unit * unit;
   for (Point& t : answer.translations) t = {mpq_class(t.x / unit), mpq_class(t.y / unit), mpq_class(t.z / unit)};
   std::ranges::sort(answer.translations, is_before);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second way for unions: it finds known answers, takes each of its ways, and says what is wrong with a wrong first way.
+// The second way for unions: it finds known answers, takes each of its ways, and says what is wrong
+// with a wrong first way.
 #include "tests/nightly/unions_by_parts.hpp"
 
-#include <array>
 #include <gtest/gtest.h>
+
+#include <array>
 #include <memory>
 #include <stdexcept>
 
@@ -18,7 +20,9 @@ namespace {
 using harness::UnionsFound;
 
 Case case_of(const Pieces& a, const Pieces& b) {
-  const auto body = [](const Pieces& pieces) { return Body{.points = {}, .pieces = std::make_shared<const Pieces>(pieces)}; };
+  const auto body = [](const Pieces& pieces) {
+    return Body{.points = {}, .pieces = std::make_shared<const Pieces>(pieces)};
+  };
   return {"case", body(a), body(b)};
 }
 
@@ -38,12 +42,15 @@ TEST(UnionsByParts, TakesTheWayThatFits) {
     return part;
   };
   EXPECT_EQ(taken(slabs(), cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::whole);
-  EXPECT_EQ(taken(slabs(mpq_class(1, 8)), cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::planes) << "with a gap it is not convex";
+  EXPECT_EQ(taken(slabs(mpq_class(1, 8)), cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::planes)
+      << "with a gap it is not convex";
   Pieces overlapping = slabs();
   overlapping.push_back(overlapping.front());
-  EXPECT_EQ(taken(overlapping, cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::whole) << "a piece may be there twice";
+  EXPECT_EQ(taken(overlapping, cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::whole)
+      << "a piece may be there twice";
   overlapping.back() = unions::box({0, 0, 1}, {4, 4, 3});
-  EXPECT_EQ(taken(overlapping, cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::planes) << "law: pieces that overlap fill less";
+  EXPECT_EQ(taken(overlapping, cube, {Status::penetrating, 1, {{-1, 0, 0}}}), Part::planes)
+      << "law: pieces that overlap fill less";
   EXPECT_EQ(taken(slabs(), {unions::box({4, 0, 0}, {5, 1, 1})}, {Status::touching, 0, {}}), Part::none);
   EXPECT_EQ(taken(slabs(), {unions::box({6, 7, 0}, {8, 9, 1})}, {Status::disjoint, 13, {}}), Part::none);
 }
@@ -102,7 +109,10 @@ TEST(UnionsByParts, DifferencesAreTold) {
   EXPECT_EQ(told([](UnionsFound& found) { found.status = Status::touching; }),
             "automatic and exact differ: status: penetrating and touching");
   EXPECT_EQ(told([](UnionsFound& found) { found.squared += 1; }), "automatic and exact differ: squared: 16 and 17");
-  EXPECT_EQ(told([](UnionsFound& found) { found.translations.resize(1); }).find("automatic and exact differ: translations: ("), 0U);
+  EXPECT_EQ(told([](UnionsFound& found) {
+              found.translations.resize(1);
+            }).find("automatic and exact differ: translations: ("),
+            0U);
   EXPECT_EQ(told([](UnionsFound&) { throw std::logic_error("broken law: x"); }), "exact gave no answer: broken law: x");
 }
 

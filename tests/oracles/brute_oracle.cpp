@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A facet of P with normal u is F_B - F_A for faces F_A, F_B of the bodies, so its plane is spanned by two of the differences between
-// points of one body. All cross products of two such differences, with both signs, are therefore enough when P is solid. The unit
-// vectors join the differences for the sake of a flat P: it is the intersection, over t > 0, of the solid bodies P + [-t,t]^3, whose
-// normals are then among the candidates, and O lies in all of them iff h(u) >= 0 for all candidates u.
+// A facet of P with normal u is F_B - F_A for faces F_A, F_B of the bodies, so its plane is spanned
+// by two of the differences between points of one body. All cross products of two such differences,
+// with both signs, are therefore enough when P is solid. The unit vectors join the differences for
+// the sake of a flat P: it is the intersection, over t > 0, of the solid bodies P + [-t,t]^3, whose
+// normals are then among the candidates, and O lies in all of them iff h(u) >= 0 for all candidates
+// u.
 #include "tests/oracles/brute_oracle.hpp"
 
 #include <algorithm>

@@ -49,12 +49,15 @@ Matrix generators(const IntegerBodies& bodies) {
   return matrix;
 }
 
-/// A row (c, -n) of the other representation says c - <n,x> >= 0, in integer units. Scaled so that the normal is an integer vector.
-/// No value for a row without a normal: it says only that a constant is not negative.
+/// A row (c, -n) of the other representation says c - <n,x> >= 0, in integer units. Scaled so that
+/// the normal is an integer vector. No value for a row without a normal: it says only that a
+/// constant is not negative.
 void add_half_space(std::vector<HalfSpace>& half_spaces, mpq_t* row, bool equation, const mpz_class& denominator) {
   const mpq_class c(row[0]), x(row[1]), y(row[2]), z(row[3]);
   const mpz_class scale = lcm(x.get_den(), lcm(y.get_den(), z.get_den()));
-  const auto integer = [&scale](const mpq_class& value) { return mpz_class(-value.get_num() * (scale / value.get_den())); };
+  const auto integer = [&scale](const mpq_class& value) {
+    return mpz_class(-value.get_num() * (scale / value.get_den()));
+  };
   const Vector normal{integer(x), integer(y), integer(z)};
   if (is_zero(normal)) return;
   const mpq_class offset = c * scale / denominator;

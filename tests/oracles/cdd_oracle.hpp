@@ -6,8 +6,8 @@
 
 namespace fathom::oracles {
 
-/// Bodies of any rank. Meant for up to about 10 x 10 points; 20 x 20 take about a second. Throws std::runtime_error when cddlib reports
-/// an error.
+/// Bodies of any rank. Meant for up to about 10 x 10 points; 20 x 20 take about a second. Throws
+/// std::runtime_error when cddlib reports an error.
 OracleAnswer cdd_oracle(std::span<const Point> a, std::span<const Point> b);
 
 }  // namespace fathom::oracles

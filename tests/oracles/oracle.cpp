@@ -43,7 +43,9 @@ IntegerBodies integer_bodies(std::span<const Point> a, std::span<const Point> b)
   for (const auto& points : {a, b})
     for (const Point& p : points)
       for (const mpq_class* value : {&p.x, &p.y, &p.z}) result.denominator = lcm(result.denominator, value->get_den());
-  const auto integer = [&result](const mpq_class& value) { return mpz_class(value.get_num() * (result.denominator / value.get_den())); };
+  const auto integer = [&result](const mpq_class& value) {
+    return mpz_class(value.get_num() * (result.denominator / value.get_den()));
+  };
   for (const Point& p : a) result.a.push_back({integer(p.x), integer(p.y), integer(p.z)});
   for (const Point& p : b) result.b.push_back({integer(p.x), integer(p.y), integer(p.z)});
   return result;

@@ -27,8 +27,9 @@ OracleAnswer width_oracle(std::span<const Point> body) {
   Width width(points.begin(), points.end());
   CGAL::Gmpz numerator, denominator;
   width.get_squared_width(numerator, denominator);
-  OracleAnswer answer{
-      Status::penetrating, mpq_class(mpz(numerator), mpz_class(mpz(denominator) * scaled.denominator * scaled.denominator)), {}};
+  OracleAnswer answer{Status::penetrating,
+                      mpq_class(mpz(numerator), mpz_class(mpz(denominator) * scaled.denominator * scaled.denominator)),
+                      {}};
   answer.squared.canonicalize();
   std::vector<Kernel::Vector_3> directions;
   width.get_all_build_directions(directions);

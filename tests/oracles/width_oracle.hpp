@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CGAL::Width_3: rotating calipers on the hull of one body. width(A) = depth(A, A).             [AGHRS, Proposition 2.1]
+// CGAL::Width_3: rotating calipers on the hull of one body. width(A) = depth(A, A).
+//                                                                          [AGHRS, Proposition 2.1]
 #pragma once
 
 #include "tests/oracles/oracle.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page over data made by hand: gaps, sentences, escapes; what is not for those without scripts is hidden.
+// The page over data made by hand: gaps, sentences, escapes; what is not for those without scripts
+// is hidden.
 #include "view/page/page.hpp"
 
 #include <gtest/gtest.h>
@@ -36,10 +37,12 @@ TEST(Answer, SaysWhatIsKnown) {
   EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":0.25}})"), "A overlaps B by 0.25");
   EXPECT_EQ(said(R"({"status":"touching","depth":{"value":0}})"), "A and B touch");
   EXPECT_EQ(said(R"({"status":"disjoint","depth":{"value":0},"distance":{"value":1.5}})"), "A and B are apart by 1.5");
-  EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":null},"signed_depth":{"low":0.1,"high":0.2}})"),
-            "A overlaps B by 0.1 to 0.2");
-  EXPECT_EQ(said(R"({"status":"disjoint","distance":{"value":null,"rounded":null},"signed_depth":{"low":-0.2,"high":-0.1}})"),
-            "A and B are apart by 0.1 to 0.2");
+  EXPECT_EQ(
+      said(R"({"status":"penetrating","depth":{"value":null,"rounded":null},"signed_depth":{"low":0.1,"high":0.2}})"),
+      "A overlaps B by 0.1 to 0.2");
+  EXPECT_EQ(
+      said(R"({"status":"disjoint","distance":{"value":null,"rounded":null},"signed_depth":{"low":-0.2,"high":-0.1}})"),
+      "A and B are apart by 0.1 to 0.2");
   EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":{"f64":{"rn":"inf"}}}})"),
             "A overlaps B by more than the largest binary64");
   EXPECT_EQ(said(R"({"status":"penetrating","depth":{"value":null,"rounded":{"f64":{"rn":"0x0p+0"}}}})"),
@@ -85,7 +88,8 @@ TEST(Page, HoldsItsDataWithoutAnyTag) {
   EXPECT_NE(text.find("<svg></svg>"), std::string::npos);
   EXPECT_EQ(count(text.substr(0, text.find("<script")), " hidden>"), 5U)
       << "law: what the script paints waits for it, and so do links there";
-  EXPECT_EQ(text.find("{{"), text.find("{{", text.find(page::script().substr(0, 40)))) << "law: no gap is left open before the script";
+  EXPECT_EQ(text.find("{{"), text.find("{{", text.find(page::script().substr(0, 40))))
+      << "law: no gap is left open before the script";
 }
 
 TEST(Page, RefusesAnAnswerThatIsNone) {
@@ -95,7 +99,8 @@ TEST(Page, RefusesAnAnswerThatIsNone) {
 }
 
 TEST(Script, HoldsNothingThatEndsItsElement) {
-  for (const std::string_view words : {"</script", "<!--"}) EXPECT_EQ(page::script().find(words), std::string_view::npos) << words;
+  for (const std::string_view words : {"</script", "<!--"})
+    EXPECT_EQ(page::script().find(words), std::string_view::npos) << words;
 }
 
 }  // namespace

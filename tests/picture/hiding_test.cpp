@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pieces of a body hide of each other's edges: known pictures, and at random against looking from single places.
+// What the pieces of a body hide of each other's edges: known pictures, and at random against
+// looking from single places.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ mpq_class length(const std::vector<Wires::Wire>& wires, int axis, bool hidden) {
 /// From above, a little from the front and from the right.
 const View from_above(Point{1, 0, mpq_class(-1, 4)}, Point{0, 1, mpq_class(1, 4)});
 
-// A bar along x lies over one along y, and through it: the upper hides of the lower what it crosses.
+// A bar along x lies over one along y, and through it: the upper hides of the lower what it
+// crosses.
 TEST(Hiding, CrossingBars) {
   ASSERT_GT(from_above.towards().z, 0.9);
   const Solid lower = box_points({-1, -6, -1}, {1, 6, 1});
@@ -38,28 +40,33 @@ TEST(Hiding, CrossingBars) {
     const Compound body = compound_of({box_points({-6, -1, 1 - sunk}, {6, 1, 3 - sunk}), lower}, from_above);
     const std::vector<Wires::Wire>& wires = body.pieces[1].wires;
     EXPECT_EQ(length(wires, 1, true) + length(wires, 1, false), 48) << "law: no part of an edge is lost";
-    // Of the lower bar's edges along y one is hidden by the bar itself, and two at the top by the other bar where it stands on them; a look
-    // rises by 4 while it moves by 1 along y, so the two at the bottom that are seen are hidden where it has moved in under the upper bar.
+    // Of the lower bar's edges along y one is hidden by the bar itself, and two at the top by the
+    // other bar where it stands on them; a look rises by 4 while it moves by 1 along y, so the two
+    // at the bottom that are seen are hidden where it has moved in under the upper bar.
     EXPECT_GT(length(wires, 1, true), 12 + 4);
     EXPECT_LT(length(wires, 1, true), 12 + 2 * 3 + 2 * 4);
     const Compound alone = compound_of({lower}, from_above);
     EXPECT_EQ(length(alone.pieces[0].wires, 1, true), 12);
     // Of the upper bar the lower one hides what sticks in it.
-    EXPECT_EQ(length(body.pieces[0].wires, 0, true) > 12, sunk == 1) << "law: an edge inside another piece is hidden, one above is not";
+    EXPECT_EQ(length(body.pieces[0].wires, 0, true) > 12, sunk == 1)
+        << "law: an edge inside another piece is hidden, one above is not";
   }
 }
 
-// A cube cut in two: the seam is seen on the faces that are seen, twice, and hidden where the faces are.
+// A cube cut in two: the seam is seen on the faces that are seen, twice, and hidden where the faces
+// are.
 TEST(Hiding, SeamsOnTheSurfaceAreSeen) {
   for (const int axis : {0, 1, 2}) {
     const auto at = [&](const mpq_class& p) { return Point{axis == 0 ? p : 1, axis == 1 ? p : 1, axis == 2 ? p : 1}; };
     const auto low = [&](const mpq_class& p) { return Point{axis == 0 ? p : 0, axis == 1 ? p : 0, axis == 2 ? p : 0}; };
-    const Compound body =
-        compound_of({box_points({0, 0, 0}, at(mpq_class(1, 3))), box_points(low(mpq_class(1, 3)), {1, 1, 1})}, from_above);
+    const Compound body = compound_of(
+        {box_points({0, 0, 0}, at(mpq_class(1, 3))), box_points(low(mpq_class(1, 3)), {1, 1, 1})}, from_above);
     for (const Wires& piece : body.pieces) {
       mpq_class hidden = 0, seen = 0;
       for (const Wires::Wire& wire : piece.wires) {
-        const auto on_seam = [&](const Point& p) { return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) == mpq_class(1, 3); };
+        const auto on_seam = [&](const Point& p) {
+          return (axis == 0 ? p.x : axis == 1 ? p.y : p.z) == mpq_class(1, 3);
+        };
         if (!on_seam(wire.from) || !on_seam(wire.to)) continue;
         const Point d = wire.to - wire.from;
         (wire.hidden ? hidden : seen) += abs(d.x) + abs(d.y) + abs(d.z);
@@ -70,8 +77,8 @@ TEST(Hiding, SeamsOnTheSurfaceAreSeen) {
   }
 }
 
-// A look along a plane is rounded: it leaves the plane to either side. Bodies on both sides of it, one behind the other, hide nothing in
-// it.
+// A look along a plane is rounded: it leaves the plane to either side. Bodies on both sides of it,
+// one behind the other, hide nothing in it.
 TEST(Hiding, FacesSeenFromTheirEdge) {
   for (int p = 1; p <= 7; ++p)
     for (const int q : {-5, 3, 11}) {
@@ -83,7 +90,8 @@ TEST(Hiding, FacesSeenFromTheirEdge) {
         for (const Point& x : {Point{}, -ahead, side * out}) there.push_back(x), there.push_back(x + up);
         for (const Wires& piece : compound_of({here, there}, along_plane).pieces)
           for (const Wires::Wire& wire : piece.wires)
-            EXPECT_FALSE(wire.hidden && dot(wire.from, out) == 0 && dot(wire.to, out) == 0) << "plane " << p << ' ' << q;
+            EXPECT_FALSE(wire.hidden && dot(wire.from, out) == 0 && dot(wire.to, out) == 0)
+                << "plane " << p << ' ' << q;
       }
     }
 }
@@ -103,10 +111,12 @@ std::vector<HalfSpaceOf> half_spaces(const Solid& points) {
     for (const Point& q : points)
       for (const Point& r : points) {
         const Point u = q - p, v = r - p;
-        const Point n{mpq_class(u.y * v.z - u.z * v.y), mpq_class(u.z * v.x - u.x * v.z), mpq_class(u.x * v.y - u.y * v.x)};
+        const Point n{mpq_class(u.y * v.z - u.z * v.y), mpq_class(u.z * v.x - u.x * v.z),
+                      mpq_class(u.x * v.y - u.y * v.x)};
         if (n.x == 0 && n.y == 0 && n.z == 0) continue;
         const mpq_class offset = dot(n, p);
-        if (std::ranges::all_of(points, [&](const Point& x) { return dot(n, x) <= offset; })) result.push_back({n, offset});
+        if (std::ranges::all_of(points, [&](const Point& x) { return dot(n, x) <= offset; }))
+          result.push_back({n, offset});
       }
   return result;
 }
@@ -136,7 +146,9 @@ TEST(Hiding, AgreesWithLooksFromSinglePlaces) {
       Solid points;
       if (pieces.size() % 2 == 0)
         for (int i = 0; i < 5; ++i) points.push_back({number(), number(), number()});
-      else points = box_points({number(), number(), number()}, {7, 8, 9});  // all with one corner, and three faces, in common
+      else
+        points =
+            box_points({number(), number(), number()}, {7, 8, 9});  // all with one corner, and three faces, in common
       std::vector<HalfSpaceOf> halves = half_spaces(points);
       const auto flat = [&](const HalfSpaceOf& h) {
         return std::ranges::all_of(points, [&](const Point& p) { return dot(h.normal, p) == h.offset; });
@@ -149,7 +161,8 @@ TEST(Hiding, AgreesWithLooksFromSinglePlaces) {
       for (const Wires::Wire& wire : piece.wires)
         for (const int share : {1, 40, 99}) {  // of a hundred
           const Point place = wire.from + mpq_class(share, 100) * (wire.to - wire.from);
-          const bool is_hidden = std::ranges::any_of(bodies, [&](const auto& body) { return hides(body, place, view.look()); });
+          const bool is_hidden =
+              std::ranges::any_of(bodies, [&](const auto& body) { return hides(body, place, view.look()); });
           EXPECT_EQ(wire.hidden, is_hidden) << "law: hidden is what a piece hides; round " << round;
           ++asked;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Foreign text in documents: any bytes become something well-formed, good text stays as it is, and different ids stay different.
+// Foreign text in documents: any bytes become something well-formed, good text stays as it is, and
+// different ids stay different.
 #include "view/picture/markup.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +25,8 @@ std::string there_and_back(const std::string& text) {
 }
 
 TEST(Markup, GoodTextComesBack) {
-  for (const std::string text :
-       {"", "plain", "<a href=\"x\">&amp;'</a>", "]]>", "a\tb\nc\r", "\xc3\xa9 \xe2\x88\x9a \xf0\x9f\x98\x80", "\xed\x9f\xbf\xee\x80\x80"})
+  for (const std::string text : {"", "plain", "<a href=\"x\">&amp;'</a>", "]]>", "a\tb\nc\r",
+                                 "\xc3\xa9 \xe2\x88\x9a \xf0\x9f\x98\x80", "\xed\x9f\xbf\xee\x80\x80"})
     EXPECT_EQ(there_and_back(text), text);
 }
 
@@ -42,7 +43,8 @@ TEST(Markup, WhatNoDocumentMayHoldIsShown) {
 
 TEST(Markup, AnyBytes) {
   EXPECT_FALSE(there_and_back(harness::testing::hostile()).empty());
-  EXPECT_TRUE(rc::check("well-formed", [](const std::string& text) { RC_ASSERT(there_and_back(text).size() >= text.size()); }));
+  EXPECT_TRUE(
+      rc::check("well-formed", [](const std::string& text) { RC_ASSERT(there_and_back(text).size() >= text.size()); }));
   EXPECT_TRUE(rc::check("well-formed, of high bytes", [] {
     const auto bytes = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0x7e, 0x100));
     std::string text;

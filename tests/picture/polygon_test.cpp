@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths and polygons: cut at a box, around dots; and exactly, where doubles would lose what lies in the box.
+// Paths and polygons: cut at a box, around dots; and exactly, where doubles would lose what lies in
+// the box.
 #include "view/picture/polygon.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ TEST(Clipped, PolygonsStayInTheBox) {
     const auto coordinate = rc::gen::inRange(-30, 31);
     std::vector<Dot> dots;
     for (int i = 0; i < 8; ++i) dots.push_back({*coordinate / 10.0, *coordinate / 10.0});
-    for (const Dot& d : clipped(outline(dots), true, {-1, -1}, {1, 1})) RC_ASSERT(std::abs(d.x) < 1 + 1e-12 && std::abs(d.y) < 1 + 1e-12);
+    for (const Dot& d : clipped(outline(dots), true, {-1, -1}, {1, 1}))
+      RC_ASSERT(std::abs(d.x) < 1 + 1e-12 && std::abs(d.y) < 1 + 1e-12);
   }));
   EXPECT_EQ(clipped(std::vector<Dot>{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}, true, {-1, -1}, {1, 1}).size(), 4u);
 }

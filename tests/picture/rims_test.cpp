@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rims: where the ends of cylinders, cones and frusta meet their sides; the half behind is hidden. A naive twin finds what is seen by rays.
+// Rims: where the ends of cylinders, cones and frusta meet their sides; the half behind is hidden.
+// A naive twin finds what is seen by rays.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,17 +49,20 @@ TEST(Rims, OfOtherBodies) {
   EXPECT_TRUE(rims(sphere(1), from_above()).empty());
   EXPECT_TRUE(rims(capsule(1, 2), from_above()).empty());
   EXPECT_TRUE(rims(ellipsoid({1, 2, 3}), from_above()).empty());
-  EXPECT_TRUE(rims(with_margin(cylinder(1, 2), mpq_class(1, 10)), from_above()).empty()) << "what is rounded has no edges";
+  EXPECT_TRUE(rims(with_margin(cylinder(1, 2), mpq_class(1, 10)), from_above()).empty())
+      << "what is rounded has no edges";
   EXPECT_EQ(points(rims(cylinder(2, 3), from_beside()), true), 0u) << "law: an end seen from its edge hides nothing";
 }
 
 TEST(Rims, OfAFlatConeAllOfItIsSeen) {
-  const std::vector<Rim> found = rims(cone(10, mpq_class(1, 4)), from_above());  // the apex points to us more than its side is steep
+  const std::vector<Rim> found =
+      rims(cone(10, mpq_class(1, 4)), from_above());  // the apex points to us more than its side is steep
   ASSERT_EQ(found.size(), 1u);
   EXPECT_FALSE(found[0].hidden);
 }
 
-/// Whether a point just before p, towards us, is outside: the support function in many directions says so.
+/// Whether a point just before p, towards us, is outside: the support function in many directions
+/// says so.
 bool naive_is_seen(const std::vector<Vec3<double>>& samples, const Vec3<double>& p, const Vec3<double>& towards) {
   const Vec3<double> before{p.x + 1e-3 * towards.x, p.y + 1e-3 * towards.y, p.z + 1e-3 * towards.z};
   for (int i = 0; i < 200; ++i)
@@ -74,7 +78,8 @@ bool naive_is_seen(const std::vector<Vec3<double>>& samples, const Vec3<double>&
 
 TEST(Rims, AgreeWithRays) {
   std::vector<Vec3<double>> samples{{0, 0, 3}};  // a cone: apex and rim
-  for (int i = 0; i < 96; ++i) samples.push_back({2 * std::cos(2 * M_PI * i / 96), 2 * std::sin(2 * M_PI * i / 96), -3});
+  for (int i = 0; i < 96; ++i)
+    samples.push_back({2 * std::cos(2 * M_PI * i / 96), 2 * std::sin(2 * M_PI * i / 96), -3});
   const View view = from_above();
   int compared = 0;
   for (const Rim& rim : rims(cone(2, 3), view))
@@ -90,7 +95,8 @@ TEST(Rims, ArePaintedFarAwayAndOfAnySize) {
   for (const mpq_class& unit : {mpq_class(1), exact_value(1e300), exact_value(1e-300)}) {
     const mpq_class far = 1000 * unit;
     const Shape a = moved(cylinder(unit, unit), {{{1, 0, 0, far}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
-    const Shape b = moved(cylinder(unit, unit), {{{1, 0, 0, mpq_class(far + unit)}, {0, 1, 0, 0}, {0, 0, 1, mpq_class(unit / 3)}}});
+    const Shape b =
+        moved(cylinder(unit, unit), {{{1, 0, 0, mpq_class(far + unit)}, {0, 1, 0, 0}, {0, 0, 1, mpq_class(unit / 3)}}});
     const PairScene scene = scene_of(a, b, signed_depth(a, b));
     const std::string text = painted(scene, panels_of(scene, {400, 300}).front(), "x");
     EXPECT_NE(text.find("body-a hidden"), std::string::npos);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes: the way out keeps its length and points to the right, faces in contact are seen from their edge, hidden edges are those behind,
-// and every kind of body has an outline.
+// Scenes: the way out keeps its length and points to the right, faces in contact are seen from
+// their edge, hidden edges are those behind, and every kind of body has an outline.
 #include "view/picture/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -71,7 +71,8 @@ TEST(Scene, HiddenEdgesAreBehind) {
   const auto scene = cubes.scene();
   const auto& wires = std::get<Wires>(scene.a).wires;
   EXPECT_EQ(wires.size(), 12u);
-  EXPECT_EQ(std::ranges::count(wires, true, &Wires::Wire::hidden), 1) << "two of the six faces are seen from their edge";
+  EXPECT_EQ(std::ranges::count(wires, true, &Wires::Wire::hidden), 1)
+      << "two of the six faces are seen from their edge";
   const GivenPoints flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   for (const Wires::Wire& wire : wires_of(flat, View(Point{1, 0, 0}, std::nullopt)).wires) EXPECT_FALSE(wire.hidden);
 }
@@ -119,7 +120,9 @@ TEST(Scene, CloseUpsOfShortWays) {
 
 PairScene of_shapes(const Shape& a, const Shape& b) { return scene_of(a, b, signed_depth(a, b)); }
 
-Shape at(const Shape& shape, const Point& place) { return moved(shape, {{{1, 0, 0, place.x}, {0, 1, 0, place.y}, {0, 0, 1, place.z}}}); }
+Shape at(const Shape& shape, const Point& place) {
+  return moved(shape, {{{1, 0, 0, place.x}, {0, 1, 0, place.y}, {0, 0, 1, place.z}}});
+}
 
 TEST(Scene, SpheresAreRound) {
   const PairScene scene = of_shapes(sphere(2), at(sphere(1), {mpq_class(5, 2), 0, 0}));
@@ -130,7 +133,8 @@ TEST(Scene, SpheresAreRound) {
   const double radius = 2 * window.scale().x.get_d();
   EXPECT_GT(around.size(), 60u);
   for (const Dot& d : around) EXPECT_NEAR(std::hypot(d.x - middle.x, d.y - middle.y), radius, 0.05);
-  EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6) << "depth 1/2";
+  EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6)
+      << "depth 1/2";
 }
 
 TEST(Scene, OutlinesOfShapes) {
@@ -171,7 +175,8 @@ TEST(Scene, HalfSpacesEndAtTheirPlane) {
     const auto [left, right] = std::ranges::minmax(half, {}, &Dot::x);
     EXPECT_NEAR(first ? left.x : right.x, plane, 1e-6);
     EXPECT_TRUE(first ? right.x > 400 : left.x < 0) << "the rest is beyond the window";
-    EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2, 1e-6);
+    EXPECT_NEAR(window.dot(scene.anchor + scene.way).x - window.dot(scene.anchor).x, window.scale().x.get_d() / 2,
+                1e-6);
   }
 }
 
@@ -184,7 +189,8 @@ TEST(Scene, EnclosedWays) {
   EXPECT_NEAR(std::hypot(scene.anchor.x.get_d(), scene.anchor.y.get_d()), 1, 1e-9) << "on the side of the cylinder";
 }
 
-// Cylinders that touch along their axes: the value of curved bodies may be known too, though no translation is.
+// Cylinders that touch along their axes: the value of curved bodies may be known too, though no
+// translation is.
 TEST(Scene, KnownValuesOfCurvedBodies) {
   const Shape a = cylinder(1, 1), b = at(cylinder(1, 1), {0, 0, 2});
   const SignedDepth depth = signed_depth(a, b);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes of unions: the way out points to the right, planes between pieces are seen from their edges, the outline is that of all pieces
-// together, and those in contact are marked.
+// Scenes of unions: the way out points to the right, planes between pieces are seen from their
+// edges, the outline is that of all pieces together, and those in contact are marked.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <numeric>
 #include <random>
 
@@ -55,8 +56,8 @@ TEST(UnionScene, TheWayPointsRightAndPlanesAreSeenFromTheirEdges) {
 /// Whether the place lies in one of the convex pieces, which are boxes.
 bool is_in(const Pieces& pieces, const Point& p) {
   return std::ranges::any_of(pieces, [&](const std::vector<Point>& box) {
-    return box.front().x <= p.x && p.x <= box.back().x && box.front().y <= p.y && p.y <= box.back().y && box.front().z <= p.z &&
-           p.z <= box.back().z;
+    return box.front().x <= p.x && p.x <= box.back().x && box.front().y <= p.y && p.y <= box.back().y &&
+           box.front().z <= p.z && p.z <= box.back().z;
   });
 }
 
@@ -83,7 +84,8 @@ TEST(UnionScene, PiecesInContactAreMarked) {
 }
 
 TEST(UnionScene, TouchingAndDisjoint) {
-  const Pieces a{box_points({0, 0, 0}, {1, 1, 1})}, near{box_points({1, 0, 0}, {2, 1, 1})}, far{box_points({3, 0, 0}, {4, 1, 1})};
+  const Pieces a{box_points({0, 0, 0}, {1, 1, 1})}, near{box_points({1, 0, 0}, {2, 1, 1})},
+      far{box_points({3, 0, 0}, {4, 1, 1})};
   const PairScene touching = scene_of(a, near, union_depth(a, near));
   EXPECT_FALSE(touching.moves());
   EXPECT_TRUE(is_in(a, touching.anchor) && is_in(near, touching.anchor));
@@ -110,19 +112,23 @@ std::vector<Dot> square(double x, double y, double side) {
 }
 
 double length(const std::vector<std::pair<Dot, Dot>>& segments) {
-  return std::accumulate(segments.begin(), segments.end(), 0.0,
-                         [](double sum, const auto& s) { return sum + std::hypot(s.second.x - s.first.x, s.second.y - s.first.y); });
+  return std::accumulate(segments.begin(), segments.end(), 0.0, [](double sum, const auto& s) {
+    return sum + std::hypot(s.second.x - s.first.x, s.second.y - s.first.y);
+  });
 }
 
 TEST(UnitedOutline, IsThatOfTheUnion) {
   EXPECT_NEAR(length(united_outline({square(0, 0, 10)})), 40, 1e-9);
   EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(20, 0, 10)})), 80, 1e-9) << "apart";
   EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(10, 0, 10)})), 60, 1e-9) << "law: a seam is no outline";
-  EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(5, 5, 10)})), 60, 0.5) << "law: what lies in another is no outline";
-  EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(2, 2, 4)})), 40, 1e-9) << "law: a piece inside adds nothing";
+  EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(5, 5, 10)})), 60, 0.5)
+      << "law: what lies in another is no outline";
+  EXPECT_NEAR(length(united_outline({square(0, 0, 10), square(2, 2, 4)})), 40, 1e-9)
+      << "law: a piece inside adds nothing";
 }
 
-// A naive twin: of a side of a square of whole numbers a unit step is outline if the unit square just outside it is in no other.
+// A naive twin: of a side of a square of whole numbers a unit step is outline if the unit square
+// just outside it is in no other.
 TEST(UnitedOutline, AgreesWithCounting) {
   std::mt19937_64 random(7);
   const auto next = [&](unsigned below) { return static_cast<int>(random() % below); };
@@ -138,7 +144,8 @@ TEST(UnitedOutline, AgreesWithCounting) {
     }
     const auto covered = [&](int x, int y, std::size_t but) {
       for (std::size_t i = 0; i < squares.size(); ++i)
-        if (const Square& s = squares[i]; i != but && s.x <= x && x < s.x + s.side && s.y <= y && y < s.y + s.side) return true;
+        if (const Square& s = squares[i]; i != but && s.x <= x && x < s.x + s.side && s.y <= y && y < s.y + s.side)
+          return true;
       return false;
     };
     int expected = 0;

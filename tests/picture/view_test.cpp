@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The projection of pictures: lengths in its plane, close-ups of tiny things far away, and a look at which something can be seen.
+// The projection of pictures: lengths in its plane, close-ups of tiny things far away, and a look
+// at which something can be seen.
 #include "view/picture/view.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ double length(const Dot& d) { return std::hypot(d.x, d.y); }
 TEST(View, BothTranslationsKeepTheirLength) {
   EXPECT_TRUE(rc::check("true lengths", [] {
     const auto coordinate = rc::gen::inRange(-50, 51);
-    const Point along{*coordinate, *coordinate, *coordinate}, second{*coordinate, *coordinate, *coordinate}, at{*coordinate, 1, -7};
+    const Point along{*coordinate, *coordinate, *coordinate}, second{*coordinate, *coordinate, *coordinate},
+        at{*coordinate, 1, -7};
     RC_PRE(along != Point{} && second != Point{});
     const View view(along, second);
     const auto end = [&](const Point& by) {
@@ -49,7 +51,8 @@ TEST(View, SeesOneSideOfAFacet) {
   EXPECT_NE(view.faces_us({0, 0, 1}), view.faces_us({0, 0, -1}));
 }
 
-// A box that moves along an axis shows two of its sides, and none of its edges across the way hides another.
+// A box that moves along an axis shows two of its sides, and none of its edges across the way hides
+// another.
 TEST(View, LooksFromALittleAbove) {
   for (const Point& along : {Point{1, 0, 0}, Point{0, -3, 0}, Point{0, 0, 2}}) {
     const View view(along, std::nullopt);
@@ -61,7 +64,8 @@ TEST(View, LooksFromALittleAbove) {
           if (dot(corner, along) > 0) heights.push_back(view.project(corner, Point{}, 1).y);
         }
     std::ranges::sort(heights);
-    for (std::size_t i = 1; i < heights.size(); ++i) EXPECT_GT(heights[i] - heights[i - 1], 0.3) << along.x << along.y << along.z;
+    for (std::size_t i = 1; i < heights.size(); ++i)
+      EXPECT_GT(heights[i] - heights[i - 1], 0.3) << along.x << along.y << along.z;
   }
   EXPECT_TRUE(View(Point{1, 0, 0}, std::nullopt).faces_us({0, 0, 1})) << "from above";
 }
@@ -73,8 +77,8 @@ TEST(View, ShowsTheEdgesInContact) {
     std::vector<Point> edges;
     for (int i = 0; i < 2; ++i) {  // across the way
       const Point v{*coordinate, *coordinate, *coordinate};
-      edges.push_back(
-          {mpq_class(along.y * v.z - along.z * v.y), mpq_class(along.z * v.x - along.x * v.z), mpq_class(along.x * v.y - along.y * v.x)});
+      edges.push_back({mpq_class(along.y * v.z - along.z * v.y), mpq_class(along.z * v.x - along.x * v.z),
+                       mpq_class(along.x * v.y - along.y * v.x)});
     }
     RC_PRE(along != Point{} && edges[0] != Point{} && edges[1] != Point{});
     const View view(along, std::nullopt, edges);
@@ -86,8 +90,8 @@ TEST(View, ShowsTheEdgesInContact) {
 }
 
 TEST(View, UnitVectors) {
-  const auto huge =
-      unit_vector(Point{mpq_class(mpz_class("3" + std::string(400, '0'))), 0, mpq_class(mpz_class("-4" + std::string(400, '0')))});
+  const auto huge = unit_vector(
+      Point{mpq_class(mpz_class("3" + std::string(400, '0'))), 0, mpq_class(mpz_class("-4" + std::string(400, '0')))});
   EXPECT_DOUBLE_EQ(huge.x, 0.6);
   EXPECT_DOUBLE_EQ(huge.z, -0.8);
   EXPECT_EQ(unit_vector(Point{}), (Vec3<double>{0, 0, 0}));

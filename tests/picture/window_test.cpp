@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Windows: everything fits, true to scale, whatever the numbers are; and what lies far outside is cut exactly.
+// Windows: everything fits, true to scale, whatever the numbers are; and what lies far outside is
+// cut exactly.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +36,8 @@ TEST(Window, FitsWithAMargin) {
 
 TEST(Window, ScalesTheAxesApartBeyondAHundred) {
   EXPECT_FALSE(Window::around(front(), box(100, 1), size).apart());
-  const Window wide = Window::around(front(), box(101, 1), size), high = Window::around(front(), box(ten_to(-300), ten_to(300)), size);
+  const Window wide = Window::around(front(), box(101, 1), size),
+               high = Window::around(front(), box(ten_to(-300), ten_to(300)), size);
   for (const Window* window : {&wide, &high}) EXPECT_TRUE(window->apart());
   EXPECT_NEAR(wide.dot({101, 1, 0}).y, 22, 1e-9);
   EXPECT_NEAR(high.dot({ten_to(-300), ten_to(300), 0}).x, 378, 1e-9);
@@ -52,7 +54,8 @@ TEST(Window, FlatBoxes) {
   }
 }
 
-// The edge of a body of 1e300, which rises by a third, through a window of 1e-300: doubles have no such places at all.
+// The edge of a body of 1e300, which rises by a third, through a window of 1e-300: doubles have no
+// such places at all.
 TEST(Window, CutsExactly) {
   const mpq_class far = ten_to(300);
   const Window window = Window::close(front(), {0, 0}, ten_to(300), size);

@@ -25,7 +25,8 @@ TEST(Plot, SeriesDifferByMoreThanColour) {
   const std::string svg = figure_file(figure_of(series));
   std::set<std::string> dashes, marks;
   for (const std::string& style : all(svg, "<path class=\"(look-[^\"]*)\"")) dashes.insert(style);
-  for (const std::string& style : all(svg, "<path class=\"mark (\\w+)[^\"]*\" d=\"M[0-9. -]*[^\"]*")) marks.insert(style);
+  for (const std::string& style : all(svg, "<path class=\"mark (\\w+)[^\"]*\" d=\"M[0-9. -]*[^\"]*"))
+    marks.insert(style);
   EXPECT_EQ(dashes.size(), distinct_looks);
   std::set<std::string> shapes;
   for (const std::string& shape : all(svg, "<path class=\"mark (\\w+ look-[0-9]\" d=\"M)")) shapes.insert(shape);
@@ -56,7 +57,8 @@ TEST(Plot, HigherIsUp) {
 
 TEST(Plot, TextsOfOthersAreEscaped) {
   Figure figure = figure_of({{"<b>&", {{0, 0, "\"<i>"}, {1, 1}}}});
-  figure.title = figure.description = figure.panels[0].title = figure.panels[0].x.name = figure.panels[0].above = "<script>\x1b";
+  figure.title = figure.description = figure.panels[0].title = figure.panels[0].x.name = figure.panels[0].above =
+      "<script>\x1b";
   const std::string svg = figure_file(figure);
   EXPECT_EQ(svg.find("<script"), std::string::npos);
   EXPECT_EQ(svg.find("<b>"), std::string::npos);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances of disjoint bodies against brute force, and one signed function across contact.
-#include <algorithm>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <random>
 
 #include "kernels/number/rational.hpp"
@@ -17,8 +18,9 @@ namespace {
 using testing::random_vector;
 using testing::text;
 
-/// By definition: the nearest feature of P is a vertex, an edge or a facet, so the least distance of O to the hulls of one, two or three
-/// differences is the answer, whether or not these lie on the boundary of P.
+/// By definition: the nearest feature of P is a vertex, an edge or a facet, so the least distance
+/// of O to the hulls of one, two or three differences is the answer, whether or not these lie on
+/// the boundary of P.
 mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
   std::vector<Vector> p;
   for (const Vector& x : a)
@@ -69,7 +71,8 @@ TEST(NearestPoints, EqualsBruteForceOnSmallBodies) {
     mpz_class far = 1;
     far <<= bits;
     const std::vector<Vector> a = random_points(random, 1 + random() % 4, bits, {0, 0, 0});
-    const std::vector<Vector> b = random_points(random, 1 + random() % 4, bits, random_vector(random, bits) + Vector{far, far, 0});
+    const std::vector<Vector> b =
+        random_points(random, 1 + random() % 4, bits, random_vector(random, bits) + Vector{far, far, 0});
     const PlacedPair placed = place_integers(a, b);
     if (position_of_origin(placed.a, placed.b).position != Position::outside) {
       EXPECT_THROW(solve(a, b), std::invalid_argument);
@@ -126,7 +129,8 @@ Case moved(Case pair, const Point& t) {
   return pair;
 }
 
-// Over all families, each body A moved away far enough: the laws of the result, and what moving A by the translation does.
+// Over all families, each body A moved away far enough: the laws of the result, and what moving A
+// by the translation does.
 TEST(Distance, TranslationBringsTheBodiesIntoTouch) {
   std::size_t disjoint = 0;
   for (Case input : testing::cases_of_all_families(2, 9)) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every level against the hull of its vertices; extreme faces against the linear scan; size, levels and steps against n.
+// Every level against the hull of its vertices; extreme faces against the linear scan; size, levels
+// and steps against n.
 #include "reference/polytope/hierarchy.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +91,8 @@ TEST(Hierarchy, AgreesWithTheScanOnSmallLattices) {
     std::mt19937_64 random(seed);
     const auto below = [&random](int n) { return static_cast<long>(random() % static_cast<unsigned>(n)); };
     std::vector<Vector> points;
-    for (int i = 0; i < count; ++i) points.push_back({below(side), flat == 2 ? 0 : below(side), flat ? below(2) : below(side)});
+    for (int i = 0; i < count; ++i)
+      points.push_back({below(side), flat == 2 ? 0 : below(side), flat ? below(2) : below(side)});
     const Polytope p = convex_hull(points);
     const Hierarchy h(p);
     RC_ASSERT(validate(h).ok());
@@ -124,7 +126,9 @@ Steps greatest_steps(const Hierarchy& h, unsigned seed) {
     const Edge& e = p.edges[random() % p.edges.size()];
     const Vector& left = p.facets[e.left].normal;
     Steps steps = 0;
-    const Vector u = i % 4 == 0 ? left : i % 4 == 1 ? left + p.facets[e.right].normal : testing::random_direction(random, 40);
+    const Vector u = i % 4 == 0   ? left
+                     : i % 4 == 1 ? left + p.facets[e.right].normal
+                                  : testing::random_direction(random, 40);
     EXPECT_LT(h.extreme(u, &steps).value, p.vertices.size());
     greatest = std::max(greatest, steps);
     if (i % 50 == 0) expect_scan_agrees(h, u);
@@ -132,7 +136,8 @@ Steps greatest_steps(const Hierarchy& h, unsigned seed) {
   return greatest;
 }
 
-// Guaranteed are 17/18 of the vertices left by each level; two thirds to three quarters are what remains in fact.
+// Guaranteed are 17/18 of the vertices left by each level; two thirds to three quarters are what
+// remains in fact.
 void expect_growth(const char* family, unsigned n) {
   SCOPED_TRACE(std::string(family) + " " + std::to_string(n));
   const Case input = families::find_family(family)->make(1, n);
@@ -140,7 +145,8 @@ void expect_growth(const char* family, unsigned n) {
   const Hierarchy h(p);
   const std::size_t vertices = p.vertices.size(), doublings = std::bit_width(vertices);
   const Steps steps = greatest_steps(h, n);
-  std::cout << family << " vertices " << vertices << " levels " << h.levels() << " size " << h.size() << " steps " << steps << '\n';
+  std::cout << family << " vertices " << vertices << " levels " << h.levels() << " size " << h.size() << " steps "
+            << steps << '\n';
   EXPECT_LE(h.levels(), 3 * doublings);
   EXPECT_LE(h.size(), 30 * vertices);
   EXPECT_LE(steps, 40 + 24 * doublings);
@@ -149,7 +155,8 @@ void expect_growth(const char* family, unsigned n) {
 TEST(Hierarchy, SizeIsLinearAndQueriesAreLogarithmic) {
   for (const unsigned n : {1000U, 10000U, 100000U}) expect_growth("random_sphere", n);
   for (const unsigned n : {100U, 5000U}) {
-    for (const char* family : {"prisms_posed", "crossed_parabolas", "crossed_prisms", "crossed_fans"}) expect_growth(family, n);
+    for (const char* family : {"prisms_posed", "crossed_parabolas", "crossed_prisms", "crossed_fans"})
+      expect_growth(family, n);
   }
 }
 

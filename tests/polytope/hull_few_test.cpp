@@ -34,7 +34,8 @@ void expect_equal(const Polytope& x, const Polytope& y) {
     EXPECT_EQ(x.facets[f].begin, y.facets[f].begin);
   }
   ASSERT_EQ(x.edges.size(), y.edges.size());
-  for (std::size_t i = 0; i < x.edges.size(); ++i) EXPECT_TRUE(x.edges[i].from == y.edges[i].from && x.edges[i].to == y.edges[i].to);
+  for (std::size_t i = 0; i < x.edges.size(); ++i)
+    EXPECT_TRUE(x.edges[i].from == y.edges[i].from && x.edges[i].to == y.edges[i].to);
 }
 
 /// Whether the points are solid; then both ways must agree.

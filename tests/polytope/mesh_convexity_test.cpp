@@ -86,7 +86,8 @@ Point random_point(int range) {
   return {*rc::gen::inRange(-range, range), *rc::gen::inRange(-range, range), *rc::gen::inRange(-range, range)};
 }
 
-const std::vector<std::vector<std::uint32_t>> quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+const std::vector<std::vector<std::uint32_t>> quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 Mesh cube(int low, int high) {
   std::vector<Point> points;
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
@@ -108,7 +109,8 @@ Mesh inside_out(Mesh m) {
 }
 Mesh together(const Mesh& one, const Mesh& other) {
   Mesh result = one;
-  const auto points = static_cast<std::uint32_t>(one.points.size()), corners = static_cast<std::uint32_t>(one.faces.corners.size());
+  const auto points = static_cast<std::uint32_t>(one.points.size()),
+             corners = static_cast<std::uint32_t>(one.faces.corners.size());
   result.points.insert(result.points.end(), other.points.begin(), other.points.end());
   for (const std::uint32_t corner : other.faces.corners) result.faces.corners.push_back(corner + points);
   for (const std::uint32_t end : other.faces.ends) result.faces.ends.push_back(end + corners);
@@ -185,8 +187,16 @@ TEST(MeshConvexity, SaysHowDeepADentIs) {
   // A cube of side 4 whose top is a pyramid down to its centre.
   Mesh m = cube(0, 4);
   m.points.push_back({2, 2, 1});
-  m.faces =
-      mesh({}, {{0, 2, 3, 1}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}, {4, 5, 8}, {5, 7, 8}, {7, 6, 8}, {6, 4, 8}}).faces;
+  m.faces = mesh({}, {{0, 2, 3, 1},
+                      {0, 1, 5, 4},
+                      {2, 6, 7, 3},
+                      {0, 4, 6, 2},
+                      {1, 3, 7, 5},
+                      {4, 5, 8},
+                      {5, 7, 8},
+                      {7, 6, 8},
+                      {6, 4, 8}})
+                .faces;
   for (const Mesh& either : {m, inside_out(m)}) {
     const MeshConvexity result = convexity(either);
     ASSERT_TRUE(result.dents);
@@ -194,7 +204,8 @@ TEST(MeshConvexity, SaysHowDeepADentIs) {
     EXPECT_EQ(result.dents->deepest->point, 8U);
     EXPECT_EQ(result.dents->deepest->squared_depth, 1) << "the bottom is nearest";
   }
-  EXPECT_TRUE(mesh_convexity(m.points, m.faces, 6).dents->deepest) << "one point that is no corner of the hull, and six facets";
+  EXPECT_TRUE(mesh_convexity(m.points, m.faces, 6).dents->deepest)
+      << "one point that is no corner of the hull, and six facets";
   EXPECT_FALSE(mesh_convexity(m.points, m.faces, 5).dents->deepest);
   for (Point& p : m.points) p = {p.x / 3, p.y / 3, p.z / 3};
   EXPECT_EQ(convexity(m).dents->deepest->squared_depth, mpq_class(1, 9));
@@ -203,8 +214,9 @@ TEST(MeshConvexity, SaysHowDeepADentIs) {
 // An octahedron with a diagonal through its inside: all its points are extreme.
 TEST(MeshConvexity, SeesDentsBetweenExtremePoints) {
   const std::vector<Point> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  const Mesh dented =
-      mesh(points, {{0, 2, 5}, {0, 5, 2}, {2, 4, 5}, {0, 5, 4}, {2, 1, 4}, {1, 2, 5}, {1, 3, 4}, {3, 1, 5}, {3, 0, 4}, {0, 3, 5}});
+  const Mesh dented = mesh(
+      points,
+      {{0, 2, 5}, {0, 5, 2}, {2, 4, 5}, {0, 5, 4}, {2, 1, 4}, {1, 2, 5}, {1, 3, 4}, {3, 1, 5}, {3, 0, 4}, {0, 3, 5}});
   const MeshConvexity result = convexity(dented);
   ASSERT_TRUE(result.dents);
   EXPECT_EQ(result.dents->deepest->squared_depth, 0);
@@ -212,7 +224,8 @@ TEST(MeshConvexity, SeesDentsBetweenExtremePoints) {
 
 // Convex at every edge, and closed, but it goes around twice.
 TEST(MeshConvexity, IsNotFooledByAStar) {
-  std::vector<Point> points = {{0, 1000, 0}, {951, 309, 0}, {588, -809, 0}, {-588, -809, 0}, {-951, 309, 0}, {0, 0, 500}, {0, 0, -500}};
+  std::vector<Point> points = {{0, 1000, 0},   {951, 309, 0}, {588, -809, 0}, {-588, -809, 0},
+                               {-951, 309, 0}, {0, 0, 500},   {0, 0, -500}};
   std::vector<std::vector<std::uint32_t>> faces;
   for (std::uint32_t i = 0; i < 5; ++i) {
     const std::uint32_t j = (i + 3) % 5;  // every second point, counter-clockwise

@@ -31,7 +31,8 @@ void expect_cloud(const NarrowCloud& cloud, const kernels::PointCloud& expected)
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const Vec3<NarrowInteger> p = points[i];
     ASSERT_EQ((Vector{p.x.to_mpz(), p.y.to_mpz(), p.z.to_mpz()}), expected[i]);
-    ASSERT_EQ((Vec3<double>{cloud.x[i], cloud.y[i], cloud.z[i]}), (Vec3<double>{expected.xs()[i], expected.ys()[i], expected.zs()[i]}));
+    ASSERT_EQ((Vec3<double>{cloud.x[i], cloud.y[i], cloud.z[i]}),
+              (Vec3<double>{expected.xs()[i], expected.ys()[i], expected.zs()[i]}));
   }
 }
 
@@ -56,7 +57,10 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
   NarrowPair pair, of_points;
   std::size_t narrow = 0, wide = 0;
   for (int i = 0; i < 3000; ++i) {
-    const int scale = i % 5 == 0 ? 200 : i % 5 == 1 ? -1060 : static_cast<int>(random() % 60) - 30, spread = 1 + i % 130;
+    const int scale = i % 5 == 0   ? 200
+                      : i % 5 == 1 ? -1060
+                                   : static_cast<int>(random() % 60) - 30,
+              spread = 1 + i % 130;
     Doubles a(1 + random() % 9), b(1 + random() % 9);
     for (Doubles* body : {&a, &b})
       for (std::array<double, 3>& p : *body)
@@ -65,7 +69,8 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
     const PlacedPair expected = place(exact_a, exact_b);
     const bool placed = place_narrow(a, b, pair);
     ++(placed ? narrow : wide);
-    ASSERT_TRUE(placed || expected.exponent() > 200) << i << ": a lattice of " << expected.exponent() << " bits is narrow";
+    ASSERT_TRUE(placed || expected.exponent() > 200)
+        << i << ": a lattice of " << expected.exponent() << " bits is narrow";
     if (placed) expect_placed(pair, expected);
     if (!place_narrow(exact_a, exact_b, of_points)) continue;  // long numerators are left to `place`
     ASSERT_TRUE(placed);
@@ -98,7 +103,8 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForEveryFamily) {
 
 TEST(NarrowPair, LeavesTheRestToPlace) {
   NarrowPair pair;
-  const std::vector<Point> origin{{0, 0, 0}}, third{{mpq_class(1, 3), 0, 0}}, fine{{mpq_class(1, testing::power_of_two(400)), 1, 0}};
+  const std::vector<Point> origin{{0, 0, 0}}, third{{mpq_class(1, 3), 0, 0}},
+      fine{{mpq_class(1, testing::power_of_two(400)), 1, 0}};
   Point broken{0, 0, 0};
   broken.x.get_num() = 2;
   broken.x.get_den() = 4;

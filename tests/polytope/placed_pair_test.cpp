@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+
+#include <cmath>
+#include <cstdlib>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -57,7 +58,8 @@ TEST(PlacedPair, KeepsEveryPositionInTheLeastDenominator) {
 }
 
 TEST(PlacedPair, ADenominatorThatDifferencesDoNotNeedIsDividedOut) {
-  const std::vector<Point> a{{kernels::ratio(1, 3), kernels::ratio(1, 7), 0}, {kernels::ratio(4, 3), kernels::ratio(8, 7), 5}},
+  const std::vector<Point> a{{kernels::ratio(1, 3), kernels::ratio(1, 7), 0},
+                             {kernels::ratio(4, 3), kernels::ratio(8, 7), 5}},
       b{{kernels::ratio(7, 3), kernels::ratio(-6, 7), 1}};
   const PlacedPair placed = place(a, b);
   EXPECT_EQ(placed.denominator, 1);
@@ -73,7 +75,8 @@ TEST(PlacedPair, AFactorOfAllIntegersStays) {
 
 TEST(PlacedPair, BodiesFarFromTheOriginStaySmall) {
   const mpz_class far("1" + std::string(300, '0'));
-  const std::vector<Point> a{{mpq_class(far + 1), mpq_class(far), mpq_class(-far)}}, b{{mpq_class(far), mpq_class(far), mpq_class(-far)}};
+  const std::vector<Point> a{{mpq_class(far + 1), mpq_class(far), mpq_class(-far)}},
+      b{{mpq_class(far), mpq_class(far), mpq_class(-far)}};
   const PlacedPair placed = place(a, b);
   EXPECT_EQ(placed.a[0], (Vector{1, 0, 0}));
   expect_same_positions(placed, a, b);
@@ -91,7 +94,8 @@ TEST(PlacedPair, DoublesOfAllExponents) {
 }
 
 TEST(PlacedPair, PositionsBetweenLatticePoints) {
-  const PlacedPair placed = place(std::vector<Point>{{kernels::ratio(1, 2), 0, 0}}, std::vector<Point>{{kernels::ratio(1, 3), 1, 0}});
+  const PlacedPair placed =
+      place(std::vector<Point>{{kernels::ratio(1, 2), 0, 0}}, std::vector<Point>{{kernels::ratio(1, 3), 1, 0}});
   EXPECT_EQ(placed.denominator, 6);
   EXPECT_EQ(placed.position({1, -6, 12}, 4),
             (Point{kernels::ratio(1, 3) + kernels::ratio(1, 24), kernels::ratio(3, 4), kernels::ratio(1, 2)}));

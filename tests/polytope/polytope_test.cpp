@@ -35,7 +35,8 @@ Points grid(int side) {
   return points;
 }
 
-/// (0, +-a, +-b) and its cyclic shifts: an icosahedron for a/b between 0 and 1, with two kinds of edges unless a/b is golden.
+/// (0, +-a, +-b) and its cyclic shifts: an icosahedron for a/b between 0 and 1, with two kinds of
+/// edges unless a/b is golden.
 Points icosahedron(int a, int b) {
   Points points;
   for (const int s : {-1, 1}) {
@@ -59,8 +60,10 @@ Points sphere(int count, unsigned seed) {
   std::normal_distribution<double> normal;
   Points points;
   for (int i = 0; i < count; ++i) {
-    const double x = normal(generator), y = normal(generator), z = normal(generator), scale = std::ldexp(1 / std::hypot(x, y, z), 40);
-    points.push_back({mpz_class(std::round(scale * x)), mpz_class(std::round(scale * y)), mpz_class(std::round(scale * z))});
+    const double x = normal(generator), y = normal(generator), z = normal(generator),
+                 scale = std::ldexp(1 / std::hypot(x, y, z), 40);
+    points.push_back(
+        {mpz_class(std::round(scale * x)), mpz_class(std::round(scale * y)), mpz_class(std::round(scale * z))});
   }
   return points;
 }
@@ -114,7 +117,8 @@ TEST(ConvexHull, TheCubeInFull) {
   for (const Vector& p : grid(3)) points.push_back(mpz_class(2) * Points{p} == Points{{2, 2, 2}} ? Vector{1, 1, 1} : p);
   const Polytope p = convex_hull(points);
   EXPECT_EQ(p.input_ids, (std::vector<std::uint32_t>{1, 4, 8, 10, 20, 22, 26, 28}));
-  EXPECT_EQ(p.corners, kernels::to_ids<VertexId>({0, 1, 5, 4, 0, 2, 3, 1, 0, 4, 6, 2, 1, 3, 7, 5, 2, 6, 7, 3, 4, 5, 7, 6}));
+  EXPECT_EQ(p.corners,
+            kernels::to_ids<VertexId>({0, 1, 5, 4, 0, 2, 3, 1, 0, 4, 6, 2, 1, 3, 7, 5, 2, 6, 7, 3, 4, 5, 7, 6}));
   EXPECT_EQ(p.facets.front().normal, (Vector{0, -1, 0}));
   EXPECT_EQ(p.facets[FacetId(3)].normal, (Vector{1, 0, 0}));
   const Edge& first = p.edges[0];
@@ -122,10 +126,12 @@ TEST(ConvexHull, TheCubeInFull) {
   EXPECT_EQ(std::pair(first.left, first.right), std::pair(FacetId(0), FacetId(1)));
 }
 
-/// Random points of a small grid, pushed through a random integer matrix: every rank, many coincidences.
+/// Random points of a small grid, pushed through a random integer matrix: every rank, many
+/// coincidences.
 Points degenerate_points() {
   const int side = *rc::gen::inRange(2, 5), count = *rc::gen::inRange(1, 25);
-  const auto matrix = *rc::gen::container<std::vector<int>>(9, rc::gen::weightedElement<int>({{5, 0}, {4, 1}, {2, -1}, {1, 3}}));
+  const auto matrix =
+      *rc::gen::container<std::vector<int>>(9, rc::gen::weightedElement<int>({{5, 0}, {4, 1}, {2, -1}, {1, 3}}));
   const bool plain = *rc::gen::arbitrary<bool>();
   Points points;
   for (int i = 0; i < count; ++i) {
@@ -172,15 +178,16 @@ void expect_unchanged(const Points& points, const mpz_class& scale, const Vector
 
 TEST(ConvexHull, HugeCoordinates) {
   const mpz_class decimal("1" + std::string(300, '0')), binary = (mpz_class(1) << 2000) + 1;
-  for (const Points& points :
-       {dodecahedron(), sphere(100, 2), grid(4), Points{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}}, Points{{1, 1, 0}, {2, 5, 0}, {7, 7, 0}}}) {
+  for (const Points& points : {dodecahedron(), sphere(100, 2), grid(4), Points{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
+                               Points{{1, 1, 0}, {2, 5, 0}, {7, 7, 0}}}) {
     expect_unchanged(points, decimal, {7, -decimal, 1});
     expect_unchanged(points, 1, {binary, binary * binary, -binary});
     expect_unchanged(points, binary, {decimal, 0, 1});
   }
 }
 
-/// Far beyond what doubles resolve: three points and one that lies off their plane by one unit in 2^1500.
+/// Far beyond what doubles resolve: three points and one that lies off their plane by one unit in
+/// 2^1500.
 TEST(ConvexHull, AHairAboveAPlane) {
   const mpz_class far = mpz_class(1) << 1500;
   const Vector a{far, 0, 0}, b{0, far, 0}, c{0, 0, far}, o{0, 0, 0}, third{far / 3, far / 3, far / 3};
@@ -198,7 +205,8 @@ TEST(ConvexHull, RandomSphere) {
   EXPECT_TRUE(validate(p, points, false).ok());
 }
 
-/// Large facets: all points of either base are coplanar, and the bases also hold points that are not corners.
+/// Large facets: all points of either base are coplanar, and the bases also hold points that are
+/// not corners.
 TEST(ConvexHull, PrismWithManyCorners) {
   Points points;
   const int half = 300;
@@ -225,7 +233,8 @@ TEST(ConvexHull, PointAndSegment) {
 }
 
 TEST(ConvexHull, PolygonsOfEveryDirection) {
-  for (const Vector& n : {Vector{0, 0, 1}, Vector{0, 1, 0}, Vector{1, 0, 0}, Vector{0, 1, -1}, Vector{2, -3, 5}, Vector{1, 1, 0}}) {
+  for (const Vector& n :
+       {Vector{0, 0, 1}, Vector{0, 1, 0}, Vector{1, 0, 0}, Vector{0, 1, -1}, Vector{2, -3, 5}, Vector{1, 1, 0}}) {
     const Vector u = cross(n, Vector{7, 11, 13}), v = cross(n, u);
     Points points;
     for (int i = 0; i < 9; ++i) points.push_back((i % 3 * Points{u})[0] + (i / 3 * Points{v})[0]);
@@ -242,7 +251,9 @@ bool same(const Polytope& p, const Polytope& q) {
   const auto same_edge = [](const Edge& e, const Edge& f) {
     return std::tie(e.from, e.to, e.left, e.right) == std::tie(f.from, f.to, f.left, f.right);
   };
-  const auto same_facet = [](const Facet& f, const Facet& g) { return f.normal == g.normal && f.begin == g.begin && f.end == g.end; };
+  const auto same_facet = [](const Facet& f, const Facet& g) {
+    return f.normal == g.normal && f.begin == g.begin && f.end == g.end;
+  };
   return p.rank == q.rank && p.vertices == q.vertices && p.input_ids == q.input_ids && p.corners == q.corners &&
          std::ranges::equal(p.edges, q.edges, same_edge) && std::ranges::equal(p.facets, q.facets, same_facet);
 }
@@ -258,7 +269,8 @@ TEST(ConvexHull, IsWrittenInOneWayOnly) {
     RC_ASSERT(same(convex_hull(more), convex_hull(twice)));
     RC_ASSERT(p.corners == convex_hull(more).corners);
     RC_ASSERT(std::ranges::is_sorted(p.input_ids));
-    RC_ASSERT(p.rank != 3 || std::ranges::is_sorted(p.edges, {}, [](const Edge& e) { return std::pair(e.from, e.to); }));
+    RC_ASSERT(p.rank != 3 ||
+              std::ranges::is_sorted(p.edges, {}, [](const Edge& e) { return std::pair(e.from, e.to); }));
     std::vector<std::vector<std::uint32_t>> cycles;
     for (const Facet& f : p.facets) {
       cycles.emplace_back(p.corners.begin() + f.begin, p.corners.begin() + f.end);

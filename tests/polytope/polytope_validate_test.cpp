@@ -36,7 +36,8 @@ void expect_all_found(const Points& points, const std::vector<Damage>& damages) 
     Polytope polytope = sound;
     damage.inflict(polytope);
     const std::vector<std::string> faults = validate(polytope, points).faults;
-    const bool found = std::ranges::any_of(faults, [&](const std::string& f) { return f.find(damage.law) != std::string::npos; });
+    const bool found =
+        std::ranges::any_of(faults, [&](const std::string& f) { return f.find(damage.law) != std::string::npos; });
     EXPECT_TRUE(found) << "not found: " << damage.law << "; found: " << (faults.empty() ? "nothing" : faults[0]);
   }
 }
@@ -61,7 +62,8 @@ TEST(Validate, CountsAndRanges) {
                               {"refers to a facet", [](Polytope& p) { p.edges[3].right = FacetId::none(); }},
                               {"corners do not follow", [](Polytope& p) { p.facets[FacetId(2)].begin = 9; }},
                               {"corners do not follow", [](Polytope& p) { p.facets[FacetId(5)].end = 25; }},
-                              {"corners do not follow", [](Polytope& p) { p.facets[FacetId(0)].end = 2, p.facets[FacetId(1)].begin = 2; }},
+                              {"corners do not follow",
+                               [](Polytope& p) { p.facets[FacetId(0)].end = 2, p.facets[FacetId(1)].begin = 2; }},
                               {"corners of no facet", [](Polytope& p) { p.facets[FacetId(5)].end = 23; }},
                               {"a corner is no vertex", [](Polytope& p) { p.corners[7] = VertexId(8); }},
                           });
@@ -69,60 +71,67 @@ TEST(Validate, CountsAndRanges) {
 
 TEST(Validate, VerticesAndIds) {
   expect_all_found(
-      box(),
-      {
-          {"do not ascend", [](Polytope& p) { std::swap(p.input_ids[VertexId(0)], p.input_ids[VertexId(1)]); }},
-          {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(0)] = 0; }},
-          {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(7)] = 1000; }},
-          {"has a lower index", [](Polytope& p) { p.input_ids[VertexId(7)] = 9; }},
-          {"repeats another vertex",
-           [](Polytope& p) { p.vertices[VertexId(7)] = p.vertices[VertexId(6)], p.input_ids[VertexId(7)] = p.input_ids[VertexId(6)]; }},
-      });
+      box(), {
+                 {"do not ascend", [](Polytope& p) { std::swap(p.input_ids[VertexId(0)], p.input_ids[VertexId(1)]); }},
+                 {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(0)] = 0; }},
+                 {"is not the input point", [](Polytope& p) { p.input_ids[VertexId(7)] = 1000; }},
+                 {"has a lower index", [](Polytope& p) { p.input_ids[VertexId(7)] = 9; }},
+                 {"repeats another vertex",
+                  [](Polytope& p) {
+                    p.vertices[VertexId(7)] = p.vertices[VertexId(6)],
+                    p.input_ids[VertexId(7)] = p.input_ids[VertexId(6)];
+                  }},
+             });
 }
 
 TEST(Validate, Facets) {
   expect_all_found(
-      box(),
-      {
-          {"not primitive", [](Polytope& p) { p.facets[FacetId(1)].normal = p.facets[FacetId(1)].normal + p.facets[FacetId(1)].normal; }},
-          {"not primitive",
-           [](Polytope& p) {
-             p.facets[FacetId(1)].normal = {0, 0, 0};
-           }},
-          {"off its plane",
-           [](Polytope& p) {
-             p.facets[FacetId(1)].normal = {3, 5, 7};
-           }},
-          {"strictly convex", [](Polytope& p) { p.facets[FacetId(1)].normal = -p.facets[FacetId(1)].normal; }},
-          {"strictly convex", [](Polytope& p) { std::swap(p.corners[1], p.corners[2]); }},
-          {"strictly convex", [](Polytope& p) { std::reverse(p.corners.begin(), p.corners.begin() + 4); }},
-      });
+      box(), {
+                 {"not primitive",
+                  [](Polytope& p) {
+                    p.facets[FacetId(1)].normal = p.facets[FacetId(1)].normal + p.facets[FacetId(1)].normal;
+                  }},
+                 {"not primitive",
+                  [](Polytope& p) {
+                    p.facets[FacetId(1)].normal = {0, 0, 0};
+                  }},
+                 {"off its plane",
+                  [](Polytope& p) {
+                    p.facets[FacetId(1)].normal = {3, 5, 7};
+                  }},
+                 {"strictly convex", [](Polytope& p) { p.facets[FacetId(1)].normal = -p.facets[FacetId(1)].normal; }},
+                 {"strictly convex", [](Polytope& p) { std::swap(p.corners[1], p.corners[2]); }},
+                 {"strictly convex", [](Polytope& p) { std::reverse(p.corners.begin(), p.corners.begin() + 4); }},
+             });
 }
 
 TEST(Validate, Edges) {
-  expect_all_found(box(), {
-                              {"not a side", [](Polytope& p) { std::swap(p.edges[2].left, p.edges[2].right); }},
-                              {"not a side", [](Polytope& p) { std::swap(p.edges[2].from, p.edges[2].to); }},
-                              {"not a side", [](Polytope& p) { p.edges[2].right = FacetId((p.edges[2].right.value + 1) % 6); }},
-                              {"repeats an earlier edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
-                              {"belongs to no edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
-                          });
+  expect_all_found(
+      box(), {
+                 {"not a side", [](Polytope& p) { std::swap(p.edges[2].left, p.edges[2].right); }},
+                 {"not a side", [](Polytope& p) { std::swap(p.edges[2].from, p.edges[2].to); }},
+                 {"not a side", [](Polytope& p) { p.edges[2].right = FacetId((p.edges[2].right.value + 1) % 6); }},
+                 {"repeats an earlier edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
+                 {"belongs to no edge", [](Polytope& p) { p.edges[2] = p.edges[3]; }},
+             });
 }
 
 TEST(Validate, Polygons) {
-  expect_all_found(square(), {
-                                 {"has a lower index",
-                                  [](Polytope& p) {
-                                    p.input_ids = {2, 3, 4, 5}, std::rotate(p.vertices.begin(), p.vertices.begin() + 1, p.vertices.end());
-                                  }},
-                                 {"not opposite", [](Polytope& p) { p.facets[FacetId(1)].normal = p.facets[FacetId(0)].normal; }},
-                                 {"not, reversed", [](Polytope& p) { std::reverse(p.corners.begin() + 4, p.corners.end()); }},
-                                 {"strictly convex", [](Polytope& p) { std::swap(p.corners[0], p.corners[1]); }},
-                                 {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].left, p.edges[1].right); }},
-                                 {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].from, p.edges[1].to); }},
-                                 {"occurs twice", [](Polytope& p) { p.edges[1] = p.edges[2]; }},
-                                 {"differ in size", [](Polytope& p) { p.facets[FacetId(0)].end = p.facets[FacetId(1)].begin = 3; }},
-                             });
+  expect_all_found(
+      square(),
+      {
+          {"has a lower index",
+           [](Polytope& p) {
+             p.input_ids = {2, 3, 4, 5}, std::rotate(p.vertices.begin(), p.vertices.begin() + 1, p.vertices.end());
+           }},
+          {"not opposite", [](Polytope& p) { p.facets[FacetId(1)].normal = p.facets[FacetId(0)].normal; }},
+          {"not, reversed", [](Polytope& p) { std::reverse(p.corners.begin() + 4, p.corners.end()); }},
+          {"strictly convex", [](Polytope& p) { std::swap(p.corners[0], p.corners[1]); }},
+          {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].left, p.edges[1].right); }},
+          {"with facet 0 to its left", [](Polytope& p) { std::swap(p.edges[1].from, p.edges[1].to); }},
+          {"occurs twice", [](Polytope& p) { p.edges[1] = p.edges[2]; }},
+          {"differ in size", [](Polytope& p) { p.facets[FacetId(0)].end = p.facets[FacetId(1)].begin = 3; }},
+      });
 }
 
 TEST(Validate, InputPointsOutside) {
@@ -152,8 +161,9 @@ Polytope with_vertices(Polytope p, const Points& points) {
   return p;
 }
 
-/// An icosahedron, and with the conjugate golden ratio the great icosahedron: a closed surface of triangles, V - E + F = 2, convex at
-/// every edge, and still no polytope. Its vertices are five-pointed stars.
+/// An icosahedron, and with the conjugate golden ratio the great icosahedron: a closed surface of
+/// triangles, V - E + F = 2, convex at every edge, and still no polytope. Its vertices are
+/// five-pointed stars.
 TEST(Validate, AStarIsNoCone) {
   Points convex, star;
   for (const int s : {-1, 1}) {
@@ -166,7 +176,8 @@ TEST(Validate, AStarIsNoCone) {
   EXPECT_TRUE(validate(with_vertices(p, convex), convex).ok());
   const std::vector<std::string> faults = validate(with_vertices(p, star), star, false).faults;
   EXPECT_EQ(faults.size(), 12u);
-  for (const std::string& fault : faults) EXPECT_NE(fault.find("is not the apex of a convex cone"), std::string::npos) << fault;
+  for (const std::string& fault : faults)
+    EXPECT_NE(fault.find("is not the apex of a convex cone"), std::string::npos) << fault;
 }
 
 /// A polygon of rank 2 on these corners, in this order.
@@ -186,7 +197,8 @@ Polytope polygon(const Points& corners) {
   return p;
 }
 
-/// The double pyramid over a cycle of corners with z = 0; each apex finds its triangles in an order that ends with `last`.
+/// The double pyramid over a cycle of corners with z = 0; each apex finds its triangles in an order
+/// that ends with `last`.
 Polytope double_pyramid(const Points& corners, std::uint32_t last) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   Polytope p;
@@ -198,7 +210,8 @@ Polytope double_pyramid(const Points& corners, std::uint32_t last) {
     const FacetId added(static_cast<std::uint32_t>(p.facets.size()));
     const auto begin = static_cast<std::uint32_t>(p.corners.size());
     p.corners.insert(p.corners.end(), {u, v, w});
-    p.facets.push_back({primitive(cross(p.vertices[v] - p.vertices[u], p.vertices[w] - p.vertices[u])), begin, begin + 3});
+    p.facets.push_back(
+        {primitive(cross(p.vertices[v] - p.vertices[u], p.vertices[w] - p.vertices[u])), begin, begin + 3});
     return added;
   };
   const auto corner = [&](std::uint32_t i) { return VertexId(i % n); };
@@ -218,16 +231,19 @@ Polytope double_pyramid(const Points& corners, std::uint32_t last) {
   return p;
 }
 
-/// Winds twice around the axis and turns left throughout. Seen from the first corner, the others turn left throughout, too; of the fifth
-/// side all corners lie to the left.
-Points double_loop() { return {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 3, 0}, {-3, 0, 0}, {0, -3, 0}}; }
+/// Winds twice around the axis and turns left throughout. Seen from the first corner, the others
+/// turn left throughout, too; of the fifth side all corners lie to the left.
+Points double_loop() {
+  return {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 3, 0}, {-3, 0, 0}, {0, -3, 0}};
+}
 
 TEST(Validate, AFacetThatWindsTwice) {
   Points corners = double_loop();
   for (int start = 0; start < 8; ++start) {
     const std::vector<std::string> faults = validate(polygon(corners), corners, false).faults;
     ASSERT_EQ(faults.size(), 2u);
-    for (const std::string& fault : faults) EXPECT_NE(fault.find("is not a strictly convex"), std::string::npos) << fault;
+    for (const std::string& fault : faults)
+      EXPECT_NE(fault.find("is not a strictly convex"), std::string::npos) << fault;
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   }
 }
@@ -247,16 +263,20 @@ TEST(Validate, AnApexThatWindsTwice) {
   for (std::uint32_t last = 0; last < 8; ++last) {
     const Polytope p = double_pyramid(double_loop(), last);
     EXPECT_EQ(validate(p, p.vertices, false).faults,
-              (std::vector<std::string>{"vertex 8 is not the apex of a convex cone", "vertex 9 is not the apex of a convex cone"}));
+              (std::vector<std::string>{"vertex 8 is not the apex of a convex cone",
+                                        "vertex 9 is not the apex of a convex cone"}));
   }
   const Polytope p = double_pyramid({{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, 0);
   EXPECT_TRUE(validate(p, p.vertices).ok());
 }
 
-/// Two double pyramids, one inside the other, that share their apexes: V - E + F = 2, and locally each is convex.
+/// Two double pyramids, one inside the other, that share their apexes: V - E + F = 2, and locally
+/// each is convex.
 TEST(Validate, TwoFansAtOneVertex) {
   Points points{{0, 0, 9}, {0, 0, -9}};
-  const auto add_pyramid = [&](int size) { points.insert(points.end(), {{size, 0, 0}, {-size, size, 0}, {-size, -size, 0}}); };
+  const auto add_pyramid = [&](int size) {
+    points.insert(points.end(), {{size, 0, 0}, {-size, size, 0}, {-size, -size, 0}});
+  };
   add_pyramid(1);
   const Polytope inner = convex_hull(points);
   add_pyramid(2);
@@ -268,12 +288,14 @@ TEST(Validate, TwoFansAtOneVertex) {
   both.vertices.assign(points.begin(), points.end());
   both.input_ids = {0, 1, 2, 3, 4, 5, 6, 7};
   for (const Facet& f : inner.facets) both.facets.push_back({f.normal, f.begin + 18, f.end + 18});
-  for (const Edge& e : inner.edges) both.edges.push_back({e.from, e.to, FacetId(e.left.value + 6), FacetId(e.right.value + 6)});
+  for (const Edge& e : inner.edges)
+    both.edges.push_back({e.from, e.to, FacetId(e.left.value + 6), FacetId(e.right.value + 6)});
   both.corners.insert(both.corners.end(), inner.corners.begin(), inner.corners.end());
 
   EXPECT_TRUE(validate(inner, {points.data(), 5}).ok());
   EXPECT_EQ(validate(both, points, false).faults,
-            (std::vector<std::string>{"vertex 0 has more than one fan of facets", "vertex 1 has more than one fan of facets"}));
+            (std::vector<std::string>{"vertex 0 has more than one fan of facets",
+                                      "vertex 1 has more than one fan of facets"}));
 }
 
 /// A flat edge and a reflex one: a pyramid's apex pressed into, and through, its base's neighbour.
@@ -285,7 +307,8 @@ TEST(Validate, FlatAndReflexEdges) {
     Points points = base;
     points[4] = apex;
     const std::vector<std::string> faults = validate(with_vertices(p, points), points, false).faults;
-    const bool found = std::ranges::any_of(faults, [](const std::string& f) { return f.find("is flat or reflex") != std::string::npos; });
+    const bool found = std::ranges::any_of(
+        faults, [](const std::string& f) { return f.find("is flat or reflex") != std::string::npos; });
     EXPECT_TRUE(found);
   }
 }

@@ -61,7 +61,8 @@ TEST(PositionProof, ForgedProofsAreRefused) {
   EXPECT_FALSE(accepted_after(outside, [](auto& x) { x.a.push_back({0, 1}); }));
 }
 
-// The checker of `surrounding` alone: it complains exactly when O is not in the interior of the hull.
+// The checker of `surrounding` alone: it complains exactly when O is not in the interior of the
+// hull.
 TEST(PositionProof, SurroundingIsJudgedLikeTheNaiveTwinDoes) {
   EXPECT_TRUE(holds(4000, [] {
     const SmallSet b = *lattice_set();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The position of O against a brute-force twin on small lattices, under exact linear maps, in every kind of touching; growth.
+// The position of O against a brute-force twin on small lattices, under exact linear maps, in every
+// kind of touching; growth.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -26,7 +27,8 @@ TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSmallLattices) {
   for (const int count : seen) EXPECT_GT(count, 300) << "every position must have been met often";
 }
 
-// Bodies shifted so that a random pair of points coincides: O is never outside, and on the boundary in every dimension of face.
+// Bodies shifted so that a random pair of points coincides: O is never outside, and on the boundary
+// in every dimension of face.
 TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSharedPoints) {
   EXPECT_TRUE(holds(3000, [] {
     SmallSet a = *lattice_set();
@@ -53,7 +55,8 @@ mpz_class wild(std::mt19937_64& random, unsigned long bits) {
   return random() & 1 ? r : mpz_class(-r);
 }
 
-// An invertible affine map keeps the position; its entries have up to thousands of bits, so images in binary64 decide nothing.
+// An invertible affine map keeps the position; its entries have up to thousands of bits, so images
+// in binary64 decide nothing.
 TEST(PositionOfOrigin, IsInvariantUnderExactAffineMaps) {
   std::mt19937_64 random(1);
   int repeat = 0;
@@ -91,7 +94,8 @@ TEST(PositionOfOrigin, HairThinGapsAndOverlaps) {
       for (const int gap : {-1, 0, 1}) {
         std::vector<Vector> points_a, points_b;
         for (const Small& p : solid_with(a)) points_a.push_back({scale * p.x, scale * p.y, scale * p.z});
-        for (const Small& p : mirrored(solid_with(b), 0)) points_b.push_back({scale * p.x, scale * p.y, scale * p.z + gap});
+        for (const Small& p : mirrored(solid_with(b), 0))
+          points_b.push_back({scale * p.x, scale * p.y, scale * p.z + gap});
         const Position expected = gap < 0 ? Position::inside : gap == 0 ? Position::boundary : Position::outside;
         EXPECT_EQ(proved(points_a, points_b).position, expected) << a << " against " << b << ", gap " << gap;
       }
@@ -102,7 +106,8 @@ TEST(PositionOfOrigin, HairThinGapsAndOverlaps) {
 TEST(PositionOfOrigin, FlatBodies) {
   const SmallSet point{{0, 0, 0}}, segment{{-1, 0, 0}, {1, 0, 0}}, across{{0, -1, 0}, {0, 1, 0}};
   const SmallSet upright{{0, 0, -1}, {0, 0, 1}}, square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-  const SmallSet cube{{-2, -2, -2}, {2, -2, -2}, {-2, 2, -2}, {2, 2, -2}, {-2, -2, 2}, {2, -2, 2}, {-2, 2, 2}, {2, 2, 2}};
+  const SmallSet cube{{-2, -2, -2}, {2, -2, -2}, {-2, 2, -2}, {2, 2, -2},
+                      {-2, -2, 2},  {2, -2, 2},  {-2, 2, 2},  {2, 2, 2}};
   const SmallSet apart{{9, 0, 0}}, far_segment{{5, 1, 0}, {6, 2, 0}};
   for (const SmallSet& s : {point, segment, across, upright, square}) {
     EXPECT_EQ(position(s, s), Position::boundary);
@@ -137,7 +142,8 @@ TEST(PositionOfOrigin, IsDeterministic) {
 
 enum class Shape { ball, lattice, paraboloid };
 
-// Points of a body that lies in z <= 0 and touches z = 0 in O. lattice: heavy ties; paraboloid: every point extreme.
+// Points of a body that lies in z <= 0 and touches z = 0 in O. lattice: heavy ties; paraboloid:
+// every point extreme.
 std::vector<Vector> hanging(std::mt19937_64& random, std::size_t n, Shape shape) {
   const double unit = shape == Shape::lattice ? 8 : std::ldexp(1.0, 40);
   const auto coordinate = [&random] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; };
@@ -147,7 +153,8 @@ std::vector<Vector> hanging(std::mt19937_64& random, std::size_t n, Shape shape)
     const double square = x * x + y * y;
     if (shape == Shape::ball && square + z * z > 1) continue;
     const double height = shape == Shape::paraboloid ? -square : z - 1;
-    points.push_back({mpz_class(std::round(unit * x)), mpz_class(std::round(unit * y)), mpz_class(std::round(unit * height))});
+    points.push_back(
+        {mpz_class(std::round(unit * x)), mpz_class(std::round(unit * y)), mpz_class(std::round(unit * height))});
   }
   return points;
 }
@@ -159,15 +166,18 @@ std::vector<Vector> standing(std::mt19937_64& random, std::size_t n, Shape shape
   return points;
 }
 
-// Linear expected time, in its machine-independent part: scans do not grow with the number of points.
+// Linear expected time, in its machine-independent part: scans do not grow with the number of
+// points.
 TEST(PositionOfOrigin, ScansStayFewOnLargeInput) {
   std::mt19937_64 random(7);
-  const std::array<std::pair<long, Position>, 3> cases{{{1, Position::outside}, {0, Position::boundary}, {-1, Position::inside}}};
+  const std::array<std::pair<long, Position>, 3> cases{
+      {{1, Position::outside}, {0, Position::boundary}, {-1, Position::inside}}};
   for (const Shape shape : {Shape::ball, Shape::lattice, Shape::paraboloid}) {
     for (const std::size_t n : {500UL, 3000UL, 20000UL}) {
       for (const auto& [lift, expected] : cases) {
         const PositionOfOrigin answer = proved(hanging(random, n, shape), standing(random, n, shape, lift));
-        EXPECT_EQ(answer.position, expected) << n << " points a side of shape " << static_cast<int>(shape) << ", lift " << lift;
+        EXPECT_EQ(answer.position, expected)
+            << n << " points a side of shape " << static_cast<int>(shape) << ", lift " << lift;
         EXPECT_LE(answer.scans, 30U);
       }
     }
@@ -178,14 +188,16 @@ TEST(PositionOfOrigin, ScansStayFewOnAMillionPointsASide) {
   std::mt19937_64 random(8);
   constexpr std::size_t n = 1000000;
   constexpr long exponent = 41;
-  const kernels::PointCloud a(hanging(random, n, Shape::ball), exponent), b(standing(random, n, Shape::ball, 0), exponent);
+  const kernels::PointCloud a(hanging(random, n, Shape::ball), exponent),
+      b(standing(random, n, Shape::ball, 0), exponent);
   const PositionOfOrigin touching = position_of_origin(a, b);
   EXPECT_EQ(touching.position, Position::boundary);
   EXPECT_LE(touching.scans, 30U);
   const PositionOfOrigin overlapping = position_of_origin(a, a);
   EXPECT_EQ(overlapping.position, Position::inside);
   EXPECT_LE(overlapping.scans, 30U);
-  std::cerr << "scans of a million points a side: " << touching.scans << " touching, " << overlapping.scans << " inside\n";
+  std::cerr << "scans of a million points a side: " << touching.scans << " touching, " << overlapping.scans
+            << " inside\n";
 }
 
 }  // namespace

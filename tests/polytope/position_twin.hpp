@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tests of the position of O share: small sets, the brute-force twin, bodies with a chosen feature in front.
+// What the tests of the position of O share: small sets, the brute-force twin, bodies with a chosen
+// feature in front.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,16 +34,20 @@ using SmallSet = std::vector<Small>;
 
 inline bool none(const Small& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-// The naive twin. u is admissible if u != 0 and <u, p> <= 0 for all differences p. If the differences span R^3, the admissible u form a
-// cone without lines, whose extreme rays are normal to two differences each: list them all. If they do not, they do together with +-n for
-// a basis n of their orthogonal complement, which only keeps the admissible u of their span.
-// O is outside iff the sum of the rays is negative on every difference (some admissible u must be, and it is a sum of rays).
+// The naive twin. u is admissible if u != 0 and <u, p> <= 0 for all differences p. If the
+// differences span R^3, the admissible u form a cone without lines, whose extreme rays are normal
+// to two differences each: list them all. If they do not, they do together with +-n for a basis n
+// of their orthogonal complement, which only keeps the admissible u of their span. O is outside iff
+// the sum of the rays is negative on every difference (some admissible u must be, and it is a sum
+// of rays).
 inline Position position_naive(const SmallSet& a, const SmallSet& b) {
   SmallSet differences, basis;
   for (const Small& p : a)
     for (const Small& q : b) differences.push_back(q - p);
   const auto independent = [&basis](const Small& v) {
-    return basis.empty() ? !none(v) : basis.size() == 1 ? !none(cross(basis[0], v)) : basis.size() == 2 && det(basis[0], basis[1], v) != 0;
+    return basis.empty()       ? !none(v)
+           : basis.size() == 1 ? !none(cross(basis[0], v))
+                               : basis.size() == 2 && det(basis[0], basis[1], v) != 0;
   };
   for (const Small& p : differences)
     if (independent(p)) basis.push_back(p);
@@ -66,12 +71,15 @@ inline Position position_naive(const SmallSet& a, const SmallSet& b) {
   for (const Small& p : constraints) {
     for (const Small& q : constraints) {
       const Small u = cross(p, q);
-      if (none(u) || std::any_of(constraints.begin(), constraints.end(), [&u](const Small& r) { return dot(u, r) > 0; })) continue;
+      if (none(u) ||
+          std::any_of(constraints.begin(), constraints.end(), [&u](const Small& r) { return dot(u, r) > 0; }))
+        continue;
       admissible = true;
       sum = sum + u;
     }
   }
-  if (std::all_of(differences.begin(), differences.end(), [&sum](const Small& p) { return dot(sum, p) < 0; })) return Position::outside;
+  if (std::all_of(differences.begin(), differences.end(), [&sum](const Small& p) { return dot(sum, p) < 0; }))
+    return Position::outside;
   return flat || admissible ? Position::boundary : Position::inside;
 }
 
@@ -86,7 +94,8 @@ inline std::vector<Vector> exact(const SmallSet& set) {
 // Solves, checks the proof, and returns the answer.
 inline PositionOfOrigin proved(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
-  const PositionOfOrigin answer = position_of_origin(kernels::PointCloud(a, exponent), kernels::PointCloud(b, exponent));
+  const PositionOfOrigin answer =
+      position_of_origin(kernels::PointCloud(a, exponent), kernels::PointCloud(b, exponent));
   for (const std::string& fault : validate(answer, a, b).faults) ADD_FAILURE() << fault;
   if (answer.position == Position::inside) {
     EXPECT_GE(answer.surrounding.size(), 4U);
@@ -114,7 +123,8 @@ inline rc::Gen<SmallSet> lattice_set() {
                          [point](std::size_t n) { return rc::gen::container<SmallSet>(n, point); });
 }
 
-// Each kind of feature as a face of a solid body that lies in z <= 0 (A), or in z >= 0 when mirrored (B).
+// Each kind of feature as a face of a solid body that lies in z <= 0 (A), or in z >= 0 when
+// mirrored (B).
 inline SmallSet solid_with(const std::string& feature) {
   if (feature == "vertex") return {{0, 0, 0}, {3, 0, -3}, {-3, 2, -3}, {-3, -2, -3}};
   if (feature == "edge") return {{-4, -1, 0}, {4, 1, 0}, {1, -4, -3}, {-1, 4, -3}};

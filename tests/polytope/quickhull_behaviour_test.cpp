@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reference/polytope/hull_triangles.cpp relies on in CGAL's quickhull and no manual promises: where the first four corners come from,
-// that a traits class decides alone which facets a point sees, and which way round the triangles come back. Each test fails if another
-// version of CGAL does otherwise.
+// What reference/polytope/hull_triangles.cpp relies on in CGAL's quickhull and no manual promises:
+// where the first four corners come from, that a traits class decides alone which facets a point
+// sees, and which way round the triangles come back. Each test fails if another version of CGAL
+// does otherwise.
 #include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_3.h>
@@ -39,7 +40,8 @@ struct TracingTraits : Base {
     bool operator()(const Base::Plane_3& h, const Point_3& s) const {
       const CGAL::Orientation side = CGAL::orientation(h.p(), h.q(), h.r(), s);
       if (side != CGAL::COPLANAR || !inward) return side == CGAL::POSITIVE;
-      return CGAL::orientation(h.p(), h.q(), h.r(), Point_3(0, 0, 0)) == CGAL::POSITIVE;  // all hulls here hold the origin
+      return CGAL::orientation(h.p(), h.q(), h.r(), Point_3(0, 0, 0)) ==
+             CGAL::POSITIVE;  // all hulls here hold the origin
     }
   };
 
@@ -56,7 +58,8 @@ struct Hull {
 Hull hull_of(std::vector<Point_3> points, bool inward) {
   Hull hull;
   const TracingTraits traits{{}, &hull.made, inward};
-  CGAL::convex_hull_3<std::vector<Point_3>::iterator, void>(points.begin(), points.end(), hull.corners, hull.triangles, traits);
+  CGAL::convex_hull_3<std::vector<Point_3>::iterator, void>(points.begin(), points.end(), hull.corners, hull.triangles,
+                                                            traits);
   return hull;
 }
 
@@ -84,7 +87,9 @@ TEST(Quickhull, TakesTheFourthCornerFromTheNegativeSideIfAnyPointLiesThere) {
     ADD_FAILURE() << "the first tetrahedron has no fourth corner";
     return points[0];
   };
-  const auto side = [](const std::vector<Point_3>& p, const Point_3& s) { return CGAL::orientation(p[0], p[1], p[2], s); };
+  const auto side = [](const std::vector<Point_3>& p, const Point_3& s) {
+    return CGAL::orientation(p[0], p[1], p[2], s);
+  };
   // All others on the negative side, all on the positive one, and on both.
   std::vector<Point_3> points = octahedron;
   ASSERT_EQ(side(points, points[3]), CGAL::NEGATIVE);
@@ -93,12 +98,14 @@ TEST(Quickhull, TakesTheFourthCornerFromTheNegativeSideIfAnyPointLiesThere) {
   ASSERT_EQ(side(points, points[3]), CGAL::POSITIVE);
   EXPECT_EQ(side(points, fourth(points)), CGAL::POSITIVE);
   for (const double near : {-1, 1}) {  // which side is the farther one does not matter
-    const std::vector<Point_3> both{{4, 4, near}, {-4, 4, near}, {0, -4, near}, {0, 0, 9}, {1, 0, 9}, {0, 1, -9}, {1, 1, -9}, {0, 0, -8}};
+    const std::vector<Point_3> both{{4, 4, near}, {-4, 4, near}, {0, -4, near}, {0, 0, 9},
+                                    {1, 0, 9},    {0, 1, -9},    {1, 1, -9},    {0, 0, -8}};
     EXPECT_EQ(side(both, fourth(both)), CGAL::NEGATIVE) << near;
   }
 }
 
-/// A prism with the origin inside whose two bases have k corners each, on a parabola, and all its points in no particular order.
+/// A prism with the origin inside whose two bases have k corners each, on a parabola, and all its
+/// points in no particular order.
 std::vector<Point_3> prism(int k) {
   std::vector<Point_3> points;
   for (int i = 0; i < k; ++i) {
@@ -108,8 +115,9 @@ std::vector<Point_3> prism(int k) {
   return points;
 }
 
-// Which facets a point sees is asked of the traits class alone: points on a plane that count as inside are no trouble, and a facet with
-// k corners costs O(k) planes. As they usually count it costs O(k^2).
+// Which facets a point sees is asked of the traits class alone: points on a plane that count as
+// inside are no trouble, and a facet with k corners costs O(k) planes. As they usually count it
+// costs O(k^2).
 TEST(Quickhull, BuildsFacetsOfManyCornersInLinearTimeIfPointsOnThemCountAsInside) {
   for (const int k : {37 * 2 + 1, 37 * 4 + 1, 37 * 8 + 1}) {
     const Hull inward = hull_of(prism(k), true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The faces that a contact names: all points that are farthest in a direction, by brute force, whether the cores overlap, touch or are
-// apart.
+// The faces that a contact names: all points that are farthest in a direction, by brute force,
+// whether the cores overlap, touch or are apart.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -33,7 +33,8 @@ Vector another_inside(const OptimalCone& cone, families::Random& random) {
 
 Points random_points(families::Random& random, std::size_t most) {
   Points points(static_cast<std::size_t>(random.between(1, static_cast<std::int64_t>(most))));
-  for (Point& p : points) p = {mpq_class(random.between(-2, 2)), mpq_class(random.between(-2, 2)), mpq_class(random.between(-2, 2))};
+  for (Point& p : points)
+    p = {mpq_class(random.between(-2, 2)), mpq_class(random.between(-2, 2)), mpq_class(random.between(-2, 2))};
   return points;
 }
 
@@ -64,9 +65,10 @@ TEST(Contact, NamesTheFacesOfCoresThatOverlapTouchOrAreApart) {
           << id;
     }
   }
-  for (const ContactKind kind : {ContactKind::vertex_vertex, ContactKind::vertex_edge, ContactKind::edge_vertex, ContactKind::edge_edge,
-                                 ContactKind::vertex_facet, ContactKind::facet_vertex})
-    for (const Status cores : {Status::touching, Status::disjoint}) EXPECT_TRUE(seen.contains({cores, kind})) << name(cores) << name(kind);
+  for (const ContactKind kind : {ContactKind::vertex_vertex, ContactKind::vertex_edge, ContactKind::edge_vertex,
+                                 ContactKind::edge_edge, ContactKind::vertex_facet, ContactKind::facet_vertex})
+    for (const Status cores : {Status::touching, Status::disjoint})
+      EXPECT_TRUE(seen.contains({cores, kind})) << name(cores) << name(kind);
 }
 
 TEST(Contact, OfCurvedBodiesAndHalfSpacesIsNone) {
@@ -83,8 +85,12 @@ TEST(Counters, SayWhatRan) {
   EXPECT_EQ(curved.counters().inner_facets, std::get<Bracket>(curved.core).polytope.facets.size());
   SignedDepthOptions few;
   few.support_calls = 10;
-  EXPECT_LE(signed_depth(moved(cone(1, 1), rigid_pose({1, 2, 3, 4}, {1, 0, 0})), cylinder(1, 1), few).counters().support_calls, 10U);
-  const SignedDepth capsules = signed_depth(capsule(1, 1), moved(capsule(1, 1, Axis::x), rigid_pose({1, 0, 0, 0}, {0, 1, 0})));
+  EXPECT_LE(signed_depth(moved(cone(1, 1), rigid_pose({1, 2, 3, 4}, {1, 0, 0})), cylinder(1, 1), few)
+                .counters()
+                .support_calls,
+            10U);
+  const SignedDepth capsules =
+      signed_depth(capsule(1, 1), moved(capsule(1, 1, Axis::x), rigid_pose({1, 0, 0, 0}, {0, 1, 0})));
   EXPECT_EQ(capsules.counters().scans, std::get<Depth>(capsules.core).counters.scans);
   EXPECT_EQ(capsules.counters().support_calls, 0U);
 }

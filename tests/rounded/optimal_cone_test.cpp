@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The optimal directions of bodies that touch, from m + n generators, against the polar of all m n differences.
+// The optimal directions of bodies that touch, from m + n generators, against the polar of all m n
+// differences.
 #include "reference/rounded/optimal_cone.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,8 @@ struct Less {
 /// Small integers only, as long.
 Vector integral(const Point& p) { return {p.x.get_num(), p.y.get_num(), p.z.get_num()}; }
 
-/// The polar of all differences, by trying the cross products of every pair of them: cubic, and by the rank of P.
+/// The polar of all differences, by trying the cross products of every pair of them: cubic, and by
+/// the rank of P.
 class NaivePolar {
  public:
   NaivePolar(std::span<const Point> a, std::span<const Point> b) {
@@ -46,7 +48,8 @@ class NaivePolar {
   [[nodiscard]] OptimalCone cone() const {
     if (all_.empty()) return {Lineality::all, {}, {}};
     const Vector first = *all_.begin();
-    const auto off_line = std::find_if(all_.begin(), all_.end(), [&](const Vector& d) { return !is_zero(cross(first, d)); });
+    const auto off_line =
+        std::find_if(all_.begin(), all_.end(), [&](const Vector& d) { return !is_zero(cross(first, d)); });
     if (off_line == all_.end()) return {Lineality::plane, upper(first), among({first, -first})};
     const Vector normal = primitive(cross(first, *off_line));
     const bool flat = std::all_of(all_.begin(), all_.end(), [&](const Vector& d) { return dot(normal, d) == 0; });
@@ -74,7 +77,8 @@ class NaivePolar {
   std::set<Vector, Less> all_;
 };
 
-/// On the lattice, which asks for some generators only, from any direction that is known. The faces inside the cone are compared, too.
+/// On the lattice, which asks for some generators only, from any direction that is known. The faces
+/// inside the cone are compared, too.
 OptimalCone clever_cone(const std::vector<Point>& a, const std::vector<Point>& b, const Point& x, const Vector& known) {
   kernels::Context context;
   const polytope::PlacedPair pair = polytope::place(a, b);
@@ -87,7 +91,8 @@ OptimalCone clever_cone(const std::vector<Point>& a, const std::vector<Point>& b
 std::vector<Point> random_points(families::Random& random, long size, long count) {
   std::vector<Point> points(static_cast<std::size_t>(count));
   for (Point& p : points)
-    p = {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size))};
+    p = {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)),
+         mpq_class(random.between(-size, size))};
   return points;
 }
 
@@ -98,7 +103,9 @@ bool described(const OptimalCone& cone, const Vector& u) {
   if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) {
     const mpz_class square = dot(cone.axis, cone.axis), along = dot(u, cone.axis);
     const Vector part{along * cone.axis.x, along * cone.axis.y, along * cone.axis.z};
-    v = cone.lineality == Lineality::plane ? part : Vector{square * u.x - part.x, square * u.y - part.y, square * u.z - part.z};
+    v = cone.lineality == Lineality::plane
+            ? part
+            : Vector{square * u.x - part.x, square * u.y - part.y, square * u.z - part.z};
   }
   if (is_zero(v)) return true;
   const Vectors& rays = cone.rays;
@@ -118,7 +125,8 @@ TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
   families::Random random(3);
   std::map<std::pair<int, std::size_t>, int> kinds;
   for (int found = 0; found < 1500;) {
-    const long size = random.between(1, 2), most = random.coin() ? 2 : 5, m = random.between(1, most), n = random.between(1, most);
+    const long size = random.between(1, 2), most = random.coin() ? 2 : 5, m = random.between(1, most),
+               n = random.between(1, most);
     const std::vector<Point> a = random_points(random, size, m), b = random_points(random, size, n);
     const Depth depth = penetration_depth(a, b);
     if (!depth.touch()) continue;
@@ -133,7 +141,8 @@ TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
     EXPECT_TRUE(naive.holds(cone.direction()));
     EXPECT_FALSE(is_zero(cone.direction()));
     for (int i = 0; i < 10; ++i) {
-      const Vector u{mpz_class(random.between(-3, 3)), mpz_class(random.between(-3, 3)), mpz_class(random.between(-3, 3))};
+      const Vector u{mpz_class(random.between(-3, 3)), mpz_class(random.between(-3, 3)),
+                     mpz_class(random.between(-3, 3))};
       EXPECT_EQ(naive.holds(u), described(cone, u));
     }
     ++kinds[{static_cast<int>(cone.lineality), cone.rays.size()}];
@@ -146,11 +155,13 @@ TEST(OptimalCone, EqualsThePolarOfAllDifferences) {
 
 TEST(OptimalCone, DoesNotDependOnTheCommonPoint) {
   // The edge from (0,0,0) to (2,0,0) is common to a tent and a plate.
-  const std::vector<Point> a{{0, 0, 0}, {2, 0, 0}, {1, 1, -2}, {1, -1, -2}}, b{{0, -1, 0}, {2, -1, 0}, {0, 1, 0}, {2, 1, 0}};
+  const std::vector<Point> a{{0, 0, 0}, {2, 0, 0}, {1, 1, -2}, {1, -1, -2}},
+      b{{0, -1, 0}, {2, -1, 0}, {0, 1, 0}, {2, 1, 0}};
   kernels::Context context;
   const OptimalCone expected = NaivePolar(a, b).cone();
   for (const mpq_class& x : {mpq_class(0), mpq_class(1, 3), mpq_class(1), mpq_class(2)})
-    for (const OptimalCone& cone : {optimal_cone(context, a, b, {x, 0, 0}), clever_cone(a, b, {x, 0, 0}, expected.direction())})
+    for (const OptimalCone& cone :
+         {optimal_cone(context, a, b, {x, 0, 0}), clever_cone(a, b, {x, 0, 0}, expected.direction())})
       EXPECT_EQ(cone, expected) << x;
 }
 
@@ -172,13 +183,16 @@ TEST(OptimalCone, OfTwoApexesHasAsManyRaysAsTheirJointPyramidHasEdges) {
 }
 
 TEST(OptimalCone, OfBodiesInPrint) {
-  const auto cone = [](const std::vector<Point>& a, const std::vector<Point>& b) { return *signed_depth(hull(a), hull(b)).cone; };
+  const auto cone = [](const std::vector<Point>& a, const std::vector<Point>& b) {
+    return *signed_depth(hull(a), hull(b)).cone;
+  };
   const Point origin{}, east{1, 0, 0}, west{-1, 0, 0}, north{0, 1, 0}, south{0, -1, 0};
   EXPECT_EQ(cone({origin}, {origin}), (OptimalCone{Lineality::all, {}, {}})) << "one point";
   EXPECT_EQ(cone({origin}, {origin}).direction(), (Vector{-1, 0, 0}));
   EXPECT_EQ(cone({east, west}, {east, west}), (OptimalCone{Lineality::plane, {1, 0, 0}, {}})) << "one segment";
   EXPECT_EQ(cone({east, west}, {east, west}).direction(), (Vector{0, -1, 0}));
-  EXPECT_EQ(cone({origin}, {origin, east}), (OptimalCone{Lineality::plane, {1, 0, 0}, {{-1, 0, 0}}})) << "the end of a segment";
+  EXPECT_EQ(cone({origin}, {origin, east}), (OptimalCone{Lineality::plane, {1, 0, 0}, {{-1, 0, 0}}}))
+      << "the end of a segment";
   EXPECT_EQ(cone({east, west}, {north, south}), (OptimalCone{Lineality::line, {0, 0, 1}, {}})) << "crossing segments";
   EXPECT_EQ(cone({east, west}, {north, south}).direction(), (Vector{0, 0, -1}));
   EXPECT_EQ(cone({east, west}, {origin, south}), (OptimalCone{Lineality::line, {0, 0, 1}, {{0, 1, 0}}})) << "a T";

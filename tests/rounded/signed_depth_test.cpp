@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Signed depths of rounded polytopes and half-spaces: against closed forms, against polytopes inside and outside, and by their laws.
+// Signed depths of rounded polytopes and half-spaces: against closed forms, against polytopes
+// inside and outside, and by their laws.
 #include "fathom/signed_depth.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ namespace fathom::rounded {
 namespace {
 
 Point random_point(families::Random& random, long size) {
-  return {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size))};
+  return {mpq_class(random.between(-size, size)), mpq_class(random.between(-size, size)),
+          mpq_class(random.between(-size, size))};
 }
 
 bool same_value(const Surd& x, const Surd& y) { return compare(x, y) == 0; }
@@ -31,12 +33,14 @@ void expect_laws(const SignedDepth& depth, const std::string& id) {
     const Point n = rational(way.normal);
     const mpq_class square = dot(n, n);
     // alpha |n| + beta is the value, as alpha |n| = h(n)/|n|.
-    EXPECT_TRUE(same_value({way.beta, way.alpha * abs(way.alpha) * square}, *depth.exact())) << id << ": a translation of another length";
+    EXPECT_TRUE(same_value({way.beta, way.alpha * abs(way.alpha) * square}, *depth.exact()))
+        << id << ": a translation of another length";
   }
   EXPECT_EQ(ways.front().normal, depth.direction()) << id;
   const RoundedWitness witness = depth.witness().value();
   const AlongNormal& first = ways.front();
-  EXPECT_EQ(witness.b.core - witness.a.core, first.alpha * rational(first.normal)) << id << ": b - a is not the translation";
+  EXPECT_EQ(witness.b.core - witness.a.core, first.alpha * rational(first.normal))
+      << id << ": b - a is not the translation";
   EXPECT_EQ(witness.b.distance - witness.a.distance, first.beta) << id;
   EXPECT_EQ(witness.a.distance, -depth.radius_a) << id;
   EXPECT_LE(depth.low_binary64(), depth.high_binary64()) << id;
@@ -73,13 +77,16 @@ mpq_class point_segment(const Point& p, const Point& q, const Point& d) {
   return dot(gap, gap);
 }
 
-/// Of segments from p to p + d and from q to q + e: an end of one against the other, or the feet of the common perpendicular.
+/// Of segments from p to p + d and from q to q + e: an end of one against the other, or the feet of
+/// the common perpendicular.
 mpq_class segment_segment(const Point& p, const Point& d, const Point& q, const Point& e) {
-  mpq_class least = std::min({point_segment(p, q, e), point_segment(p + d, q, e), point_segment(q, p, d), point_segment(q + e, p, d)});
+  mpq_class least = std::min(
+      {point_segment(p, q, e), point_segment(p + d, q, e), point_segment(q, p, d), point_segment(q + e, p, d)});
   const mpq_class dd = dot(d, d), ee = dot(e, e), de = dot(d, e), determinant = dd * ee - de * de;
   if (determinant == 0) return least;
   const Point w = p - q;
-  const mpq_class s = (de * dot(e, w) - ee * dot(d, w)) / determinant, t = (dd * dot(e, w) - de * dot(d, w)) / determinant;
+  const mpq_class s = (de * dot(e, w) - ee * dot(d, w)) / determinant,
+                  t = (dd * dot(e, w) - de * dot(d, w)) / determinant;
   if (s < 0 || s > 1 || t < 0 || t > 1) return least;
   const Point gap = p + s * d - (q + t * e);
   return std::min(least, dot(gap, gap));
@@ -109,7 +116,9 @@ TEST(SignedDepth, OfCapsulesIsTheClosedForm) {
 TEST(SignedDepth, ChangesItsSignWhereTheRadiiAddUpToTheDistance) {
   const Shape a = hull(std::vector<Point>{{0, 0, 0}, {0, 0, 9}}), b = hull(std::vector<Point>{{3, 4, 2}, {3, 4, -5}});
   const mpq_class hair = families::times_power_of_two(1, -400);
-  const auto status = [&](const mpq_class& r, const mpq_class& s) { return signed_depth(with_margin(a, r), with_margin(b, s)).status(); };
+  const auto status = [&](const mpq_class& r, const mpq_class& s) {
+    return signed_depth(with_margin(a, r), with_margin(b, s)).status();
+  };
   EXPECT_EQ(status(2, 3), Status::touching);
   EXPECT_EQ(status(2, 3 - hair), Status::disjoint);
   EXPECT_EQ(status(2 + hair, 3), Status::penetrating);
@@ -145,7 +154,8 @@ TEST(SignedDepth, OfCoordinatesBeyondBinary64) {
     const mpq_class x = families::times_power_of_two(3, exponent);
     const Shape point = hull(std::vector<Point>{{x, 0, 0}, {2 * x, 0, 0}});
     EXPECT_EQ(signed_depth(sphere(x), point).status(), Status::touching) << exponent;
-    EXPECT_EQ(signed_depth(point, sphere(x + families::times_power_of_two(x, -60))).status(), Status::penetrating) << exponent;
+    EXPECT_EQ(signed_depth(point, sphere(x + families::times_power_of_two(x, -60))).status(), Status::penetrating)
+        << exponent;
   }
 }
 
@@ -159,7 +169,8 @@ TEST(SignedDepth, OfAHalfSpaceIsThatOfALargeBox) {
     for (int k = 0; k < 6; ++k) body.push_back(random_point(random, 9));
     const mpq_class offset = families::ratio(random.between(-30, 30), 3), r(1, 2), s(1, 5);
     const Pose pose = rigid_pose({1, mpq_class(random.between(-3, 3)), mpq_class(random.between(-3, 3)), 2}, {1, 2, 3});
-    const Shape half = with_margin(moved(halfspace({0, 0, 3}, 3 * offset), pose), s), convex = with_margin(moved(hull(body), pose), r);
+    const Shape half = with_margin(moved(halfspace({0, 0, 3}, 3 * offset), pose), s),
+                convex = with_margin(moved(hull(body), pose), r);
     const Shape large = with_margin(moved(box({1000, 1000, 1000}), rigid_pose({1, 0, 0, 0}, {0, 0, offset - 1000})), s);
     const Surd expected = *signed_depth(with_margin(hull(body), r), large).exact();
     const SignedDepth as_b = signed_depth(convex, half), as_a = signed_depth(half, convex);
@@ -169,8 +180,8 @@ TEST(SignedDepth, OfAHalfSpaceIsThatOfALargeBox) {
     }
     const std::vector<Atom>& corners = std::get<std::vector<Term>>(convex.core)[0].atoms;
     const HalfSpace& plane = std::get<HalfSpace>(half.core);
-    for (const auto& [corner, foot] :
-         {std::pair(as_b.witness()->a.core, as_b.witness()->b.core), {as_a.witness()->b.core, as_a.witness()->a.core}}) {
+    for (const auto& [corner, foot] : {std::pair(as_b.witness()->a.core, as_b.witness()->b.core),
+                                       {as_a.witness()->b.core, as_a.witness()->a.core}}) {
       EXPECT_EQ(dot(plane.normal, foot), plane.offset) << i;
       EXPECT_NE(std::find(corners.begin(), corners.end(), Atom{corner, {}}), corners.end()) << i;
     }
@@ -184,7 +195,8 @@ TEST(SignedDepth, OfAHalfSpaceWithASumAndAtContact) {
   EXPECT_EQ(resting.status(), Status::touching);
   EXPECT_EQ(resting.cone, (OptimalCone{Lineality::none, {}, {{0, 0, 1}}}));
   EXPECT_EQ(signed_depth(halfspace({0, 0, 2}, -6), boxes).cone, (OptimalCone{Lineality::none, {}, {{0, 0, -1}}}));
-  EXPECT_TRUE(same_value(*signed_depth(with_margin(boxes, mpq_class(1, 10)), halfspace({0, 0, 2}, -6)).exact(), {mpq_class(1, 10), 0}));
+  EXPECT_TRUE(same_value(*signed_depth(with_margin(boxes, mpq_class(1, 10)), halfspace({0, 0, 2}, -6)).exact(),
+                         {mpq_class(1, 10), 0}));
   EXPECT_TRUE(same_value(*signed_depth(sphere(1), halfspace({1, 1, 1}, 0)).exact(), {1, 0}));
   EXPECT_TRUE(same_value(*signed_depth(sphere(1), halfspace({1, 1, 1}, -1)).exact(), {1, mpq_class(-1, 3)}));
 }
@@ -246,7 +258,8 @@ TEST(SignedDepth, ListsAsManyOptimaAsAsked) {
   const Shape cube = with_margin(box({1, 1, 1}), 1);
   EXPECT_EQ(signed_depth(cube, cube).translations().size(), 6U);
   EXPECT_EQ(signed_depth(cube, cube, options).translations().size(), 2U);
-  EXPECT_EQ(signed_depth(cube, moved(cube, {{{1, 0, 0, 2}, {0, 1, 0, 0}, {0, 0, 1, 0}}}), options).direction(), (Vector{-1, 0, 0}));
+  EXPECT_EQ(signed_depth(cube, moved(cube, {{{1, 0, 0, 2}, {0, 1, 0, 0}, {0, 0, 1, 0}}}), options).direction(),
+            (Vector{-1, 0, 0}));
 }
 
 TEST(SignedDepth, RefusesWhatIsNoBody) {

@@ -28,12 +28,14 @@ TEST(Shapes, LieAlongTheirAxes) {
   EXPECT_EQ(capsule(1, 2).radius, 1);
   EXPECT_EQ(atoms(sphere(3)), (std::vector<Atom>{{{}, {}}}));
   EXPECT_EQ(atoms(box({1, 2, 3})).size(), 8U);
-  EXPECT_EQ(atoms(cylinder(1, 2, Axis::y)), (std::vector<Atom>{{{0, -2, 0}, {{1, 0, 0}, {0, 0, 1}}}, {{0, 2, 0}, {{1, 0, 0}, {0, 0, 1}}}}));
+  EXPECT_EQ(atoms(cylinder(1, 2, Axis::y)),
+            (std::vector<Atom>{{{0, -2, 0}, {{1, 0, 0}, {0, 0, 1}}}, {{0, 2, 0}, {{1, 0, 0}, {0, 0, 1}}}}));
   EXPECT_EQ(atoms(cone(1, 2)), (std::vector<Atom>{{{0, 0, -2}, {{1, 0, 0}, {0, 1, 0}}}, {{0, 0, 2}, {}}}));
   EXPECT_EQ(atoms(frustum(1, 3, 2, Axis::x)),
             (std::vector<Atom>{{{-2, 0, 0}, {{0, 1, 0}, {0, 0, 1}}}, {{2, 0, 0}, {{0, 3, 0}, {0, 0, 3}}}}));
   EXPECT_EQ(atoms(ellipsoid({1, 2, 3})), (std::vector<Atom>{{{}, {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}}}}));
-  EXPECT_EQ(atoms(tapered_capsule(1, 3, 5)), (std::vector<Atom>{{{0, 0, -5}, {}}, {{0, 0, 5}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}}));
+  EXPECT_EQ(atoms(tapered_capsule(1, 3, 5)),
+            (std::vector<Atom>{{{0, 0, -5}, {}}, {{0, 0, 5}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}}}));
   EXPECT_EQ(tapered_capsule(1, 3, 5).radius, 1);
   EXPECT_EQ(tapered_capsule(2, 2, 5), capsule(2, 5));
   EXPECT_EQ(atoms(triangle({1, 0, 0}, {0, 1, 0}, {0, 0, 1})).size(), 3U);
@@ -112,14 +114,16 @@ TEST(Poses, OfQuaternionsAreExactlyOrthogonal) {
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(dot(row(j), row(k)), j == k ? 1 : 0);
     const Point x = row(0), y = row(1), z = row(2);
-    EXPECT_EQ(x.x * (y.y * z.z - y.z * z.y) - x.y * (y.x * z.z - y.z * z.x) + x.z * (y.x * z.y - y.y * z.x), 1) << "a reflection";
+    EXPECT_EQ(x.x * (y.y * z.z - y.z * z.y) - x.y * (y.x * z.z - y.z * z.x) + x.z * (y.x * z.y - y.y * z.x), 1)
+        << "a reflection";
     // v -> q v q^-1 by Hamilton's products.
     const auto times = [](const Quaternion& p, const Quaternion& r) {
       return Quaternion{p.w * r.w - p.x * r.x - p.y * r.y - p.z * r.z, p.w * r.x + p.x * r.w + p.y * r.z - p.z * r.y,
                         p.w * r.y - p.x * r.z + p.y * r.w + p.z * r.x, p.w * r.z + p.x * r.y - p.y * r.x + p.z * r.w};
     };
     const mpq_class square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    const Quaternion turned = times(times(q, {0, 3, -1, 2}), {q.w / square, -q.x / square, -q.y / square, -q.z / square});
+    const Quaternion turned =
+        times(times(q, {0, 3, -1, 2}), {q.w / square, -q.x / square, -q.y / square, -q.z / square});
     const Point expected{turned.x + 1, turned.y + 2, turned.z + 3};
     EXPECT_EQ(atoms(moved(hull(std::vector<Point>{{3, -1, 2}}), pose)).at(0).center, expected);
   }
@@ -166,7 +170,8 @@ TEST(Simplified, RoundBallsAloneBecomeRadii) {
     EXPECT_EQ(ball, (Shape{std::vector<Term>{{{{{1, 2, 3}, {}}}}}, 3}));
   }
   const Shape egg = ellipsoid({2, 2, 3}), capsule_of_balls = tapered_capsule(1, 2, 3), disc_and_apex = cone(1, 1);
-  for (const Shape& shape : {egg, capsule_of_balls, disc_and_apex, halfspace({1, 0, 0}, 1)}) EXPECT_EQ(simplified(shape), shape);
+  for (const Shape& shape : {egg, capsule_of_balls, disc_and_apex, halfspace({1, 0, 0}, 1)})
+    EXPECT_EQ(simplified(shape), shape);
   const Shape sheared{std::vector<Term>{{{{{}, {{2, 0, 0}, {0, 2, 0}, {1, 0, 2}}}}}}, 0},
       root{std::vector<Term>{{{{{}, {{1, 1, 0}, {1, -1, 0}, {0, 0, 1}}}}}}, 0};
   const Shape of_root{std::vector<Term>{{{{{}, {{1, 1, 0}, {1, -1, 0}, {0, 1, 1}}}}}}, 0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies whose denominators share few factors. The oracle is the same pair times a common denominator: integers, which are placed directly.
+// Bodies whose denominators share few factors. The oracle is the same pair times a common
+// denominator: integers, which are placed directly.
 #include "reference/solve/deciding_points.hpp"
 
 #include <gtest/gtest.h>
@@ -173,9 +174,9 @@ TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
     static_cast<void>(polytope::place(a, a));
     FAIL() << "no refusal";
   } catch (const InputError& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "input: the denominators of the 18000 points share too little: over a common one all coordinates together would pass 256 MB");
+    EXPECT_STREQ(error.what(),
+                 "input: the denominators of the 18000 points share too little: over a common one all coordinates "
+                 "together would pass 256 MB");
   }
 }
 

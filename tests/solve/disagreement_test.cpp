@@ -18,7 +18,9 @@ Depth penetrating() {
   const Body square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}};
   return depth_of({"square prisms", square, square});
 }
-Depth touching() { return depth_of({"touching", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {-1, 0, 0}, {0, -1, 1}}}}); }
+Depth touching() {
+  return depth_of({"touching", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {-1, 0, 0}, {0, -1, 1}}}});
+}
 Depth disjoint() { return depth_of({"disjoint", {{{0, 0, 0}, {1, 0, 0}}}, {{{0, 2, 1}, {1, 3, 1}}}}); }
 
 /// Changes one field; the sentence must begin with its name.
@@ -44,21 +46,22 @@ Witness& with_another_witness(Depth& depth) { return in(depth).meeting.emplace<W
 
 TEST(Disagreement, NamesTheFieldOfPenetration) {
   ASSERT_EQ(penetrating().optima().size(), 4u);
-  expect_named(penetrating, {{"status",
-                              [](Depth& d) {
-                                d.outcome = Touch{{1, 0, 0}, {0, 0, 0}};
-                              }},
-                             {"flat_a", [](Depth& d) { d.flat_a = true; }},
-                             {"flat_b", [](Depth& d) { d.flat_b = true; }},
-                             {"squared", [](Depth& d) { in(d).optima[0].support += mpq_class(1, 1000); }},
-                             {"number of optima", [](Depth& d) { in(d).optima.pop_back(); }},
-                             {"optima[3].direction", [](Depth& d) { in(d).optima[3].direction.z += 1; }},
-                             {"optima[2].translation", [](Depth& d) { in(d).optima[2].support += 1; }},
-                             {"optima[1].contact", [](Depth& d) { in(d).optima[1].contact.kind = ContactKind::edge_edge; }},
-                             {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.a.pop_back(); }},
-                             {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.b.front() += 9; }},
-                             {"witness", [](Depth& d) { with_another_witness(d).a.y += 1; }},
-                             {"witness", [](Depth& d) { with_another_witness(d).b.z += 1; }}});
+  expect_named(penetrating,
+               {{"status",
+                 [](Depth& d) {
+                   d.outcome = Touch{{1, 0, 0}, {0, 0, 0}};
+                 }},
+                {"flat_a", [](Depth& d) { d.flat_a = true; }},
+                {"flat_b", [](Depth& d) { d.flat_b = true; }},
+                {"squared", [](Depth& d) { in(d).optima[0].support += mpq_class(1, 1000); }},
+                {"number of optima", [](Depth& d) { in(d).optima.pop_back(); }},
+                {"optima[3].direction", [](Depth& d) { in(d).optima[3].direction.z += 1; }},
+                {"optima[2].translation", [](Depth& d) { in(d).optima[2].support += 1; }},
+                {"optima[1].contact", [](Depth& d) { in(d).optima[1].contact.kind = ContactKind::edge_edge; }},
+                {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.a.pop_back(); }},
+                {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.b.front() += 9; }},
+                {"witness", [](Depth& d) { with_another_witness(d).a.y += 1; }},
+                {"witness", [](Depth& d) { with_another_witness(d).b.z += 1; }}});
 }
 
 TEST(Disagreement, NamesTheFieldOfTouchingAndDisjointBodies) {

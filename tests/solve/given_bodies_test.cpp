@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies given in binary64 against the same exact points: equal answers and certificates; and on the way from the text of a case to its
-// answer no point becomes rational. GMP's allocations are counted.
+// Bodies given in binary64 against the same exact points: equal answers and certificates; and on
+// the way from the text of a case to its answer no point becomes rational. GMP's allocations are
+// counted.
 #include <fmt/format.h>
 #include <gmp.h>
 #include <gtest/gtest.h>
@@ -62,14 +63,16 @@ TEST(GivenBodies, AreAnsweredAsTheirExactPoints) {
     EXPECT_EQ(certificate_text(a_alone, input.b, exact, "id"), certificate_text(a, b, exact, "id"));
     apart += depth.status() != Status::penetrating ? 1U : 0U;
     if (!exact.penetration()) continue;
-    EXPECT_EQ(second_nearest_squared(input.a, input.b, *exact.penetration()), second_nearest_squared(a, b, *exact.penetration()));
+    EXPECT_EQ(second_nearest_squared(input.a, input.b, *exact.penetration()),
+              second_nearest_squared(a, b, *exact.penetration()));
   }
   EXPECT_GT(apart, 10U);
 }
 
 std::string vertices(const Body& body) {
   std::string text;
-  for (const auto& [x, y, z] : body.points.binary64()) text += fmt::format("{}[{},{},\"{}\"]", text.empty() ? "" : ",", x, y, hex_text(z));
+  for (const auto& [x, y, z] : body.points.binary64())
+    text += fmt::format("{}[{},{},\"{}\"]", text.empty() ? "" : ",", x, y, hex_text(z));
   return "{\"vertices\":[" + text + "]}";
 }
 
@@ -96,7 +99,8 @@ TEST(GivenBodies, BecomeNoRationalsOnTheWayToAnAnswer) {
     };
     cost([&] { return penetration_depth(read.a, read.b, options); });  // memory grows
     const std::size_t by_bodies = cost([&] { return penetration_depth(read.a, read.b, options); });
-    const std::size_t by_doubles = cost([&] { return penetration_depth(read.a.points.binary64(), read.b.points.binary64(), options); });
+    const std::size_t by_doubles =
+        cost([&] { return penetration_depth(read.a.points.binary64(), read.b.points.binary64(), options); });
     EXPECT_EQ(by_bodies, by_doubles);
   }
   EXPECT_GT(narrow, 100U);
@@ -104,7 +108,8 @@ TEST(GivenBodies, BecomeNoRationalsOnTheWayToAnAnswer) {
 
 TEST(GivenBodies, AreReadFromPlainNumbersWithoutGmp) {
   mp_set_memory_functions(counted, counted_again, freed);
-  const std::string text = R"({"a":{"vertices":[[0.1,2,-3e-7],[1e300,5e-300,0]]},"b":{"vertices":[[1,2,3]]},"pose_rounding":"binary64"})";
+  const std::string text =
+      R"({"a":{"vertices":[[0.1,2,-3e-7],[1e300,5e-300,0]]},"b":{"vertices":[[1,2,3]]},"pose_rounding":"binary64"})";
   const std::size_t before = allocations;
   const CaseItem item = parse_case(text, "case");
   EXPECT_EQ(allocations, before);

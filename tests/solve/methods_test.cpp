@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods against each other, field by field; and how often the expansion closes, per family, with the sizes of its proofs.
+// The methods against each other, field by field; and how often the expansion closes, per family,
+// with the sizes of its proofs.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -50,7 +51,8 @@ TEST(Methods, AutomaticIsExactPastItsBudgetAndCertificateGoesOn) {
   EXPECT_EQ(automatic.method, Method::exact);
   EXPECT_GT(automatic.extreme_a, 0U) << "hulls were taken";
   testing::expect_same_answer(automatic, exact);
-  const Depth certified = penetration_depth(input.a.points, input.b.points, {.method = Method::certificate, .expansion_budget = 3});
+  const Depth certified =
+      penetration_depth(input.a.points, input.b.points, {.method = Method::certificate, .expansion_budget = 3});
   EXPECT_EQ(certified.method, Method::certificate);
   testing::expect_same_answer(certified, exact);
 }
@@ -58,28 +60,33 @@ TEST(Methods, AutomaticIsExactPastItsBudgetAndCertificateGoesOn) {
 TEST(Methods, AutomaticIsExactWhereAnEngineIsAskedFor) {
   const Case input = families::find_family("random_sphere")->make(1, 20);
   EXPECT_EQ(penetration_depth(input.a.points, input.b.points).method, Method::certificate);
-  EXPECT_EQ(penetration_depth(input.a.points, input.b.points, {.closest_lines = ClosestLines::naive}).method, Method::exact);
+  EXPECT_EQ(penetration_depth(input.a.points, input.b.points, {.closest_lines = ClosestLines::naive}).method,
+            Method::exact);
 }
 
 TEST(Methods, AllCanBeStopped) {
   const Case input = families::find_family("random_sphere")->make(1, 20);
   for (const Method method : {Method::automatic, Method::exact, Method::naive, Method::certificate}) {
     testing::Recorder impatient(0);
-    EXPECT_THROW(penetration_depth(input.a.points, input.b.points, {.method = method, .monitor = &impatient}), Interrupted) << name(method);
+    EXPECT_THROW(penetration_depth(input.a.points, input.b.points, {.method = method, .monitor = &impatient}),
+                 Interrupted)
+        << name(method);
   }
 }
 
 // Bits of the numbers beside the points: the directions and the claimed depth.
 std::size_t bits_of(const Certificate& certificate) {
-  std::size_t bits = mpz_sizeinbase(certificate.low.get_num_mpz_t(), 2) + mpz_sizeinbase(certificate.low.get_den_mpz_t(), 2);
+  std::size_t bits =
+      mpz_sizeinbase(certificate.low.get_num_mpz_t(), 2) + mpz_sizeinbase(certificate.low.get_den_mpz_t(), 2);
   for (const Vector& n : certificate.directions)
     for (const mpz_class* c : {&n.x, &n.y, &n.z}) bits += mpz_sizeinbase(c->get_mpz_t(), 2);
   return bits;
 }
 
 TEST(Methods, TheExpansionClosesWithinItsBudgetAlmostAlways) {
-  std::printf("size 30: closed within the budget of those that penetrate; the greatest numbers\n%-34s %8s %8s %8s %8s %8s\n", "family",
-              "closed", "points", "facets", "bits", "bytes");
+  std::printf(
+      "size 30: closed within the budget of those that penetrate; the greatest numbers\n%-34s %8s %8s %8s %8s %8s\n",
+      "family", "closed", "points", "facets", "bits", "bytes");
   std::size_t all = 0, closed = 0;
   for (const families::Family& family : families::families()) {
     std::size_t here = 0, within = 0, points = 0, facets = 0, bits = 0, bytes = 0;
@@ -96,7 +103,8 @@ TEST(Methods, TheExpansionClosesWithinItsBudgetAlmostAlways) {
       bytes = std::max(bytes, certificate_text(certificate).size());
     }
     if (here > 0)
-      std::printf("%-34s %4zu/%-3zu %8zu %8zu %8zu %8zu\n", std::string(family.name).c_str(), within, here, points, facets, bits, bytes);
+      std::printf("%-34s %4zu/%-3zu %8zu %8zu %8zu %8zu\n", std::string(family.name).c_str(), within, here, points,
+                  facets, bits, bytes);
     if (!family.name.starts_with("crossed_")) {
       EXPECT_EQ(within, here) << family.name << ": only bundles may tie too often";
     }

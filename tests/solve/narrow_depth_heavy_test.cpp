@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// 2,000 pairs of every family: the expanding polytope with integers of fixed size against its twin in mpz_class, and the answer on narrow
-// lattices against that on any lattice, in every field.
+// 2,000 pairs of every family: the expanding polytope with integers of fixed size against its twin
+// in mpz_class, and the answer on narrow lattices against that on any lattice, in every field.
 #include <gtest/gtest.h>
 
 #include "reference/polytope/lattice.hpp"
@@ -21,7 +21,8 @@ TEST(NarrowDepth, EqualsTheTwinsOnTwoThousandPairsOfEveryFamily) {
       expanding::expect_same_expansions(input, workspace);
       kernels::Context context;
       const NarrowResult narrow = depth_on_narrow_lattice(context, input.a.points, input.b.points, options);
-      if (narrow.depth) expect_equal(*narrow.depth, depth_by_method(context, polytope::place(input.a.points, input.b.points), {}));
+      if (narrow.depth)
+        expect_equal(*narrow.depth, depth_by_method(context, polytope::place(input.a.points, input.b.points), {}));
       ASSERT_FALSE(::testing::Test::HasFailure()) << family.name << ", seed " << seed;
     }
   }

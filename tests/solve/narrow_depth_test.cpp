@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer on a narrow lattice against its naive twin, the same method on any lattice, and against the exact method; points given as
-// doubles against the same points as rationals.
+// The answer on a narrow lattice against its naive twin, the same method on any lattice, and
+// against the exact method; points given as doubles against the same points as rationals.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -80,7 +80,8 @@ TEST(NarrowDepth, DoublesStandForTheirExactValues) {
 
 TEST(NarrowDepth, HandsOverWhatItCannotAnswer) {
   kernels::Context context;
-  const Doubles cube = doubles(families::cube()), point{{5, 0, 0}}, corner{{1, 0, 0}}, far{{0x1p900, 0, 0}, {0x1p-900, 0, 0}};
+  const Doubles cube = doubles(families::cube()), point{{5, 0, 0}}, corner{{1, 0, 0}},
+                far{{0x1p900, 0, 0}, {0x1p-900, 0, 0}};
   const auto end = [&](const Doubles& a, const Doubles& b, const Options& options = {}) {
     return depth_on_narrow_lattice(context, a, b, options).end;
   };

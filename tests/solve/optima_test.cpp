@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers that count all optima and list the first few: otherwise those that list all, by every method.
+// Answers that count all optima and list the first few: otherwise those that list all, by every
+// method.
 #include <gtest/gtest.h>
 
 #include "fathom/approximate.hpp"
@@ -31,7 +32,8 @@ void expect_first(const Depth& cut, const Depth& whole, std::size_t listed) {
 
 TEST(Optima, TheFirstAreListedAndAllAreCounted) {
   std::size_t cuts = 0;
-  for (const char* name : {"exact_ties", "platonic_aligned", "boxes_aligned", "random_sphere", "touching_edge_edge", "random_disjoint"}) {
+  for (const char* name :
+       {"exact_ties", "platonic_aligned", "boxes_aligned", "random_sphere", "touching_edge_edge", "random_disjoint"}) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       const Case input = families::find_family(name)->make(seed, 12);
       for (const Method method : {Method::automatic, Method::exact, Method::naive, Method::certificate}) {
@@ -57,7 +59,8 @@ TEST(Optima, OfTheShallowMethodToo) {
   expect_first(shallow_depth(input.a.points, input.b.points, options), whole, 1);
 }
 
-// Bodies without a slim common lattice: the few points that decide are found by all optima, listed or not.
+// Bodies without a slim common lattice: the few points that decide are found by all optima, listed
+// or not.
 TEST(Optima, OfBodiesOverManyDenominators) {
   Body body;
   const auto add = [&](long x, long y, long z, const mpq_class& size) {
@@ -92,7 +95,8 @@ TEST(Optima, ACertificateOfACutListClaimsTheDepthAlone) {
     EXPECT_EQ(some.directions.size(), 2U);
     EXPECT_TRUE(certificate::validate(some).ok());
     EXPECT_NE(certificate_text(some).find("directions 2 some\n"), std::string::npos);
-    const Certificate all = make_certificate(cube.points, cube.points, penetration_depth(cube.points, cube.points, listing(6, method)));
+    const Certificate all =
+        make_certificate(cube.points, cube.points, penetration_depth(cube.points, cube.points, listing(6, method)));
     EXPECT_TRUE(all.complete);
     EXPECT_NE(certificate_text(all).find("directions 6 all\n"), std::string::npos);
     Certificate claims_all = some;

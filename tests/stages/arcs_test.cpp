@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arcs end at their nodes, stay in their hemisphere, and are drawn as smooth lines; lines of a projection keep to the arc.
+// Arcs end at their nodes, stay in their hemisphere, and are drawn as smooth lines; lines of a
+// projection keep to the arc.
 
 #include <gtest/gtest.h>
 
@@ -64,7 +65,8 @@ TEST(Arcs, PartsLieInTheirHemisphere) {
       for (const Place& z : {chart.z, other})
         for (const SphereArc& part : parts_in(arc, z)) {
           length += part.end - part.begin;
-          for (double share = 0; share <= 1; share += 0.25) EXPECT_GE(dot(part.at(part.begin + share * (part.end - part.begin)), z), -near);
+          for (double share = 0; share <= 1; share += 0.25)
+            EXPECT_GE(dot(part.at(part.begin + share * (part.end - part.begin)), z), -near);
         }
       EXPECT_NEAR(length, arc.end - arc.begin, 1e-7) << "law: both hemispheres together hold the arc";
     }

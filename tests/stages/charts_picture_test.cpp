@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is lit are the arcs of the canonical pair, which cross each other in its strip; what is left out is said.
+// What is lit are the arcs of the canonical pair, which cross each other in its strip; what is left
+// out is said.
 
 #include "view/stages/charts_picture.hpp"
 
@@ -25,24 +26,27 @@ using Line = std::vector<Dot>;
 Line line_of(const std::string& d) {
   Line line;
   const std::vector<std::string> numbers = all(d, "(-?[0-9.]+)");
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) line.push_back({std::stod(numbers[i]), std::stod(numbers[i + 1])});
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+    line.push_back({std::stod(numbers[i]), std::stod(numbers[i + 1])});
   return line;
 }
 
 std::vector<Line> lit(const std::string& svg, const std::string& body) {
   std::vector<Line> lines;
-  for (const std::string& d : all(svg, "<path class=\"arc " + body + " lit\" d=\"(M[^\"H]*)\"")) lines.push_back(line_of(d));
+  for (const std::string& d : all(svg, "<path class=\"arc " + body + " lit\" d=\"(M[^\"H]*)\""))
+    lines.push_back(line_of(d));
   return lines;
 }
 
 double turn(const Dot& p, const Dot& q, const Dot& r) { return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x); }
 
-/// Whether two lines of pixels cross, or come as near as rounding to a tenth of a pixel may take them.
+/// Whether two lines of pixels cross, or come as near as rounding to a tenth of a pixel may take
+/// them.
 bool cross(const Line& s, const Line& t) {
   for (std::size_t i = 1; i < s.size(); ++i)
     for (std::size_t j = 1; j < t.size(); ++j) {
-      const double a = turn(s[i - 1], s[i], t[j - 1]), b = turn(s[i - 1], s[i], t[j]), c = turn(t[j - 1], t[j], s[i - 1]),
-                   d = turn(t[j - 1], t[j], s[i]);
+      const double a = turn(s[i - 1], s[i], t[j - 1]), b = turn(s[i - 1], s[i], t[j]),
+                   c = turn(t[j - 1], t[j], s[i - 1]), d = turn(t[j - 1], t[j], s[i]);
       if (a * b <= 0 && c * d <= 0) return true;
     }
   double nearest = 1e9;
@@ -66,7 +70,8 @@ TEST(ChartsPicture, LightsTheArcsOfThePair) {
       EXPECT_EQ(a.size(), stages.pairs[i].a.size()) << family << ' ' << i;
       EXPECT_EQ(b.size(), stages.pairs[i].b.size()) << family << ' ' << i;
       for (const Line& s : a)
-        for (const Line& t : b) EXPECT_TRUE(cross(s, t)) << family << ' ' << i << ", law: each of A_i crosses each of B_i";
+        for (const Line& t : b)
+          EXPECT_TRUE(cross(s, t)) << family << ' ' << i << ", law: each of A_i crosses each of B_i";
     }
   }
 }
@@ -76,7 +81,8 @@ TEST(ChartsPicture, TheStripHoldsTheCrossings) {
   ASSERT_TRUE(stages.winner && stages.winner->pair);
   const Index chart = stages.pairs[*stages.winner->pair].chart;
   const std::string svg = chart_panel(stages, chart, pair_to_light(stages, chart)).content;
-  const std::vector<std::string> strip = all(svg, "<rect class=\"strip\" (x=\"[0-9.]+\" y=\"[0-9.]+\" width=\"[0-9.]+\")");
+  const std::vector<std::string> strip =
+      all(svg, "<rect class=\"strip\" (x=\"[0-9.]+\" y=\"[0-9.]+\" width=\"[0-9.]+\")");
   ASSERT_FALSE(strip.empty());
   const std::vector<std::string> numbers = all(strip.front(), "\"([0-9.]+)\""),
                                  optimum = all(svg, "<circle class=\"optimum\" cx=\"([0-9.]+)\"");
@@ -103,7 +109,8 @@ TEST(ChartsPicture, EveryCaseHasItsPicture) {
 }
 
 TEST(ChartsPicture, SaysWhatIsLeftOut) {
-  const std::string small = charts_file(staged("random_sphere", 30)), large = charts_file(staged("random_sphere", 1500));
+  const std::string small = charts_file(staged("random_sphere", 30)),
+                    large = charts_file(staged("random_sphere", 1500));
   EXPECT_EQ(small.find("not drawn"), std::string::npos);
   EXPECT_NE(large.find("walls: they are not drawn"), std::string::npos);
   EXPECT_EQ(all(large, "class=\"(wall)\"").size(), 1u) << "only the legend's";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places, normals and angles are near the exact ones, and charts lie as the exact method sorts them.
+// Places, normals and angles are near the exact ones, and charts lie as the exact method sorts
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,10 +36,12 @@ void check_vertices(const Body& input, const StagedBody& body, const StagedScale
   for (std::size_t i = 0; i < body.vertices.size(); ++i) {
     const Point& p = input.points[body.ids[i]];
     const mpq_class factor = power_of_two(scale.exponent);
-    const Point exact{(p.x - scale.center.x) * factor, (p.y - scale.center.y) * factor, (p.z - scale.center.z) * factor};
+    const Point exact{(p.x - scale.center.x) * factor, (p.y - scale.center.y) * factor,
+                      (p.z - scale.center.z) * factor};
     const Place& found = body.vertices[i];
-    const mpq_class off = std::max({mpq_class(abs(exact.x - exact_value(found[0]))), mpq_class(abs(exact.y - exact_value(found[1]))),
-                                    mpq_class(abs(exact.z - exact_value(found[2])))});
+    const mpq_class off =
+        std::max({mpq_class(abs(exact.x - exact_value(found[0]))), mpq_class(abs(exact.y - exact_value(found[1]))),
+                  mpq_class(abs(exact.z - exact_value(found[2])))});
     EXPECT_LE(off, exact_value(extent) * mpq_class(1, 1000000)) << id << ", vertex " << i;
   }
 }
@@ -102,11 +105,11 @@ TEST(Places, ThatFallTogetherAreNamed) {
     return Body{{{Point{0, 0, 0}, Point{size, 0, 0}, Point{0, size, 0}, Point{0, 0, size}}}};
   };
   const auto named = [](const Stages& stages, const std::string& body) {
-    return std::ranges::any_of(stages.left_out,
-                               [&](const std::string& s) { return s.starts_with("Vertices of " + body + " fall together"); });
+    return std::ranges::any_of(
+        stages.left_out, [&](const std::string& s) { return s.starts_with("Vertices of " + body + " fall together"); });
   };
-  const Stages far =
-      stages_of(tetrahedron(*parse_number("1e-300", Decimals::exact).value), tetrahedron(*parse_number("1e300", Decimals::exact).value));
+  const Stages far = stages_of(tetrahedron(*parse_number("1e-300", Decimals::exact).value),
+                               tetrahedron(*parse_number("1e300", Decimals::exact).value));
   EXPECT_TRUE(named(far, "A"));
   EXPECT_FALSE(named(far, "B"));
   const Stages close = stages_of(tetrahedron(1), tetrahedron(2));
@@ -134,7 +137,8 @@ void check_arcs(const StagedDiagram& diagram, const StagedBody& body, const std:
   }
 }
 
-// Each node is in one chart, at its place; each end of an arc is one of its nodes, or in the other chart.
+// Each node is in one chart, at its place; each end of an arc is one of its nodes, or in the other
+// chart.
 TEST(Charts, HoldTheDiagrams) {
   for (const Case& input : staged_cases({15})) {
     const Stages stages = stages_of(input.a, input.b);
@@ -155,7 +159,8 @@ TEST(Charts, HoldTheDiagrams) {
         }
         for (const StagedArc& arc : diagram.arcs) ends.at(arc.edge) += arc.from.has_value() + arc.to.has_value();
       }
-      EXPECT_TRUE(std::ranges::all_of(nodes, [](int n) { return n == 1; })) << input.id << ": a node is not in one chart";
+      EXPECT_TRUE(std::ranges::all_of(nodes, [](int n) { return n == 1; }))
+          << input.id << ": a node is not in one chart";
       for (const int n : ends) EXPECT_EQ(n, body.rank == 1 ? 0 : 2) << input.id << ": an arc has not its two ends";
     }
   }
@@ -163,7 +168,8 @@ TEST(Charts, HoldTheDiagrams) {
 
 double longitude_of(const StagedChart& chart, const StagedWall& wall) {
   const StagedNode* const node = node_in(wall.of_a ? chart.a : chart.b, wall.node);
-  return node == nullptr || std::abs(node->latitude) > polar ? std::numeric_limits<double>::quiet_NaN() : node->longitude;
+  return node == nullptr || std::abs(node->latitude) > polar ? std::numeric_limits<double>::quiet_NaN()
+                                                             : node->longitude;
 }
 
 TEST(Charts, HaveTheirWallsFromLeftToRight) {
@@ -185,9 +191,11 @@ TEST(Charts, HaveTheirWallsFromLeftToRight) {
 // Where the arcs of two edges cross, if not on the equator.
 std::optional<double> longitude_of_crossing(const Prepared& p, Index e, Index f) {
   const polytope::Edge &of_a = p.a.edges[e], &of_b = p.b.edges[f];
-  const Vector w = cross(p.a.vertices[of_a.to] - p.a.vertices[of_a.from], p.b.vertices[of_b.to] - p.b.vertices[of_b.from]);
+  const Vector w =
+      cross(p.a.vertices[of_a.to] - p.a.vertices[of_a.from], p.b.vertices[of_b.to] - p.b.vertices[of_b.from]);
   if (w.z == 0) return std::nullopt;
-  // w or -w is in this hemisphere; to the right is x in the upper one, -x in the lower one: the quotient is the same.
+  // w or -w is in this hemisphere; to the right is x in the upper one, -x in the lower one: the
+  // quotient is the same.
   return std::atan(kernels::ratio(w.x, w.z).get_d());
 }
 
@@ -200,13 +208,15 @@ TEST(Strips, HoldTheCrossings) {
       const StagedChart& chart = stages.charts[pair.chart];
       const double left = pair.strip[0] ? longitude_of(chart, chart.walls.at(*pair.strip[0])) : -4;
       const double right = pair.strip[1] ? longitude_of(chart, chart.walls.at(*pair.strip[1])) : 4;
-      EXPECT_LT(pair.strip[0] ? *pair.strip[0] + 1 : 0, pair.strip[1] ? *pair.strip[1] + 1 : chart.walls.size() + 1) << input.id;
+      EXPECT_LT(pair.strip[0] ? *pair.strip[0] + 1 : 0, pair.strip[1] ? *pair.strip[1] + 1 : chart.walls.size() + 1)
+          << input.id;
       if (std::isnan(left) || std::isnan(right)) continue;
       for (const Index e : pair.a) {
         for (const Index f : pair.b) {
           const std::optional<double> at = longitude_of_crossing(*p, e, f);
           if (!at) continue;
-          EXPECT_TRUE(left - 1e-6 <= *at && *at <= right + 1e-6) << input.id << ": " << left << " " << *at << " " << right;
+          EXPECT_TRUE(left - 1e-6 <= *at && *at <= right + 1e-6)
+              << input.id << ": " << left << " " << *at << " " << right;
           ++crossings;
         }
       }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of shapes: sampled outlines and the contact.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 
 #include "fathom/signed_depth.hpp"
 #include "reference/files/shape_names.hpp"
@@ -68,10 +69,12 @@ TEST(Shapes, DepthIsThatOfSignedDepth) {
       if (depth.exact()) {
         EXPECT_EQ(stages.depth, round_binary64(*depth.exact())) << input.id;
       } else {
-        EXPECT_EQ(stages.depth.has_value(), round_binary64(depth.bounds()->low) == round_binary64(depth.bounds()->high)) << input.id;
+        EXPECT_EQ(stages.depth.has_value(), round_binary64(depth.bounds()->low) == round_binary64(depth.bounds()->high))
+            << input.id;
       }
       const double length = std::sqrt(dot(stages.contact.translation, stages.contact.translation));
-      const double expected = depth.exact() ? *stages.depth : mpq_class((depth.bounds()->low + depth.bounds()->high) / 2).get_d();
+      const double expected =
+          depth.exact() ? *stages.depth : mpq_class((depth.bounds()->low + depth.bounds()->high) / 2).get_d();
       EXPECT_NEAR(length / std::exp2(stages.scale.exponent) / expected, 1, 1e-9) << input.id;
     } else {
       EXPECT_FALSE(stages.depth || stages.squared) << input.id;
@@ -83,7 +86,8 @@ TEST(Shapes, DepthIsThatOfSignedDepth) {
 TEST(Shapes, HalfSpacesHaveNoOutline) {
   const Stages stages = stages_of(at(sphere(1), 0), files::body_of(halfspace({0, 0, 1}, 0)));
   EXPECT_TRUE(stages.b.sampled && stages.b.vertices.empty());
-  EXPECT_TRUE(std::ranges::any_of(stages.left_out, [](const std::string& s) { return s.starts_with("B is a half-space"); }));
+  EXPECT_TRUE(
+      std::ranges::any_of(stages.left_out, [](const std::string& s) { return s.starts_with("B is a half-space"); }));
   EXPECT_EQ(stages.depth, 1.0);
   EXPECT_EQ(stages.contact.direction, (Place{0, 0, 1}));
 }

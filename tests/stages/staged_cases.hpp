@@ -23,10 +23,12 @@ inline std::vector<Case> staged_cases(std::initializer_list<unsigned> sizes) {
 
 inline double dot(const stages::Place& p, const stages::Place& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
-/// The squared distance of the lines through two edges, in the unit of the input; none if they are parallel.
+/// The squared distance of the lines through two edges, in the unit of the input; none if they are
+/// parallel.
 inline std::optional<mpq_class> line_distance(const Prepared& p, stages::Index e, stages::Index f) {
   const polytope::Edge &of_a = p.a.edges[e], &of_b = p.b.edges[f];
-  const Vector w = cross(p.a.vertices[of_a.to] - p.a.vertices[of_a.from], p.b.vertices[of_b.to] - p.b.vertices[of_b.from]);
+  const Vector w =
+      cross(p.a.vertices[of_a.to] - p.a.vertices[of_a.from], p.b.vertices[of_b.to] - p.b.vertices[of_b.from]);
   if (is_zero(w)) return std::nullopt;
   const mpz_class height = fathom::dot(p.b.vertices[of_b.from] - p.a.vertices[of_a.from], w);
   mpq_class squared(height * height, fathom::dot(w, w) * p.placed.denominator * p.placed.denominator);

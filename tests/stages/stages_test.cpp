@@ -69,7 +69,8 @@ TEST(Pairs, HaveTheirClosestLines) {
       if (!least) continue;
       EXPECT_EQ(pair.closest->squared, *least) << input.id;
       EXPECT_EQ(line_distance(*p, pair.closest->a, pair.closest->b), least) << input.id;
-      EXPECT_TRUE(std::ranges::count(pair.a, pair.closest->a) == 1 && std::ranges::count(pair.b, pair.closest->b) == 1) << input.id;
+      EXPECT_TRUE(std::ranges::count(pair.a, pair.closest->a) == 1 && std::ranges::count(pair.b, pair.closest->b) == 1)
+          << input.id;
       large += pair.crossings() > 2048;
     }
   }
@@ -109,7 +110,8 @@ TEST(Counts, AreThoseOfTheExactMethod) {
   }
 }
 
-// The features of the first optimum face each other in its direction, and edges are in the pair that is said to hold them.
+// The features of the first optimum face each other in its direction, and edges are in the pair
+// that is said to hold them.
 TEST(Winner, IsTheFirstOptimum) {
   std::map<WinnerKind, int> kinds;
   int in_pairs = 0;
@@ -133,11 +135,13 @@ TEST(Winner, IsTheFirstOptimum) {
     EXPECT_EQ(line_distance(*prepare(input), winner.a.index, winner.b.index), stages.squared) << input.id;
     if (!winner.pair) continue;
     const StagedPair& pair = stages.pairs[*winner.pair];
-    EXPECT_TRUE(std::ranges::count(pair.a, winner.a.index) == 1 && std::ranges::count(pair.b, winner.b.index) == 1) << input.id;
+    EXPECT_TRUE(std::ranges::count(pair.a, winner.a.index) == 1 && std::ranges::count(pair.b, winner.b.index) == 1)
+        << input.id;
     EXPECT_EQ(pair.closest->squared, *stages.squared) << input.id;
     ++in_pairs;
   }
-  for (const WinnerKind kind : {WinnerKind::edges, WinnerKind::facet_of_a, WinnerKind::facet_of_b}) EXPECT_GT(kinds[kind], 10);
+  for (const WinnerKind kind : {WinnerKind::edges, WinnerKind::facet_of_a, WinnerKind::facet_of_b})
+    EXPECT_GT(kinds[kind], 10);
   EXPECT_GT(in_pairs, 10);
 }
 
@@ -155,7 +159,8 @@ struct Covering {
   }
 };
 
-// The blocks of a level partition the refined ones before it; so the others partition the grid, and one of them has won.
+// The blocks of a level partition the refined ones before it; so the others partition the grid, and
+// one of them has won.
 void check_cutting(const Stages& stages, const std::string& id) {
   const StagedCutting& cutting = *stages.cutting;
   const StagedPair& pair = stages.pairs[cutting.pair];

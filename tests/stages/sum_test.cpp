@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The facets of P from nodes and crossings against the naive twin: the hull of all vertex differences.
-#include <algorithm>
+// The facets of P from nodes and crossings against the naive twin: the hull of all vertex
+// differences.
 #include <gtest/gtest.h>
+
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -25,7 +27,8 @@ std::vector<Case> polytopes() {
 }
 
 /// Facets by normal, each by its corners as differences, ascending.
-using Facets = std::map<Vector, std::set<Vector, kernels::NearestPlanes::LexicographicOrder>, kernels::NearestPlanes::LexicographicOrder>;
+using Facets = std::map<Vector, std::set<Vector, kernels::NearestPlanes::LexicographicOrder>,
+                        kernels::NearestPlanes::LexicographicOrder>;
 
 Facets naive(const polytope::Polytope& a, const polytope::Polytope& b) {
   std::vector<Vector> differences;
@@ -44,7 +47,8 @@ struct ExactRun {
   std::unique_ptr<depth::ExactStages> exact;
 
   explicit ExactRun(const Case& input)
-      : pair(polytope::place(input.a.points.exact(), input.b.points.exact())), exact(depth::exact_stages(context, pair)) {}
+      : pair(polytope::place(input.a.points.exact(), input.b.points.exact())),
+        exact(depth::exact_stages(context, pair)) {}
 };
 
 TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
@@ -69,7 +73,8 @@ TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
           const stages::SumCorner& corner = facet.corners[(i + k) % facet.corners.size()];
           return Vector(hulls.b.vertices[corner.b] - hulls.a.vertices[corner.a]);
         };
-        EXPECT_GT(det(facet.normal, at(1) - at(0), at(2) - at(1)), 0) << input.id << ", law: counter-clockwise, strictly convex";
+        EXPECT_GT(det(facet.normal, at(1) - at(0), at(2) - at(1)), 0)
+            << input.id << ", law: counter-clockwise, strictly convex";
       }
     }
     EXPECT_EQ(facets.size(), found->size()) << input.id << ", law: one facet for each normal";
@@ -90,9 +95,11 @@ TEST(Sum, TheNearestAreThoseOfTheNaiveTwin) {
     const std::vector<stages::StagedFacet>& facets = staged.sum.facets;
     const mpq_class unit = kernels::ratio(1, pair.denominator * pair.denominator);
     ASSERT_FALSE(facets.empty()) << input.id;
-    EXPECT_EQ(facets.front().squared, mpq_class(twin.squared * unit)) << input.id << ", law: the nearest is as far as the depth";
+    EXPECT_EQ(facets.front().squared, mpq_class(twin.squared * unit))
+        << input.id << ", law: the nearest is as far as the depth";
     EXPECT_TRUE(std::ranges::is_sorted(facets, {}, &stages::StagedFacet::squared)) << input.id << ", law: ascending";
-    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(facets, true, &stages::StagedFacet::optimal)), twin.directions.size())
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(facets, true, &stages::StagedFacet::optimal)),
+              twin.directions.size())
         << input.id << ", law: the optimal ones are the optima";
   }
 }

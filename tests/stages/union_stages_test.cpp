@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures of unions show: every pair of pieces whose differences reach into the ball, with its exact distance; the facets that hold
-// the end of a way; pieces as they are. Twins go through all pairs, and through all facets by exact fractions.
+// What pictures of unions show: every pair of pieces whose differences reach into the ball, with
+// its exact distance; the facets that hold the end of a way; pieces as they are. Twins go through
+// all pairs, and through all facets by exact fractions.
 #include "view/stages/union_stages.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +73,8 @@ void check(const Staged& it) {
       const double height = dot(sum.normals[f], sum.vertices[sum.facets[f].front()]);
       nearest = std::min(nearest, height);
       farthest = std::max(farthest, -height);
-      for (const Place& v : sum.vertices) EXPECT_LE(dot(sum.normals[f], v), height + 1e-9) << "law: a facet has all vertices behind it";
+      for (const Place& v : sum.vertices)
+        EXPECT_LE(dot(sum.normals[f], v), height + 1e-9) << "law: a facet has all vertices behind it";
     }
     if (sum.inside) EXPECT_NEAR(nearest, sum.distance, 1e-9) << "law: O is so deep inside";
     else EXPECT_LE(farthest, sum.distance + 1e-9);
@@ -83,7 +85,8 @@ void check(const Staged& it) {
                   dot(sum.normals[facet], sum.vertices[sum.facets[facet].front()]), 1e-9)
           << "law: the way ends in the plane of the facet";
     }
-    EXPECT_EQ(ends, std::set<Index>(sum.touches.begin(), sum.touches.end())) << "law: where pieces touch, the way ends on the boundary";
+    EXPECT_EQ(ends, std::set<Index>(sum.touches.begin(), sum.touches.end()))
+        << "law: where pieces touch, the way ends on the boundary";
   }
   if (it.depth.status == Status::penetrating) {
     EXPECT_EQ(found, naive_sums(it)) << "law: all that reach into the ball";
@@ -128,7 +131,8 @@ TEST(UnionStages, FarAndHugeBodiesKeepTheirPixels) {
     for (Point& p : result) p.x *= unit, p.y *= unit, p.z *= unit;
     return result;
   };
-  const Staged it{{big({0, 0, 0}, {1, 1, 1})}, {big({mpq_class(1, 2), -1, -1}, {2, 2, 2}), big({2, -1, -1}, {3, 2, 2})}};
+  const Staged it{{big({0, 0, 0}, {1, 1, 1})},
+                  {big({mpq_class(1, 2), -1, -1}, {2, 2, 2}), big({2, -1, -1}, {3, 2, 2})}};
   EXPECT_LT(it.stages.scale.exponent, -900);
   for (const StagedPiece& piece : it.stages.b)
     for (const Place& p : piece.vertices) EXPECT_LT(length(p), 1e10);
@@ -143,7 +147,8 @@ TEST(UnionStages, ManyPairsAreLeftOutWithASentence) {
   const UnionDepth depth = union_depth(bars, many, {nullptr, false});
   const UnionStages staged = stages_of(bars, many, depth);
   const auto says = [&](const char* words) {
-    return std::ranges::any_of(staged.left_out, [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
+    return std::ranges::any_of(staged.left_out,
+                               [&](const std::string& sentence) { return sentence.find(words) != std::string::npos; });
   };
   EXPECT_TRUE(says("There are 2050 pairs of pieces"));
   EXPECT_TRUE(says("are not drawn")) << "law: what is not drawn is said";
@@ -162,7 +167,8 @@ TEST(UnionStages, AStoppedSearchHasNone) {
 }
 
 TEST(UnionStages, JsonSaysTheSame) {
-  const Staged it{{box({0, 0, 0}, {1, 1, 1})}, {box({mpq_class(1, 2), -3, -3}, {1, 4, 4}), box({-3, mpq_class(3, 4), -3}, {1, 1, 4})}};
+  const Staged it{{box({0, 0, 0}, {1, 1, 1})},
+                  {box({mpq_class(1, 2), -3, -3}, {1, 4, 4}), box({-3, mpq_class(3, 4), -3}, {1, 1, 4})}};
   check(it);
   const nlohmann::json json = nlohmann::json::parse(to_json(it.stages));
   EXPECT_EQ(json["sums"].size(), it.stages.sums.size());

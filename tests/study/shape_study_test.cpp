@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What coincides of the shapes of the catalogue, by hand; nothing of shapes in general position; of polytopes what their own study says.
+// What coincides of the shapes of the catalogue, by hand; nothing of shapes in general position; of
+// polytopes what their own study says.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -163,14 +164,16 @@ TEST(ShapeStudy, OfPolytopesFindsWhatTheirOwnStudyFinds) {
   for (const Case& input : testing::cases_of_all_families(2, 8)) {
     const Study known = fathom::study(input.a.points, input.b.points);
     const ShapeStudy found = study(hull(input.a.points), hull(input.b.points));
-    EXPECT_EQ(count(found, Kind::parallel_faces), known[Coincidence::coincident_normals].count + known[Coincidence::equal_normals].count)
+    EXPECT_EQ(count(found, Kind::parallel_faces),
+              known[Coincidence::coincident_normals].count + known[Coincidence::equal_normals].count)
         << input.id;
     EXPECT_EQ(count(found, Kind::coplanar_faces), known[Coincidence::coplanar_facets].count) << input.id;
     EXPECT_EQ(count(found, Kind::generators_along_faces), known[Coincidence::normals_on_arcs].count) << input.id;
     EXPECT_EQ(count(found, Kind::touching_features), known.depth.status() == Status::touching ? 1U : 0U) << input.id;
     ASSERT_TRUE(found.cores) << input.id;
     for (std::size_t i = 0; i < coincidence_names.size(); ++i)
-      EXPECT_EQ(found.cores->coincidences[i].count, known.coincidences[i].count) << input.id << ": " << coincidence_names[i];
+      EXPECT_EQ(found.cores->coincidences[i].count, known.coincidences[i].count)
+          << input.id << ": " << coincidence_names[i];
     faces += count(found, Kind::parallel_faces);
     coplanar += count(found, Kind::coplanar_faces);
     along += count(found, Kind::generators_along_faces);
@@ -208,8 +211,12 @@ TEST(ShapeStudy, NoToleranceDecides) {
   expect_one(Kind::concentric, egg, [&](const mpq_class& e) { return at(box({1, 1, 1}), {e, 0, 0}); });
   expect_one(Kind::centre_on_axis, drum, [&](const mpq_class& e) { return at(egg, {e, 0, 7}); });
   expect_one(Kind::coaxial, drum, [&](const mpq_class& e) { return at(cone(1, 1), {0, e, 5}); });
-  expect_one(Kind::parallel_axes, drum, [&](const mpq_class& e) { return moved(cone(1, 1), rigid_pose({1, e, 0, 0}, {5, 0, 0})); });
-  expect_one(Kind::orthogonal_axes, drum, [&](const mpq_class& e) { return moved(cone(1, 1), rigid_pose({1, 1 + e, 0, 0}, {5, 0, 0})); });
+  expect_one(Kind::parallel_axes, drum, [&](const mpq_class& e) {
+    return moved(cone(1, 1), rigid_pose({1, e, 0, 0}, {5, 0, 0}));
+  });
+  expect_one(Kind::orthogonal_axes, drum, [&](const mpq_class& e) {
+    return moved(cone(1, 1), rigid_pose({1, 1 + e, 0, 0}, {5, 0, 0}));
+  });
   expect_one(Kind::intersecting_axes, drum, [&](const mpq_class& e) { return at(cone(1, 1, Axis::x), {0, e, 0}); });
   expect_one(Kind::equal_radii, drum, [&](const mpq_class& e) { return sphere(1 + e); });
   expect_one(Kind::parallel_generators, drum, [&](const mpq_class& e) {

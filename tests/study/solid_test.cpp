@@ -13,11 +13,14 @@
 namespace fathom::studies {
 namespace {
 
-mpq_class random_rational(families::Random& random) { return families::ratio(random.between(-9, 9), random.between(1, 5)); }
+mpq_class random_rational(families::Random& random) {
+  return families::ratio(random.between(-9, 9), random.between(1, 5));
+}
 
 Vector random_direction(families::Random& random) {
   for (;;) {
-    const Vector v{mpz_class(random.between(-9, 9)), mpz_class(random.between(-9, 9)), mpz_class(random.between(-9, 9))};
+    const Vector v{mpz_class(random.between(-9, 9)), mpz_class(random.between(-9, 9)),
+                   mpz_class(random.between(-9, 9))};
     if (!is_zero(v)) return v;
   }
 }
@@ -66,7 +69,8 @@ Vector turned(const Vector& axis, const mpz_class& w, const Vector& u) {
           square * u.z + along * axis.z + twice * c.z};
 }
 
-/// Whether h, seen from the axis, is the same in two directions that a turn about the axis maps to each other.
+/// Whether h, seen from the axis, is the same in two directions that a turn about the axis maps to
+/// each other.
 bool turns(const Solid& solid, const Line& axis, const Vector& u, const mpz_class& w) {
   const mpz_class length = w * w + dot(axis.direction, axis.direction);
   const Vector v = turned(axis.direction, w, u);
@@ -102,7 +106,8 @@ TEST(Solid, FindsTheAxisOfASpheroidInAnyForm) {
   families::Random random(17);
   for (int i = 0; i < 200; ++i) {
     const Quaternion q{random_rational(random), random_rational(random), random_rational(random), mpq_class(1)};
-    const mpq_class thick = families::ratio(random.between(1, 9), 4), high = thick + families::ratio(random.between(1, 9), 4);
+    const mpq_class thick = families::ratio(random.between(1, 9), 4),
+                    high = thick + families::ratio(random.between(1, 9), 4);
     const Shape egg = moved(ellipsoid({thick, thick, high}), rigid_pose(q, {1, 2, 3}));
     const Solid solid = solid_of(egg);
     ASSERT_TRUE(solid.axis) << i;
@@ -140,7 +145,8 @@ TEST(Solid, FacesOfNamedShapes) {
   EXPECT_EQ(faces(cylinder(1, 2)), 2U);
   EXPECT_EQ(faces(cone(1, 2)), 1U);
   EXPECT_EQ(faces(frustum(1, 2, 2)), 2U);
-  EXPECT_EQ(faces(sphere(1)) + faces(capsule(1, 2)) + faces(ellipsoid({1, 2, 3})) + faces(tapered_capsule(1, 2, 3)), 0U);
+  EXPECT_EQ(faces(sphere(1)) + faces(capsule(1, 2)) + faces(ellipsoid({1, 2, 3})) + faces(tapered_capsule(1, 2, 3)),
+            0U);
   EXPECT_EQ(faces(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0})), 2U);
   EXPECT_EQ(faces(halfspace({2, 0, 4}, 1)), 1U);
   EXPECT_EQ(faces(minkowski_sum(cylinder(1, 2), box({1, 1, 1}))), 6U);  // as of a box with rounded edges along z

@@ -16,7 +16,9 @@ namespace {
 
 using Kind = Coincidence;
 
-Study study_of(const Body& a, const Body& b, std::size_t listed = 20) { return fathom::study(a.points, b.points, {.listed = listed}); }
+Study study_of(const Body& a, const Body& b, std::size_t listed = 20) {
+  return fathom::study(a.points, b.points, {.listed = listed});
+}
 
 Body moved(const Body& body, const Point& by) { return families::translated(body, by); }
 
@@ -31,7 +33,8 @@ void expect_each_zero_decided(const Study& study, const std::string& name) {
 }
 
 TEST(Study, TwoCubes) {
-  const Study s = study_of(families::cube(), moved(families::cube(), {mpq_class(3, 2), mpq_class(1, 2), mpq_class(1, 4)}));
+  const Study s =
+      study_of(families::cube(), moved(families::cube(), {mpq_class(3, 2), mpq_class(1, 2), mpq_class(1, 4)}));
   EXPECT_EQ(s.depth.status(), Status::penetrating);
   EXPECT_EQ(count(s, Kind::parallel_edges), 3u * 4 * 4);
   EXPECT_EQ(count(s, Kind::parallel_edges_of_a), 3u * 6);
@@ -67,9 +70,10 @@ TEST(Study, CoplanarFacets) {
   for (const std::uint32_t i : faces.b[0]) EXPECT_EQ(families::cube().points[i].x, -1);
 }
 
-// The octahedron's nodes are (+-1,+-1,+-1), and its arcs join neighbours: the cube's nodes +-e_i lie on none, nor do the octahedron's on
-// the cube's arcs, which join the +-e_i. But those of the cube that lie on the equator are crossed at (+-1,+-1,0).
-// A cube turned about z by an eighth of a circle has the nodes (+-1,+-1,0), and arcs through (+-1,+-1,+-1).
+// The octahedron's nodes are (+-1,+-1,+-1), and its arcs join neighbours: the cube's nodes +-e_i
+// lie on none, nor do the octahedron's on the cube's arcs, which join the +-e_i. But those of the
+// cube that lie on the equator are crossed at (+-1,+-1,0). A cube turned about z by an eighth of a
+// circle has the nodes (+-1,+-1,0), and arcs through (+-1,+-1,+-1).
 TEST(Study, NormalsOnArcs) {
   const Study aligned = study_of(families::cube(), families::octahedron());
   EXPECT_EQ(count(aligned, Kind::normals_on_arcs), 0u);
@@ -145,7 +149,8 @@ class Naive {
   std::uint64_t on_arcs(const gaussian::GaussianDiagram& nodes, const gaussian::GaussianDiagram& arcs) const {
     std::uint64_t all = 0;
     for (const kernels::Direction& node : nodes.nodes) {
-      for (const gaussian::Arc& arc : arcs.arcs) all += dot(node.exact(), arc.circle.exact()) == 0 && inside(arcs, arc, node.exact());
+      for (const gaussian::Arc& arc : arcs.arcs)
+        all += dot(node.exact(), arc.circle.exact()) == 0 && inside(arcs, arc, node.exact());
     }
     return all;
   }
@@ -167,7 +172,8 @@ class Naive {
     }
     std::uint64_t all = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) all += sgn(nodes[i].z) * sgn(nodes[j].z) > 0 && det(nodes[i], nodes[j], {0, 1, 0}) == 0;
+      for (std::size_t j = 0; j < i; ++j)
+        all += sgn(nodes[i].z) * sgn(nodes[j].z) > 0 && det(nodes[i], nodes[j], {0, 1, 0}) == 0;
     }
     return all;
   }
@@ -189,7 +195,8 @@ class Naive {
  private:
   static bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
     if (!gaussian::contains(diagram, arc, u)) return false;
-    return diagram.rank == 1 || (!same_direction(u, diagram.nodes[arc.from].exact()) && !same_direction(u, diagram.nodes[arc.to].exact()));
+    return diagram.rank == 1 ||
+           (!same_direction(u, diagram.nodes[arc.from].exact()) && !same_direction(u, diagram.nodes[arc.to].exact()));
   }
   bool in_one_plane(const polytope::Facet& f, const polytope::Facet& g) const {
     const Vector& p = p_.a.vertices[p_.a.corners[f.begin]];
@@ -234,7 +241,8 @@ TEST(Study, EveryKindAgainstAllPairs) {
 }
 
 TEST(Study, ListingsAreLimitedAndCountsAreNot) {
-  const Study few = study_of(families::cube(), families::cube(), 3), none = study_of(families::cube(), families::cube(), 0);
+  const Study few = study_of(families::cube(), families::cube(), 3),
+              none = study_of(families::cube(), families::cube(), 0);
   const Study all = study_of(families::cube(), families::cube(), 1000);
   for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
     EXPECT_EQ(few.coincidences[i].count, all.coincidences[i].count);
@@ -242,11 +250,13 @@ TEST(Study, ListingsAreLimitedAndCountsAreNot) {
     EXPECT_TRUE(none.coincidences[i].listed.empty());
     const std::size_t kept = few.coincidences[i].listed.size();
     EXPECT_EQ(kept, std::min<std::uint64_t>(3, all.coincidences[i].count));
-    EXPECT_TRUE(std::equal(few.coincidences[i].listed.begin(), few.coincidences[i].listed.end(), all.coincidences[i].listed.begin()));
+    EXPECT_TRUE(std::equal(few.coincidences[i].listed.begin(), few.coincidences[i].listed.end(),
+                           all.coincidences[i].listed.begin()));
   }
 }
 
-// Bodies of 10^-300 by 1 by 10^300: no filter in binary64 decides anything about their normals, unless each axis has a unit of its own.
+// Bodies of 10^-300 by 1 by 10^300: no filter in binary64 decides anything about their normals,
+// unless each axis has a unit of its own.
 TEST(Study, StretchedBodiesAreStudiedLikeOthers) {
   const families::Family& family = *families::find_family("random_sphere");
   Case pair = family.make(1, 60);
@@ -276,7 +286,8 @@ TEST(Study, CanBeStopped) {
   };
   for (const std::string_view at : {"hulls", "diagrams", "normals on arcs"}) {
     StopAt stop(at);
-    EXPECT_THROW(fathom::study(families::cube().points, families::cube().points, {.monitor = &stop}), Interrupted) << at;
+    EXPECT_THROW(fathom::study(families::cube().points, families::cube().points, {.monitor = &stop}), Interrupted)
+        << at;
     EXPECT_TRUE(stop.there) << at;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every result must satisfy, recomputed from the input points by the definitions of docs/algorithm.md. Hulls are not asked; whether a
-// point is in a hull is believed only with a proof.
+// What every result must satisfy, recomputed from the input points by the definitions of
+// docs/algorithm.md. Hulls are not asked; whether a point is in a hull is believed only with a
+// proof.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +65,8 @@ inline int rank_of(std::span<const Point> points, const Ids& chosen) {
   return rank;
 }
 
-/// The face of a body in direction u: the extreme points of the body that maximise <u,p>, of equal ones the lowest index, ascending.
+/// The face of a body in direction u: the extreme points of the body that maximise <u,p>, of equal
+/// ones the lowest index, ascending.
 inline Ids face(std::span<const Point> points, const Vector& u) {
   mpq_class best = dot(u, points.front());
   for (const Point& p : points) best = std::max(best, dot(u, p));
@@ -99,13 +101,15 @@ inline ContactKind kind_of(const Contact& contact, std::span<const Point> a, std
 }
 
 inline void check(const Touch& touch, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
-  report.expect(!is_zero(touch.direction) && primitive(touch.direction) == touch.direction && support(a, b, touch.direction) == 0,
-                "touching: h of the direction is 0");
+  report.expect(
+      !is_zero(touch.direction) && primitive(touch.direction) == touch.direction && support(a, b, touch.direction) == 0,
+      "touching: h of the direction is 0");
   report.expect(in_hull(touch.point, a, all_of(a)) && in_hull(touch.point, b, all_of(b)), "common point in both");
 }
 
 /// The distance is right: no direction separates more widely than |b - a| for some a and b.
-inline void check(const Distance& distance, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
+inline void check(const Distance& distance, std::span<const Point> a, std::span<const Point> b,
+                  kernels::Report& report) {
   const Vector& n = distance.direction;
   const mpq_class h = support(a, b, n), square(dot(n, n));
   report.expect(!is_zero(n) && primitive(n) == n && h < 0, "disjoint: h of the direction is negative");
@@ -114,13 +118,16 @@ inline void check(const Distance& distance, std::span<const Point> a, std::span<
   const auto& [p, q] = distance.witness;
   report.expect(q - p == distance.translation, "nearest points differ by the translation");
   report.expect(in_hull(p, a, all_of(a)) && in_hull(q, b, all_of(b)), "nearest points in their bodies");
-  report.expect(distance.contact.a == face(a, -n) && distance.contact.b == face(b, n), "faces in the direction of the distance");
+  report.expect(distance.contact.a == face(a, -n) && distance.contact.b == face(b, n),
+                "faces in the direction of the distance");
   report.expect(distance.contact.kind == kind_of(distance.contact, a, b), "what these faces are");
-  report.expect(in_hull(p, a, distance.contact.a) && in_hull(q, b, distance.contact.b), "nearest points in these faces");
+  report.expect(in_hull(p, a, distance.contact.a) && in_hull(q, b, distance.contact.b),
+                "nearest points in these faces");
 }
 
 /// Not that the minimum is a minimum; oracles tell that.
-inline void check(const Penetration& penetration, std::span<const Point> a, std::span<const Point> b, kernels::Report& report) {
+inline void check(const Penetration& penetration, std::span<const Point> a, std::span<const Point> b,
+                  kernels::Report& report) {
   const std::vector<Optimum>& optima = penetration.optima;
   if (!report.expect(!optima.empty() && penetration.squared() > 0, "a penetrating pair has an optimum")) return;
   report.expect(std::ranges::is_sorted(optima, lexicographically_less, &Optimum::direction), "optima are sorted");
@@ -142,7 +149,8 @@ inline void check(const Penetration& penetration, std::span<const Point> a, std:
 /// The laws of a result: every field against the definitions.
 inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::span<const Point> b) {
   kernels::Report report;
-  report.expect(depth.flat_a == (rank_of(a, all_of(a)) < 3) && depth.flat_b == (rank_of(b, all_of(b)) < 3), "flat flags");
+  report.expect(depth.flat_a == (rank_of(a, all_of(a)) < 3) && depth.flat_b == (rank_of(b, all_of(b)) < 3),
+                "flat flags");
   std::visit([&](const auto& outcome) { check(outcome, a, b, report); }, depth.outcome);
   const std::optional<Witness> witness = depth.witness();
   if (const Penetration* penetration = depth.penetration()) {
@@ -156,12 +164,13 @@ inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::
   }
   report.expect(depth.squared() == 0 && depth.optima().empty() && depth.translation() == Point{}, "nothing but zero");
   if (const Touch* touch = depth.touch()) {
-    report.expect(depth.status() == Status::touching && !depth.contact() && depth.direction() == touch->direction && witness &&
-                      witness->a == touch->point && witness->b == touch->point && signed_square(depth) == 0,
+    report.expect(depth.status() == Status::touching && !depth.contact() && depth.direction() == touch->direction &&
+                      witness && witness->a == touch->point && witness->b == touch->point && signed_square(depth) == 0,
                   "accessors of a touching pair");
   } else {
     report.expect(depth.status() == Status::disjoint && depth.direction() == depth.distance()->direction && !witness &&
-                      depth.contact() == &depth.distance()->contact && signed_square(depth) == -depth.distance()->squared,
+                      depth.contact() == &depth.distance()->contact &&
+                      signed_square(depth) == -depth.distance()->squared,
                   "accessors of a disjoint pair");
   }
   return report;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact distances of the planes that pairs of edges span, for tests that measure how near near ties are.
+// Exact distances of the planes that pairs of edges span, for tests that measure how near near ties
+// are.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 
 namespace fathom::testing {
 
-/// The plane <normal, x> = height along an edge of B and against one of A, oriented away from O: normal is not primitive.
+/// The plane <normal, x> = height along an edge of B and against one of A, oriented away from O:
+/// normal is not primitive.
 struct SpannedPlane {
   Vector normal;
   mpz_class height;
@@ -33,7 +35,8 @@ inline SpannedPlane spanned_plane(const Vector& p, const Vector& p2, const Vecto
   return plane;
 }
 
-/// A crossing of an edge of A and an edge of B, with the ends of both as indices of the input points, ascending.
+/// A crossing of an edge of A and an edge of B, with the ends of both as indices of the input
+/// points, ascending.
 struct MeasuredCrossing {
   std::array<std::uint32_t, 2> of_a, of_b;
   SpannedPlane plane;
@@ -54,7 +57,8 @@ inline std::vector<MeasuredCrossing> measured_crossings(const Prepared& p) {
         for (const chart::ChartArcOfB j : subsets[k].b) {
           const auto a = ends(p.a, charts.of.a.arcs[chart::ChartArcId(i.value)]),
                      b = ends(p.b, charts.of.b.arcs[chart::ChartArcId(j.value)]);
-          result.push_back({a, b, spanned_plane(p.placed.a[a[0]], p.placed.a[a[1]], p.placed.b[b[0]], p.placed.b[b[1]])});
+          result.push_back(
+              {a, b, spanned_plane(p.placed.a[a[0]], p.placed.a[a[1]], p.placed.b[b[0]], p.placed.b[b[1]])});
         }
   }
   return result;

@@ -12,7 +12,8 @@ namespace fathom::testing {
 
 inline mpq_class exactly(double x) { return mpq_class(x); }
 
-/// Digit by digit: what is left after the first 53 bits is again a number. Powers of two are exact factors.
+/// Digit by digit: what is left after the first 53 bits is again a number. Powers of two are exact
+/// factors.
 inline mpq_class exactly(const kernels::WideFloat& x) {
   kernels::WideFloat rest = x;
   mpq_class unit = 1, sum;

@@ -66,7 +66,9 @@ class GridDistances {
     rank();
   }
 
-  [[nodiscard]] const std::optional<mpq_class>& squared(std::size_t i, std::size_t j) const { return squared_[i * columns_ + j]; }
+  [[nodiscard]] const std::optional<mpq_class>& squared(std::size_t i, std::size_t j) const {
+    return squared_[i * columns_ + j];
+  }
   /// Place among all distances, equal for equal ones; the greatest for parallel lines.
   [[nodiscard]] std::uint32_t rank(std::size_t i, std::size_t j) const { return ranks_[i * columns_ + j]; }
   /// The rank that a squared distance would have.
@@ -83,7 +85,8 @@ class GridDistances {
     }
     std::ranges::sort(sorted_);
     for (const std::optional<mpq_class>& s : squared_) {
-      const auto place = s ? std::ranges::lower_bound(sorted_, *s) - sorted_.begin() : static_cast<std::ptrdiff_t>(squared_.size());
+      const auto place =
+          s ? std::ranges::lower_bound(sorted_, *s) - sorted_.begin() : static_cast<std::ptrdiff_t>(squared_.size());
       ranks_.push_back(static_cast<std::uint32_t>(place));
     }
   }
@@ -94,7 +97,8 @@ class GridDistances {
   std::vector<std::uint32_t> ranks_;
 };
 
-/// A plane whose squared distance is just above, or at, a value: what a search may hold as its best.
+/// A plane whose squared distance is just above, or at, a value: what a search may hold as its
+/// best.
 inline kernels::NearestPlanes plane_at(const mpq_class& squared) {
   // The distance's root to 200 bits, rounded up.
   const mpz_class scale = mpz_class(1) << 200;

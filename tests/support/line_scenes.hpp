@@ -63,8 +63,9 @@ inline kernels::LineImages images(const Scene& scene) {
 }
 
 inline kernels::WideLines wide_lines(const Scene& scene) {
-  return {scene.lines.size(),
-          [scene](std::size_t i) { return kernels::wide_line(scene.lines[i].point, scene.lines[i].direction, scene.exponent); }};
+  return {scene.lines.size(), [scene](std::size_t i) {
+            return kernels::wide_line(scene.lines[i].point, scene.lines[i].direction, scene.exponent);
+          }};
 }
 
 /// The scene turned about O, along no axis, and 78 times as large.
@@ -107,7 +108,8 @@ inline Scene random_lines(Random& random, unsigned long size, int n, long more =
   return scene(std::move(lines), more);
 }
 
-/// Directions that differ by a few units, on both sides of parallel, from points far apart or close together.
+/// Directions that differ by a few units, on both sides of parallel, from points far apart or close
+/// together.
 inline Scene nearly_parallel_lines(Random& random, unsigned long size, int n) {
   const Vector d = random_direction(random, size), p = random_vector(random, size);
   std::vector<Line> lines;
@@ -133,7 +135,8 @@ inline Scene nearly_meeting_lines(Random& random, unsigned long size, int n) {
   return scene(std::move(lines));
 }
 
-/// Lines along the diagonals of a cube, nearly, that nearly meet in O, with points near the corners: large products that cancel.
+/// Lines along the diagonals of a cube, nearly, that nearly meet in O, with points near the
+/// corners: large products that cancel.
 inline Scene nearly_diagonal_lines(Random& random, unsigned long size, int n) {
   const auto component = [&] {
     const mpz_class c = power_of_two(size) - abs(random_integer(random, size - 5)) - 1;
@@ -143,7 +146,8 @@ inline Scene nearly_diagonal_lines(Random& random, unsigned long size, int n) {
   for (int i = 0; i < n; ++i) {
     const Vector d{component(), component(), component()};
     const auto digits = static_cast<unsigned long>(below(random, static_cast<long>(size)) / 2 + 1);
-    // Not a power of two: or else the images of point and direction would err alike, and their errors cancel too.
+    // Not a power of two: or else the images of point and direction would err alike, and their
+    // errors cancel too.
     const mpz_class along = random() & 1 ? 125 + below(random, 3) : -125 - below(random, 3);
     lines.push_back({along * d + random_vector(random, digits), d});
   }
@@ -166,11 +170,12 @@ inline Scene lattice_lines(Random& random, int n) {
 }
 
 inline std::vector<Scene> adversarial_scenes(Random& random, int n) {
-  std::vector<Scene> scenes{random_lines(random, 20, n),      random_lines(random, 53, n),         random_lines(random, 60, n),
-                            random_lines(random, 1000, n),    random_lines(random, 40, n, 25),     random_lines(random, 60, n, 500),
-                            random_lines(random, 60, n, 540), random_lines(random, 30, n, 1060),   random_lines(random, 30, n, 5000),
-                            wild_lines(random, n, 0),         wild_lines(random, n, 300),          nearly_parallel_lines(random, 50, n),
-                            lattice_lines(random, n),         nearly_parallel_lines(random, 90, n)};
+  std::vector<Scene> scenes{
+      random_lines(random, 20, n),      random_lines(random, 53, n),         random_lines(random, 60, n),
+      random_lines(random, 1000, n),    random_lines(random, 40, n, 25),     random_lines(random, 60, n, 500),
+      random_lines(random, 60, n, 540), random_lines(random, 30, n, 1060),   random_lines(random, 30, n, 5000),
+      wild_lines(random, n, 0),         wild_lines(random, n, 300),          nearly_parallel_lines(random, 50, n),
+      lattice_lines(random, n),         nearly_parallel_lines(random, 90, n)};
   for (const unsigned long size : {40, 54, 60, 70, 200, 1200}) scenes.push_back(nearly_meeting_lines(random, size, n));
   for (const unsigned long size : {54, 60, 600}) scenes.push_back(nearly_diagonal_lines(random, size, n));
   return scenes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a pattern finds in a text. std::regex recurses once a character, which is too deep for a picture under a sanitizer.
+// What a pattern finds in a text. std::regex recurses once a character, which is too deep for a
+// picture under a sanitizer.
 #pragma once
 
 #include <regex.h>
@@ -10,7 +11,8 @@
 
 namespace fathom {
 
-/// What the first group of an extended regular expression matches, at every place of the text where the expression does.
+/// What the first group of an extended regular expression matches, at every place of the text where
+/// the expression does.
 inline std::vector<std::string> all(const std::string& text, const std::string& pattern) {
   regex_t regex;
   if (regcomp(&regex, pattern.c_str(), REG_EXTENDED) != 0) throw std::invalid_argument(pattern);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive twins of the predicates: the formulas once more, over Vec3 of any ring, without a kernel.
+// The naive twins of the predicates: the formulas once more, over Vec3 of any ring, without a
+// kernel.
 #pragma once
 
 #include "kernels/vector.hpp"

@@ -30,7 +30,8 @@ inline kernels::PerturbedKernel kernel_of(const chart::Charts& charts) {
   return {charts.perturbation, uncounted};
 }
 
-/// Points, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence the pointer.
+/// Points, hulls, diagrams, and the charts of both hemispheres. Charts refer to the diagrams, hence
+/// the pointer.
 struct Prepared {
   polytope::PlacedPair placed;
   long exponent;
@@ -62,13 +63,15 @@ inline std::vector<Case> cases_of_all_families(unsigned seeds, unsigned size) {
   return cases;
 }
 
-/// A few ways to resolve coincidences: any order of the infinitesimals, any signs. The first is the usual one.
+/// A few ways to resolve coincidences: any order of the infinitesimals, any signs. The first is the
+/// usual one.
 inline std::vector<kernels::Perturbation> perturbations() {
   std::vector<kernels::Perturbation> result(4);
   std::ranges::reverse(result[1].rank);
   result[2].sign.fill(-1);
   families::Random random(7);
-  for (std::size_t i = kernels::infinitesimals; i > 1; --i) std::swap(result[3].rank[i - 1], result[3].rank[random.next() % i]);
+  for (std::size_t i = kernels::infinitesimals; i > 1; --i)
+    std::swap(result[3].rank[i - 1], result[3].rank[random.next() % i]);
   for (std::int8_t& sign : result[3].sign) sign = random.coin() ? 1 : -1;
   return result;
 }

@@ -17,7 +17,8 @@ struct Runs {
   int max_size = 100;
 };
 
-/// Whether the property held in so many runs. Where the environment has RC_PARAMS, that decides on the runs instead, as RapidCheck documents.
+/// Whether the property held in so many runs. Where the environment has RC_PARAMS, that decides on
+/// the runs instead, as RapidCheck documents.
 template <class Property>
 bool holds(const Runs& asked, Property&& property) {
   if (std::getenv("RC_PARAMS") != nullptr) return rc::check(std::forward<Property>(property));

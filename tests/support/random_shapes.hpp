@@ -16,9 +16,12 @@ struct ShapeMaker {
   families::Random random;
   unsigned bits;
 
-  mpq_class length(std::int64_t low = 1, std::int64_t high = 4) { return families::random_dyadic(random, low, high, bits) / 2; }
+  mpq_class length(std::int64_t low = 1, std::int64_t high = 4) {
+    return families::random_dyadic(random, low, high, bits) / 2;
+  }
   Point point(std::int64_t reach) {
-    const mpq_class x = families::random_dyadic(random, -reach, reach, bits), y = families::random_dyadic(random, -reach, reach, bits);
+    const mpq_class x = families::random_dyadic(random, -reach, reach, bits),
+                    y = families::random_dyadic(random, -reach, reach, bits);
     return {x, y, families::random_dyadic(random, -reach, reach, bits)};
   }
   Quaternion rotation() {

@@ -9,6 +9,8 @@
 namespace fathom::testing {
 
 /// Expects that all fields are equal that do not depend on the method.
-inline void expect_same_answer(const Depth& x, const Depth& y) { EXPECT_EQ(solve::disagreement(x, y).value_or(""), ""); }
+inline void expect_same_answer(const Depth& x, const Depth& y) {
+  EXPECT_EQ(solve::disagreement(x, y).value_or(""), "");
+}
 
 }  // namespace fathom::testing

@@ -35,8 +35,11 @@ struct SignsOf {
 /// Where nobody reads the counts.
 inline PredicateCounts uncounted;
 
-inline SignsOf<kernels::UnperturbedKernel> unperturbed(PredicateCounts& counts = uncounted) { return {kernels::UnperturbedKernel(counts)}; }
-inline SignsOf<kernels::PerturbedKernel> perturbed(const kernels::Perturbation& perturbation, PredicateCounts& counts = uncounted) {
+inline SignsOf<kernels::UnperturbedKernel> unperturbed(PredicateCounts& counts = uncounted) {
+  return {kernels::UnperturbedKernel(counts)};
+}
+inline SignsOf<kernels::PerturbedKernel> perturbed(const kernels::Perturbation& perturbation,
+                                                   PredicateCounts& counts = uncounted) {
   return {kernels::PerturbedKernel(perturbation, counts)};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of real_cases.jsonl and report_cases.jsonl with the answers that stand with them.                  [tests/data/README.md]
+// The cases of real_cases.jsonl and report_cases.jsonl with the answers that stand with them.
+//                                                                            [tests/data/README.md]
 #pragma once
 
 #include <algorithm>
@@ -12,8 +13,8 @@
 
 namespace fathom::testing {
 
-/// A case, and its exact answer as `fathom depth --json` prints it: status, depth_squared, translations in lexicographic order of their
-/// texts, and of report_cases.jsonl signed_depth.
+/// A case, and its exact answer as `fathom depth --json` prints it: status, depth_squared,
+/// translations in lexicographic order of their texts, and of report_cases.jsonl signed_depth.
 struct StatedCase {
   Case pair;
   std::string line;

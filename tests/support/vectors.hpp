@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integer vectors for property tests: small ones, so that signs vanish often; large ones; and ones whose components differ by hundreds
-// of binary orders.
+// Integer vectors for property tests: small ones, so that signs vanish often; large ones; and ones
+// whose components differ by hundreds of binary orders.
 #pragma once
 
 #include <rapidcheck.h>
@@ -16,7 +16,9 @@
 
 namespace fathom {
 
-inline std::ostream& operator<<(std::ostream& out, const Vector& v) { return out << '(' << v.x << ", " << v.y << ", " << v.z << ')'; }
+inline std::ostream& operator<<(std::ostream& out, const Vector& v) {
+  return out << '(' << v.x << ", " << v.y << ", " << v.z << ')';
+}
 
 }  // namespace fathom
 
@@ -72,7 +74,8 @@ inline rc::Gen<mpz_class> integers(Size size) {
   };
   if (size == Size::small) return rc::gen::map(rc::gen::inRange(-3, 4), [](int i) { return mpz_class(i); });
   if (size == Size::mixed) return rc::gen::apply(of_bits, seeds, rc::gen::inRange(1UL, 1500UL));
-  return rc::gen::map(seeds, [of_bits, size](std::uint64_t seed) { return of_bits(seed, size == Size::word ? 60 : 2000); });
+  return rc::gen::map(seeds,
+                      [of_bits, size](std::uint64_t seed) { return of_bits(seed, size == Size::word ? 60 : 2000); });
 }
 
 inline rc::Gen<Vector> vectors(Size size) {
@@ -86,8 +89,8 @@ inline rc::Gen<Vector> directions(Size size) {
 
 /// Zero, or one unit along an axis: what separates an exact zero from its neighbours.
 inline rc::Gen<Vector> smallest_steps() {
-  return rc::gen::element(Vector{0, 0, 0}, Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}, Vector{-1, 0, 0}, Vector{0, -1, 0},
-                          Vector{0, 0, -1});
+  return rc::gen::element(Vector{0, 0, 0}, Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}, Vector{-1, 0, 0},
+                          Vector{0, -1, 0}, Vector{0, 0, -1});
 }
 
 }  // namespace fathom::testing

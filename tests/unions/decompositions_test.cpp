@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files as tools for convex decomposition write them: read, answered and proved.                          [tests/data/decompositions]
+// Files as tools for convex decomposition write them: read, answered and proved.
+//                                                                       [tests/data/decompositions]
 #include <gtest/gtest.h>
 
 #include <string>
@@ -23,7 +24,8 @@ UnionDepth proved(const Pieces& a, const Pieces& b) {
   const UnionDepth depth = union_depth(a, b);
   const fathom_check::Verdict verdict = fathom_check::verify(certificate_text(a, b, depth));
   EXPECT_TRUE(verdict.accepted()) << verdict.line << ": " << verdict.reason;
-  for (const UnionOptimum& optimum : depth.optima) EXPECT_EQ(union_depth(moved(a, optimum.translation), b).status, Status::touching);
+  for (const UnionOptimum& optimum : depth.optima)
+    EXPECT_EQ(union_depth(moved(a, optimum.translation), b).status, Status::touching);
   return depth;
 }
 
@@ -51,7 +53,9 @@ TEST(Decompositions, AMugAgainstItself) {
 }
 
 TEST(Decompositions, ABoxInAMug) {
-  const auto box_of = [](const mpq_class& half, const mpq_class& low) { return Pieces{box({-half, -half, low}, {half, half, low + 2})}; };
+  const auto box_of = [](const mpq_class& half, const mpq_class& low) {
+    return Pieces{box({-half, -half, low}, {half, half, low + 2})};
+  };
   const UnionDepth with_room = proved(box_of(2, 2), mug()), too_wide = proved(box_of(mpq_class(5, 2), 2), mug()),
                    in_the_ground = proved(box_of(2, mpq_class(1, 2)), mug());
   EXPECT_EQ(with_room.status, Status::disjoint);

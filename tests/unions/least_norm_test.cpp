@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nearest point of half-spaces: against every choice of at most three planes; and what is named as contradictory is.
+// The nearest point of half-spaces: against every choice of at most three planes; and what is named
+// as contradictory is.
 #include "reference/unions/least_norm.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,9 @@ using Planes = std::vector<kernels::OrientedPlane>;
 Planes random_planes(std::mt19937_64& random, std::size_t count, long size) {
   Planes planes;
   while (planes.size() < count) {
-    const auto number = [&] { return mpz_class(static_cast<long>(random() % static_cast<unsigned long>(2 * size + 1)) - size); };
+    const auto number = [&] {
+      return mpz_class(static_cast<long>(random() % static_cast<unsigned long>(2 * size + 1)) - size);
+    };
     const Vector n{number(), number(), number()}, p{number(), number(), number()};
     if (!is_zero(n)) planes.push_back(kernels::oriented_plane(n, dot(n, p) - size * size / 2, 4));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The naive twin: of every one, two and three facet planes of all P_ij the point nearest to O, and of these the nearest that lie in no
-// interior. For tiny bodies of integers.
+// The naive twin: of every one, two and three facet planes of all P_ij the point nearest to O, and
+// of these the nearest that lie in no interior. For tiny bodies of integers.
 #pragma once
 
 #include <algorithm>
@@ -57,7 +57,8 @@ class NaiveSearch {
       for (const Vector& q : b) differences.push_back(q - p);
     const polytope::Polytope hull = polytope::convex_hull(differences);
     std::vector<Plane>& planes = pairs_.emplace_back();
-    for (const polytope::Facet& f : hull.facets) planes.push_back({f.normal, dot(f.normal, hull.vertices[hull.corners[f.begin]])});
+    for (const polytope::Facet& f : hull.facets)
+      planes.push_back({f.normal, dot(f.normal, hull.vertices[hull.corners[f.begin]])});
     distinct_.insert(planes.begin(), planes.end());
   }
 

@@ -52,11 +52,13 @@ inline Pieces scaled(Pieces pieces, const mpq_class& s) {
 }
 
 /// Pieces with their places along the diagonal apart by `step`.
-inline Pieces random_pieces(std::mt19937_64& random, std::size_t pieces, std::size_t points, unsigned size, unsigned step) {
+inline Pieces random_pieces(std::mt19937_64& random, std::size_t pieces, std::size_t points, unsigned size,
+                            unsigned step) {
   Pieces result;
   for (std::size_t i = 0; i < pieces; ++i) {
     const mpq_class at(static_cast<unsigned long>(step * i));
-    const mpq_class beside = random() % 2 == 0 ? at : mpq_class(0);  // drawn first: compilers differ in the order of arguments
+    const mpq_class beside =
+        random() % 2 == 0 ? at : mpq_class(0);  // drawn first: compilers differ in the order of arguments
     result.push_back(moved({random_piece(random, points, size)}, {at, beside, 0}).front());
   }
   return result;
@@ -96,7 +98,9 @@ inline Pieces cones(const std::vector<Point>& body) {
 /// A box, cut by a grid of so many cells along each axis.
 inline Pieces grid(const Point& low, const Point& high, int cells) {
   Pieces pieces;
-  const auto at = [&](const mpq_class& from, const mpq_class& to, int i) { return mpq_class(from + (to - from) * i / cells); };
+  const auto at = [&](const mpq_class& from, const mpq_class& to, int i) {
+    return mpq_class(from + (to - from) * i / cells);
+  };
   for (int x = 0; x < cells; ++x)
     for (int y = 0; y < cells; ++y)
       for (int z = 0; z < cells; ++z)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The depth of unions: against the naive twin, against convex bodies that were cut, and by the laws that any depth obeys.
+// The depth of unions: against the naive twin, against convex bodies that were cut, and by the laws
+// that any depth obeys.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -93,7 +94,8 @@ TEST(UnionDepth, OfConvexBodiesCutIntoConesIsThatOfTheWhole) {
 
 TEST(UnionDepth, OfBoxesCutIntoGridsIsThatOfTheWhole) {
   const Point o{0, 0, 0}, c{1, 1, 1};
-  for (const Point& t : {o, Point{mpq_class(1, 2), 0, 0}, Point{mpq_class(1, 3), mpq_class(1, 7), mpq_class(1, 5)}, c, Point{3, 0, 0}}) {
+  for (const Point& t :
+       {o, Point{mpq_class(1, 2), 0, 0}, Point{mpq_class(1, 3), mpq_class(1, 7), mpq_class(1, 5)}, c, Point{3, 0, 0}}) {
     for (const int cells : {1, 2, 3}) {
       expect_whole(moved(grid(o, c, cells), t), grid(o, c, 2));
       expect_whole(moved(grid(o, {1, 2, 3}, cells), t), grid(o, c, 1));
@@ -101,7 +103,8 @@ TEST(UnionDepth, OfBoxesCutIntoGridsIsThatOfTheWhole) {
   }
 }
 
-// A wall with a slot of the given width along x, and a plate of width 1 that stands in it askew to its middle.
+// A wall with a slot of the given width along x, and a plate of width 1 that stands in it askew to
+// its middle.
 Pieces wall(const mpq_class& width) { return {box({-9, -5, -5}, {0, 5, 5}), box({width, -5, -5}, {width + 9, 5, 5})}; }
 
 TEST(UnionDepth, ASlotAsWideAsTheBodyIsAnEscapeWithoutClearance) {
@@ -185,7 +188,8 @@ TEST(UnionDepth, ObeysTheLawsOfSwapMoveAndScale) {
     std::set<std::tuple<mpq_class, mpq_class, mpq_class>> reversed;
     for (const auto& [x, y, z] : places(swapped)) reversed.emplace(-x, -y, -z);
     EXPECT_EQ(reversed, places(depth));
-    EXPECT_EQ(depth_of(Pieces{a[2], a[0], a[1], a[0]}, b).squared(), depth.squared()) << "law: order and repetition of pieces";
+    EXPECT_EQ(depth_of(Pieces{a[2], a[0], a[1], a[0]}, b).squared(), depth.squared())
+        << "law: order and repetition of pieces";
   }
 }
 

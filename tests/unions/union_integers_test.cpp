@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search of unions with integers of fixed size against its twin in mpz_class: the same steps, hence the same in every field. On every
-// family, and at the limit of the width: coordinates as long as they may be, nearly degenerate, so that images decide little.
+// The search of unions with integers of fixed size against its twin in mpz_class: the same steps,
+// hence the same in every field. On every family, and at the limit of the width: coordinates as
+// long as they may be, nearly degenerate, so that images decide little.
 #include <gtest/gtest.h>
+
 #include <string>
 
 #include "reference/unions/placed_pieces.hpp"
@@ -80,7 +82,8 @@ TEST(FixedIntegersOfUnions, TakeTheStepsOfMpzOnEveryFamily) {
   EXPECT_GT(fits, 10U) << "exact fits";
 }
 
-/// Boxes on a coarse lattice, each coordinate moved by up to `noise`: their planes nearly meet, and have normals with many digits.
+/// Boxes on a coarse lattice, each coordinate moved by up to `noise`: their planes nearly meet, and
+/// have normals with many digits.
 Pieces long_boxes(std::mt19937_64& random, long bits, long noise) {
   Pieces pieces = random_boxes(random, 2, 5);
   for (std::vector<Point>& piece : pieces) {
@@ -101,7 +104,8 @@ TEST(FixedIntegersOfUnions, TakeTheStepsOfMpzOnLatticesOfEveryWidth) {
   for (unsigned seed = 1; seed <= 160; ++seed) {
     std::mt19937_64 random(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const long bits = seed % 4 == 0 ? 5 + static_cast<long>(random() % 100) : most_bits - 4 + static_cast<long>(seed % 4);
+    const long bits =
+        seed % 4 == 0 ? 5 + static_cast<long>(random() % 100) : most_bits - 4 + static_cast<long>(seed % 4);
     const Pieces a = long_boxes(random, bits, 1 + seed % 2), b = long_boxes(random, bits, 1);
     const long exponent = place_pieces(a, b).exponent();
     (exponent <= most_bits ? below : above) += 1;
@@ -112,8 +116,9 @@ TEST(FixedIntegersOfUnions, TakeTheStepsOfMpzOnLatticesOfEveryWidth) {
   EXPECT_GT(above, 20U);
 }
 
-/// Nearly cubes whose corners have the largest coordinates that are allowed, in all signs, and pairs of them: numbers of all kinds come
-/// near their bounds. One bit beyond, integers of any size answer.
+/// Nearly cubes whose corners have the largest coordinates that are allowed, in all signs, and
+/// pairs of them: numbers of all kinds come near their bounds. One bit beyond, integers of any size
+/// answer.
 TEST(FixedIntegersOfUnions, HoldTheLargestNumbers) {
   for (const long bits : {most_bits, most_bits + 1}) {
     const mpz_class most = mpz_class(1) << static_cast<unsigned>(bits);
@@ -129,7 +134,8 @@ TEST(FixedIntegersOfUnions, HoldTheLargestNumbers) {
         for (unsigned k = 0; k < pieces; ++k) {
           std::vector<Point>& piece = result.emplace_back();
           for (unsigned corner = 0; corner < 8; ++corner) {
-            const mpq_class x = coordinate((corner & 1U) != 0), y = coordinate((corner & 2U) != 0), z = coordinate((corner & 4U) != 0);
+            const mpq_class x = coordinate((corner & 1U) != 0), y = coordinate((corner & 2U) != 0),
+                            z = coordinate((corner & 4U) != 0);
             piece.push_back({x, y, z});
           }
         }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An oracle that shares nothing with the search: W, the translations for which interiors meet, as a Nef polyhedron of CGAL, the union of
-// the interiors of B_j (+) -A_i. The depth is the distance from O to its complement, which is closed, so that seams in which W has holes of
-// no volume count: an exact fit is one. An optimum has clearance if it is a limit of points outside the closure of W.
+// An oracle that shares nothing with the search: W, the translations for which interiors meet, as a
+// Nef polyhedron of CGAL, the union of the interiors of B_j (+) -A_i. The depth is the distance
+// from O to its complement, which is closed, so that seams in which W has holes of no volume count:
+// an exact fit is one. An optimum has clearance if it is a limit of points outside the closure of
+// W.
 #include <CGAL/Cartesian.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Nef_polyhedron_3.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/convex_hull_3.h>
 #include <gtest/gtest.h>
+
 #include <optional>
 #include <random>
 #include <set>
@@ -56,13 +59,15 @@ bool holds(const Nef& set, const Kernel::Point_3& p) {
   return CGAL::assign(volume, place) && volume->mark();
 }
 
-/// Of the boundary of W every vertex, and the foot of O on the line of every edge and on the plane of every facet.
+/// Of the boundary of W every vertex, and the foot of O on the line of every edge and on the plane
+/// of every facet.
 std::vector<Kernel::Point_3> candidates(const Nef& w) {
   std::vector<Kernel::Point_3> result;
   const Kernel::Point_3 o(0, 0, 0);
   for (auto v = w.vertices_begin(); v != w.vertices_end(); ++v) result.push_back(v->point());
   for (auto e = w.halfedges_begin(); e != w.halfedges_end(); ++e)
-    if (e->is_twin()) result.push_back(Kernel::Line_3(e->source()->point(), e->twin()->source()->point()).projection(o));
+    if (e->is_twin())
+      result.push_back(Kernel::Line_3(e->source()->point(), e->twin()->source()->point()).projection(o));
   for (auto f = w.halffacets_begin(); f != w.halffacets_end(); ++f)
     if (f->is_twin()) result.push_back(f->plane().projection(o));
   return result;

@@ -3,6 +3,7 @@
 #include "reference/unions/union_prover.hpp"
 
 #include <gtest/gtest.h>
+
 #include <set>
 #include <string>
 
@@ -45,7 +46,8 @@ class ProofCheck {
 
   void read(const PiecePolytope& polytope) {
     std::vector<Vector> corners;
-    for (const auto& [i, j] : polytope.inner.vertices) corners.push_back(b_.at(polytope.b).at(j) - a_.at(polytope.a).at(i));
+    for (const auto& [i, j] : polytope.inner.vertices)
+      corners.push_back(b_.at(polytope.b).at(j) - a_.at(polytope.a).at(i));
     Vector sum{0, 0, 0};
     for (const Vector& v : corners) sum = sum + v;
     std::vector<Plane>& planes = planes_.emplace_back();
@@ -129,7 +131,8 @@ void expect_proof(const Pieces& a, const Pieces& b) {
   UnionProof proof = prove(context, place_pieces(a, b), depth.optima);
   EXPECT_EQ(proof.squared, depth.squared());
   ASSERT_EQ(proof.optima.size(), depth.optima.size());
-  for (std::size_t i = 0; i < proof.optima.size(); ++i) EXPECT_EQ(proof.optima[i].translation, depth.optima[i].translation);
+  for (std::size_t i = 0; i < proof.optima.size(); ++i)
+    EXPECT_EQ(proof.optima[i].translation, depth.optima[i].translation);
   EXPECT_EQ(ProofCheck(a, b, proof).run(), "");
   UnionProof fewer = proof;
   fewer.optima.pop_back();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unions of every family by the laws that any depth obeys: convex bodies are what they were before they were cut, all shorter translations
-// overlap, bodies may be exchanged, moved and scaled together, and the checker accepts every proof.
+// Unions of every family by the laws that any depth obeys: convex bodies are what they were before
+// they were cut, all shorter translations overlap, bodies may be exchanged, moved and scaled
+// together, and the checker accepts every proof.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 #include <string>
 
@@ -22,7 +24,8 @@ using Places = std::set<std::tuple<mpq_class, mpq_class, mpq_class>>;
 
 bool is_cut(const Family& family) { return family.name.starts_with("cut_"); }
 
-/// Each pair of pieces, by the method for two convex bodies; those with a plane between them along an axis are not asked.
+/// Each pair of pieces, by the method for two convex bodies; those with a plane between them along
+/// an axis are not asked.
 bool overlap(const Pieces& a, const Pieces& b) {
   const auto apart = [](const std::vector<Point>& p, const std::vector<Point>& q, mpq_class Point::*c) {
     const auto by = [c](const Point& x, const Point& y) { return x.*c < y.*c; };

@@ -43,7 +43,8 @@ TEST(VertexFacet, ValidateCatchesAWrongVertexAndAMissingFacet) {
   EXPECT_FALSE(validate(pairs, charts, p->a, p->b).ok());
 }
 
-// Growth: comparisons a facet grow like the logarithm of the size. The charts make them; each edge has its orientation asked as well.
+// Growth: comparisons a facet grow like the logarithm of the size. The charts make them; each edge
+// has its orientation asked as well.
 TEST(VertexFacet, ComparisonsGrowLikeNLogN) {
   for (const unsigned n : {64U, 256U, 1024U, 4096U}) {
     const Case input = families::find_family("random_sphere")->make(1, n);

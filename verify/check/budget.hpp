@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stops the checking of an input, and the memory of JSON. No memory is reserved because a file announces a size.
+// What stops the checking of an input, and the memory of JSON. No memory is reserved because a file
+// announces a size.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,9 @@
 
 namespace fathom_check {
 
-constexpr std::size_t longest_json = std::size_t{256} << 20;   ///< bytes of a JSON line or file
-constexpr std::uint64_t most_memory = std::uint64_t{2} << 30;  ///< bytes, estimated, for the values of one JSON line or file
+constexpr std::size_t longest_json = std::size_t{256} << 20;  ///< bytes of a JSON line or file
+constexpr std::uint64_t most_memory = std::uint64_t{2}
+                                      << 30;  ///< bytes, estimated, for the values of one JSON line or file
 
 /// What stops the checking of one certificate. It never leaves this library.
 struct Fault : std::runtime_error {

@@ -47,10 +47,12 @@ class CaseReader {
       result.pieces.push_back(vertices_of(*body, name, {placing, std::nullopt}, rounding));
       return result;
     }
-    if (pieces->kind != Kind::array || pieces->items.empty()) throw wrong("an array 'pieces' of bodies in " + shown(name));
+    if (pieces->kind != Kind::array || pieces->items.empty())
+      throw wrong("an array 'pieces' of bodies in " + shown(name));
     if (body->field("vertices", line_)) throw wrong("no 'vertices' beside the 'pieces' of " + shown(name));
     for (const Json& piece : pieces->items) {
-      if (piece.kind != Kind::object || piece.field("pose_rounding", line_)) throw wrong("pieces with 'vertices' in " + shown(name));
+      if (piece.kind != Kind::object || piece.field("pose_rounding", line_))
+        throw wrong("pieces with 'vertices' in " + shown(name));
       budget_->store(sizeof(result.pieces.front()), line_);
       result.pieces.push_back(vertices_of(piece, name, {pose(piece), placing}, rounding));
     }
@@ -61,15 +63,16 @@ class CaseReader {
   [[nodiscard]] Fault wrong(const std::string& expected) const { return malformed(line_, "expected " + expected); }
 
   /// The vertices of an object, placed by one pose after the other, and then rounded.
-  [[nodiscard]] std::vector<ExactPoint> vertices_of(const Json& object, const char* name, const std::array<std::optional<Pose>, 2>& poses,
+  [[nodiscard]] std::vector<ExactPoint> vertices_of(const Json& object, const char* name,
+                                                    const std::array<std::optional<Pose>, 2>& poses,
                                                     bool rounding) const {
     const Json* const vertices = object.field("vertices", line_);
     if (!vertices) throw wrong("an array 'vertices' of points in " + shown(name));
     return points(*vertices, name, poses, rounding);
   }
 
-  [[nodiscard]] std::vector<ExactPoint> points(const Json& rows, const char* name, const std::array<std::optional<Pose>, 2>& poses,
-                                               bool rounding) const {
+  [[nodiscard]] std::vector<ExactPoint> points(const Json& rows, const char* name,
+                                               const std::array<std::optional<Pose>, 2>& poses, bool rounding) const {
     if (rows.kind != Kind::array) throw wrong("an array of points in " + shown(name));
     std::vector<ExactPoint> points;
     for (const Json& vertex : rows.items) {
@@ -103,7 +106,8 @@ class CaseReader {
   }
 
   [[nodiscard]] std::vector<mpq_class> numbers(const Json& row, std::size_t count) const {
-    if (row.kind != Kind::array || row.items.size() != count) throw wrong("rows of " + std::to_string(count) + " numbers");
+    if (row.kind != Kind::array || row.items.size() != count)
+      throw wrong("rows of " + std::to_string(count) + " numbers");
     std::vector<mpq_class> result;
     for (const Json& item : row.items) result.push_back(number(item));
     return result;
@@ -123,7 +127,8 @@ class CaseReader {
 
   static ExactPoint placed(const ExactPoint& p, const Pose& pose) {
     ExactPoint result;
-    for (std::size_t i = 0; i < 3; ++i) result[i] = pose[i][0] * p[0] + pose[i][1] * p[1] + pose[i][2] * p[2] + pose[i][3];
+    for (std::size_t i = 0; i < 3; ++i)
+      result[i] = pose[i][0] * p[0] + pose[i][1] * p[1] + pose[i][2] * p[2] + pose[i][3];
     return result;
   }
 
@@ -157,7 +162,8 @@ void compare_points(const Part<std::vector<RationalPoint>>& part, std::size_t fi
 
 void compare_count(std::size_t line, std::size_t own, const std::string& what, std::size_t found) {
   if (found == own) return;
-  throw refused(line, "the case has " + std::to_string(own) + " " + what + ", the certificate " + std::to_string(found));
+  throw refused(line,
+                "the case has " + std::to_string(own) + " " + what + ", the certificate " + std::to_string(found));
 }
 
 void compare_body(const Body& body, const OwnBody& own, const std::string& name) {
@@ -165,14 +171,18 @@ void compare_body(const Body& body, const OwnBody& own, const std::string& name)
     compare_count(body.line, own.pieces.size(), "pieces in " + name, body.pieces.size());
     for (std::size_t i = 0; i < own.pieces.size(); ++i) {
       const std::string piece = "piece " + std::to_string(i) + " of " + name;
-      compare_count(body.pieces[i].line, own.pieces[i].size(), "points in " + piece, body.pieces[i].end - begin_of(body.pieces, i));
+      compare_count(body.pieces[i].line, own.pieces[i].size(), "points in " + piece,
+                    body.pieces[i].end - begin_of(body.pieces, i));
       compare_points(body.points, begin_of(body.pieces, i), own.pieces[i], piece);
     }
     return;
   }
-  if (own.has_pieces) throw refused(body.line, "the case has pieces in " + name + ", the certificate is about a convex body");
-  if (body.core != Body::Core::points) throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
-  if (body.radius.num.sign() != 0) throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
+  if (own.has_pieces)
+    throw refused(body.line, "the case has pieces in " + name + ", the certificate is about a convex body");
+  if (body.core != Body::Core::points)
+    throw refused(body.line, "the case has points in " + name + ": only points can be compared with it");
+  if (body.radius.num.sign() != 0)
+    throw refused(body.line, "the case has no radius around " + name + ", the certificate has one");
   compare_count(body.points.line, own.pieces.front().size(), "points in " + name, body.points.items.size());
   compare_points(body.points, 0, own.pieces.front(), name);
 }
@@ -191,7 +201,8 @@ CaseFile::CaseFile(std::string_view text) {
 
 void CaseFile::read(const Json& value, std::size_t line) {
   const Json* const schema = value.kind == Kind::object ? value.field("schema", line) : nullptr;
-  if (!schema || schema->kind != Kind::text || schema->text != "fathom/golden-export/1") return read_one(value, line, false);
+  if (!schema || schema->kind != Kind::text || schema->text != "fathom/golden-export/1")
+    return read_one(value, line, false);
   const Json* const cases = value.field("cases", line);
   if (!cases || cases->kind != Kind::array) throw malformed(line, "expected an array 'cases' in the export");
   for (const Json& item : cases->items) read_one(item, line, true);
@@ -203,7 +214,8 @@ void CaseFile::read_one(const Json& value, std::size_t line, bool of_export) {
   cases_.push_back({reader.body("a"), reader.body("b")});
 }
 
-const CaseFile::Bodies& CaseFile::find(const Certificate& certificate, const std::optional<std::string>& result_id) const {
+const CaseFile::Bodies& CaseFile::find(const Certificate& certificate,
+                                       const std::optional<std::string>& result_id) const {
   if (!result_id && cases_.size() == 1) return cases_.front();
   constexpr std::size_t first_line = 1;
   if (!result_id && certificate.id.empty()) throw refused(first_line, "without an id, none of the cases can be found");
@@ -222,7 +234,8 @@ void CaseFile::compare(const Certificate& certificate, bool width, const std::op
 void require_width(const Certificate& certificate) {
   const Body &a = certificate.a, &b = certificate.b;
   if (a.core == Body::Core::pieces) throw refused(a.line, "unions have no width here: it is that of a convex body");
-  const bool equal = a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);
+  const bool equal =
+      a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);
   // A half-space has no width, and two of them are refused.
   if (!equal) throw refused(b.line, "b does not repeat what a is: this is not the width of a body");
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one value after another; or many cases as
-// `fathom golden export --format json` writes them, schema fathom/golden-export/1.
+// The user's own cases, to compare a certificate's points with. JSON, schema fathom/case/1, one
+// value after another; or many cases as `fathom golden export --format json` writes them, schema
+// fathom/golden-export/1.
 //
-// A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float. "pose" (3 rows of 4 numbers, M | t)
-// places each vertex p at M p + t, exactly; "pose_rounding": "binary64", in the case or a body, then rounds it once. A body has "vertices",
-// or "pieces" that have some, each with a pose of its own if it likes, which places it before the body's does.
+// A JSON number means the nearest binary64; a text is exact: integer, p/q, decimal, C99 hex float.
+// "pose" (3 rows of 4 numbers, M | t) places each vertex p at M p + t, exactly; "pose_rounding":
+// "binary64", in the case or a body, then rounds it once. A body has "vertices", or "pieces" that
+// have some, each with a pose of its own if it likes, which places it before the body's does.
 #pragma once
 
 #include <gmpxx.h>
@@ -30,19 +32,23 @@ struct OwnBody {
   bool has_pieces = false;  ///< said so itself
 };
 
-/// Returns if the points of b are those of a again, so that the depth is the width of a; throws Fault (refused) otherwise, and for unions.
+/// Returns if the points of b are those of a again, so that the depth is the width of a; throws
+/// Fault (refused) otherwise, and for unions.
 void require_width(const Certificate& certificate);
 
 class CaseFile {
  public:
-  /// Reads all cases in `text`. Throws Fault (malformed) unless there is one at least, and each can be read.
+  /// Reads all cases in `text`. Throws Fault (malformed) unless there is one at least, and each can
+  /// be read.
   explicit CaseFile(std::string_view text);
 
-  /// Returns if the certificate is about the same points, in the same order, as the user's case; throws Fault (refused) otherwise.
-  /// That is the case of the id `result_id`, if a result bears one; else the only case of the file, or the one whose id the certificate
-  /// bears. A case without an id has the number of its first line for one.
-  /// With `width`, body a of the case is compared alone.
-  void compare(const Certificate& certificate, bool width = false, const std::optional<std::string>& result_id = {}) const;
+  /// Returns if the certificate is about the same points, in the same order, as the user's case;
+  /// throws Fault (refused) otherwise. That is the case of the id `result_id`, if a result bears
+  /// one; else the only case of the file, or the one whose id the certificate bears. A case without
+  /// an id has the number of its first line for one. With `width`, body a of the case is compared
+  /// alone.
+  void compare(const Certificate& certificate, bool width = false,
+               const std::optional<std::string>& result_id = {}) const;
 
  private:
   struct Bodies {

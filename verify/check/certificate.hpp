@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate as it was read: nothing in it is believed yet.                                         [FORMAT.md, sections 2, 3 and 12]
+// A certificate as it was read: nothing in it is believed yet.    [FORMAT.md, sections 2, 3 and 12]
 #pragma once
 
 #include <gmpxx.h>
@@ -63,7 +63,9 @@ struct List {
 };
 
 /// Of the list of this number.
-inline std::size_t begin_of(const std::vector<List>& lists, std::size_t number) { return number == 0 ? 0 : lists[number - 1].end; }
+inline std::size_t begin_of(const std::vector<List>& lists, std::size_t number) {
+  return number == 0 ? 0 : lists[number - 1].end;
+}
 
 /// The center, then the axes.
 using Atom = std::vector<RationalPoint>;
@@ -88,13 +90,15 @@ struct Body {
   Rational offset;
   Rational radius;
   Part<std::vector<Rational>> heights;  ///< of a shape
-  Part<std::vector<Place>> inner;  ///< of a shape: for each inner point as many places as there are terms; `lines` has one for each point
+  Part<std::vector<Place>>
+      inner;  ///< of a shape: for each inner point as many places as there are terms; `lines` has one for each point
 };
 
 /// How the lower side is proved.
 enum class Proof { none, facets, weights };
 
-/// A polytope inside the differences of piece i of A and piece j of B. Its vertices and facets lie among those of the certificate.
+/// A polytope inside the differences of piece i of A and piece j of B. Its vertices and facets lie
+/// among those of the certificate.
 struct InnerPolytope {
   std::uint32_t i, j;
   std::size_t line;
@@ -111,7 +115,8 @@ struct Nodes {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : ends[k - 1]; }
 };
 
-/// What a certificate of format 3 says besides; its polytopes have `vertices` and `facets`, the nearest pieces `weights_a` and `weights_b`.
+/// What a certificate of format 3 says besides; its polytopes have `vertices` and `facets`, the
+/// nearest pieces `weights_a` and `weights_b`.
 struct UnionParts {
   Part<std::vector<RationalPoint>> optima;
   Part<std::vector<Vector>> separations;  ///< of all lists, one after another
@@ -145,6 +150,8 @@ struct Certificate {
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };
 
-inline bool has_half_space(const Certificate& c) { return c.a.core == Body::Core::half_space || c.b.core == Body::Core::half_space; }
+inline bool has_half_space(const Certificate& c) {
+  return c.a.core == Body::Core::half_space || c.b.core == Body::Core::half_space;
+}
 
 }  // namespace fathom_check

@@ -35,7 +35,9 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
     const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
     return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
   }
-  const char* const what = v.format == 2 ? " signed_depth" : v.distance_squared.empty() ? " depth_squared" : " distance_squared";
+  const char* const what = v.format == 2                ? " signed_depth"
+                           : v.distance_squared.empty() ? " depth_squared"
+                                                        : " distance_squared";
   std::string line = "s VERIFIED " + v.status + what;
   if (v.at_least.empty()) {
     line += "=" + v.depth_squared + v.distance_squared + v.signed_depth;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The certificate checker as a library: needs the C++ standard library and GMP. What acceptance proves is written in FORMAT.md.
+// The certificate checker as a library: needs the C++ standard library and GMP. What acceptance
+// proves is written in FORMAT.md.
 #pragma once
 
 #include <cstddef>
@@ -17,14 +18,17 @@ struct Verdict {
   std::string id;                      ///< as written in the certificate, percent-escaped; empty if it has none
 
   // If verified:
-  std::string status;         ///< "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open
-  int format = 1;             ///< of the certificate: 1 sets depth_squared, 2 signed_depth, unless it claims bounds; 3 one of the squares
-  std::string depth_squared;  ///< exact, in lowest terms: "1/4"
+  std::string status;  ///< "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open
+  int format =
+      1;  ///< of the certificate: 1 sets depth_squared, 2 signed_depth, unless it claims bounds; 3 one of the squares
+  std::string depth_squared;      ///< exact, in lowest terms: "1/4"
   std::string distance_squared;   ///< exact, of unions that are apart
   std::string signed_depth;       ///< exact: "sqrt(2)+1/2", "-sqrt(3)+0"; the numbers in lowest terms
   std::string at_least, at_most;  ///< bounds: of depth^2 in format 1, of the signed depth in format 2
-  std::size_t optima = 0;  ///< number of nearest facets, if the certificate claims to list them all, or of shortest ways out of unions
-  std::string cone;        ///< of touching cores: "1+2" for a lineality of one dimension and two rays; empty if it is not claimed
+  std::size_t optima =
+      0;  ///< number of nearest facets, if the certificate claims to list them all, or of shortest ways out of unions
+  std::string
+      cone;  ///< of touching cores: "1+2" for a lineality of one dimension and two rays; empty if it is not claimed
 
   std::string pieces;  ///< of unions: "2x5", of a and of b
 
@@ -35,11 +39,13 @@ struct Verdict {
   [[nodiscard]] bool accepted() const noexcept { return outcome == Outcome::verified; }
 };
 
-/// Checks the one certificate that `text` holds. More than one, or anything else beside comments, is malformed. Exact; does not throw;
-/// memory and time are bounded on any input (FORMAT.md, section 8).
+/// Checks the one certificate that `text` holds. More than one, or anything else beside comments,
+/// is malformed. Exact; does not throw; memory and time are bounded on any input (FORMAT.md,
+/// section 8).
 [[nodiscard]] Verdict verify(std::string_view text) noexcept;
 
-/// The line that a checker prints, without a line feed: "s VERIFIED penetrating depth_squared=1/4 cube". `name` stands for a missing id.
+/// The line that a checker prints, without a line feed: "s VERIFIED penetrating depth_squared=1/4
+/// cube". `name` stands for a missing id.
 [[nodiscard]] std::string verdict_line(const Verdict& verdict, std::string_view name);
 
 }  // namespace fathom_check

@@ -8,7 +8,8 @@
 namespace fathom_check {
 namespace {
 
-/// What the claim says of the cores with this number of it: h(n)/|n|, squared with its sign, in units of 1 / scale.
+/// What the claim says of the cores with this number of it: h(n)/|n|, squared with its sign, in
+/// units of 1 / scale.
 Bound of_cores(const Certificate& c, const Rational& claimed) {
   mpq_class result = value(claimed);
   if (c.claim == Claim::apart) result = -result;
@@ -21,11 +22,14 @@ Bound of_cores(const Certificate& c, const Rational& claimed) {
 }
 
 void check_numbers(const Certificate& c) {
-  if (c.claim == Claim::depth && c.low.num.sign() <= 0) throw refused(c.claim_line, "a depth is positive: the claim is not");
-  if (c.claim == Claim::apart && c.low.num.sign() <= 0) throw refused(c.claim_line, "a distance is positive: the claim is not");
+  if (c.claim == Claim::depth && c.low.num.sign() <= 0)
+    throw refused(c.claim_line, "a depth is positive: the claim is not");
+  if (c.claim == Claim::apart && c.low.num.sign() <= 0)
+    throw refused(c.claim_line, "a distance is positive: the claim is not");
   if (c.claim != Claim::bounds && c.claim != Claim::signed_bounds) return;
   if (c.claim == Claim::bounds && c.low.num.sign() < 0) throw refused(c.claim_line, "the lower bound is negative");
-  if (c.claim == Claim::bounds && c.high.num.sign() <= 0) throw refused(c.claim_line, "the upper bound is not positive");
+  if (c.claim == Claim::bounds && c.high.num.sign() <= 0)
+    throw refused(c.claim_line, "the upper bound is not positive");
   if (c.low.num.value() * c.high.den.value() > c.high.num.value() * c.low.den.value())
     throw refused(c.claim_line, "the lower bound is above the upper one");
 }
@@ -34,7 +38,8 @@ void check_counts(const Certificate& c) {
   if (c.directions.items.empty()) throw refused(c.directions.line, "there is no direction");
   const bool one = c.claim != Claim::depth || has_half_space(c);
   if (one && c.directions.items.size() != 1) throw refused(c.directions.line, "this claim takes exactly one direction");
-  if (one && c.all) throw refused(c.directions.line, "'all' goes with a claim of depth alone, and not with a half-space");
+  if (one && c.all)
+    throw refused(c.directions.line, "'all' goes with a claim of depth alone, and not with a half-space");
 }
 
 }  // namespace

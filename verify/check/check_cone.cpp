@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The set of all vectors u with h(u) = 0: the sums of multiples of the lineality and of multiples >= 0 of the rays.
+// The set of all vectors u with h(u) = 0: the sums of multiples of the lineality and of multiples
+// >= 0 of the rays.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -26,7 +27,8 @@ class Cone {
  private:
   static constexpr std::size_t few = 3;
 
-  /// A difference, which of the rays are orthogonal to it, the first ones at least, and how many they are.
+  /// A difference, which of the rays are orthogonal to it, the first ones at least, and how many
+  /// they are.
   struct Difference {
     MutableVector d;
     std::array<std::size_t, 2> zeros{};
@@ -67,7 +69,8 @@ class Cone {
       const Vector& ray = (*rays_)[k];
       find_gcd(product_, ray);
       if (product_ != 1) throw refused(part.lines[k], "a ray is primitive: this one is not");
-      if (k > 0 && !ascending((*rays_)[k - 1], ray)) throw refused(part.lines[k], "each ray must be above the one before it");
+      if (k > 0 && !ascending((*rays_)[k - 1], ray))
+        throw refused(part.lines[k], "each ray must be above the one before it");
       for (const Vector& l : *lines_) {
         dot(product_, ray, l);
         if (product_ != 0) throw refused(part.lines[k], "this ray is not orthogonal to the lineality");
@@ -99,7 +102,8 @@ class Cone {
   void check_sides() {
     std::set<std::array<std::size_t, 2>> sides;
     for (std::size_t k = 0; k < differences_.size(); ++k) {
-      if (differences_[k].count != 2) throw refused(c_->differences.lines[k], "this difference is not orthogonal to exactly two rays");
+      if (differences_[k].count != 2)
+        throw refused(c_->differences.lines[k], "this difference is not orthogonal to exactly two rays");
       sides.insert(differences_[k].zeros);
     }
     std::vector<std::size_t> ends(rays_->size());
@@ -117,7 +121,9 @@ class Cone {
     }
     for (std::size_t r = 0; r < rays; ++r) {
       // Orthogonal to the other ray if there is one, and not to this one.
-      const auto ends_ray = [&](const Difference& d) { return d.count == rays - 1 && (d.count == 0 || d.zeros[0] != r); };
+      const auto ends_ray = [&](const Difference& d) {
+        return d.count == rays - 1 && (d.count == 0 || d.zeros[0] != r);
+      };
       if (std::none_of(differences_.begin(), differences_.end(), ends_ray))
         throw refused(line, "the cone may go on behind ray " + std::to_string(r));
     }

@@ -31,13 +31,15 @@ class Directions {
     const bool a = c_->a.core == Core::half_space;
     h_ = a ? height(c_->a, bodies_->a, toward_a_, line) + support(bodies_->b, toward_b_)
            : height(c_->b, bodies_->b, toward_b_, line) + support(bodies_->a, toward_a_);
-    if (compare_with(*low_, n) < 0) throw refused(line, "the boundary of P may be nearer in this direction than claimed");
+    if (compare_with(*low_, n) < 0)
+      throw refused(line, "the boundary of P may be nearer in this direction than claimed");
   }
 
   void check_upper(const Vector& n, std::size_t line) {
     const Claim claim = c_->claim;
     if (claim == Claim::touching && h_ != 0) throw refused(line, "O does not lie on the plane of this direction");
-    if ((claim == Claim::disjoint || claim == Claim::apart) && h_ >= 0) throw refused(line, "this direction does not separate the bodies");
+    if ((claim == Claim::disjoint || claim == Claim::apart) && h_ >= 0)
+      throw refused(line, "this direction does not separate the bodies");
     if ((claim == Claim::depth || claim == Claim::bounds) && h_ <= 0)
       throw refused(line, "O does not lie below the plane of this direction");
     if (claim == Claim::touching || claim == Claim::disjoint) return;
@@ -97,7 +99,8 @@ class Directions {
     return result;
   }
 
-  /// Whether no point x of the atom has <s,x> > t: t - <s,center> >= 0, and its square is not less than the sum of all <s,axis>^2.
+  /// Whether no point x of the atom has <s,x> > t: t - <s,center> >= 0, and its square is not less
+  /// than the sum of all <s,axis>^2.
   bool is_above(const Rational& t, const std::vector<Vector>& atom, const MutableVector& s) {
     dot(product_, s, atom.front());
     mpz_class gap = t.num.value() * c_->scale;  // times the height's denominator, as is all here

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The polytope inside P that holds the ball. Facets are polygons; no hull code, no topology, no tolerance.   [FORMAT.md, sections 4 and 5]
+// The polytope inside P that holds the ball. Facets are polygons; no hull code, no topology, no
+// tolerance.                                                          [FORMAT.md, sections 4 and 5]
 #include <algorithm>
 #include <limits>
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// Finds facets by their edges: for each vertex u a list of where the edges from u lead, sorted. Not hashed: no input can make it slow.
+/// Finds facets by their edges: for each vertex u a list of where the edges from u lead, sorted.
+/// Not hashed: no input can make it slow.
 class EdgeTable {
  public:
   /// Of the facets from `first` to `last`, every corner of which is less than `vertices`.
@@ -29,7 +31,8 @@ class EdgeTable {
       for (std::size_t k = begin; k < end; ++k)
         entries_[--begins_[facets.corners[k]]] = {facets.corners[k + 1 == end ? begin : k + 1], f - first};
     }
-    for (std::size_t u = 0; u < vertices; ++u) std::sort(entries_.data() + begins_[u], entries_.data() + begins_[u + 1]);
+    for (std::size_t u = 0; u < vertices; ++u)
+      std::sort(entries_.data() + begins_[u], entries_.data() + begins_[u + 1]);
   }
   /// The first facet that has the edge from u to v, counted from `first`, or `none`.
   [[nodiscard]] std::size_t facet(std::uint32_t u, std::uint32_t v) const {
@@ -46,8 +49,14 @@ class EdgeTable {
 
 class Inner {
  public:
-  Inner(const std::vector<Vector>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest, Arena& integers)
-      : vertices_(&vertices), range_(&range), facets_(&range.part->items), squared_(&squared), nearest_(&nearest), integers_(&integers) {}
+  Inner(const std::vector<Vector>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest,
+        Arena& integers)
+      : vertices_(&vertices),
+        range_(&range),
+        facets_(&range.part->items),
+        squared_(&squared),
+        nearest_(&nearest),
+        integers_(&integers) {}
 
   std::vector<Plane> check() {
     if (size() == 0) throw refused(range_->line, "there is no facet");
@@ -59,7 +68,8 @@ class Inner {
       dot(height_, g.normal, planes_.front().normal);
       return height_ < 0;
     };
-    if (std::none_of(planes_.begin(), planes_.end(), opposite)) throw refused(range_->line, "no facet faces away from the first");
+    if (std::none_of(planes_.begin(), planes_.end(), opposite))
+      throw refused(range_->line, "no facet faces away from the first");
     return std::move(planes_);
   }
 
@@ -104,7 +114,8 @@ void Inner::check_facet(std::size_t f) {
     if (number(f, k) >= vertices_->size()) throw refused(line(f), "there is no vertex " + std::to_string(number(f, k)));
   find_plane(f);
   check_distance(f);
-  // The plane through a triangle's corners is that of its normal, and its only fan triangle has det(v_0, v_1, v_2) = c > 0.
+  // The plane through a triangle's corners is that of its normal, and its only fan triangle has
+  // det(v_0, v_1, v_2) = c > 0.
   if (count > 3) check_polygon(f);
   planes_.push_back({kept(*integers_, normal_), integers_->keep(c_of_plane_)});
 }
@@ -161,7 +172,8 @@ void Inner::check_edges(std::size_t f, const EdgeTable& edges) {
   }
 }
 
-/// Whether some corner w of f has det(u, v, w) > 0 and lies strictly below the plane across the edge uv that begins at corner k.
+/// Whether some corner w of f has det(u, v, w) > 0 and lies strictly below the plane across the
+/// edge uv that begins at corner k.
 bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) {
   const bool triangle = corners(f) == 3;  // then det(u, v, w) is c > 0
   if (!triangle) cross(product_, corner(f, k), corner(f, k + 1));
@@ -177,7 +189,8 @@ bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) {
   return false;
 }
 
-/// Throws unless a direction of the list, primitive and ascending as check_directions found, is the normal divided by its greatest divisor.
+/// Throws unless a direction of the list, primitive and ascending as check_directions found, is the
+/// normal divided by its greatest divisor.
 void check_listed(const std::vector<Vector>& listed, MutableVector normal, std::size_t line) {
   mpz_class divisor;
   find_gcd(divisor, normal);
@@ -189,8 +202,8 @@ void check_listed(const std::vector<Vector>& listed, MutableVector normal, std::
 
 }  // namespace
 
-std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last, const Points& a,
-                                const Points& b, Arena& integers) {
+std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last,
+                                const Points& a, const Points& b, Arena& integers) {
   std::vector<Vector> result;
   result.reserve(last - first);
   MutableVector difference;
@@ -213,7 +226,8 @@ void check_inner(const Certificate& c, const Scaled& bodies, const Bound& square
   Arena integers;
   const auto vertices = differences(c.vertices, 0, c.vertices.items.size(), bodies.a.points, bodies.b.points, integers);
   NearestFacet nearest;
-  if (c.all) nearest = [&c](std::size_t line, const MutableVector& normal) { check_listed(c.directions.items, normal, line); };
+  if (c.all)
+    nearest = [&c](std::size_t line, const MutableVector& normal) { check_listed(c.directions.items, normal, line); };
   check_polytope(vertices, {&c.facets, 0, c.facets.items.size(), c.facets.line}, squared, nearest, integers);
 }
 

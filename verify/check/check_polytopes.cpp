@@ -47,8 +47,9 @@ std::vector<Plane> check_polytopes(const Certificate& c, const Scaled& bodies, A
     if (polytope.i >= c.a.pieces.size()) throw refused(polytope.line, "a has no piece of this number");
     if (polytope.j >= c.b.pieces.size()) throw refused(polytope.line, "b has no piece of this number");
     Arena here;
-    const std::vector<Vector> corners = differences(c.vertices, vertices.end, polytope.vertices.end, piece(c.a, bodies.a, polytope.i),
-                                                    piece(c.b, bodies.b, polytope.j), here);
+    const std::vector<Vector> corners =
+        differences(c.vertices, vertices.end, polytope.vertices.end, piece(c.a, bodies.a, polytope.i),
+                    piece(c.b, bodies.b, polytope.j), here);
     const FacetRange range{&c.facets, facets.end, polytope.facets.end, polytope.facets.line};
     const std::vector<Plane> planes = check_polytope(around_the_mean(corners, here), range, {0, 1}, {}, here);
     for (std::size_t f = 0; f < planes.size(); ++f) {

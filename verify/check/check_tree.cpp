@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of cells: every t that the polytopes leave out is as far away as claimed, and the nearest ones are listed.
+// The tree of cells: every t that the polytopes leave out is as far away as claimed, and the
+// nearest ones are listed.
 #include <algorithm>
 
 #include "budget.hpp"
@@ -15,7 +16,8 @@ class Done {
   Done(const Certificate& certificate, const Bound& squared) : c_(&certificate), squared_(&squared) {
     const mpz_class& unit = certificate.of_unions.unit;
     const auto over_unit = [&unit](const Rational& r) { return mpz_class(unit / r.den.value() * r.num.value()); };
-    for (const RationalPoint& t : certificate.of_unions.optima.items) optima_.push_back({over_unit(t.x), over_unit(t.y), over_unit(t.z)});
+    for (const RationalPoint& t : certificate.of_unions.optima.items)
+      optima_.push_back({over_unit(t.x), over_unit(t.y), over_unit(t.z)});
     std::sort(optima_.begin(), optima_.end(), ascending<MutableVector, MutableVector>);
     numerator_ = certificate.low.num.value() * certificate.scale * unit;
   }
@@ -34,8 +36,9 @@ class Done {
   }
 
  private:
-  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c. It is an optimum only if it is integral in the unit of the optima, to which
-  /// a division is the shortest way; a fraction in lowest terms takes many times as long.
+  /// The point c n / <n,n>, where c^2 = q <n,n>: it is q n / c. It is an optimum only if it is
+  /// integral in the unit of the optima, to which a division is the shortest way; a fraction in
+  /// lowest terms takes many times as long.
   template <class Normal>
   bool is_listed(const Normal& n, const mpz_class& c) {
     mpz_mul(den_.get_mpz_t(), c_->low.den.get_mpz_t(), c.get_mpz_t());
@@ -88,7 +91,9 @@ class Tree {
     std::size_t node, next_child, path;  ///< how long the path to this node is
   };
 
-  [[nodiscard]] std::size_t first_facet(std::size_t polytope) const { return polytope == 0 ? 0 : (*polytopes_)[polytope - 1].facets.end; }
+  [[nodiscard]] std::size_t first_facet(std::size_t polytope) const {
+    return polytope == 0 ? 0 : (*polytopes_)[polytope - 1].facets.end;
+  }
   [[nodiscard]] std::size_t children(std::size_t node) const { return nodes_->ends[node] - nodes_->begin_of(node) - 1; }
   [[nodiscard]] std::size_t facet(std::size_t node, std::size_t child) const {
     const std::uint32_t* const indices = nodes_->indices.data() + nodes_->begin_of(node);
@@ -122,7 +127,8 @@ class Tree {
     levels_.push_back({node, 0, path_.size()});
   }
 
-  /// Goes on to the next child of the innermost split that has one left. False if there is none: the tree is complete.
+  /// Goes on to the next child of the innermost split that has one left. False if there is none:
+  /// the tree is complete.
   bool enter_next_cell() {
     while (!levels_.empty() && levels_.back().next_child == children(levels_.back().node)) levels_.pop_back();
     if (levels_.empty()) return false;

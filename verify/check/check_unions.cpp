@@ -28,19 +28,22 @@ bool has_interior(const Points& points) {
 
 void check_pieces(const Body& body, const ScaledBody& scaled) {
   for (std::size_t k = 0; k < body.pieces.size(); ++k)
-    if (!has_interior(piece(body, scaled, k))) throw refused(body.pieces[k].line, "the points of this piece lie in one plane");
+    if (!has_interior(piece(body, scaled, k)))
+      throw refused(body.pieces[k].line, "the points of this piece lie in one plane");
 }
 
 class Separations {
  public:
-  Separations(const Certificate& certificate, const Scaled& bodies, const Bound& low) : c_(&certificate), bodies_(&bodies), low_(&low) {}
+  Separations(const Certificate& certificate, const Scaled& bodies, const Bound& low)
+      : c_(&certificate), bodies_(&bodies), low_(&low) {}
 
   /// The list of this number, for the place t / den.
   void check(std::size_t list, const MutableVector& t, const mpz_class& den) {
     const UnionParts& parts = c_->of_unions;
     const std::size_t first = begin_of(parts.separation_lists, list), count = parts.separation_lists[list].end - first;
     const std::size_t m = c_->a.pieces.size(), n = c_->b.pieces.size();
-    if (count != m * n) throw refused(parts.separation_lists[list].line, "there is not one separation for each pair of pieces");
+    if (count != m * n)
+      throw refused(parts.separation_lists[list].line, "there is not one separation for each pair of pieces");
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t line = parts.separations.lines[first + k];
       const Vector& u = parts.separations.items[first + k];
@@ -80,7 +83,9 @@ class Separations {
   mpz_class height_, of_a_, reached_, scratch_;
 };
 
-bool below(const Rational& r, const Rational& s) { return r.num.value() * s.den.value() < s.num.value() * r.den.value(); }
+bool below(const Rational& r, const Rational& s) {
+  return r.num.value() * s.den.value() < s.num.value() * r.den.value();
+}
 bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
 
 bool below(const RationalPoint& p, const RationalPoint& q) {
@@ -102,7 +107,8 @@ void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squar
   mpz_class reached;
   for (std::size_t k = 0; k < optima.items.size(); ++k) {
     const RationalPoint& p = optima.items[k];
-    if (k > 0 && !below(optima.items[k - 1], p)) throw refused(optima.lines[k], "an optimum must be above the one before it");
+    if (k > 0 && !below(optima.items[k - 1], p))
+      throw refused(optima.lines[k], "an optimum must be above the one before it");
     const mpz_class den = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
     const auto over = [&den](const Rational& r) { return mpz_class(den / r.den.value() * r.num.value()); };
     const MutableVector t{over(p.x), over(p.y), over(p.z)};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point of each core, given by convex combinations of its core points: a common one, or two that are near to each other.
+// A point of each core, given by convex combinations of its core points: a common one, or two that
+// are near to each other.
 #include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
@@ -43,14 +44,15 @@ Combination combine(const Part<std::vector<Weight>>& part, const Points& points)
 
 void check_weights(const Certificate& c, const Points& points_a, const Points& points_b, const Bound& low) {
   const Combination a = combine(c.weights_a, points_a), b = combine(c.weights_b, points_b);
-  const MutableVector z{b.sum.x * a.den - a.sum.x * b.den, b.sum.y * a.den - a.sum.y * b.den, b.sum.z * a.den - a.sum.z * b.den};
+  const MutableVector z{b.sum.x * a.den - a.sum.x * b.den, b.sum.y * a.den - a.sum.y * b.den,
+                        b.sum.z * a.den - a.sum.z * b.den};
   mpz_class squared;  // times (a.den b.den)^2
   dot(squared, z, z);
   const mpz_class den = a.den * b.den;
   if (squared * low.den <= -low.num * den * den) return;
   const bool common = c.claim == Claim::touching;
-  throw refused(c.weights_b.line,
-                common ? "the weights of a and of b yield different points" : "the weights yield points that are too far apart");
+  throw refused(c.weights_b.line, common ? "the weights of a and of b yield different points"
+                                         : "the weights yield points that are too far apart");
 }
 
 }  // namespace fathom_check

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of FORMAT.md, sections 4 and 12. Each returns if all is proved and throws a Fault otherwise.
+// The checks of FORMAT.md, sections 4 and 12. Each returns if all is proved and throws a Fault
+// otherwise.
 #pragma once
 
 #include <functional>
@@ -19,10 +20,12 @@ struct Bound {
 /// All of it: the claim of `certificate` is proved by its parts.
 void check_claim(const Certificate& certificate);
 
-/// The upper side (section 5): each direction's height compared as the claim demands. If a core is a half-space, the lower side too.
+/// The upper side (section 5): each direction's height compared as the claim demands. If a core is
+/// a half-space, the lower side too.
 void check_directions(const Certificate& certificate, const Scaled& bodies, const Bound& low, const Bound& high);
 
-/// The weights are convex, and yield points of A and of B that are so near to each other that h(n)/|n| is at least `low`.
+/// The weights are convex, and yield points of A and of B that are so near to each other that
+/// h(n)/|n| is at least `low`.
 void check_weights(const Certificate& certificate, const Points& a, const Points& b, const Bound& low);
 
 /// <normal, x> = c: the plane of a facet, whose normal points outward.
@@ -31,9 +34,10 @@ struct Plane {
   Integer c;
 };
 
-/// Those of the vertices from number `first` to `last`, as differences of these points; their digits lie in `integers`.
-std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last, const Points& a,
-                                const Points& b, Arena& integers);
+/// Those of the vertices from number `first` to `last`, as differences of these points; their
+/// digits lie in `integers`.
+std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last,
+                                const Points& a, const Points& b, Arena& integers);
 
 /// The facets of a polytope: those from number `first` to `last`, which `line` announces.
 struct FacetRange {
@@ -44,12 +48,13 @@ struct FacetRange {
 /// Hears of a facet that is exactly as near to O as the polytope claims.
 using NearestFacet = std::function<void(std::size_t line, const MutableVector& normal)>;
 
-/// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O. Returns the planes of its facets, whose
-/// digits lie in `integers`.
+/// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O.
+/// Returns the planes of its facets, whose digits lie in `integers`.
 std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
                                   const NearestFacet& nearest, Arena& integers);
 
-/// The inner polytope holds a ball of squared radius `squared` around O; with `all`, no direction is missing.
+/// The inner polytope holds a ball of squared radius `squared` around O; with `all`, no direction
+/// is missing.
 void check_inner(const Certificate& certificate, const Scaled& bodies, const Bound& squared);
 
 /// No vector has h = 0 but those of the cone.

@@ -61,8 +61,9 @@ mpz_class level(const std::vector<Constraint>& constraints, const Row& multiplie
   return result;
 }
 
-/// The column of the adjugate for four normals, less a positive factor. As G = N N^T for the matrix N of the normals, whose rank is at most
-/// three, entry (i, k) of its adjugate is (-1)^(i+k) d_i d_k, with the determinant d_i of the three normals besides i (Cauchy and Binet).
+/// The column of the adjugate for four normals, less a positive factor. As G = N N^T for the matrix
+/// N of the normals, whose rank is at most three, entry (i, k) of its adjugate is (-1)^(i+k) d_i
+/// d_k, with the determinant d_i of the three normals besides i (Cauchy and Binet).
 std::optional<Row> dependency(const std::vector<Constraint>& four) {
   MutableVector first, second;
   cross(first, four[0].n, four[1].n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a few half-spaces say together: the multipliers of a leaf.                                              [FORMAT.md, section 12]
+// What a few half-spaces say together: the multipliers of a leaf.           [FORMAT.md, section 12]
 #pragma once
 
 #include <gmpxx.h>
@@ -20,8 +20,9 @@ struct Constraint {
 
 constexpr std::size_t most_constraints = 4;
 
-/// The sum of multiples >= 0 of the constraints, at most four, that the adjugate of their Gram matrix yields. Returns nullopt if it yields
-/// none, or a negative multiplier. Positive multiples of the constraints yield a positive multiple of the same.
+/// The sum of multiples >= 0 of the constraints, at most four, that the adjugate of their Gram
+/// matrix yields. Returns nullopt if it yields none, or a negative multiplier. Positive multiples
+/// of the constraints yield a positive multiple of the same.
 std::optional<Constraint> combined(const std::vector<Constraint>& constraints);
 
 }  // namespace fathom_check

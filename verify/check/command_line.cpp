@@ -103,7 +103,8 @@ Request understand(const std::vector<std::string>& words) {
   return request;
 }
 
-int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second, Workers* workers) {
+int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second,
+              Workers* workers) {
   Request request = understand(words);
   request.options.second = second;
   request.options.workers = workers;
@@ -118,7 +119,8 @@ int run_words(const std::vector<std::string>& words, const std::string& program,
 
 }  // namespace
 
-int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second, Workers* workers) noexcept {
+int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second,
+                 Workers* workers) noexcept {
   mp_set_memory_functions(allocate, reallocate, release);
   std::ios::sync_with_stdio(false);
   try {

@@ -33,10 +33,13 @@ void core(std::ostream& out, const char* name, const Body& body) {
   switch (body.core) {
     case Body::Core::points: return points(out, name, body, 0, body.points.items.size());
     case Body::Core::shape: return shape(out, name, body);
-    case Body::Core::half_space: out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n'; return;
+    case Body::Core::half_space:
+      out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n';
+      return;
     case Body::Core::pieces:
       out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
-      for (std::size_t k = 0; k < body.pieces.size(); ++k) points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end);
+      for (std::size_t k = 0; k < body.pieces.size(); ++k)
+        points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end);
       return;
   }
 }

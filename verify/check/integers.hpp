@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integers that are made once and kept. A small certificate has several hundred, and an allocation for each would take longer than their
-// arithmetic: so their digits lie side by side in a few blocks.
+// Integers that are made once and kept. A small certificate has several hundred, and an allocation
+// for each would take longer than their arithmetic: so their digits lie side by side in a few
+// blocks.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,7 +14,8 @@
 
 namespace fathom_check {
 
-/// An integer whose digits lie in an Arena, which must outlive it. Copies share the digits; nothing changes them.
+/// An integer whose digits lie in an Arena, which must outlive it. Copies share the digits; nothing
+/// changes them.
 class Integer {
  public:
   Integer() : Integer(&one_, 0) {}

@@ -43,7 +43,8 @@ const Json* Json::field(std::string_view key, std::size_t line) const {
 }
 
 Fault JsonReader::wrong(const std::string& expected) const {
-  return malformed(line_, "expected " + expected + ", found " + (rest_.empty() ? "the end" : shown(rest_.substr(0, 20))));
+  return malformed(line_,
+                   "expected " + expected + ", found " + (rest_.empty() ? "the end" : shown(rest_.substr(0, 20))));
 }
 
 bool JsonReader::more() {

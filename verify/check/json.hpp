@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small reader of JSON (RFC 8259). Numbers keep their text. Nesting is limited, memory is paid for.
+// A small reader of JSON (RFC 8259). Numbers keep their text. Nesting is limited, memory is paid
+// for.
 #pragma once
 
 #include <string>
@@ -17,7 +18,8 @@ struct Json {
   std::vector<Json> items;        ///< of an array; the values of an object
   std::vector<std::string> keys;  ///< of an object
 
-  /// The value of a field, or nothing. Faults with a field that is given twice: readers differ in which one they take.
+  /// The value of a field, or nothing. Faults with a field that is given twice: readers differ in
+  /// which one they take.
   [[nodiscard]] const Json* field(std::string_view key, std::size_t line) const;
 };
 

@@ -23,7 +23,8 @@ Count product(Count s, Count t) { return s != 0 && t > too_much / s ? too_much :
 /// How wide numbers become over their common denominator, if `vectors` of them are kept.
 class Width {
  public:
-  Width(Count vectors, std::size_t line, const Limits& limits) : vectors_(vectors), line_(line), largest_(limits.size) {}
+  Width(Count vectors, std::size_t line, const Limits& limits)
+      : vectors_(vectors), line_(line), largest_(limits.size) {}
 
   void take(const Rational& r) {
     numerator_ = std::max(numerator_, bits(r.num));
@@ -91,7 +92,8 @@ void for_each_coordinate(const Body& body, const Take& take) {
 }
 
 void require_work(Count work, std::size_t line, const Limits& limits) {
-  if (work > limits.work) throw malformed(line, "a certificate of more work than the limit, " + std::to_string(limits.work));
+  if (work > limits.work)
+    throw malformed(line, "a certificate of more work than the limit, " + std::to_string(limits.work));
 }
 
 /// How many leaves there are with 0, 1, .. 4 constraints. Others are refused when they are met.
@@ -114,16 +116,19 @@ Width width_of_weights(const Certificate& c, Count weights, std::size_t line, co
 // The letters are those of section 12.
 void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& limits) {
   const UnionParts& parts = c.of_unions;
-  const Count n = c.a.points.items.size() + c.b.points.items.size(), f = c.facets.items.size(), m = parts.optima.items.size();
+  const Count n = c.a.points.items.size() + c.b.points.items.size(), f = c.facets.items.size(),
+              m = parts.optima.items.size();
   const Count k = parts.separations.items.size(), r = c.weights_a.items.size() + c.weights_b.items.size();
   const Count vectors = n + c.vertices.items.size() + 3 * f;
 
   Width of_points(vectors, line, limits), of_optima(m, line, limits);
-  for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
+  for (const Body* body : {&c.a, &c.b})
+    for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
   for (const RationalPoint& t : parts.optima.items)
     for (const Rational* x : {&t.x, &t.y, &t.z}) of_optima.take(*x);
   constexpr Count mean = 32;  // as many digits more have vertices that are moved by their mean
-  const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0, x = width_of_weights(c, r, line, limits).value();
+  const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0,
+              x = width_of_weights(c, r, line, limits).value();
   const Count u = widest(parts.separations), b = width_of_claim(c);
   if (vectors * v + k * u + m * e + r * x > limits.size) throw of_points.too_large();
 
@@ -133,7 +138,7 @@ void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& li
   work = sum(work, product(4 * r, cost(v + x, v + x)));
   std::array<Count, most_constraints + 1> half_spaces = count_leaves(parts.tree.items);
   work = sum(work, product(8 * half_spaces[4], cost(9 * v, 9 * v)));  // of four constraints, whose normals add up to O
-  half_spaces[0] = f;                                                 // a leaf without constraints is refused; a facet has no multipliers
+  half_spaces[0] = f;  // a leaf without constraints is refused; a facet has no multipliers
   for (Count constraints = 0; constraints < 4; ++constraints) {
     const Count digits = (4 * constraints + 3) * v + b;
     work = sum(work, product(16 * half_spaces[constraints], cost(digits, digits + e)));
@@ -151,7 +156,8 @@ void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
   n /= 3;
-  const Count i = c.a.inner.items.size() + c.b.inner.items.size(), f = c.facets.items.size(), e = c.differences.items.size();
+  const Count i = c.a.inner.items.size() + c.b.inner.items.size(), f = c.facets.items.size(),
+              e = c.differences.items.size();
   const Count j = c.a.heights.items.size() + c.b.heights.items.size(), r = c.rays.items.size();
   const Count weights = c.weights_a.items.size() + c.weights_b.items.size();
   const Count k = c.directions.items.size() + r + 2 * c.lineality.items.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of a certificate, so that none, however hostile, makes a checker run out of memory or run for ever. They follow from the text
-// alone: all checkers find the same texts malformed.                                                                [FORMAT.md, section 8]
+// The limits of a certificate, so that none, however hostile, makes a checker run out of memory or
+// run for ever. They follow from the text alone: all checkers find the same texts malformed.
+//                                                                            [FORMAT.md, section 8]
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,8 @@ struct Limits {
   std::uint64_t size = 4'000'000'000, work = 100'000'000'000'000;
 };
 
-/// Sets the common denominator of the points. Throws Fault (malformed, on `line`) if the certificate is too large, or too much work.
+/// Sets the common denominator of the points. Throws Fault (malformed, on `line`) if the
+/// certificate is too large, or too much work.
 void require_limits(Certificate& certificate, std::size_t line, const Limits& limits);
 
 }  // namespace fathom_check

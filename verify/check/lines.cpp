@@ -3,7 +3,8 @@
 
 namespace fathom_check {
 
-// One block. A pipe hands over what it has: a certificate is judged before its successor is written.
+// One block. A pipe hands over what it has: a certificate is judged before its successor is
+// written.
 bool Lines::refill() {
   constexpr std::streamsize block = 1 << 16;
   if (input_ == nullptr || !input_->good()) return false;

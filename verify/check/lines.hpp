@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An input, line by line. Memory is bounded by the longest line that is allowed, and so is what is read ahead.
+// An input, line by line. Memory is bounded by the longest line that is allowed, and so is what is
+// read ahead.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,8 @@ class Lines {
   /// Reads from a text, which must outlive this.
   Lines(std::string_view text, std::size_t longest) : block_(text), longest_(longest) {}
 
-  /// Goes on to the next line. `cut_off`: the last one, without a line feed. `too_long`: its rest is skipped. `none`: the end.
+  /// Goes on to the next line. `cut_off`: the last one, without a line feed. `too_long`: its rest
+  /// is skipped. `none`: the end.
   Kind advance();
   /// The line at hand, without its line feed; valid until the next call.
   [[nodiscard]] std::string_view text() const { return text_; }

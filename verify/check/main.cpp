@@ -5,7 +5,8 @@
 
 #include "command_line.hpp"
 
-/// A certificate must not be opened in the place of a standard stream that is closed. What is opened there instead is as unusable.
+/// A certificate must not be opened in the place of a standard stream that is closed. What is
+/// opened there instead is as unusable.
 static void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);

@@ -127,8 +127,8 @@ std::optional<mpq_class> nearest_binary64(std::string_view json_number) {
   if (!number) return std::nullopt;
   number->digits.erase(0, std::min(number->digits.find_first_not_of('0'), number->digits.size()));
   if (number->digits.empty()) return mpq_class(0);
-  const std::int64_t magnitude =
-      static_cast<std::int64_t>(number->digits.size()) + number->exponent;  // below 10^magnitude, and not below a tenth of it
+  const std::int64_t magnitude = static_cast<std::int64_t>(number->digits.size()) +
+                                 number->exponent;  // below 10^magnitude, and not below a tenth of it
   if (magnitude > 310) return std::nullopt;
   if (magnitude < -330) return mpq_class(0);
   mpq_class result = value_of(*number, 10, 10);

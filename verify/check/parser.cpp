@@ -48,8 +48,9 @@ bool Parser::skip_to_next() {
 Fault Parser::wrong(const std::string& expected) const {
   const std::string found = lines_->kind() == Lines::Kind::none       ? "the end of the input"
                             : lines_->kind() == Lines::Kind::too_long ? "a line that is too long"
-                            : lines_->kind() == Lines::Kind::cut_off  ? "a line that is cut off: " + shown(lines_->text())
-                                                                      : shown(lines_->text());
+                            : lines_->kind() == Lines::Kind::cut_off
+                                ? "a line that is cut off: " + shown(lines_->text())
+                                : shown(lines_->text());
   return malformed(lines_->number(), "expected " + expected + ", found " + found);
 }
 
@@ -60,7 +61,8 @@ void Parser::require_line(const char* expected) {
     throw malformed(lines_->number(), "a certificate of more bytes than the limit, " + std::to_string(limits_.bytes));
 }
 
-// Moves on to the next line that is not a comment and splits it into its fields. Blanks in excess yield empty fields, which are not tokens.
+// Moves on to the next line that is not a comment and splits it into its fields. Blanks in excess
+// yield empty fields, which are not tokens.
 void Parser::advance() {
   lines_->advance();
   skip_comments();
@@ -101,12 +103,14 @@ void Parser::row(std::size_t numbers, const char* expected) {
 void Parser::count_numbers(std::size_t numbers) {
   numbers_ += numbers;
   if (numbers_ > limits_.numbers)
-    throw malformed(lines_->number(), "a certificate of more numbers than the limit, " + std::to_string(limits_.numbers));
+    throw malformed(lines_->number(),
+                    "a certificate of more numbers than the limit, " + std::to_string(limits_.numbers));
 }
 
 void Parser::require_natural(std::string_view token, const char* expected) const {
   if (!is_natural(token)) throw wrong(expected);
-  if (token.size() > longest_number) throw malformed(lines_->number(), "a number of more digits than the limit, 100000");
+  if (token.size() > longest_number)
+    throw malformed(lines_->number(), "a number of more digits than the limit, 100000");
 }
 
 mpz_class Parser::long_integer(std::string_view token, const char* expected) const {

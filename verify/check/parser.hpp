@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12, and nothing more lenient.
+// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12, and nothing more
+// lenient.
 #pragma once
 
 #include "budget.hpp"
@@ -16,10 +17,12 @@ class Parser {
   /// Moves to the first line of the next certificate, past comments. False at the end of the input.
   bool find_next();
 
-  /// Reads the certificate whose first line is at hand into `result`, up to its footer. Throws Fault if it is malformed.
+  /// Reads the certificate whose first line is at hand into `result`, up to its footer. Throws
+  /// Fault if it is malformed.
   void read(Certificate& result);
 
-  /// After a fault: moves to the next line that begins a certificate. False at the end of the input.
+  /// After a fault: moves to the next line that begins a certificate. False at the end of the
+  /// input.
   bool skip_to_next();
 
   [[nodiscard]] bool at_header() const;
@@ -81,7 +84,8 @@ class Parser {
 
 /// The lines of a part, with this many numbers each; `item` makes one of the line at hand.
 template <class Items, class Item>
-void Parser::read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected, const Item& item) {
+void Parser::read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected,
+                       const Item& item) {
   part.line = lines_->number();
   for (; lines > 0; --lines) {
     row(numbers, expected);

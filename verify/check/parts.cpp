@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser, part by part. Each part begins on the line at hand; when it has been read, the line behind it is at hand.
+// The parser, part by part. Each part begins on the line at hand; when it has been read, the line
+// behind it is at hand.
 #include <algorithm>
 #include <utility>
 
@@ -86,7 +87,8 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
   body.line = lines_->number();
   if (format == 2 && at("shape_" + name)) {
     body.core = Body::Core::shape;
-    for (std::size_t left = header("shape_" + name, "the number of its terms"); left > 0; --left) body.terms.push_back(read_term());
+    for (std::size_t left = header("shape_" + name, "the number of its terms"); left > 0; --left)
+      body.terms.push_back(read_term());
     advance();
   } else if (format == 2 && at("halfspace_" + name)) {
     constexpr const char* expected = "a half-space: its normal and its offset, four rational numbers";
@@ -192,7 +194,8 @@ void Parser::read_inner(Body& body, const std::string& name) {
   constexpr std::size_t fields = 4;
   read_rows(body.inner, header("inner_" + name), fields * body.terms.size(),
             "an inner point: for each term the index of an atom, and three rational numbers", [this](auto& places) {
-              for (std::size_t k = 0; k < fields_.size(); k += fields) places.push_back({index_number(fields_[k]), point(k + 1)});
+              for (std::size_t k = 0; k < fields_.size(); k += fields)
+                places.push_back({index_number(fields_[k]), point(k + 1)});
             });
 }
 

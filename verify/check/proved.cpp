@@ -7,7 +7,9 @@ mpq_class value(const Rational& r) { return {r.num.value(), r.den.value()}; }
 
 mpq_class radii(const Certificate& c) { return value(c.a.radius) + value(c.b.radius); }
 
-bool is_exact(const Certificate& c) { return c.claim == Claim::depth || c.claim == Claim::touching || c.claim == Claim::apart; }
+bool is_exact(const Certificate& c) {
+  return c.claim == Claim::depth || c.claim == Claim::touching || c.claim == Claim::apart;
+}
 
 mpq_class squared_of_cores(const Certificate& c) { return c.claim == Claim::apart ? -value(c.low) : value(c.low); }
 

@@ -13,10 +13,12 @@ mpq_class value(const Rational& r);
 /// The sum of both radii.
 mpq_class radii(const Certificate& certificate);
 
-/// "penetrating", "touching", "disjoint", or, for bounds that leave it open, "undecided": of the bodies, radii included.
+/// "penetrating", "touching", "disjoint", or, for bounds that leave it open, "undecided": of the
+/// bodies, radii included.
 const char* status(const Certificate& certificate);
 
-/// Whether the signed depth is sqrt(|c|) + radii, the root with the sign of c, and not just within bounds; if so, c.
+/// Whether the signed depth is sqrt(|c|) + radii, the root with the sign of c, and not just within
+/// bounds; if so, c.
 bool is_exact(const Certificate& certificate);
 mpq_class squared_of_cores(const Certificate& certificate);
 

@@ -27,10 +27,12 @@ class Reader {
     std::size_t last_line = 0;
   };
 
-  /// The next certificate; nothing at the end. An input without any certificate yields one that is malformed. Does not throw.
+  /// The next certificate; nothing at the end. An input without any certificate yields one that is
+  /// malformed. Does not throw.
   std::optional<Found> read();
 
-  /// The verdict on the next certificate; nothing at the end. `inspect` is called between parsing and checking. Does not throw.
+  /// The verdict on the next certificate; nothing at the end. `inspect` is called between parsing
+  /// and checking. Does not throw.
   std::optional<Verdict> next(const Inspect& inspect = {});
 
  private:
@@ -42,7 +44,8 @@ class Reader {
 /// The verdict on what was found. Does not throw.
 Verdict judged(const Reader::Found& found, const Inspect& inspect = {});
 
-/// Runs `action`, and turns whatever it throws into a verdict that is not `verified`. `line` is used where the fault has none.
+/// Runs `action`, and turns whatever it throws into a verdict that is not `verified`. `line` is
+/// used where the fault has none.
 Verdict caught(const std::function<Verdict()>& action, std::size_t line);
 
 }  // namespace fathom_check

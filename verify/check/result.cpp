@@ -21,7 +21,8 @@ class Fields {
   [[nodiscard]] std::optional<std::string> text(std::string_view key, bool or_number = false) const {
     const Json* const field = object_->field(key, line_);
     if (!field) return std::nullopt;
-    if (field->kind != Json::Kind::text && (!or_number || field->kind != Json::Kind::number)) throw wrong("a text", key);
+    if (field->kind != Json::Kind::text && (!or_number || field->kind != Json::Kind::number))
+      throw wrong("a text", key);
     return field->text;
   }
 
@@ -94,9 +95,11 @@ class Fields {
 
   static std::optional<mpq_class> rational_of(std::string_view text) {
     const std::size_t slash = text.find('/');
-    const std::string_view num = text.substr(0, slash), den = slash == std::string_view::npos ? "1" : text.substr(slash + 1);
+    const std::string_view num = text.substr(0, slash),
+                           den = slash == std::string_view::npos ? "1" : text.substr(slash + 1);
     const std::string_view digits = num.substr(!num.empty() && num[0] == '-' ? 1 : 0);
-    if (!is_natural(digits) || !is_natural(den) || std::max(digits.size(), den.size()) > longest_number) return std::nullopt;
+    if (!is_natural(digits) || !is_natural(den) || std::max(digits.size(), den.size()) > longest_number)
+      return std::nullopt;
     mpq_class result(to_integer(num), to_integer(den));
     if (result.get_den() == 0) return std::nullopt;
     result.canonicalize();
@@ -119,11 +122,13 @@ int compare_with(const mpq_class& x, const Certificate& c, const Rational& bound
 bool is_proved(const Result::Exact& exact, const Certificate& c) {
   if (exact.root < 0 || (exact.sign == 0) != (exact.root == 0)) return false;
   if (is_exact(c)) return exact.sign * exact.root == squared_of_cores(c) && exact.plus == radii(c);
-  return c.claim == Claim::signed_bounds && exact.sign == 0 && exact.plus == value(c.low) && exact.plus == value(c.high);
+  return c.claim == Claim::signed_bounds && exact.sign == 0 && exact.plus == value(c.low) &&
+         exact.plus == value(c.high);
 }
 
-/// Whether the root of `square` is the depth or the distance that is proved: x^2 = square for the signed depth x. If it is root + rho, the
-/// square is square(root) + 2 rho root + rho^2: so it must be (square + rho^2 - square(root)) / (2 rho).
+/// Whether the root of `square` is the depth or the distance that is proved: x^2 = square for the
+/// signed depth x. If it is root + rho, the square is square(root) + 2 rho root + rho^2: so it must
+/// be (square + rho^2 - square(root)) / (2 rho).
 bool is_square_of_signed_depth(const mpq_class& square, const Certificate& c) {
   if (!is_exact(c)) return value(c.low) == value(c.high) && square == value(c.low) * value(c.low);
   const mpq_class rho = radii(c), cores = squared_of_cores(c);
@@ -132,21 +137,25 @@ bool is_square_of_signed_depth(const mpq_class& square, const Certificate& c) {
   return depth * depth == square && sgn(depth - rho) == sgn(cores);
 }
 
-/// Whether the result's depth is that of a certificate of format 2: 0 unless the bodies penetrate, and then null or its square.
+/// Whether the result's depth is that of a certificate of format 2: 0 unless the bodies penetrate,
+/// and then null or its square.
 bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
   const std::string_view state = status(c);
   if (state == "penetrating") return !square || is_square_of_signed_depth(*square, c);
   return state == "undecided" ? !square : square && *square == 0;
 }
 
-/// Whether the result's distance is that of a certificate of format 2 or 3: of bodies that are disjoint, null or its square.
+/// Whether the result's distance is that of a certificate of format 2 or 3: of bodies that are
+/// disjoint, null or its square.
 bool is_distance(const std::optional<mpq_class>& square, const Certificate& c) {
   if (std::string_view(status(c)) != "disjoint") return false;
   return c.format == 3 ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
 }
 
 /// `disjoint` proves that the signed depth is negative, and nothing else.
-bool says_negative_alone(const Result::SignedDepth& depth) { return !depth.low && (!depth.high || *depth.high >= 0) && !depth.exact; }
+bool says_negative_alone(const Result::SignedDepth& depth) {
+  return !depth.low && (!depth.high || *depth.high >= 0) && !depth.exact;
+}
 
 }  // namespace
 
@@ -171,7 +180,8 @@ void compare(const Result& result, const Certificate& c) {
   const auto demand = [&c](bool right, const char* fault) {
     if (!right) throw refused(c.claim_line, fault);
   };
-  demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id, "the result's id is another than the certificate's");
+  demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id,
+         "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");
   if (c.claim == Claim::disjoint)
     demand(result.distances.empty() && (!result.signed_depth || says_negative_alone(*result.signed_depth)),
@@ -181,13 +191,15 @@ void compare(const Result& result, const Certificate& c) {
   if (c.format == 3) {
     demand(!result.depth || result.depth->value == (c.claim == Claim::depth ? value(c.low) : 0),
            "the result's depth is another than the certificate's");
-    demand(!result.bound && !result.signed_depth, "the result has a bound or a signed depth, which do not go with unions");
+    demand(!result.bound && !result.signed_depth,
+           "the result has a bound or a signed depth, which do not go with unions");
     return;
   }
   if (result.signed_depth && c.claim != Claim::disjoint) {
     const auto& [low, high, exact] = *result.signed_depth;
     demand(!low || compare_with(*low, c, c.low) <= 0, "the result's signed depth is above what the certificate proves");
-    demand(!high || compare_with(*high, c, c.high) >= 0, "the result's signed depth is below what the certificate proves");
+    demand(!high || compare_with(*high, c, c.high) >= 0,
+           "the result's signed depth is below what the certificate proves");
     demand(!exact || is_proved(*exact, c), "the result's exact signed depth is another than the certificate's");
   }
   if (c.format == 2) {

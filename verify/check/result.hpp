@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line of JSON Lines results that holds a certificate.                                                            [FORMAT.md, section 9]
+// A line of JSON Lines results that holds a certificate.                     [FORMAT.md, section 9]
 #pragma once
 
 #include <gmpxx.h>
@@ -39,7 +39,8 @@ struct Result {
 /// Throws Fault (malformed); the id may have been read by then.
 void read_result(std::string_view text, std::size_t line, Result& result);
 
-/// Throws Fault (refused) unless id, status, depth, bound, distance and signed depth are those of the certificate.
+/// Throws Fault (refused) unless id, status, depth, bound, distance and signed depth are those of
+/// the certificate.
 void compare(const Result& result, const Certificate& certificate);
 
 }  // namespace fathom_check

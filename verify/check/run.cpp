@@ -17,8 +17,9 @@
 namespace fathom_check {
 namespace {
 
-constexpr std::size_t long_text = std::size_t{1} << 20;  // bytes; of longer ones there shall not be many in the memory at once
-constexpr std::size_t many_lines = 20'000;               // the same, of a certificate
+constexpr std::size_t long_text = std::size_t{1}
+                                  << 20;    // bytes; of longer ones there shall not be many in the memory at once
+constexpr std::size_t many_lines = 20'000;  // the same, of a certificate
 
 /// What comes of a piece.
 struct Finding {
@@ -110,7 +111,8 @@ class Run {
     if (source_->lines.broken()) return known(unreadable("cannot be read"), source_->name);
     return piece(source_->name, (*found)->last_line - before > many_lines, [this, found](Finding& finding) {
       finding.verdict = judged(**found, [&](const Certificate& certificate) { look_at(certificate, finding); });
-      if (!finding.verdict.accepted() && !finding.verdict.id.empty()) finding.verdict.reason += " (in " + escaped(finding.name) + ")";
+      if (!finding.verdict.accepted() && !finding.verdict.id.empty())
+        finding.verdict.reason += " (in " + escaped(finding.name) + ")";
       found->reset();
     });
   }
@@ -118,7 +120,8 @@ class Run {
   std::optional<Piece> next_result() {
     Lines& lines = source_->lines;
     while (lines.advance() != Lines::Kind::none) {
-      if (lines.kind() != Lines::Kind::too_long && lines.text().find_first_not_of(" \t\r") == std::string_view::npos) continue;
+      if (lines.kind() != Lines::Kind::too_long && lines.text().find_first_not_of(" \t\r") == std::string_view::npos)
+        continue;
       source_->any = true;
       auto text = std::make_shared<std::string>(lines.text());
       const bool too_long = lines.kind() == Lines::Kind::too_long;
@@ -153,7 +156,8 @@ class Run {
   }
 
   // What the user asked for besides the proof.
-  void look_at(const Certificate& certificate, Finding& finding, const std::optional<std::string>& result_id = {}) const {
+  void look_at(const Certificate& certificate, Finding& finding,
+               const std::optional<std::string>& result_id = {}) const {
     if (options_->echo) finding.echo = echo(certificate);
     if (options_->second) options_->second->hand_over(certificate);
     if (options_->width) require_width(certificate);
@@ -172,7 +176,9 @@ class Run {
 
 /// The user's cases, or a complaint.
 std::optional<CaseFile> load_cases(const std::string& path, std::istream& standard_input, std::ostream& err) {
-  const auto complain = [&](const std::string& reason) { err << "fathom-check: " << escaped(path) << ":" << reason << '\n'; };
+  const auto complain = [&](const std::string& reason) {
+    err << "fathom-check: " << escaped(path) << ":" << reason << '\n';
+  };
   std::ifstream file;
   if (path != "-") file.open(path, std::ios::binary);
   std::istream& stream = path == "-" ? standard_input : file;

@@ -25,7 +25,8 @@ class SecondChecker {
   virtual ~SecondChecker() = default;
   /// A well-formed certificate, not yet checked.
   virtual void hand_over(const Certificate& certificate) = 0;
-  /// On the one that was handed over last and has been found right. May throw: then nothing more is checked.
+  /// On the one that was handed over last and has been found right. May throw: then nothing more is
+  /// checked.
   virtual Opinion opinion(const std::string& name) = 0;
 };
 
@@ -39,8 +40,8 @@ struct Piece {
 class Workers {
  public:
   virtual ~Workers() = default;
-  /// Calls `next` until it returns nothing, one call at a time; calls `work` and then `report` of each piece. `next` may wait for input:
-  /// meanwhile every piece that it has returned is reported.
+  /// Calls `next` until it returns nothing, one call at a time; calls `work` and then `report` of
+  /// each piece. `next` may wait for input: meanwhile every piece that it has returned is reported.
   virtual void run(const std::function<std::optional<Piece>()>& next) = 0;
 };
 
@@ -55,7 +56,8 @@ struct Options {
   bool width = false;                ///< the certificates are about the width of a body: b repeats a
   bool echo = false;
   SecondChecker* second = nullptr;  ///< may be absent
-  Workers* workers = nullptr;       ///< if absent, one piece is done after the other; so they are if there is a second checker
+  Workers* workers =
+      nullptr;  ///< if absent, one piece is done after the other; so they are if there is a second checker
 };
 
 /// Prints verdicts to `out`, complaints about the case file to `err`. Returns the exit code.

@@ -36,7 +36,9 @@ class Scaling {
     mpz_mul(product_.get_mpz_t(), product_.get_mpz_t(), r.num.get_mpz_t());
     return integers_->keep(product_);
   }
-  Vector times(const RationalPoint& p, const mpz_class& scale) { return {times(p.x, scale), times(p.y, scale), times(p.z, scale)}; }
+  Vector times(const RationalPoint& p, const mpz_class& scale) {
+    return {times(p.x, scale), times(p.y, scale), times(p.z, scale)};
+  }
 
   void make_points(const Body& body, ScaledBody& result) {
     result.points.reserve(body.points.items.size());

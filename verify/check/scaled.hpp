@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bodies over one common denominator. From here on there are only integers, but for half-spaces and heights.
+// The bodies over one common denominator. From here on there are only integers, but for half-spaces
+// and heights.
 #pragma once
 
 #include <gmpxx.h>
@@ -14,8 +15,8 @@ namespace fathom_check {
 struct ScaledBody {
   std::vector<Vector> points;                           ///< the core points: none of a half-space; of all pieces
   std::vector<std::vector<std::vector<Vector>>> terms;  ///< of a shape: their atoms, each the center, then the axes
-  Vector normal;                                        ///< of a half-space: a positive multiple of the one that was read
-  mpq_class offset;                                     ///< for this normal
+  Vector normal;     ///< of a half-space: a positive multiple of the one that was read
+  mpq_class offset;  ///< for this normal
 };
 
 /// Both bodies. They may share digits with the certificate, which must outlive them.
@@ -24,7 +25,8 @@ struct Scaled {
   ScaledBody a, b;
 };
 
-/// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points included; of pieces, if there is none.
+/// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points
+/// included; of pieces, if there is none.
 Scaled scaled(const Certificate& certificate);
 
 }  // namespace fathom_check

@@ -37,7 +37,8 @@ std::string shown(std::string_view text) {
 
 std::string escaped(std::string_view text) { return escaped_below('!', text); }
 
-// The length of a sequence and the range of its second byte follow from the first byte (Unicode, table 3-7).
+// The length of a sequence and the range of its second byte follow from the first byte (Unicode,
+// table 3-7).
 bool is_utf8(std::string_view text) {
   const auto within = [](char c, unsigned low, unsigned high) {
     const unsigned code = static_cast<unsigned char>(c);
@@ -51,7 +52,12 @@ bool is_utf8(std::string_view text) {
                                : within(c, 0xF0, 0xF4) ? 4
                                                        : 0;
     if (length == 0 || text.size() < length) return false;
-    const unsigned low = c == '\xE0' ? 0xA0 : c == '\xF0' ? 0x90 : 0x80, high = c == '\xED' ? 0x9F : c == '\xF4' ? 0x8F : 0xBF;
+    const unsigned low = c == '\xE0'   ? 0xA0
+                         : c == '\xF0' ? 0x90
+                                       : 0x80,
+                   high = c == '\xED'   ? 0x9F
+                          : c == '\xF4' ? 0x8F
+                                        : 0xBF;
     for (std::size_t i = 1; i < length; ++i)
       if (!within(text[i], i == 1 ? low : 0x80, i == 1 ? high : 0xBF)) return false;
     text.remove_prefix(length);

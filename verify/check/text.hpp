@@ -28,7 +28,8 @@ bool is_natural(std::string_view token);
 /// -?[0-9]+, which the caller has made sure of.
 mpz_class to_integer(std::string_view token);
 
-/// -?[0-9]+ of so few digits that an Int holds every number of as many. Returns nullopt for other text.
+/// -?[0-9]+ of so few digits that an Int holds every number of as many. Returns nullopt for other
+/// text.
 template <class Int>
 std::optional<Int> short_integer(std::string_view token) {
   const bool negative = !token.empty() && token[0] == '-';

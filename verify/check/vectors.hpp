@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer vectors. All of the checks are made of these. Each function writes its result over the one that it is given, whose memory is used
-// again: so the loops of the checks allocate nothing.
+// Integer vectors. All of the checks are made of these. Each function writes its result over the
+// one that it is given, whose memory is used again: so the loops of the checks allocate nothing.
 #pragma once
 
 #include <gmpxx.h>
@@ -53,7 +53,8 @@ inline void add(MutableVector& sum, const MutableVector& v) {
 class Points {
  public:
   Points(const std::vector<Vector>& all) : Points(all, 0, all.size()) {}
-  Points(const std::vector<Vector>& all, std::size_t first, std::size_t last) : begin_(all.data() + first), end_(all.data() + last) {}
+  Points(const std::vector<Vector>& all, std::size_t first, std::size_t last)
+      : begin_(all.data() + first), end_(all.data() + last) {}
   [[nodiscard]] const Vector* begin() const { return begin_; }
   [[nodiscard]] const Vector* end() const { return end_; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
@@ -87,7 +88,8 @@ void find_gcd(mpz_class& result, const V& v) {
 
 /// By a divisor of all three entries.
 inline void divide(MutableVector& v, const mpz_class& divisor) {
-  for (mpz_class* const entry : {&v.x, &v.y, &v.z}) mpz_divexact(entry->get_mpz_t(), entry->get_mpz_t(), divisor.get_mpz_t());
+  for (mpz_class* const entry : {&v.x, &v.y, &v.z})
+    mpz_divexact(entry->get_mpz_t(), entry->get_mpz_t(), divisor.get_mpz_t());
 }
 
 /// In lexicographic order, strictly.

@@ -23,7 +23,8 @@ using Json = nlohmann::json;
 
 constexpr std::size_t readable = 40;  // what a message shows of a text
 
-/// The numbers of the claim with their digits, by their places: "/claim/depth", "/claim/direction/0". The JSON value has them as doubles.
+/// The numbers of the claim with their digits, by their places: "/claim/depth",
+/// "/claim/direction/0". The JSON value has them as doubles.
 class Tokens : public nlohmann::json_sax<Json> {
  public:
   explicit Tokens(const std::string& text) { Json::sax_parse(text, this); }
@@ -103,7 +104,8 @@ void read_direction(const Json& direction, const Tokens& tokens, PublishedClaim&
     const std::string& text = claim.line_text = direction.get<std::string>();
     if (text == "axis") claim.lines = {axis(0), axis(1), axis(2)};
     for (const int i : {0, 1, 2})
-      if (!text.empty() && text.back() == "xyz"[i] && text.find_first_not_of("+-") == text.size() - 1) claim.lines = {axis(i)};
+      if (!text.empty() && text.back() == "xyz"[i] && text.find_first_not_of("+-") == text.size() - 1)
+        claim.lines = {axis(i)};
   } else if (direction.is_array() && direction.size() == 3 && std::ranges::all_of(direction, &Json::is_number)) {
     const auto component = [&](std::size_t i) { return exact_value(direction[i].get<double>()); };
     const auto token = [&](int i) { return tokens.at("/claim/direction/" + std::to_string(i)); };
@@ -112,17 +114,21 @@ void read_direction(const Json& direction, const Tokens& tokens, PublishedClaim&
   }
   if (claim.lines.empty()) {
     const std::string found = direction.is_string() ? direction.get<std::string>() : direction.dump();
-    throw Fault{"claim.direction: expected three numbers, an axis, or 'axis', found " + kernels::printable(found, readable)};
+    throw Fault{"claim.direction: expected three numbers, an axis, or 'axis', found " +
+                kernels::printable(found, readable)};
   }
 }
 
 void read_statements(const Json& stated, const Tokens& tokens, PublishedClaim& claim) {
-  if (!stated.is_object()) throw Fault{"claim: expected an object, found " + kernels::printable(stated.dump(), readable)};
-  if (stated.contains("status") && stated["status"].is_string()) claim.status = status_named(stated["status"].get<std::string>());
+  if (!stated.is_object())
+    throw Fault{"claim: expected an object, found " + kernels::printable(stated.dump(), readable)};
+  if (stated.contains("status") && stated["status"].is_string())
+    claim.status = status_named(stated["status"].get<std::string>());
   const auto length = [&](const std::string& field) -> std::optional<WrittenNumber> {
     if (!stated.contains(field)) return std::nullopt;
     if (!stated[field].is_number())
-      throw Fault{"claim." + field + ": expected a number, found " + kernels::printable(stated[field].dump(), readable)};
+      throw Fault{"claim." + field + ": expected a number, found " +
+                  kernels::printable(stated[field].dump(), readable)};
     return written(tokens.at("/claim/" + field), field);
   };
   claim.depth = length("depth");
@@ -180,21 +186,26 @@ std::string text(const Interval& x) {
   return low == high ? low : fmt::format("between {} and {}", low, high);
 }
 
-Statement length(const std::string& what, const Interval& truth, const WrittenNumber& claimed, const std::optional<mpq_class>& tolerance) {
+Statement length(const std::string& what, const Interval& truth, const WrittenNumber& claimed,
+                 const std::optional<mpq_class>& tolerance) {
   const Interval excess{truth.low - claimed.value, truth.high - claimed.value};
   std::string said = fmt::format("the {} is {}", what, text(truth));
   if (excess.low > 0) said += fmt::format(", {} more", text(excess));
   if (excess.high < 0) said += fmt::format(", {} less", text(negated(excess)));
-  return {fmt::format("{} {}", what, claimed.text), within(truth, claimed.value, tolerance.value_or(claimed.unit / 2)), said};
+  return {fmt::format("{} {}", what, claimed.text), within(truth, claimed.value, tolerance.value_or(claimed.unit / 2)),
+          said};
 }
 
-/// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a half-space across u.
+/// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a
+/// half-space across u.
 Interval price(const Shape& a, const Shape& b, const Point& u) {
   const Point opposite{-u.x, -u.y, -u.z};
   return interval(signed_depth(a, halfspace(u, 0))) + interval(signed_depth(b, halfspace(opposite, 0)));
 }
 
-Interval cheaper_price(const Shape& a, const Shape& b, const Point& u) { return lesser(price(a, b, u), price(a, b, {-u.x, -u.y, -u.z})); }
+Interval cheaper_price(const Shape& a, const Shape& b, const Point& u) {
+  return lesser(price(a, b, u), price(a, b, {-u.x, -u.y, -u.z}));
+}
 
 bool on_an_axis(const Point& u) { return (u.x == 0) + (u.y == 0) + (u.z == 0) == 2; }
 
@@ -255,11 +266,12 @@ JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
   if (claim.status) {
     const Finding finding = !status ? Finding::open : *status == *claim.status ? Finding::right : Finding::wrong;
     const std::string by = truth.low > 0 ? " by " + text(truth) : truth.high < 0 ? " by " + text(negated(truth)) : "";
-    judged.statements.push_back(
-        {std::string(name(*claim.status)), finding, fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
+    judged.statements.push_back({std::string(name(*claim.status)), finding,
+                                 fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
   }
   if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.tolerance));
-  if (claim.distance) judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.tolerance));
+  if (claim.distance)
+    judged.statements.push_back(length("distance", positive_part(negated(truth)), *claim.distance, claim.tolerance));
   if (claim.below)
     judged.statements.push_back({"depth below " + claim.below->text,
                                  truth.high < claim.below->value   ? Finding::right
@@ -274,7 +286,8 @@ JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
 
 }  // namespace
 
-std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, const std::string& name, std::size_t line) {
+std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, const std::string& name,
+                                                     std::size_t line) {
   CaseItem item = parse_case(text, name, line);
   if (!item.ok()) return item.error();
   const kernels::DefaultFloatEnvironment environment;
@@ -283,7 +296,8 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
   claim.bodies = std::get<Case>(std::move(item.outcome));
   const Body &a = claim.bodies.a, &b = claim.bodies.b;
   if (a.pieces || b.pieces) return InputError(name, line, "expected convex bodies, found a union of pieces");
-  if (is_halfspace(a) && is_halfspace(b)) return InputError(name, line, "expected one half-space at most, found two: they have no depth");
+  if (is_halfspace(a) && is_halfspace(b))
+    return InputError(name, line, "expected one half-space at most, found two: they have no depth");
   claim.source = text_of(json, "source");
   claim.kind = text_of(json, "kind");
   claim.note = text_of(json, "note");
@@ -317,8 +331,8 @@ JudgedClaim judge_claim(const PublishedClaim& claim) {
   constexpr unsigned usual_bits = 40, more_bits = 100;
   const kernels::DefaultFloatEnvironment environment;
   JudgedClaim judged = judge_with(usual_bits, claim);
-  const bool open =
-      std::any_of(judged.statements.begin(), judged.statements.end(), [](const Statement& s) { return s.finding == Finding::open; });
+  const bool open = std::any_of(judged.statements.begin(), judged.statements.end(),
+                                [](const Statement& s) { return s.finding == Finding::open; });
   return open ? judge_with(more_bits, claim) : judged;
 }
 

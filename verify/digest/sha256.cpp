@@ -18,7 +18,8 @@ void Sha256::Free::operator()(Context* context) const noexcept {
 }
 
 Sha256::Sha256() : context_(new Context) {
-  if (EVP_DigestInit_ex(context_->state, EVP_sha256(), nullptr) != 1) throw std::runtime_error("libcrypto offers no SHA-256");
+  if (EVP_DigestInit_ex(context_->state, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("libcrypto offers no SHA-256");
 }
 
 void Sha256::add(std::string_view bytes) {

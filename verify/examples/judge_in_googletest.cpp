@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a project that computes penetration depths tests itself with fathom::judge. Its CMakeLists.txt says:
+// How a project that computes penetration depths tests itself with fathom::judge. Its
+// CMakeLists.txt says:
 //   find_package(fathom REQUIRED)
 //   find_package(GTest REQUIRED)
 //   add_executable(judge_in_googletest judge_in_googletest.cpp)
@@ -19,7 +20,8 @@ Points unit_cube(double x) {
   return corners;
 }
 
-/// What stands for the project's own function: it finds the right direction, and a depth that is too large.
+/// What stands for the project's own function: it finds the right direction, and a depth that is
+/// too large.
 fathom::Reply wrong_penetration(const Points&, const Points&) {
   fathom::Reply reply;
   reply.overlap = true;
@@ -45,12 +47,13 @@ TEST(Penetration, AWrongAnswerIsToldByHowMuch) {
   const fathom::Judgement judgement = fathom::judge(a, b, wrong_penetration(a, b));
   EXPECT_EQ(judgement.verdict, fathom::Verdict::too_deep);
   EXPECT_NEAR(judgement.error.value(), 0.4392, 1e-12);
-  EXPECT_EQ(
-      judgement.sentence,
-      "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 1.0392");
+  EXPECT_EQ(judgement.sentence,
+            "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is "
+            "at 0.6, not at 1.0392");
 }
 
-// Conventions and tolerances are the project's own: here a depth below 0, bodies that touch count as apart, and one ulp.
+// Conventions and tolerances are the project's own: here a depth below 0, bodies that touch count
+// as apart, and one ulp.
 TEST(Penetration, InOtherConventions) {
   fathom::Conventions ours;
   ours.depth = fathom::Conventions::Sign::negative;
@@ -59,7 +62,8 @@ TEST(Penetration, InOtherConventions) {
   reply.overlap = true;
   reply.depth = -0.6;
   const fathom::Tolerance one_ulp{0, 0, 1};
-  EXPECT_EQ(fathom::judge(unit_cube(0), unit_cube(0.4), reply, ours, fathom::Precision::binary64, one_ulp).verdict, fathom::Verdict::pass);
+  EXPECT_EQ(fathom::judge(unit_cube(0), unit_cube(0.4), reply, ours, fathom::Precision::binary64, one_ulp).verdict,
+            fathom::Verdict::pass);
   EXPECT_EQ(fathom::judge(unit_cube(0), unit_cube(1), {}, ours).verdict, fathom::Verdict::touching_by_convention);
 }
 

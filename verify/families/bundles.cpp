@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies whose Gaussian diagrams are bundles of arcs, and pairs of them whose bundles cross like a grid.
+// Bodies whose Gaussian diagrams are bundles of arcs, and pairs of them whose bundles cross like a
+// grid.
 
 #include <algorithm>
 #include <set>
@@ -26,11 +27,12 @@ mpz_class rounded(const mpq_class& value) { return rounded(value.get_num(), valu
 
 /// numerator / denominator * 2^-scale, rounded to a multiple of 2^-bits; bits <= scale.
 mpq_class on_grid(const mpz_class& numerator, const mpz_class& denominator, long scale, long bits) {
-  return times_power_of_two(mpq_class(rounded(numerator, mpz_class(denominator << static_cast<mp_bitcnt_t>(scale - bits)))), -bits);
+  return times_power_of_two(
+      mpq_class(rounded(numerator, mpz_class(denominator << static_cast<mp_bitcnt_t>(scale - bits)))), -bits);
 }
 
-/// Neighbouring slopes differ by width / count at least, and edges are as long as that: rounded edges turn in the right direction if the
-/// grid is a few times finer than the square of it.
+/// Neighbouring slopes differ by width / count at least, and edges are as long as that: rounded
+/// edges turn in the right direction if the grid is a few times finer than the square of it.
 long grid_bits(std::size_t count, const mpq_class& width, long least) {
   const mpq_class steps = mpq_class(count) / width;
   const mpz_class square = rounded(mpq_class(steps * steps));
@@ -64,7 +66,8 @@ std::vector<mpz_class> spread_slopes(Random& random, unsigned count, const mpq_c
   slopes.reserve(count);
   constexpr long part_bits = 20;
   for (unsigned i = 0; i < count; ++i) {
-    // From the middle of the part: -half + 2 half (i + share) / count, with the share between 1/4 and 3/4.
+    // From the middle of the part: -half + 2 half (i + share) / count, with the share between 1/4
+    // and 3/4.
     const std::int64_t share = random.between(std::int64_t{1} << (part_bits - 2), std::int64_t{3} << (part_bits - 2));
     const mpz_class place = (mpz_class(i) << part_bits) + share;
     slopes.push_back(mpz_class(2 * half * place / (mpz_class(count) << part_bits) - half));
@@ -72,9 +75,10 @@ std::vector<mpz_class> spread_slopes(Random& random, unsigned count, const mpq_c
   return slopes;
 }
 
-Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width, const mpq_class& reach,
-                    long least_bits) {
-  // Support values at the slopes, as multiples of 2^-scale; the outline's coefficients are rounded to 2^-slope_bits.
+Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes, const mpq_class& width,
+                    const mpq_class& reach, long least_bits) {
+  // Support values at the slopes, as multiples of 2^-scale; the outline's coefficients are rounded
+  // to 2^-slope_bits.
   constexpr long scale = 5 * slope_bits;
   const mpz_class quadratic = rounded(times_power_of_two(outline.quadratic, slope_bits - 1));
   const mpz_class quartic = rounded(times_power_of_two(outline.quartic, slope_bits));
@@ -93,7 +97,8 @@ Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes
   for (std::size_t i = 0; i + 1 < slopes.size(); ++i) {
     const mpz_class &x = slopes[i], &y = slopes[i + 1];
     const mpz_class h = support(y), gap = y - x;
-    chain.push_back({on_grid(mpz_class(h - g), gap, scale - slope_bits, bits), on_grid(mpz_class(g * y - h * x), gap, scale, bits)});
+    chain.push_back({on_grid(mpz_class(h - g), gap, scale - slope_bits, bits),
+                     on_grid(mpz_class(g * y - h * x), gap, scale, bits)});
     g = h;
   }
   chain.push_back(cut_off(slopes.back(), reach));
@@ -113,18 +118,21 @@ std::set<std::int64_t> distinct(Random& random, unsigned n, std::int64_t low, st
   return chosen;
 }
 
-/// The point of the unit circle at k / n of a turn, moved down so that the top of the circle has height 0.
+/// The point of the unit circle at k / n of a turn, moved down so that the top of the circle has
+/// height 0.
 ChainPoint on_circle(std::uint64_t k, std::uint64_t n) {
   constexpr long bits = 52;
   const CirclePoint p = circle_point(k, n, bits);
   return {times_power_of_two(p.cosine, -bits), mpq_class(times_power_of_two(p.sine, -bits) - 1)};
 }
 
-/// Random angles within 45 degrees of the top. They are multiples of 2 pi / 2^24, far enough apart for strict convexity on the grid.
+/// Random angles within 45 degrees of the top. They are multiples of 2 pi / 2^24, far enough apart
+/// for strict convexity on the grid.
 Chain random_circle_chain(Random& random, unsigned n) {
   constexpr std::int64_t turn = std::int64_t{1} << 24;
   Chain chain;
-  for (const std::int64_t k : distinct(random, n, turn / 8, 3 * turn / 8)) chain.push_back(on_circle(static_cast<std::uint64_t>(k), turn));
+  for (const std::int64_t k : distinct(random, n, turn / 8, 3 * turn / 8))
+    chain.push_back(on_circle(static_cast<std::uint64_t>(k), turn));
   return chain;
 }
 
@@ -138,7 +146,8 @@ Chain random_parabola_chain(Random& random, unsigned n) {
   return chain;
 }
 
-/// The fan over the parabola z = -y^2, its chain bent sideways to x = y^3 / 16: points at random, one in each of n equal parts.
+/// The fan over the parabola z = -y^2, its chain bent sideways to x = y^3 / 16: points at random,
+/// one in each of n equal parts.
 Body twisted_fan(Random& random, unsigned n) {
   constexpr long bits = 26, fine = 50;
   Chain chain;
@@ -154,17 +163,20 @@ Body twisted_fan(Random& random, unsigned n) {
   return body;
 }
 
-/// n - 2 points a fixed step apart on the circle, symmetric about the top, of half width pi / 202 (about 1/64); then one point on each
-/// side, at the half width 2, on the line of what would be the next edge: only the patch comes near O.
+/// n - 2 points a fixed step apart on the circle, symmetric about the top, of half width pi / 202
+/// (about 1/64); then one point on each side, at the half width 2, on the line of what would be the
+/// next edge: only the patch comes near O.
 Chain patch_chain(unsigned n) {
-  const std::int64_t inner = n - 2, quarter = 101 * (inner - 1);  // angles are counted in half steps, `quarter` to the right angle
+  const std::int64_t inner = n - 2,
+                     quarter = 101 * (inner - 1);  // angles are counted in half steps, `quarter` to the right angle
   const auto point = [&](std::int64_t i) {
     return on_circle(static_cast<std::uint64_t>(quarter + inner - 1 - 2 * i), static_cast<std::uint64_t>(4 * quarter));
   };
   const auto prolonged = [&](std::int64_t from, std::int64_t next) {
     const ChainPoint p = point(from), q = point(next);
     const std::int64_t reach = 2 * quarter * 113 / 355;  // about 2 / step, with 355 / 113 for pi
-    return ChainPoint{mpq_class(p.along + reach * (q.along - p.along)), mpq_class(p.height + reach * (q.height - p.height))};
+    return ChainPoint{mpq_class(p.along + reach * (q.along - p.along)),
+                      mpq_class(p.height + reach * (q.height - p.height))};
   };
   Chain chain{prolonged(0, -1)};
   for (std::int64_t i = 0; i < inner; ++i) chain.push_back(point(i));
@@ -172,8 +184,8 @@ Chain patch_chain(unsigned n) {
   return chain;
 }
 
-/// The prism over n points of the unit circle: eight at equal angles, so that no large part of the circle is missing, the others at random.
-/// With n < 8 all are at equal angles.
+/// The prism over n points of the unit circle: eight at equal angles, so that no large part of the
+/// circle is missing, the others at random. With n < 8 all are at equal angles.
 Body random_prism(Random& random, unsigned n, const mpq_class& half_height) {
   constexpr std::int64_t turn = std::int64_t{1} << 24;
   constexpr long bits = 50;
@@ -213,7 +225,8 @@ Bodies crossed_parabolas(Random&, unsigned n) {
   const mpz_class extent = count - 1 + first;
   const mpq_class unit = extent * extent;  // the image of 1
   Chain chain;
-  for (std::int64_t i = first; i < first + count; ++i) chain.push_back({mpq_class(i * extent), mpq_class(-mpz_class(i) * i)});
+  for (std::int64_t i = first; i < first + count; ++i)
+    chain.push_back({mpq_class(i * extent), mpq_class(-mpz_class(i) * i)});
   return crossed(chain, chain, mpq_class(2 * unit), mpq_class(8 * unit), {0, 0, unit});
 }
 
@@ -240,7 +253,8 @@ Bodies crossed_prisms(Random& random, unsigned n) {
   Bodies bodies;
   for (const Point& p : upright.points) bodies.a.points.push_back({p.x, p.z, p.y});
   for (const Point& p : upright.points) bodies.b.points.push_back({p.z, p.x, p.y});
-  // In direction (1,1,1) both rims together reach about (1.71, 1.71, 1.41); O goes about 1/4 below that point of P.
+  // In direction (1,1,1) both rims together reach about (1.71, 1.71, 1.41); O goes about 1/4 below
+  // that point of P.
   const Point jitter = random_shift(random, 1);
   const Point shift{mpq_class(jitter.x / 16 - ratio(25, 16)), mpq_class(jitter.y / 16 - ratio(25, 16)),
                     mpq_class(jitter.z / 16 - ratio(5, 4))};
@@ -251,11 +265,13 @@ Bodies crossed_prisms(Random& random, unsigned n) {
 Bodies crossed_random_prisms(Random& random, unsigned n) {
   const mpq_class height_a = ratio(random.between(8, 32), 16), height_b = ratio(random.between(8, 32), 16);
   Bodies bodies;
-  for (const Point& p : random_prism(random, at_least(3, n), height_a).points) bodies.a.points.push_back({p.x, p.z, p.y});
-  for (const Point& p : random_prism(random, at_least(3, n), height_b).points) bodies.b.points.push_back({p.z, p.x, p.y});
+  for (const Point& p : random_prism(random, at_least(3, n), height_a).points)
+    bodies.a.points.push_back({p.x, p.z, p.y});
+  for (const Point& p : random_prism(random, at_least(3, n), height_b).points)
+    bodies.b.points.push_back({p.z, p.x, p.y});
   const Point jitter = random_shift(random, 1);
-  const Point shift{mpq_class(jitter.x / 16 - height_b - ratio(9, 16)), mpq_class(jitter.y / 16 - height_a - ratio(9, 16)),
-                    mpq_class(jitter.z / 16 - ratio(5, 4))};
+  const Point shift{mpq_class(jitter.x / 16 - height_b - ratio(9, 16)),
+                    mpq_class(jitter.y / 16 - height_a - ratio(9, 16)), mpq_class(jitter.z / 16 - ratio(5, 4))};
   bodies.b = translated(bodies.b, shift);
   return bodies;
 }
@@ -279,7 +295,8 @@ Bodies crossed_bands(Random& random, unsigned n) {
 
 namespace {
 
-/// Five times the body, turned about the z-axis by the angle with the sine 4/5: exact, and the arcs of fans are neither upright nor level.
+/// Five times the body, turned about the z-axis by the angle with the sine 4/5: exact, and the arcs
+/// of fans are neither upright nor level.
 Body askew(const Body& body) {
   Body result;
   result.points.reserve(body.points.size());
@@ -288,7 +305,8 @@ Body askew(const Body& body) {
   return result;
 }
 
-/// The chains reach out to 2 along their tangents, where P is farther from O than 1 in every direction but the patch's.
+/// The chains reach out to 2 along their tangents, where P is farther from O than 1 in every
+/// direction but the patch's.
 Bodies tie_patch(Random& random, unsigned n, const mpq_class& width, long least_bits = 50) {
   const Outline outline{mpq_class(1 - width * width / 4), ratio(-1, 8)};
   const Chain a = tangent_chain(outline, spread_slopes(random, n, width), width, 2, least_bits);
@@ -324,8 +342,8 @@ Bodies crossed_noisy_ties(Random& random, unsigned n) {
 
 namespace {
 
-/// The corners of the rounded edge's cross-section, in units of 1/256: abscissa across the chain, and height. The arc of a chain edge is
-/// cut where the slope across the chain is 1 and -1.
+/// The corners of the rounded edge's cross-section, in units of 1/256: abscissa across the chain,
+/// and height. The arc of a chain edge is cut where the slope across the chain is 1 and -1.
 constexpr std::pair<int, int> cross_section[] = {{-1, -1}, {0, 0}, {1, -1}};
 constexpr long unit_bits = 8;
 
@@ -340,11 +358,13 @@ Body bar(const Chain& chain) {
   return body;
 }
 
-/// Turned about the z-axis, and stretched by the square root of 10 across it: the y-axis goes to (x, y, 0).
+/// Turned about the z-axis, and stretched by the square root of 10 across it: the y-axis goes to
+/// (x, y, 0).
 Body laid_along(const Body& body, int x, int y) {
   Body result;
   result.points.reserve(body.points.size());
-  for (const Point& p : body.points) result.points.push_back({mpq_class(y * p.x + x * p.y), mpq_class(y * p.y - x * p.x), p.z});
+  for (const Point& p : body.points)
+    result.points.push_back({mpq_class(y * p.x + x * p.y), mpq_class(y * p.y - x * p.x), p.z});
   return result;
 }
 
@@ -353,8 +373,8 @@ Body upside_down(Body body) {
   return body;
 }
 
-/// The height falls off along the bar as that of a parabola with the curvature 1/5 does, in its stretched unit; the bisectors of (3, 1) and
-/// (1, 3) meet this as curvatures of 4/5 and 16/5.
+/// The height falls off along the bar as that of a parabola with the curvature 1/5 does, in its
+/// stretched unit; the bisectors of (3, 1) and (1, 3) meet this as curvatures of 4/5 and 16/5.
 Chain arc(Random& random, unsigned edges, const mpq_class& quartic) {
   const mpq_class width = 2;
   return tangent_chain({ratio(1, 5), quartic}, spread_slopes(random, edges, width), width, ratio(1, 2));

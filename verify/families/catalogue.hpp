@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Named degenerate pairs, fixed and small enough to be drawn by hand: one for each way in which bodies break general position, and one for
-// each way in which they meet. Each states what one can see of its answer by looking at the pair.                        [docs/golden.md]
+// Named degenerate pairs, fixed and small enough to be drawn by hand: one for each way in which
+// bodies break general position, and one for each way in which they meet. Each states what one can
+// see of its answer by looking at the pair.                                        [docs/golden.md]
 #pragma once
 
 #include <optional>
@@ -24,26 +25,29 @@ struct CatalogueEntry {
   Case pair;
 };
 
-/// All entries, in groups: touching, contact kinds, shared features, the sphere of directions, input points, flat bodies, nearly
-/// degenerate ones.
+/// All entries, in groups: touching, contact kinds, shared features, the sphere of directions,
+/// input points, flat bodies, nearly degenerate ones.
 std::span<const CatalogueEntry> catalogue();
 
 /// Returns null if no entry has that name.
 const CatalogueEntry* find_catalogue_entry(std::string_view name);
 
-// Named pairs of shapes, fixed and small enough to be drawn by hand: centres, axes and generators that coincide, bodies that stand, lie or
-// balance on others, and distances that equal the sum of the radii, or miss it by one ulp. Each states its signed depth.
+// Named pairs of shapes, fixed and small enough to be drawn by hand: centres, axes and generators
+// that coincide, bodies that stand, lie or balance on others, and distances that equal the sum of
+// the radii, or miss it by one ulp. Each states its signed depth.
 
 struct ShapeCatalogueEntry {
   std::string_view description;  ///< one line
   ShapeCase shapes;              ///< its id is the name of the entry: letters, digits and underscores
 };
 
-/// All entries, in groups: balls and capsules, cylinders, cones, other shapes. All have a known signed depth.
+/// All entries, in groups: balls and capsules, cylinders, cones, other shapes. All have a known
+/// signed depth.
 std::span<const ShapeCatalogueEntry> shape_catalogue();
 
-// Named pairs of unions, fixed and small enough to be drawn by hand: exact fits and those that miss by 2^-16, bodies that hold on to each
-// other, seams, repeated pieces. Each states its answer.                                                              [docs/unions.md]
+// Named pairs of unions, fixed and small enough to be drawn by hand: exact fits and those that miss
+// by 2^-16, bodies that hold on to each other, seams, repeated pieces. Each states its answer.
+//                                                                                  [docs/unions.md]
 
 struct UnionCatalogueEntry {
   std::string_view description;  ///< one line

@@ -29,7 +29,8 @@ void add(Body& body, const PlaneDirection& direction, const mpq_class& length) {
   body.points.push_back({mpq_class(length * direction.x), mpq_class(length * direction.y), 0});
 }
 
-/// A vertex at O, an edge with O inside, or a polygon of 3 to 6 corners with O inside; in z = 0, within a distance of 2.
+/// A vertex at O, an edge with O inside, or a polygon of 3 to 6 corners with O inside; in z = 0,
+/// within a distance of 2.
 Body feature_body(FeatureKind feature, const PlaneDirection& edge, Random& random) {
   Body body;
   if (feature == FeatureKind::vertex) body.points.push_back({0, 0, 0});
@@ -38,8 +39,10 @@ Body feature_body(FeatureKind feature, const PlaneDirection& edge, Random& rando
     add(body, edge, mpq_class(-random_length(random)));
   }
   if (feature == FeatureKind::face) {
-    // Angles of 0 and about +-120 degrees: O is inside whatever the lengths, and more corners do no harm.
-    const PlaneDirection first = plane_direction(0), second = plane_direction(ratio(7, 4)), third = plane_direction(ratio(-7, 4));
+    // Angles of 0 and about +-120 degrees: O is inside whatever the lengths, and more corners do no
+    // harm.
+    const PlaneDirection first = plane_direction(0), second = plane_direction(ratio(7, 4)),
+                         third = plane_direction(ratio(-7, 4));
     for (const PlaneDirection* direction : {&first, &second, &third}) add(body, *direction, random_length(random));
     for (std::int64_t more = random.between(0, 3); more > 0; --more) {
       const mpq_class t = ratio(random.between(-32, 32), 8);
@@ -59,8 +62,8 @@ void add_base(Body& body, Random& random, unsigned n) {
 }
 
 /// B below z = 0, A above z = -overlap.
-Bodies facing(FeatureKind a, FeatureKind b, const PlaneDirection& edge_a, const PlaneDirection& edge_b, const mpq_class& overlap,
-              Random& random, unsigned n) {
+Bodies facing(FeatureKind a, FeatureKind b, const PlaneDirection& edge_a, const PlaneDirection& edge_b,
+              const mpq_class& overlap, Random& random, unsigned n) {
   Body upper = feature_body(a, edge_a, random);
   add_base(upper, random, n);
   upper = translated(scaled(upper, 1, 1, -1), {0, 0, mpq_class(-overlap)});
@@ -76,7 +79,8 @@ Bodies turned(const Bodies& bodies, Random& random) {
 }
 
 Bodies apart(FeatureKind a, FeatureKind b, const mpq_class& overlap, Random& random, unsigned n) {
-  const PlaneDirection edge_a = plane_direction(ratio(random.between(-4, 4), 16));   // within about 28 degrees of the x-axis
+  const PlaneDirection edge_a =
+      plane_direction(ratio(random.between(-4, 4), 16));  // within about 28 degrees of the x-axis
   const PlaneDirection edge_b = plane_direction(ratio(random.between(12, 20), 16));  // and of the y-axis
   return turned(facing(a, b, edge_a, edge_b, overlap, random, n), random);
 }
@@ -127,11 +131,15 @@ Body symmetric_solid(Random& random, unsigned n) {
   return random.coin() ? body : rotated(body, random_rotation(random));
 }
 
-Point small_lattice_point(Random& random) { return {random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)}; }
+Point small_lattice_point(Random& random) {
+  return {random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)};
+}
 
 bool is_origin(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
 
-bool parallel(const Point& p, const Point& q) { return p.x * q.y == p.y * q.x && p.y * q.z == p.z * q.y && p.z * q.x == p.x * q.z; }
+bool parallel(const Point& p, const Point& q) {
+  return p.x * q.y == p.y * q.x && p.y * q.z == p.z * q.y && p.z * q.x == p.x * q.z;
+}
 
 /// Two independent integer directions.
 std::vector<Point> two_directions(Random& random) {
@@ -144,7 +152,8 @@ std::vector<Point> two_directions(Random& random) {
   return chosen;
 }
 
-/// At least rank + 1 points, the first ones affinely independent. A segment runs along the first of the two axes, a polygon along both.
+/// At least rank + 1 points, the first ones affinely independent. A segment runs along the first of
+/// the two axes, a polygon along both.
 Body flat_body(int rank, std::vector<Point> axes, Random& random, unsigned n) {
   if (rank == 3) {
     Body body = random_lattice_body(random, n);
@@ -155,7 +164,8 @@ Body flat_body(int rank, std::vector<Point> axes, Random& random, unsigned n) {
   axes.resize(static_cast<std::size_t>(rank));
   Body body{{origin}};
   for (const Point& axis : axes) body.points.push_back(origin + axis);
-  const unsigned total = rank == 0 ? 1 + static_cast<unsigned>(random.between(0, 1)) : std::max(n, static_cast<unsigned>(rank) + 1);
+  const unsigned total =
+      rank == 0 ? 1 + static_cast<unsigned>(random.between(0, 1)) : std::max(n, static_cast<unsigned>(rank) + 1);
   while (body.points.size() < total) {
     Point p = origin;
     for (const Point& axis : axes) p = p + random.between(-2, 2) * axis;
@@ -190,12 +200,15 @@ Bodies near_ties(Random& random, unsigned n) {
 }
 
 Bodies near_tie_boxes(Random& random, unsigned) {
-  const mpq_class y_gap = times_power_of_two(1, -random.between(10, 60)), z_gap = times_power_of_two(1, -random.between(10, 60));
+  const mpq_class y_gap = times_power_of_two(1, -random.between(10, 60)),
+                  z_gap = times_power_of_two(1, -random.between(10, 60));
   const Body a = box(2, 2, 2);
   const Body b = random_box(random);
-  // B's lowest corner (b starts at minus its half extents) goes to A's highest, less the wanted depths.
+  // B's lowest corner (b starts at minus its half extents) goes to A's highest, less the wanted
+  // depths.
   const Point lowest = b.points.front();
-  const Point shift{mpq_class(2 - 1 - lowest.x), mpq_class(2 - 1 - y_gap - lowest.y), mpq_class(2 - 1 - z_gap - lowest.z)};
+  const Point shift{mpq_class(2 - 1 - lowest.x), mpq_class(2 - 1 - y_gap - lowest.y),
+                    mpq_class(2 - 1 - z_gap - lowest.z)};
   return rotated(Bodies{a, translated(b, shift)}, random_rotation(random));
 }
 
@@ -237,7 +250,9 @@ Bodies redundant_points(Random& random, unsigned n) {
   Bodies bodies = random_lattice(random, n);
   for (Body* body : {&bodies.a, &bodies.b}) {
     const std::size_t given = body->points.size();
-    const auto any = [&] { return body->points[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(given) - 1))]; };
+    const auto any = [&] {
+      return body->points[static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(given) - 1))];
+    };
     for (std::size_t i = 0; i < given; ++i) {
       const Point p = any(), q = any(), r = any();
       const Point middle = p + ratio(1, 2) * (q - p);

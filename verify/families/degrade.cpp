@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways of breaking general position, each a function on a pair of bodies; then pairs that are nearly broken.
+// The ways of breaking general position, each a function on a pair of bodies; then pairs that are
+// nearly broken.
 
 #include "verify/families/degrade.hpp"
 
@@ -51,35 +52,41 @@ Features features(const Body& body) {
   for (const polytope::Edge& edge : hull.edges) {
     result.edges.emplace_back(vertex(edge.from), vertex(edge.to));
     result.edge_directions.push_back(result.edges.back().second - result.edges.back().first);
-    if (hull.rank == 3) result.arcs.emplace_back(rational(hull.facets[edge.left].normal), rational(hull.facets[edge.right].normal));
+    if (hull.rank == 3)
+      result.arcs.emplace_back(rational(hull.facets[edge.left].normal), rational(hull.facets[edge.right].normal));
   }
   return result;
 }
 
 /// The projection of p on the line along `direction`; and into the plane across `normal`.
-Point along(const Point& p, const Point& direction) { return (dot(p, direction) / dot(direction, direction)) * direction; }
+Point along(const Point& p, const Point& direction) {
+  return (dot(p, direction) / dot(direction, direction)) * direction;
+}
 Point across(const Point& p, const Point& normal) { return p - along(p, normal); }
 
-/// The linear map that takes the direction `from` to its projection on the line of `to`, and is the identity across `from`: edges with
-/// direction `from` become parallel to `to`. <from, to> must not be 0.
-// x + (to' - from) <from, x> / <from, from>, where to' is the projection of `from` on `to`: takes `from` to to', and its determinant is
-// cos^2 of the angle between the two.
+/// The linear map that takes the direction `from` to its projection on the line of `to`, and is the
+/// identity across `from`: edges with direction `from` become parallel to `to`. <from, to> must not
+/// be 0.
+// x + (to' - from) <from, x> / <from, from>, where to' is the projection of `from` on `to`: takes
+// `from` to to', and its determinant is cos^2 of the angle between the two.
 Body edge_aligned(const Body& body, const Point& from, const Point& to) {
   const Point step = along(from, to) - from;
   const mpq_class square = dot(from, from);
   return mapped(body, [&](const Point& p) { return p + (dot(from, p) / square) * step; });
 }
 
-/// The linear map after which facets with the outward normal `from` have one along `to`, or against it if <from, to> < 0.
-/// <from, to> must not be 0.
-// The normals' map is the one of edge_aligned; the points' map is its inverse transposed: x - from <to' - from, x> / <from, to'>.
+/// The linear map after which facets with the outward normal `from` have one along `to`, or against
+/// it if <from, to> < 0. <from, to> must not be 0.
+// The normals' map is the one of edge_aligned; the points' map is its inverse transposed: x - from
+// <to' - from, x> / <from, to'>.
 Body normal_aligned(const Body& body, const Point& from, const Point& to) {
   const Point target = along(from, to), step = target - from;
   const mpq_class scale = dot(from, target);
   return mapped(body, [&](const Point& p) { return p - (dot(step, p) / scale) * from; });
 }
 
-/// How well two directions agree: cos^2 of their angle with the sign of the cosine. Neither may be 0.
+/// How well two directions agree: cos^2 of their angle with the sign of the cosine. Neither may be
+/// 0.
 mpq_class agreement(const Point& p, const Point& q) {
   const mpq_class cosine = dot(p, q);
   const mpq_class squared = cosine * cosine / (dot(p, p) * dot(q, q));
@@ -99,7 +106,8 @@ Point centre(const Body& body) {
 Body flattened(const Body& body, Random& random) {
   const Features shape = features(body);
   if (shape.facets.empty()) return body;
-  const std::size_t chosen = static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(shape.facets.size()) - 1));
+  const std::size_t chosen =
+      static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(shape.facets.size()) - 1));
   const Point normal = shape.normals[chosen], foot = shape.facets[chosen].front();
   Body result;
   for (const Point& p : body.points) result.points.push_back(foot + across(p - foot, normal));
@@ -159,14 +167,16 @@ void collinear_points(Bodies& bodies, Random& random) {
   }
 }
 
-// A triangle p q r gets the fourth corner of a parallelogram: in the facet's plane, so it stays a facet.
+// A triangle p q r gets the fourth corner of a parallelogram: in the facet's plane, so it stays a
+// facet.
 void coplanar_points(Bodies& bodies, Random& random) {
   for (Body* body : {&bodies.a, &bodies.b}) {
     const Features shape = features(*body);
     if (shape.facets.empty()) continue;
     const std::vector<Point>& corners = any_of(shape.facets, random);
     if (corners.size() == 3) body->points.push_back(corners[0] + corners[2] - corners[1]);
-    body->points.push_back(between(between(corners[0], corners[1], ratio(random.between(1, 3), 4)), corners[2], ratio(1, 2)));
+    body->points.push_back(
+        between(between(corners[0], corners[1], ratio(random.between(1, 3), 4)), corners[2], ratio(1, 2)));
   }
 }
 
@@ -196,16 +206,18 @@ void touching_translation(Bodies& bodies, Random&) {
 void snapped_to_lattice(Bodies& bodies, Random&) {
   const mpq_class size = extent(bodies);
   if (sgn(size) == 0) return;
-  const long exponent =
-      static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
+  const long exponent = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
+                        static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
   const long unit = exponent - 3;  // 2^(exponent - 1) < size < 2^(exponent + 1)
   for (Body* body : {&bodies.a, &bodies.b})
     for (Point& p : body->points.edit()) p = {snapped(p.x, unit), snapped(p.y, unit), snapped(p.z, unit)};
 }
 
-// ---- ways that turn a feature of a body until it coincides with another one, or with the chart's frame ----
+// ---- ways that turn a feature of a body until it coincides with another one, or with the chart's
+// frame ----
 
-constexpr std::size_t window = 24;  // at most this many features of a body are searched, since pairs of them are compared
+constexpr std::size_t window =
+    24;  // at most this many features of a body are searched, since pairs of them are compared
 
 const Point pole{0, 0, 1}, upright{0, 1, 0};
 
@@ -256,7 +268,8 @@ std::optional<Turn> smallest_turn(const std::vector<Point>& directions, Target t
   return best;
 }
 
-/// The pair of directions, one of A and one of B, that agrees best, as a turn of A's; nullopt if no agreement is positive.
+/// The pair of directions, one of A and one of B, that agrees best, as a turn of A's; nullopt if no
+/// agreement is positive.
 std::optional<Turn> smallest_turn(const std::vector<Point>& of_a, const std::vector<Point>& of_b) {
   std::optional<Turn> best;
   mpq_class most = 0;
@@ -272,7 +285,8 @@ std::optional<Turn> smallest_turn(const std::vector<Point>& of_a, const std::vec
 template <class Target>
 void turn_normals(Bodies& bodies, Random& random, Target target) {
   for (Body* body : {&bodies.a, &bodies.b})
-    if (const auto turn = smallest_turn(some(features(*body).normals, random), target)) *body = normal_aligned(*body, turn->from, turn->to);
+    if (const auto turn = smallest_turn(some(features(*body).normals, random), target))
+      *body = normal_aligned(*body, turn->from, turn->to);
 }
 
 template <class Target>
@@ -306,7 +320,8 @@ Point nearest_axis(const Point& p) {
 }
 
 void shared_vertex(Bodies& bodies, Random& random) {
-  const std::vector<Point> of_a = some(features(bodies.a).vertices, random), of_b = some(features(bodies.b).vertices, random);
+  const std::vector<Point> of_a = some(features(bodies.a).vertices, random),
+                           of_b = some(features(bodies.b).vertices, random);
   bodies.a = translated(bodies.a, of_b.front() - of_a.front());
 }
 
@@ -352,7 +367,8 @@ void vertical_edge(Bodies& bodies, Random& random) {
   turn_edges(bodies, random, [](const Point& d) { return across(d, upright); });
 }
 
-// The great circle through v and a node m of B has the normal m x v; -A's node -n lies on it if n does.
+// The great circle through v and a node m of B has the normal m x v; -A's node -n lies on it if n
+// does.
 void nodes_on_one_vertical(Bodies& bodies, Random& random) {
   const std::vector<Point> of_a = normals(bodies.a, random);
   std::optional<Turn> best;
@@ -382,18 +398,23 @@ constexpr DegradationName names[] = {
     {Degradation::shared_edge_direction, "shared_edge_direction", "an edge of A is parallel to an edge of B"},
     {Degradation::shared_facet_normal, "shared_facet_normal", "a facet of A and one of B have the same normal"},
     {Degradation::opposite_facet_normals, "opposite_facet_normals", "a facet of A and one of B have opposite normals"},
-    {Degradation::coplanar_facets, "coplanar_facets", "a facet of A and one of B lie in one plane, on the same side of it"},
+    {Degradation::coplanar_facets, "coplanar_facets",
+     "a facet of A and one of B lie in one plane, on the same side of it"},
     {Degradation::axis_aligned_facet, "axis_aligned_facet", "each body has a facet across a coordinate axis"},
     {Degradation::normal_at_pole, "normal_at_pole", "each body has a facet with the normal (0, 0, 1) or (0, 0, -1)"},
     {Degradation::normal_on_equator, "normal_on_equator", "each body has a facet whose normal has z = 0"},
     {Degradation::arc_on_equator, "arc_on_equator", "each body has an edge parallel to the z-axis"},
-    {Degradation::vertical_edge, "vertical_edge", "each body has an edge with y = 0 in its direction: its arc stands upright in the chart"},
-    {Degradation::nodes_on_one_vertical, "nodes_on_one_vertical", "a node of each Gaussian diagram on one vertical of the chart"},
+    {Degradation::vertical_edge, "vertical_edge",
+     "each body has an edge with y = 0 in its direction: its arc stands upright in the chart"},
+    {Degradation::nodes_on_one_vertical, "nodes_on_one_vertical",
+     "a node of each Gaussian diagram on one vertical of the chart"},
     {Degradation::normal_on_arc, "normal_on_arc", "a node of -A in the middle of an arc of B"},
     {Degradation::flattened_body, "flattened_body", "A, B or both are projected into the plane of a facet"},
     {Degradation::identical_bodies, "identical_bodies", "B = A"},
-    {Degradation::tie_by_reflection, "tie_by_reflection", "both bodies are symmetric about O: every optimum has an opposite one"},
-    {Degradation::touching_translation, "touching_translation", "A is moved by its exact translation: the bodies touch"},
+    {Degradation::tie_by_reflection, "tie_by_reflection",
+     "both bodies are symmetric about O: every optimum has an opposite one"},
+    {Degradation::touching_translation, "touching_translation",
+     "A is moved by its exact translation: the bodies touch"},
     {Degradation::snapped_to_lattice, "snapped_to_lattice", "coordinates are rounded to a coarse grid"},
 };
 
@@ -426,7 +447,8 @@ Case approach(const Case& degenerate, unsigned k, std::uint64_t seed) {
   Random random(seed);
   for (Body* body : {&result.a, &result.b})
     for (Point& p : body->points.edit())
-      for (mpq_class* x : {&p.x, &p.y, &p.z}) *x += times_power_of_two(random_dyadic(random, -1, 1, 20), -static_cast<long>(k));
+      for (mpq_class* x : {&p.x, &p.y, &p.z})
+        *x += times_power_of_two(random_dyadic(random, -1, 1, 20), -static_cast<long>(k));
   return result;
 }
 

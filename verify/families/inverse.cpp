@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs made from their answer: lenses, near ties, depths that are hard to round, and extremes of shape.
-
-#include "verify/families/polytope_pairs.hpp"
+// Pairs made from their answer: lenses, near ties, depths that are hard to round, and extremes of
+// shape.
 
 #include <algorithm>
 #include <array>
@@ -14,22 +13,25 @@
 #include "kernels/vector.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "verify/families/polytope_pairs.hpp"
 
 namespace fathom::families {
 
 // ---- lenses ----
 
-// In the plane, in units of r: features reach out by 1/2 to 3/2 and hold O, the rims by 3 to 5 along each axis. So for a direction at the
-// angle t to n or -n, with d the distance there, h >= d cos t + c r sin t, with the least reach c of the features' sum; and from the rims
-// h > 6 r sin t - r cos t. Where the first is not well above r the second is, except for angles near 0, and no facet but the chosen ones
-// has such an angle.
+// In the plane, in units of r: features reach out by 1/2 to 3/2 and hold O, the rims by 3 to 5
+// along each axis. So for a direction at the angle t to n or -n, with d the distance there, h >= d
+// cos t + c r sin t, with the least reach c of the features' sum; and from the rims h > 6 r sin t -
+// r cos t. Where the first is not well above r the second is, except for angles near 0, and no
+// facet but the chosen ones has such an angle.
 namespace {
 
 struct PlanePoint {
   mpq_class x, y;
 };
 
-/// Two directions orthogonal to n and to each other, of length about `unit`: multiples of powers of 2.
+/// Two directions orthogonal to n and to each other, of length about `unit`: multiples of powers of
+/// 2.
 struct Frame {
   Point x, y;
 };
@@ -55,8 +57,8 @@ Frame frame_of(const Vector& n, const mpq_class& squared_unit) {
 
 mpq_class reach(Random& random) { return ratio(random.between(8, 24), 16); }
 
-/// A vertex at O, an edge through O or a polygon around it, with up to `more` points beyond three. Edges of A lie near the first axis,
-/// those of B near the second.
+/// A vertex at O, an edge through O or a polygon around it, with up to `more` points beyond three.
+/// Edges of A lie near the first axis, those of B near the second.
 std::vector<PlanePoint> feature_points(FeatureKind feature, bool of_a, std::int64_t more, Random& random) {
   if (feature == FeatureKind::vertex) return {{0, 0}};
   const mpq_class one = reach(random), other = reach(random), lean = ratio(random.between(-4, 4), 16);
@@ -65,8 +67,9 @@ std::vector<PlanePoint> feature_points(FeatureKind feature, bool of_a, std::int6
     return {{mpq_class(one * lean), one}, {mpq_class(-other * lean), mpq_class(-other)}};
   }
   const mpq_class third = reach(random);
-  std::vector<PlanePoint> points{
-      {one, 0}, {mpq_class(-other / 2), mpq_class(other * ratio(7, 8))}, {mpq_class(-third / 2), mpq_class(-third * ratio(7, 8))}};
+  std::vector<PlanePoint> points{{one, 0},
+                                 {mpq_class(-other / 2), mpq_class(other * ratio(7, 8))},
+                                 {mpq_class(-third / 2), mpq_class(-third * ratio(7, 8))}};
   for (std::int64_t i = random.between(0, more); i > 0; --i) {
     const mpq_class x = ratio(random.between(-16, 16), 16), y = ratio(random.between(-16, 16), 16);
     points.push_back({x, y});
@@ -88,7 +91,8 @@ mpq_class snapped(const mpq_class& value, const mpq_class& unit) {
 
 class Lens {
  public:
-  Lens(const Vector& n, const Frame& frame, unsigned points, Random& random) : n_(n), frame_(frame), points_(points), random_(random) {}
+  Lens(const Vector& n, const Frame& frame, unsigned points, Random& random)
+      : n_(n), frame_(frame), points_(points), random_(random) {}
 
   void add_feature(FeatureKind feature, bool of_a, const mpq_class& height) {
     for (const PlanePoint& p : feature_points(feature, of_a, points_ < 12 ? 0 : 3, random_)) add(p, height);
@@ -112,8 +116,8 @@ class Lens {
     const auto coordinate = [&](const mpq_class& x, const mpq_class& y, const mpz_class& n) {
       return mpq_class(p.x * x + p.y * y + height * n);
     };
-    body.points.push_back(
-        {coordinate(frame_.x.x, frame_.y.x, n_.x), coordinate(frame_.x.y, frame_.y.y, n_.y), coordinate(frame_.x.z, frame_.y.z, n_.z)});
+    body.points.push_back({coordinate(frame_.x.x, frame_.y.x, n_.x), coordinate(frame_.x.y, frame_.y.y, n_.y),
+                           coordinate(frame_.x.z, frame_.y.z, n_.z)});
   }
 
   const Vector& n_;
@@ -145,12 +149,14 @@ Bodies lenses(const Lenses& plan, Random& random, unsigned points) {
 }
 
 long binary_logarithm(const mpq_class& x) {
-  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
+         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
 }
 
 Vector random_integer_direction(Random& random, long bound) {
   for (;;) {
-    const std::int64_t x = random.between(-bound, bound), y = random.between(-bound, bound), z = random.between(-bound, bound);
+    const std::int64_t x = random.between(-bound, bound), y = random.between(-bound, bound),
+                       z = random.between(-bound, bound);
     if (x != 0 || y != 0 || z != 0) return {x, y, z};
   }
 }
@@ -191,7 +197,8 @@ Bodies inverse_tie(Random& random, unsigned n) {
   return lenses(plan(above, below, 0, random), random, n);
 }
 
-// With p in the middle of the edge, O goes to p - x, where x = s n1 + t n2 has the heights that are wanted over both planes.
+// With p in the middle of the edge, O goes to p - x, where x = s n1 + t n2 has the heights that are
+// wanted over both planes.
 
 namespace {
 
@@ -207,7 +214,8 @@ std::vector<polytope::VertexId> extreme_face(const polytope::Polytope& p, const 
 /// After a few steps from a facet of B against a vertex of A.
 Ridge any_ridge(const polytope::Polytope& a, const polytope::Polytope& b, Random& random) {
   const approximate::SumSurface surface(a, b);
-  const Vector n = b.facets.at(static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(b.facets.size()) - 1))).normal;
+  const Vector n =
+      b.facets.at(static_cast<std::size_t>(random.between(0, static_cast<std::int64_t>(b.facets.size()) - 1))).normal;
   approximate::SumFacet facet = surface.facet(extreme_face(a, -n), extreme_face(b, n), n);
   std::uint64_t steps = 0;
   for (int i = 0; i < 8; ++i) {
@@ -219,19 +227,23 @@ Ridge any_ridge(const polytope::Polytope& a, const polytope::Polytope& b, Random
   return {surface.from(edge) + surface.to(edge), facet.normal, surface.across(edge, &steps).normal};
 }
 
-/// x with <left, x> = on_left and <right, x> = on_right, in the plane of both normals, rounded to multiples of 2^-bits.
+/// x with <left, x> = on_left and <right, x> = on_right, in the plane of both normals, rounded to
+/// multiples of 2^-bits.
 Point between(const Ridge& ridge, const mpq_class& on_left, const mpq_class& on_right, long bits) {
-  const mpq_class left(dot(ridge.left, ridge.left)), right(dot(ridge.right, ridge.right)), mixed(dot(ridge.left, ridge.right));
+  const mpq_class left(dot(ridge.left, ridge.left)), right(dot(ridge.right, ridge.right)),
+      mixed(dot(ridge.left, ridge.right));
   const mpq_class divisor = left * right - mixed * mixed;
   const mpq_class s = (on_left * right - on_right * mixed) / divisor, t = (on_right * left - on_left * mixed) / divisor;
   const auto component = [&](const mpz_class& l, const mpz_class& r) {
     const mpq_class scaled_up = times_power_of_two(mpq_class(s * l + t * r), bits);
     return times_power_of_two(mpq_class(mpz_class(scaled_up.get_num() / scaled_up.get_den())), -bits);
   };
-  return {component(ridge.left.x, ridge.right.x), component(ridge.left.y, ridge.right.y), component(ridge.left.z, ridge.right.z)};
+  return {component(ridge.left.x, ridge.right.x), component(ridge.left.y, ridge.right.y),
+          component(ridge.left.z, ridge.right.z)};
 }
 
-/// Whether the left facet is the nearest one, and the next one farther by the factor 1 + 2^-k, nearly.
+/// Whether the left facet is the nearest one, and the next one farther by the factor 1 + 2^-k,
+/// nearly.
 bool as_planned(const Bodies& bodies, const Ridge& ridge, long k) {
   const Depth depth = penetration_depth(bodies.a.points, bodies.b.points);
   const auto* found = std::get_if<Penetration>(&depth.outcome);
@@ -248,7 +260,8 @@ Bodies inverse_ridge(Random& random, unsigned n) {
   const Body a = random_sphere_body(random, std::max(4u, n)), b = random_sphere_body(random, std::max(4u, n));
   const long k = random.between(8, 200);
   const polytope::PlacedPair pair = polytope::place(a.points, b.points);
-  const polytope::Polytope hull_a = polytope::convex_hull(pair.a.points()), hull_b = polytope::convex_hull(pair.b.points());
+  const polytope::Polytope hull_a = polytope::convex_hull(pair.a.points()),
+                           hull_b = polytope::convex_hull(pair.b.points());
   for (long closer = 3; closer < 24 && hull_a.rank == 3 && hull_b.rank == 3; ++closer) {
     const Ridge ridge = any_ridge(hull_a, hull_b, random);
     const mpq_class left_squared(dot(ridge.left, ridge.left)), right_squared(dot(ridge.right, ridge.right));
@@ -260,7 +273,8 @@ Bodies inverse_ridge(Random& random, unsigned n) {
     const auto shift = [&](const mpq_class& from_middle, const mpz_class& twice_middle) {
       return mpq_class((from_middle - ratio(twice_middle, 2)) / mpq_class(pair.denominator));
     };
-    Bodies result{a, translated(b, {shift(x.x, ridge.twice_middle.x), shift(x.y, ridge.twice_middle.y), shift(x.z, ridge.twice_middle.z)})};
+    Bodies result{a, translated(b, {shift(x.x, ridge.twice_middle.x), shift(x.y, ridge.twice_middle.y),
+                                    shift(x.z, ridge.twice_middle.z)})};
     if (as_planned(result, ridge, k)) return result;
   }
   return {a, b};
@@ -275,7 +289,9 @@ struct Boundary {
   mpz_class whole;
   bool halfway;
   long unit;  ///< an ulp is 2^unit
-  [[nodiscard]] mpq_class value() const { return times_power_of_two(2 * mpq_class(whole) + (halfway ? 1 : 0), unit - 1); }
+  [[nodiscard]] mpq_class value() const {
+    return times_power_of_two(2 * mpq_class(whole) + (halfway ? 1 : 0), unit - 1);
+  }
 };
 
 Boundary at_the_ends(const FloatFormat& format, Random& random) {
@@ -284,7 +300,8 @@ Boundary at_the_ends(const FloatFormat& format, Random& random) {
   switch (random.between(0, 5)) {
     case 0: return {0, true, low};  // half of the least subnormal number
     case 1: return {least, true, low};
-    case 2: return {mpz_class(normal - 1), true, low};  // between the greatest subnormal number and the least normal one
+    case 2:
+      return {mpz_class(normal - 1), true, low};  // between the greatest subnormal number and the least normal one
     case 3: return {normal, false, low};
     case 4: return {full, false, high};  // the greatest number
     default: return {full, true, high};  // from here on rn gives infinity
@@ -304,7 +321,8 @@ Lenses along_an_axis(const Boundary& b, int side, Random& random) {
   const long k = random.between(1, 50);
   const mpq_class step = times_power_of_two(1, b.unit);
   const mpq_class offset = step * ((b.halfway ? ratio(1, 2) : mpq_class(0)) + side * times_power_of_two(1, -k));
-  constexpr std::array<std::array<int, 3>, 6> axes{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+  constexpr std::array<std::array<int, 3>, 6> axes{
+      {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
   const std::array<int, 3>& axis = axes[static_cast<std::size_t>(random.between(0, 5))];
   Lenses result{{axis[0], axis[1], axis[2]}, random_meeting(random), random_meeting(random), {}, {}, {}, {}};
   result.b_top = step * b.whole;
@@ -350,7 +368,8 @@ Bodies rounding_boundary(const FloatFormat& format, Random& random, unsigned n) 
   const mpq_class height = plan.b_top - plan.a_bottom;
   const long log = binary_logarithm(height);
   plan.b_bottom = times_power_of_two(1, log - 3);
-  plan.a_top = plan.b_bottom + quotient_of_roots(mpq_class(height * height), 1, 10 - log) + times_power_of_two(1, log - 3);
+  plan.a_top =
+      plan.b_bottom + quotient_of_roots(mpq_class(height * height), 1, 10 - log) + times_power_of_two(1, log - 3);
   return lenses(plan, random, n);
 }
 
@@ -376,7 +395,9 @@ mpq_class power_of_ten(long exponent) {
 Body stretched_body(Random& random, unsigned n) {
   const Body sphere = random_sphere_body(random, std::max(4u, n));
   const long ratio_exponent = random.between(4, 9), middle = random.between(0, 2);
-  const mpq_class between = 1 / power_of_ten(middle == 0 ? ratio_exponent : middle == 1 ? 0 : random.between(1, ratio_exponent - 1));
+  const mpq_class between = 1 / power_of_ten(middle == 0   ? ratio_exponent
+                                             : middle == 1 ? 0
+                                                           : random.between(1, ratio_exponent - 1));
   return rotated(scaled(sphere, 1, between, mpq_class(1 / power_of_ten(ratio_exponent))), random_rotation(random));
 }
 

@@ -2,8 +2,9 @@
 // Reproducible randomness. Nothing from <random>: its distributions differ between libraries.
 #pragma once
 
-#include <cstdint>
 #include <gmpxx.h>
+
+#include <cstdint>
 
 #include "kernels/number/rational.hpp"
 
@@ -51,8 +52,9 @@ inline mpq_class times_power_of_two(const mpq_class& value, long exponent) {
 
 /// A multiple of 2^-bits, uniform in [low, high].
 inline mpq_class random_dyadic(Random& random, std::int64_t low, std::int64_t high, unsigned bits) {
-  return times_power_of_two(mpq_class(random.between(low * (std::int64_t{1} << bits), high * (std::int64_t{1} << bits))),
-                            -static_cast<long>(bits));
+  return times_power_of_two(
+      mpq_class(random.between(low * (std::int64_t{1} << bits), high * (std::int64_t{1} << bits))),
+      -static_cast<long>(bits));
 }
 
 /// A member of a list that is not empty, each with the same probability.

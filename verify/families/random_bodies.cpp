@@ -16,7 +16,8 @@ constexpr std::int64_t radius = std::int64_t{1} << grid_bits;
 /// A non-zero grid point in the ball of the given radius, by rejection.
 std::array<std::int64_t, 3> in_ball(Random& random) {
   while (true) {
-    const std::array<std::int64_t, 3> p{random.between(-radius, radius), random.between(-radius, radius), random.between(-radius, radius)};
+    const std::array<std::int64_t, 3> p{random.between(-radius, radius), random.between(-radius, radius),
+                                        random.between(-radius, radius)};
     const std::int64_t norm = p[0] * p[0] + p[1] * p[1] + p[2] * p[2];
     if (norm > 0 && norm <= radius * radius) return p;
   }
@@ -56,7 +57,9 @@ Body random_aligned_box(Random& random) {
 
 mpq_class thin() { return times_power_of_two(1, -20); }
 
-Body needle(Random& random, unsigned n) { return turned(random, scaled(random_sphere_body(random, n), 1, thin(), thin())); }
+Body needle(Random& random, unsigned n) {
+  return turned(random, scaled(random_sphere_body(random, n), 1, thin(), thin()));
+}
 Body plate(Random& random, unsigned n) { return turned(random, scaled(random_sphere_body(random, n), 1, 1, thin())); }
 
 Bodies far_away(Random& random, Bodies bodies) {
@@ -93,7 +96,8 @@ Body random_sphere_body(Random& random, unsigned n) {
 
 Body random_lattice_body(Random& random, unsigned n, long side) {
   Body body;
-  for (unsigned i = 0; i < n; ++i) body.points.push_back({random.between(0, side), random.between(0, side), random.between(0, side)});
+  for (unsigned i = 0; i < n; ++i)
+    body.points.push_back({random.between(0, side), random.between(0, side), random.between(0, side)});
   return body;
 }
 
@@ -157,7 +161,8 @@ Bodies platonic_posed(Random& random, unsigned) {
 }
 
 Bodies platonic_aligned(Random& random, unsigned) {
-  const unsigned first = static_cast<unsigned>(random.between(0, 4)), second = static_cast<unsigned>(random.between(0, 4));
+  const unsigned first = static_cast<unsigned>(random.between(0, 4)),
+                 second = static_cast<unsigned>(random.between(0, 4));
   const Point shift{ratio(random.between(-4, 4), 4), ratio(random.between(-4, 4), 4), ratio(random.between(-4, 4), 4)};
   return {platonic(first), translated(platonic(second), shift)};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lowest point of A and a highest point of B in some direction are found, nearly where roots are irrational, and B is moved so that they
-// lie in line. Along coordinate axes the points are exact for bodies turned by symmetries of the cube: those pairs touch exactly.
+// A lowest point of A and a highest point of B in some direction are found, nearly where roots are
+// irrational, and B is moved so that they lie in line. Along coordinate axes the points are exact
+// for bodies turned by symmetries of the cube: those pairs touch exactly.
 
 #include <algorithm>
 #include <array>
@@ -28,12 +29,16 @@ NamedBody with_two_lengths(const char* shape, Random& random) {
 
 NamedBody with_two_ends(const char* shape, Random& random) {
   const Axis axis = random_axis(random);
-  return named(
-      shape, {{"radius_low", {random_length(random)}}, {"radius_high", {random_length(random)}}, {"half_length", {random_length(random)}}},
-      axis);
+  return named(shape,
+               {{"radius_low", {random_length(random)}},
+                {"radius_high", {random_length(random)}},
+                {"half_length", {random_length(random)}}},
+               axis);
 }
 
-std::vector<mpq_class> three_lengths(Random& random) { return {random_length(random), random_length(random), random_length(random)}; }
+std::vector<mpq_class> three_lengths(Random& random) {
+  return {random_length(random), random_length(random), random_length(random)};
+}
 
 NamedBody random_hull(Random& random, unsigned n) {
   std::vector<Point> vertices;
@@ -73,7 +78,8 @@ Quaternion aligned_turn(Random& random) {
 NamedBody random_body(ShapeKind kind, Random& random, unsigned n);
 
 NamedBody random_sum(Random& random) {
-  constexpr std::array kinds{ShapeKind::capsule, ShapeKind::box, ShapeKind::cylinder, ShapeKind::cone, ShapeKind::ellipsoid};
+  constexpr std::array kinds{ShapeKind::capsule, ShapeKind::box, ShapeKind::cylinder, ShapeKind::cone,
+                             ShapeKind::ellipsoid};
   std::vector<NamedBody> terms;
   for (int i = 0; i < 2; ++i) {
     NamedBody term = random_body(kinds[random.next() % kinds.size()], random, 4);
@@ -137,7 +143,8 @@ std::pair<Point, mpq_class> highest(const Atom& atom, const Point& u) {
   return {top, dot(atom.center, u) + length};
 }
 
-/// A point of the shape, which is no half-space, that is highest in direction u, nearly where roots are irrational.
+/// A point of the shape, which is no half-space, that is highest in direction u, nearly where roots
+/// are irrational.
 Point highest(const Shape& shape, const Point& u) {
   Point result = (shape.radius / root(dot(u, u))) * u;
   for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
@@ -186,10 +193,13 @@ Point random_direction(Random& random, bool aligned) {
     return u;
   }
   const std::int64_t x = random.between(1, 40), y = random.between(-40, 40), z = random.between(-40, 40);
-  return random.coin() ? Point{mpq_class(x), mpq_class(y), mpq_class(z)} : Point{mpq_class(y), mpq_class(z), mpq_class(-x)};
+  return random.coin() ? Point{mpq_class(x), mpq_class(y), mpq_class(z)}
+                       : Point{mpq_class(y), mpq_class(z), mpq_class(-x)};
 }
 
-void turn(NamedBody& body, Random& random, bool aligned) { body.turn = aligned ? aligned_turn(random) : random_turn(random); }
+void turn(NamedBody& body, Random& random, bool aligned) {
+  body.turn = aligned ? aligned_turn(random) : random_turn(random);
+}
 
 NamedPair met(NamedBody a, NamedBody b, Random& random, const Encounter& encounter) {
   turn(a, random, encounter.aligned);

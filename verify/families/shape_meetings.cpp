@@ -116,11 +116,13 @@ MeetingBody capsule_side(Random& random) {
   return with_top(with_lengths("capsule", of), lying, on_axis + of.radius * upward(lying), of.radius);
 }
 
-// The generator is a tangent of the circles in the plane of x and z: the radii differ by p, their centres are s apart.
+// The generator is a tangent of the circles in the plane of x and z: the radii differ by p, their
+// centres are s apart.
 MeetingBody tapered_side(Random& random) {
   const Triple triple = random_triple(random);
   const mpq_class high = length(random), low = high + triple.p, half_length = triple.s / 2, place = share(random);
-  NamedBody body = named("tapered_capsule", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
+  NamedBody body =
+      named("tapered_capsule", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
   const Quaternion turn = turn_of(triple);
   const mpq_class inner = low + place * (high - low);
   return with_top(std::move(body), turn, Point{0, 0, (2 * place - 1) * half_length} + inner * upward(turn), inner);
@@ -129,7 +131,8 @@ MeetingBody tapered_side(Random& random) {
 MeetingBody cylinder_face(Random& random) {
   const Lengths of = lengths(random);
   const mpq_class x = part(random) * of.radius;
-  return with_top(with_lengths("cylinder", of), upright, {x, 0, of.half_length}, std::min(of.half_length, mpq_class(of.radius - abs(x))));
+  return with_top(with_lengths("cylinder", of), upright, {x, 0, of.half_length},
+                  std::min(of.half_length, mpq_class(of.radius - abs(x))));
 }
 
 MeetingBody cylinder_barrel(Random& random) {
@@ -146,28 +149,31 @@ MeetingBody cylinder_rim(Random& random) {
   return with_top(with_lengths("cylinder", of), turn, {signed_as(of.radius, upward(turn).x), 0, of.half_length}, 0);
 }
 
-// The cone over the largest disc about the point holds a ball of r h/(r + sqrt(r^2 + h^2)) at its base, and the root is less than r + h.
+// The cone over the largest disc about the point holds a ball of r h/(r + sqrt(r^2 + h^2)) at its
+// base, and the root is less than r + h.
 MeetingBody cone_base(Random& random) {
   const Lengths of = lengths(random);
   const mpq_class x = part(random) * of.radius, r = of.radius - abs(x), height = 2 * of.half_length * r / of.radius;
   return with_top(with_lengths("cone", of), upside_down, {x, 0, -of.half_length}, r * height / (2 * r + height));
 }
 
-// The plane is outside as long as the tangent of the tilt is at most 2 half_length / radius; it is at most 4/3.
+// The plane is outside as long as the tangent of the tilt is at most 2 half_length / radius; it is
+// at most 4/3.
 MeetingBody cone_apex(Random& random) {
   Lengths of = lengths(random);
   of.half_length = std::max(of.half_length, of.radius);
   return with_top(with_lengths("cone", of), tilt(random), {0, 0, of.half_length}, 0);
 }
 
-// Radius p, height q. The normal of the generator meets the axis at the centre of a ball that touches the cone there; the ball may have to
-// be smaller, so that it stays above the base.
+// Radius p, height q. The normal of the generator meets the axis at the centre of a ball that
+// touches the cone there; the ball may have to be smaller, so that it stays above the base.
 MeetingBody cone_generator(Random& random) {
   const Triple triple = random_triple(random);
   const auto& [radius, height, s] = triple;
   const mpq_class half_length = height / 2, place = share(random), x = (1 - place) * radius;
   const mpq_class inner = std::min<mpq_class>(x * s / height, place * height / (1 + radius / s));
-  return with_top(with_lengths("cone", {radius, half_length}), turn_of(triple), {x, 0, (2 * place - 1) * half_length}, inner);
+  return with_top(with_lengths("cone", {radius, half_length}), turn_of(triple), {x, 0, (2 * place - 1) * half_length},
+                  inner);
 }
 
 MeetingBody frustum_face(Random& random) {
@@ -187,7 +193,8 @@ MeetingBody ellipsoid_pole(Random& random) {
 MeetingBody box_face(Random& random) {
   const Block of = block(random);
   const mpq_class x = part(random) * of.half.x, y = part(random) * of.half.y;
-  return with_top(of.body, upright, {x, y, of.half.z}, std::min<mpq_class>({of.half.x - abs(x), of.half.y - abs(y), of.half.z}));
+  return with_top(of.body, upright, {x, y, of.half.z},
+                  std::min<mpq_class>({of.half.x - abs(x), of.half.y - abs(y), of.half.z}));
 }
 
 MeetingBody box_edge(Random& random) {
@@ -229,13 +236,15 @@ MeetingBody sum_face(Random& random) {
 
 MeetingBody plane(Random& random) {
   const mpq_class length_of_normal = length(random);
-  return {named("halfspace", {{"normal", {mpq_class(0), mpq_class(0), length_of_normal}}, {"offset", {mpq_class(0)}}}), 4};
+  return {named("halfspace", {{"normal", {mpq_class(0), mpq_class(0), length_of_normal}}, {"offset", {mpq_class(0)}}}),
+          4};
 }
 
 MeetingBody any_side(Random& random) {
-  constexpr std::array all{sphere_cap,   capsule_cap, capsule_side, tapered_side,     cylinder_face,       cylinder_barrel,
-                           cylinder_rim, cone_base,   cone_apex,    cone_generator,   frustum_face,        ellipsoid_pole,
-                           box_face,     box_edge,    box_vertex,   rounded_box_edge, rounded_hull_vertex, sum_face};
+  constexpr std::array all{sphere_cap,       capsule_cap,         capsule_side, tapered_side, cylinder_face,
+                           cylinder_barrel,  cylinder_rim,        cone_base,    cone_apex,    cone_generator,
+                           frustum_face,     ellipsoid_pole,      box_face,     box_edge,     box_vertex,
+                           rounded_box_edge, rounded_hull_vertex, sum_face};
   return all[random.next() % all.size()](random);
 }
 
@@ -247,8 +256,8 @@ NamedPair meeting(MakeMeetingBody first, MakeMeetingBody second, Random& random)
     side->body = posed(std::move(side->body), {mpq_class(w), 0, 0, mpq_class(z)}, {});
   }
   const mpq_class depth = random_depth(random, of_a.inner + of_b.inner);
-  const Quaternion turn{mpq_class(random.between(1, 5)), mpq_class(random.between(-5, 5)), mpq_class(random.between(-5, 5)),
-                        mpq_class(random.between(-5, 5))};
+  const Quaternion turn{mpq_class(random.between(1, 5)), mpq_class(random.between(-5, 5)),
+                        mpq_class(random.between(-5, 5)), mpq_class(random.between(-5, 5))};
   const Point shift = random_shift(random, 2);
   NamedBody a = posed(posed(std::move(of_a.body), upside_down, {0, 0, mpq_class(-depth)}), turn, shift);
   NamedBody b = posed(std::move(of_b.body), turn, shift);

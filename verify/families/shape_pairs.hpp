@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs of shapes: two bodies by their names, and what is known of the answer; at random, and from their contact.  [docs/shapes.md]
+// Pairs of shapes: two bodies by their names, and what is known of the answer; at random, and from
+// their contact.  [docs/shapes.md]
 #pragma once
-
-#include "verify/families/random.hpp"
 
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/families/random.hpp"
 
 namespace fathom::families {
 
@@ -41,7 +41,8 @@ struct ShapeCase {
   [[nodiscard]] Case read() const { return {id, files::body_of(pair.a), files::body_of(pair.b)}; }
 };
 
-// ---- random pairs, whose numbers all are binary64, so that programs in doubles can take them as they are ----
+// ---- random pairs, whose numbers all are binary64, so that programs in doubles can take them as
+// they are ----
 
 enum class ShapeKind {
   sphere,
@@ -64,8 +65,9 @@ inline constexpr int shape_kinds = static_cast<int>(ShapeKind::sum) + 1;
 
 ShapeKind random_kind(Random& random);
 
-/// Bodies of about unit size that overlap deeply, slightly, or are apart, by a hair or by far; a fifth touch. Those that touch, and some of
-/// the others, are turned by symmetries of the cube, so that faces and axes are parallel. A hull has `n` points, at least 4.
+/// Bodies of about unit size that overlap deeply, slightly, or are apart, by a hair or by far; a
+/// fifth touch. Those that touch, and some of the others, are turned by symmetries of the cube, so
+/// that faces and axes are parallel. A hull has `n` points, at least 4.
 NamedPair random_pair(ShapeKind a, ShapeKind b, Random& random, unsigned n);
 
 /// The same for two hulls that depend on n alone: only the poses are random.
@@ -79,15 +81,17 @@ NamedPair random_pair_with_plane(ShapeKind kind, Random& random, unsigned n);
 
 // ---- inverse construction ----
 
-// Pairs of shapes by inverse construction: first the contact, its direction and the signed depth are chosen, then the bodies are built
-// around them.
+// Pairs of shapes by inverse construction: first the contact, its direction and the signed depth
+// are chosen, then the bodies are built around them.
 //
-// Each body is made under the plane z = 0, which it touches at O; A is then turned upside down and sunk into B by the depth g, and the pair
-// is turned and moved. So h(n) = g for the normal n of the plane, and the points at O give a difference g n in P. If g <= 0 that is the
-// signed depth. If g > 0: a ball inside A, of radius r, touches A's plane at its point, and so does one of radius s inside B. The depth of
-// the balls is g as long as g <= r + s, and that of the bodies is no less.
+// Each body is made under the plane z = 0, which it touches at O; A is then turned upside down and
+// sunk into B by the depth g, and the pair is turned and moved. So h(n) = g for the normal n of the
+// plane, and the points at O give a difference g n in P. If g <= 0 that is the signed depth. If g >
+// 0: a ball inside A, of radius r, touches A's plane at its point, and so does one of radius s
+// inside B. The depth of the balls is g as long as g <= r + s, and that of the bodies is no less.
 
-/// A body under the plane z = 0 that touches it at O, and the radius of a ball inside that touches it there too.
+/// A body under the plane z = 0 that touches it at O, and the radius of a ball inside that touches
+/// it there too.
 struct MeetingBody {
   NamedBody body;
   mpq_class inner;
@@ -117,7 +121,8 @@ MeetingBody plane(Random& random);     ///< of a half-space
 /// Any of them but the plane.
 MeetingBody any_side(Random& random);
 
-/// Apart, touching, or overlapping as far as is proved above, by a hair or deeply. Numbers are rational. One of the two may be a plane.
+/// Apart, touching, or overlapping as far as is proved above, by a hair or deeply. Numbers are
+/// rational. One of the two may be a plane.
 NamedPair meeting(MakeMeetingBody first, MakeMeetingBody second, Random& random);
 
 }  // namespace fathom::families

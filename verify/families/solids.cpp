@@ -40,7 +40,9 @@ Rotation random_rotation(Random& random) {
 }
 
 Body rotated(const Body& body, const Rotation& rotation) {
-  return mapped(body, [&rotation](const Point& p) { return Point{dot(rotation[0], p), dot(rotation[1], p), dot(rotation[2], p)}; });
+  return mapped(body, [&rotation](const Point& p) {
+    return Point{dot(rotation[0], p), dot(rotation[1], p), dot(rotation[2], p)};
+  });
 }
 
 Body translated(const Body& body, const Point& by) {
@@ -53,10 +55,13 @@ Body scaled(const Body& body, const mpq_class& x, const mpq_class& y, const mpq_
 
 Body scaled(const Body& body, const mpq_class& factor) { return scaled(body, factor, factor, factor); }
 
-Bodies rotated(const Bodies& bodies, const Rotation& rotation) { return {rotated(bodies.a, rotation), rotated(bodies.b, rotation)}; }
+Bodies rotated(const Bodies& bodies, const Rotation& rotation) {
+  return {rotated(bodies.a, rotation), rotated(bodies.b, rotation)};
+}
 
 Point random_shift(Random& random, long bound) {
-  return {random_dyadic(random, -bound, bound, 20), random_dyadic(random, -bound, bound, 20), random_dyadic(random, -bound, bound, 20)};
+  return {random_dyadic(random, -bound, bound, 20), random_dyadic(random, -bound, bound, 20),
+          random_dyadic(random, -bound, bound, 20)};
 }
 
 // ---- points near a circle ----
@@ -70,7 +75,8 @@ constexpr std::int64_t half_pi = 1811004864519280711;  // pi / 2 * 2^60, rounded
 
 std::int64_t product(std::int64_t a, std::int64_t b) { return static_cast<std::int64_t>((Wide{a} * b) >> fraction); }
 
-/// cos and sin of an angle in [0, pi/4], in fixed point: Taylor series, whose terms fall below 2^-60 before the 20th.
+/// cos and sin of an angle in [0, pi/4], in fixed point: Taylor series, whose terms fall below
+/// 2^-60 before the 20th.
 std::pair<std::int64_t, std::int64_t> taylor(std::int64_t angle) {
   std::int64_t cosine = one, sine = 0, term = one;
   for (int power = 1; power < 22; ++power) {
@@ -104,7 +110,8 @@ CirclePoint circle_point(std::uint64_t k, std::uint64_t n, unsigned bits) {
 }
 
 unsigned circle_bits(std::uint64_t n) {
-  const unsigned needed = 12 + 2 * static_cast<unsigned>(std::bit_width(n - 1));  // steps of a polygon turn by about (2 pi / n)^2
+  const unsigned needed =
+      12 + 2 * static_cast<unsigned>(std::bit_width(n - 1));  // steps of a polygon turn by about (2 pi / n)^2
   return needed < 20 ? 20 : needed > 52 ? 52 : needed;
 }
 
@@ -142,7 +149,8 @@ Body box(const mpq_class& half_x, const mpq_class& half_y, const mpq_class& half
   Body body;
   for (const int x : {-1, 1})
     for (const int y : {-1, 1})
-      for (const int z : {-1, 1}) body.points.push_back({mpq_class(x * half_x), mpq_class(y * half_y), mpq_class(z * half_z)});
+      for (const int z : {-1, 1})
+        body.points.push_back({mpq_class(x * half_x), mpq_class(y * half_y), mpq_class(z * half_z)});
   return body;
 }
 
@@ -153,7 +161,8 @@ Body cube() { return box(1, 1, 1); }
 Body octahedron() { return {{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}}; }
 
 Body dodecahedron() {
-  const mpq_class h = ratio(55, 89);  // the pentagons of (0, +-(1 - h^2), +-(1 + h)) with the cube are planar for every h
+  const mpq_class h =
+      ratio(55, 89);  // the pentagons of (0, +-(1 - h^2), +-(1 + h)) with the cube are planar for every h
   Body body = cube();
   add_cyclic(body, mpq_class(1 - h * h), mpq_class(1 + h));
   return body;

@@ -25,7 +25,8 @@ mpq_class on_grid(const mpq_class& value) {
 Point unit_vector(Random& random) { return random_sphere_body(random, 1).points.front(); }
 
 Point at(const Point& center, const mpq_class& radius, const Point& unit) {
-  return {on_grid(center.x + radius * unit.x), on_grid(center.y + radius * unit.y), on_grid(center.z + radius * unit.z)};
+  return {on_grid(center.x + radius * unit.x), on_grid(center.y + radius * unit.y),
+          on_grid(center.z + radius * unit.z)};
 }
 
 /// Multiples of 1/64.
@@ -34,7 +35,8 @@ mpq_class between(Random& random, const mpq_class& low, const mpq_class& high) {
 }
 
 Point shift(Random& random, const mpq_class& bound) {
-  const mpq_class x = between(random, -bound, bound), y = between(random, -bound, bound), z = between(random, -bound, bound);
+  const mpq_class x = between(random, -bound, bound), y = between(random, -bound, bound),
+                  z = between(random, -bound, bound);
   return {x, y, z};
 }
 
@@ -123,7 +125,8 @@ Pieces ring(unsigned n, bool upright) {
 Pieces slotted(unsigned n, const mpq_class& width) {
   Pieces pieces;
   mpq_class x = 0;
-  for (unsigned i = 0; i <= std::max(1U, n); ++i, x += 2 + width) pieces.push_back(box_from({x, -3, -3}, {x + 2, 3, 3}));
+  for (unsigned i = 0; i <= std::max(1U, n); ++i, x += 2 + width)
+    pieces.push_back(box_from({x, -3, -3}, {x + 2, 3, 3}));
   return pieces;
 }
 
@@ -183,14 +186,16 @@ UnionPair combs(Random& random, unsigned n) {
 }
 
 UnionPair keys(Random& random, unsigned n) {
-  // The lock: a plate about a keyhole, with n wards behind. The key: a shaft through the hole, with n bits between the wards.
+  // The lock: a plate about a keyhole, with n wards behind. The key: a shaft through the hole, with
+  // n bits between the wards.
   const unsigned wards = std::max(1U, n);
   Pieces lock = {box_from({0, -3, -3}, {1, 3, -1}), box_from({0, -3, 1}, {1, 3, 3}), box_from({0, -3, -1}, {1, -1, 1}),
                  box_from({0, 1, -1}, {1, 3, 1})};
   Pieces key = {box_from({-4, ratio(-3, 4), ratio(-3, 4)}, {2 * wards + 2, ratio(3, 4), ratio(3, 4)})};
   for (unsigned i = 0; i < wards; ++i) {
     lock.push_back(box_from({2 * i + 2, -3, 1}, {2 * i + 3, 3, 3}));
-    key.push_back(box_from({2 * i + ratio(5, 4), ratio(-1, 2), ratio(3, 4)}, {2 * i + ratio(7, 4), ratio(1, 2), ratio(9, 4)}));
+    key.push_back(
+        box_from({2 * i + ratio(5, 4), ratio(-1, 2), ratio(3, 4)}, {2 * i + ratio(7, 4), ratio(1, 2), ratio(9, 4)}));
   }
   return {translated(key, shift(random, 1)), lock};
 }
@@ -228,7 +233,8 @@ Whole whole(Random& random, unsigned points) {
     }
   };
   const Body a = body(), b = body();
-  const Point by = on_lattice ? Point{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} : random_shift(random, 1);
+  const Point by =
+      on_lattice ? Point{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)} : random_shift(random, 1);
   return {a.points, translated(b, by).points};
 }
 

@@ -12,7 +12,9 @@
 namespace fathom::families {
 namespace {
 
-polytope::Polytope hull_of(const std::vector<Point>& points) { return polytope::convex_hull(polytope::place(points, points).a.points()); }
+polytope::Polytope hull_of(const std::vector<Point>& points) {
+  return polytope::convex_hull(polytope::place(points, points).a.points());
+}
 
 Point mean_of(const std::vector<Point>& points) {
   Point sum{0, 0, 0};
@@ -47,7 +49,9 @@ Point random_inside(Random& random, const std::vector<Point>& vertices) {
 
 }  // namespace
 
-bool is_flat(const std::vector<Point>& points) { return polytope::affine_rank(polytope::place(points, points).a.points()) < 3; }
+bool is_flat(const std::vector<Point>& points) {
+  return polytope::affine_rank(polytope::place(points, points).a.points()) < 3;
+}
 
 std::vector<Point> hull_vertices(const std::vector<Point>& points) {
   std::vector<Point> vertices;
@@ -123,8 +127,8 @@ Pieces cut_into_grid(const Point& low, const Point& high, unsigned cells) {
       for (unsigned z = 0; z < cells; ++z) {
         std::vector<Point>& piece = pieces.emplace_back();
         for (unsigned corner = 0; corner < 8; ++corner)
-          piece.push_back(
-              {at(low.x, high.x, x + (corner & 1)), at(low.y, high.y, y + (corner >> 1 & 1)), at(low.z, high.z, z + (corner >> 2))});
+          piece.push_back({at(low.x, high.x, x + (corner & 1)), at(low.y, high.y, y + (corner >> 1 & 1)),
+                           at(low.z, high.z, z + (corner >> 2))});
       }
   return pieces;
 }

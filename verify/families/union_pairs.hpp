@@ -9,7 +9,8 @@
 
 namespace fathom::families {
 
-// ---- convex bodies cut into pieces that abut exactly: whatever the cut, the union is the body ----
+// ---- convex bodies cut into pieces that abut exactly: whatever the cut, the union is the body
+// ----
 
 /// Whether the points lie in one plane.
 bool is_flat(const std::vector<Point>& points);
@@ -34,8 +35,8 @@ Pieces cut_into_grid(const Point& low, const Point& high, unsigned cells);
 
 // ---- bodies and pairs ----
 
-// Bodies as unions of convex pieces: clusters, combs, keys, slots, rings; and pairs of them in random places. `n` is the number of pieces,
-// or about that.
+// Bodies as unions of convex pieces: clusters, combs, keys, slots, rings; and pairs of them in
+// random places. `n` is the number of pieces, or about that.
 
 struct UnionPair {
   Pieces a, b;
@@ -44,13 +45,15 @@ struct UnionPair {
 std::vector<Point> box_from(const Point& low, const Point& high);
 Pieces translated(const Pieces& pieces, const Point& by);
 
-/// Hulls of `points` points near spheres of radii near 2/5, the centre of each beside that of the last: multiples of 2^-16.
+/// Hulls of `points` points near spheres of radii near 2/5, the centre of each beside that of the
+/// last: multiples of 2^-16.
 Pieces cluster(Random& random, unsigned n, unsigned points);
 /// Boxes with corners in {0..5}^3.
 Pieces lattice_boxes(Random& random, unsigned n);
 /// A back and n teeth of width 1 along x, one apart from the next, of the given length along y.
 Pieces comb(unsigned n, const mpq_class& tooth_length);
-/// A ring of n wedges that abut, at least 3, about the z axis, or about the y axis if `upright`: radii 3/4 and 5/4, height 1/2.
+/// A ring of n wedges that abut, at least 3, about the z axis, or about the y axis if `upright`:
+/// radii 3/4 and 5/4, height 1/2.
 Pieces ring(unsigned n, bool upright);
 /// n + 1 walls with slots of the given width between them, along x; each is 2 thick.
 Pieces slotted(unsigned n, const mpq_class& width);

@@ -21,8 +21,8 @@ void make_plain(files::NamedBody& words) {
 }  // namespace
 
 long exponent_of(const mpq_class& value) {
-  const long guess =
-      static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+  const long guess = static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
+                     static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
   return abs(value) < scaled(1, guess) ? guess - 1 : guess;  // 2^(guess-1) < |value| < 2^(guess+1)
 }
 
@@ -33,8 +33,8 @@ long lowest_bit(const mpq_class& value) {
 
 std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& format) {
   const mpq_class there = scaled(value, format.exponent);
-  const double nearest =
-      format.points == Precision::binary32 ? static_cast<double>(round_binary32(there, Rounding::rn)) : round_binary64(there, Rounding::rn);
+  const double nearest = format.points == Precision::binary32 ? static_cast<double>(round_binary32(there, Rounding::rn))
+                                                              : round_binary64(there, Rounding::rn);
   if (!std::isfinite(nearest)) return std::nullopt;
   return scaled(exact_value(nearest), -format.exponent);
 }
@@ -87,7 +87,8 @@ Case in_unit(Case pair, long exponent) {
   if (exponent == 0) return pair;
   for (Body* body : {&pair.a, &pair.b}) {
     if (body->pieces) {
-      for_each_hull(*body, [&](std::vector<Point>& points) { points = scaled(GivenPoints(std::move(points)), exponent); });
+      for_each_hull(*body,
+                    [&](std::vector<Point>& points) { points = scaled(GivenPoints(std::move(points)), exponent); });
       continue;
     }
     if (!body->words) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/examiner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
-#include <fmt/format.h>
 #include <iostream>
 #include <iterator>
 #include <mutex>
@@ -13,12 +14,12 @@
 #include <utility>
 #include <variant>
 
+#include "fathom/shape.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "fathom/shape.hpp"
-#include "reference/files/shape_names.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"
@@ -44,8 +45,9 @@ std::string excerpt(std::string_view line) {
   return '\'' + kernels::printable(line, shown_bytes) + '\'';
 }
 
-/// An integer that differs at each question to a process, and whose last six digits tell nothing before the case was read: what comes
-/// unasked, as a second copy of a reply, is no answer to the next case.
+/// An integer that differs at each question to a process, and whose last six digits tell nothing
+/// before the case was read: what comes unasked, as a second copy of a reply, is no answer to the
+/// next case.
 std::string ticket_of(std::uint64_t number, const std::string& digest) {
   constexpr std::uint64_t most = 1'000'000;
   return fmt::format("{}{:06}", number, std::stoull(digest, nullptr, 16) % most);
@@ -65,19 +67,21 @@ bool has_usual_size(const Body& body) {
   return longest >= mpq_class(1, 100) && longest <= 100;
 }
 
-// Cases that every engine is made for are counted apart.                                                    [docs/certify.md]
+// Cases that every engine is made for are counted apart.                          [docs/certify.md]
 
 /// Whether both bodies have a volume; exact.
 bool is_solid(const Case& pair) {
-  const auto is_flat = [](const Body& body) { return !body.pieces && fathom::is_flat(files::shape_of(body)); };  // pieces have interiors
+  const auto is_flat = [](const Body& body) {
+    return !body.pieces && fathom::is_flat(files::shape_of(body));
+  };  // pieces have interiors
   return !is_flat(pair.a) && !is_flat(pair.b);
 }
 
 /// Whether the length is above that of the longest side of the bodies' boxes.
 bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }
 
-/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case: exact of points, and of shapes rounded up
-/// by 2^-40 of itself at most. A half-space has any size.
+/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case:
+/// exact of points, and of shapes rounded up by 2^-40 of itself at most. A half-space has any size.
 bool is_metre_sized(const Case& pair) { return has_usual_size(pair.a) && has_usual_size(pair.b); }
 
 class Run {
@@ -176,7 +180,10 @@ class Run {
 
 }  // namespace
 
-Examiner::Examiner(SubjectCommand command, Settings settings) : command_(std::move(command)), settings_(std::move(settings)) { start(); }
+Examiner::Examiner(SubjectCommand command, Settings settings)
+    : command_(std::move(command)), settings_(std::move(settings)) {
+  start();
+}
 
 Examiner::~Examiner() {
   if (!process_) return;
@@ -219,13 +226,15 @@ std::string Examiner::unfinished_line() {
                       : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line));
 }
 
-/// The first line that may be a message, as no line does that begins otherwise than an object of JSON. The others are passed over.
+/// The first line that may be a message, as no line does that begins otherwise than an object of
+/// JSON. The others are passed over.
 Process::Got Examiner::read_message(std::string& line, Clock::time_point deadline) {
   passed_over_.clear();
   while (true) {
     const Process::Got got = process_->read_line(line, deadline);
     if (got != Process::Got::line || line.substr(0, line.find_first_not_of(" \t\r") + 1).ends_with('{')) return got;
-    if (passed_over_.empty()) passed_over_ = "what the subject wrote before its hello is no JSON object, and passed over: " + excerpt(line);
+    if (passed_over_.empty())
+      passed_over_ = "what the subject wrote before its hello is no JSON object, and passed over: " + excerpt(line);
     else if (!passed_over_.ends_with(", ...")) passed_over_ += ", ...";
     if (settings_.stop && settings_.stop()) return Process::Got::stopped;
     if (Clock::now() >= deadline) return Process::Got::time_out;  // it may never stop writing
@@ -253,14 +262,16 @@ void Examiner::start() {
   if (got == Process::Got::too_long) throw SubjectError("the subject's first line is no hello: it does not end");
   if (got == Process::Got::end) {
     const std::optional<Ending> ending = process_->ending(Clock::now() + grace);
-    throw SubjectError("the subject said no hello: " + (ending ? described(*ending) : "closed its output") +
-                       (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line))) + beside());
+    throw SubjectError(
+        "the subject said no hello: " + (ending ? described(*ending) : "closed its output") +
+        (line.empty() ? "" : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line))) +
+        beside());
   }
   try {
     SubjectInfo info = read_hello(line);
     if (starts_ > 1 && hello_text(info) != hello_text(info_))
-      throw SubjectError("the subject says something else of itself each time that it is started: first " + hello_text(info_) + ", then " +
-                         hello_text(info));
+      throw SubjectError("the subject says something else of itself each time that it is started: first " +
+                         hello_text(info_) + ", then " + hello_text(info));
     info_ = std::move(info);
   } catch (const ProtocolError& error) {
     throw SubjectError(std::string("the subject's hello is wrong: ") + error.what() + beside());
@@ -273,7 +284,9 @@ Outcome Examiner::examine(const Case& pair, long exponent) {
   Outcome otherwise;
   const std::optional<Case> seen = put(pair, exponent, otherwise);
   if (!seen) return otherwise;
-  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
+  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) {
+    return ask(one, exponent, answer);
+  };
   if (is_asked_in_pairs(*seen, info_)) return examine_pairs(*seen, exponent, info_, judging(), ask_pair);
   std::optional<SubjectAnswer> answer;
   Outcome outcome = ask(*seen, exponent, answer);
@@ -285,7 +298,8 @@ std::optional<Case> Examiner::put(const Case& pair, long exponent, Outcome& othe
   std::string why;
   std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
   if (!seen) otherwise = declined(pair, why);
-  else if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty()) otherwise = declined(*seen, obstacle);
+  else if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty())
+    otherwise = declined(*seen, obstacle);
   else return seen;
   return std::nullopt;
 }
@@ -298,7 +312,8 @@ std::vector<std::string> Examiner::input_for(const Case& pair) {
   std::vector<std::string> lines{hello_message()};
   const auto note = [&](const Case& one, std::optional<SubjectAnswer>& answer) {
     Outcome outcome = outcome_for(one, exponent);
-    lines.push_back(run_message(ticket_of(lines.size(), outcome.digest), in_unit(one, exponent), info_.format.points, info_.wants_faces));
+    lines.push_back(run_message(ticket_of(lines.size(), outcome.digest), in_unit(one, exponent), info_.format.points,
+                                info_.wants_faces));
     answer = SubjectAnswer{"", Unsupported{"only noted"}};
     return outcome;
   };
@@ -332,7 +347,8 @@ Outcome Examiner::ask(const Case& seen, long exponent, std::optional<SubjectAnsw
     const std::optional<Fault> found = ask_once(seen, outcome, answer);
     if (found) process_.reset();
     const bool leftover_before = before && before->after;
-    const bool again = before && found && before->verdict == found->verdict && (!leftover_before || before->seen == found->seen);
+    const bool again =
+        before && found && before->verdict == found->verdict && (!leftover_before || before->seen == found->seen);
     if (before && !again) tell(*before);
     if (!found) return outcome;
     if (is_nobodys(*found)) {
@@ -357,7 +373,8 @@ bool Examiner::is_nobodys(const Fault& fault) {
   }
   tell(fault);
   unread_ = fault.after ? 0 : unread_ + 1;
-  if (unread_ == most_starts) throw SubjectError("the subject ends each time before it reads a case: " + fault.seen + fault.words);
+  if (unread_ == most_starts)
+    throw SubjectError("the subject ends each time before it reads a case: " + fault.seen + fault.words);
   return true;
 }
 
@@ -367,7 +384,8 @@ void Examiner::tell(const Fault& fault, const char* when) {
 }
 
 /// Returns nullopt if the case was answered.
-std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome, std::optional<SubjectAnswer>& answer) {
+std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome,
+                                                  std::optional<SubjectAnswer>& answer) {
   ticket_ = ticket_of(++asked_, outcome.digest);
   const std::string message = run_message(ticket_, in_unit(seen, outcome.fit), info_.format.points, info_.wants_faces);
   const Clock::time_point begin = Clock::now();
@@ -380,7 +398,8 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
     case Process::Got::stopped: throw Interrupted();
     case Process::Got::end: return fault_of_end(line);
     case Process::Got::too_long:
-      return fault(Verdict::garbage, fmt::format("a line of more than {} bytes: {}", longest_line, excerpt(process_->waiting())));
+      return fault(Verdict::garbage,
+                   fmt::format("a line of more than {} bytes: {}", longest_line, excerpt(process_->waiting())));
     case Process::Got::time_out: break;
   }
   std::string detail = fmt::format("no answer within {} s", settings_.time_out);
@@ -389,7 +408,8 @@ std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& out
   return fault(Verdict::time_out, detail + unfinished_line());
 }
 
-std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen, std::optional<SubjectAnswer>& understood) {
+std::optional<Examiner::Fault> Examiner::understand(const std::string& line, const Case& seen,
+                                                    std::optional<SubjectAnswer>& understood) {
   const std::string what = "wrote " + excerpt(line);
   std::optional<SubjectAnswer> answer;
   try {
@@ -397,12 +417,13 @@ std::optional<Examiner::Fault> Examiner::understand(const std::string& line, con
     demand_sent_as_vertices(seen, *answer);
   } catch (const ProtocolError& error) {
     const std::string reason = error.what();
-    return fault(Verdict::garbage, what, reason.find(excerpt(line)) == reason.npos ? reason + "; the line: " + excerpt(line) : reason);
+    return fault(Verdict::garbage, what,
+                 reason.find(excerpt(line)) == reason.npos ? reason + "; the line: " + excerpt(line) : reason);
   }
   if (answer->ticket != ticket_)
-    return fault(
-        Verdict::garbage, what,
-        fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket_, kernels::shown(answer->ticket), excerpt(line)));
+    return fault(Verdict::garbage, what,
+                 fmt::format("expected the reply to run {}, found one to {}; the line: {}", ticket_,
+                             kernels::shown(answer->ticket), excerpt(line)));
   answered_ = seen.id;
   unread_ = 0;
   understood = std::move(answer);
@@ -424,7 +445,8 @@ Examiner::Fault Examiner::fault_of_end(const std::string& rest) {
 Replay Replay::read(const std::string& given) {
   const bool standard = given == "-";
   const std::string path = standard ? "<stdin>" : given;
-  const std::string text = standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
+  const std::string text =
+      standard ? std::string(std::istreambuf_iterator<char>(std::cin), {}) : files::read_file(path);
   Replay replay;
   replay.info_.name = "replay";
   std::size_t number = 0;
@@ -478,9 +500,13 @@ Outcome Replay::examine(const Case& pair, long exponent, const Judging& judging)
   std::string why;
   const std::optional<Case> seen = as_seen(pair, in_unit(info_.format, exponent), info_.shapes, &why);
   if (!seen) return declined(pair, why);
-  if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty()) return declined(*seen, obstacle);
-  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) { return ask(one, exponent, answer); };
-  if (is_asked_in_pairs(*seen, info_) && !answers_.contains(seen->id)) return examine_pairs(*seen, exponent, info_, judging, ask_pair);
+  if (const std::string obstacle = obstacle_to(*seen, info_, exponent); !obstacle.empty())
+    return declined(*seen, obstacle);
+  const auto ask_pair = [&](const Case& one, std::optional<SubjectAnswer>& answer) {
+    return ask(one, exponent, answer);
+  };
+  if (is_asked_in_pairs(*seen, info_) && !answers_.contains(seen->id))
+    return examine_pairs(*seen, exponent, info_, judging, ask_pair);
   std::optional<SubjectAnswer> answer;
   Outcome outcome = ask(*seen, exponent, answer);
   if (answer) judge_answer(outcome, *seen, *answer, info_, judging);

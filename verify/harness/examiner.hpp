@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One subject, alive or as it once replied, and many cases put to several of them at once.        [verify/PROTOCOL.md; docs/certify.md]
+// One subject, alive or as it once replied, and many cases put to several of them at once.
+//                                                             [verify/PROTOCOL.md; docs/certify.md]
 #pragma once
 
 #include <cstdint>
@@ -28,13 +29,14 @@ struct SubjectCommand {
 };
 
 struct Settings {
-  double time_out = 10;                                   ///< seconds that a case may take
-  double hello_time_out = 10;                             ///< seconds until the hello; never less than time_out
-  Tolerance tolerance = {};                               ///< of the verdicts
-  std::optional<mpq_class> fit = {};                      ///< the size that cases are brought to; see exponent_to_fit
-  std::vector<Solver> second;                             ///< ways to find every truth and judgement again
-  std::function<bool()> stop;                             ///< asked now and then: true ends the work with Interrupted
-  std::function<void(const Unattributed&)> unattributed;  ///< hears of failures that no case caused; called from any thread
+  double time_out = 10;               ///< seconds that a case may take
+  double hello_time_out = 10;         ///< seconds until the hello; never less than time_out
+  Tolerance tolerance = {};           ///< of the verdicts
+  std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
+  std::vector<Solver> second;         ///< ways to find every truth and judgement again
+  std::function<bool()> stop;         ///< asked now and then: true ends the work with Interrupted
+  std::function<void(const Unattributed&)>
+      unattributed;  ///< hears of failures that no case caused; called from any thread
 };
 
 /// The subject cannot be started, or its hello is missing or wrong. No case caused this.
@@ -42,9 +44,9 @@ struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Starts the subject's process, asks it, judges its answers, and starts it again after a crash, a hang or a stray line. For the thread
-/// that made it. A failure is blamed on a case only if a fresh process fails on the same case again; otherwise
-/// settings.unattributed hears of it.
+/// Starts the subject's process, asks it, judges its answers, and starts it again after a crash, a
+/// hang or a stray line. For the thread that made it. A failure is blamed on a case only if a fresh
+/// process fails on the same case again; otherwise settings.unattributed hears of it.
 class Examiner {
  public:
   /// Starts the subject and hears its hello. Throws SubjectError, Interrupted.
@@ -54,23 +56,28 @@ class Examiner {
   Examiner& operator=(const Examiner&) = delete;
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
-  /// What the subject wrote before its hello and was passed over, such as a greeting of a library that it loads: a sentence, or nothing.
+  /// What the subject wrote before its hello and was passed over, such as a greeting of a library
+  /// that it loads: a sentence, or nothing.
   [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
   /// How often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
-  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and judges the answer. Of unions it puts
-  /// each pair of pieces, unless the subject takes them in pieces; each pair may take the time of a case. Throws Interrupted, Disagreement,
-  /// and SubjectError if a subject that ended cannot be started again, ends each time before it reads the case, or sends a different hello.
+  /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and
+  /// judges the answer. Of unions it puts each pair of pieces, unless the subject takes them in
+  /// pieces; each pair may take the time of a case. Throws Interrupted, Disagreement, and
+  /// SubjectError if a subject that ended cannot be started again, ends each time before it reads
+  /// the case, or sends a different hello.
   Outcome examine(const Case& pair);
   /// The same, with all lengths times 2^exponent, whatever the settings say.
   Outcome examine(const Case& pair, long exponent);
 
-  /// What a process reads that is asked about this case alone: the lines of hello, of each run, and of stop, without their ends. Asks
-  /// nothing. Throws InputError, with the reason, for a case that is not put to the subject.
+  /// What a process reads that is asked about this case alone: the lines of hello, of each run, and
+  /// of stop, without their ends. Asks nothing. Throws InputError, with the reason, for a case that
+  /// is not put to the subject.
   [[nodiscard]] std::vector<std::string> input_for(const Case& pair);
 
-  /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that follows gets a fresh process.
+  /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that
+  /// follows gets a fresh process.
   void finish();
 
  private:
@@ -119,19 +126,22 @@ struct NoReply : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Replies by the ids of their cases, from a file: an optional hello, then replies in any order.                    [verify/PROTOCOL.md]
+/// Replies by the ids of their cases, from a file: an optional hello, then replies in any order.
+///                                                                             [verify/PROTOCOL.md]
 class Replay {
  public:
-  /// Reads a file; "-" is standard input. Without a hello the subject is "replay" in binary64, with the default conventions. Throws
-  /// InputError if the file cannot be read, its hello is wrong, or it holds no reply.
+  /// Reads a file; "-" is standard input. Without a hello the subject is "replay" in binary64, with
+  /// the default conventions. Throws InputError if the file cannot be read, its hello is wrong, or
+  /// it holds no reply.
   static Replay read(const std::string& given);
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
   /// A sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent; several replies to one case are garbage. Of
-  /// unions without a reply of their own, the replies to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and
+  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent;
+  /// several replies to one case are garbage. Of unions without a reply of their own, the replies
+  /// to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and
   /// Interrupted. Any thread may call it.
   [[nodiscard]] Outcome examine(const Case& pair, long exponent, const Judging& judging) const;
 
@@ -155,8 +165,8 @@ struct Worker {
   std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
 };
 
-/// Where a run gets its work and where its results go. No two threads call these at once, except `known`, and the workers, each of which
-/// stays in one thread.
+/// Where a run gets its work and where its results go. No two threads call these at once, except
+/// `known`, and the workers, each of which stays in one thread.
 struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
@@ -169,16 +179,18 @@ struct RunPlan {
   std::function<Worker()> worker;             ///< called once in each thread
   /// The outcome that an earlier run found, or null.
   std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
-  /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the case.
+  /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the
+  /// case.
   std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
-  /// Hears of a case without an outcome, and of what its examiner threw. Rethrows that to end the run.
+  /// Hears of a case without an outcome, and of what its examiner threw. Rethrows that to end the
+  /// run.
   std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
   /// A variant that has no exact form.
   std::function<void(const Case& pair, const std::string& sentence)> left_out;
 };
 
-/// Works until there is no next case; the calling thread is one of the workers. The first exception of any callback ends all workers
-/// once they have finished their cases, and is rethrown.
+/// Works until there is no next case; the calling thread is one of the workers. The first exception
+/// of any callback ends all workers once they have finished their cases, and is rethrown.
 void run(const RunPlan& plan);
 
 }  // namespace fathom::harness

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/journal.hpp"
 
-#include <cerrno>
-#include <cmath>
-#include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "fathom/files.hpp"
@@ -32,15 +33,16 @@ bool exists_and_holds_something(const std::string& path) {
 
 /// Reads the lines of a journal, and finds how many of its bytes are to be kept.
 std::size_t kept_bytes(const std::string& text, const std::string& path, const std::string& header,
-                       const std::function<void(Outcome)>& known, const std::function<void(Unattributed)>& unattributed) {
+                       const std::function<void(Outcome)>& known,
+                       const std::function<void(Unattributed)>& unattributed) {
   std::size_t kept = 0, number = 0;
   for (std::size_t newline = text.find('\n'); newline != std::string::npos; newline = text.find('\n', kept)) {
     const std::string_view line = std::string_view(text).substr(kept, newline - kept);
     ++number;
     if (number == 1 && !same_run(line, header))
-      throw InputError(
-          path, 1,
-          "this report is of another subject, version, setting, tolerance or policy: expected " + header + ", found " + std::string(line));
+      throw InputError(path, 1,
+                       "this report is of another subject, version, setting, tolerance or policy: expected " + header +
+                           ", found " + std::string(line));
     if (number > 1 && is_summary(line)) return kept;
     if (number > 1) {
       if (std::optional<Outcome> outcome = read_outcome(line)) known(*std::move(outcome));
@@ -64,7 +66,8 @@ std::string type_of(const Json& line) {
 
 void flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& fields) {
   if (!json.is_object()) {
-    fields[path] = json.is_string() ? json.get<std::string>() : json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    fields[path] =
+        json.is_string() ? json.get<std::string>() : json.dump(-1, ' ', true, Json::error_handler_t::replace);
     return;
   }
   for (const auto& [name, value] : json.items()) flatten(value, path.empty() ? name : path + '.' + name, fields);
@@ -73,7 +76,8 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, st
 /// Of the points.
 bool header_says_binary32(const std::map<std::string, std::string>& header) {
   for (const char* field : {"subject.precision", "subject.precision.points"})
-    if (const auto found = header.find(field); found != header.end() && found->second == name(Precision::binary32)) return true;
+    if (const auto found = header.find(field); found != header.end() && found->second == name(Precision::binary32))
+      return true;
   return false;
 }
 
@@ -126,11 +130,14 @@ Journal::~Journal() {
 Journal Journal::create(const std::string& path, const std::string& header, bool overwrite) {
   const bool is_there = exists_and_holds_something(path);
   if (is_there && !overwrite)
-    throw InputError(path, 0, "it exists; --resume goes on with a report that is there, --overwrite replaces it, or name another file");
+    throw InputError(
+        path, 0,
+        "it exists; --resume goes on with a report that is there, --overwrite replaces it, or name another file");
   if (is_there && !files::read_file(path).starts_with(R"({"schema":"fathom/verdict/1","type":"header")"))
     throw InputError(path, 1, "expected a report, which alone --overwrite replaces, found another file");
   Journal journal(path);
-  if (is_there && ::ftruncate(journal.file_, 0) != 0) throw InputError(path, 0, std::string("cannot be replaced: ") + std::strerror(errno));
+  if (is_there && ::ftruncate(journal.file_, 0) != 0)
+    throw InputError(path, 0, std::string("cannot be replaced: ") + std::strerror(errno));
   journal.add(header);
   return journal;
 }
@@ -172,7 +179,8 @@ ReportFile read_report(const std::string& path) {
     if (number == 1) {
       const Json header = Json::parse(line, nullptr, false);
       if (type_of(header) != "header")
-        throw InputError(path, 1, "expected the header of a report, schema fathom/verdict/1, found " + kernels::shown(line));
+        throw InputError(path, 1,
+                         "expected the header of a report, schema fathom/verdict/1, found " + kernels::shown(line));
       take_header(header, report);
     } else if (!take_line(line, report) && end < text.size()) {
       throw InputError(path, number, "expected a line of schema fathom/verdict/1, found " + kernels::shown(line));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outcomes on disk, each written as one whole line as soon as it is found, so that a run that was cut short can go on.
-//                                                                             [schemas/verdict.schema.json; verify/PROTOCOL.md]
+// Outcomes on disk, each written as one whole line as soon as it is found, so that a run that was
+// cut short can go on.
+//                                                 [schemas/verdict.schema.json; verify/PROTOCOL.md]
 #pragma once
 
 #include <cstddef>
@@ -17,17 +18,18 @@
 
 namespace fathom::harness {
 
-/// An outcome as one line of schema fathom/verdict/1, without the newline. read_outcome is its inverse, and returns nullopt for other text.
+/// An outcome as one line of schema fathom/verdict/1, without the newline. read_outcome is its
+/// inverse, and returns nullopt for other text.
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
-/// Returns the first field that a report would show differently, with both values, as "judgement.error: 0.5 and 0.25"; nullopt if all are
-/// equal.
+/// Returns the first field that a report would show differently, with both values, as
+/// "judgement.error: 0.5 and 0.25"; nullopt if all are equal.
 std::optional<std::string> difference(const Judgement& x, const Judgement& y);
 std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
 
-/// The first line: whose outcomes they are, by which tolerance they were judged, by which fathom and command, and which methods found the
-/// truth again.
+/// The first line: whose outcomes they are, by which tolerance they were judged, by which fathom
+/// and command, and which methods found the truth again.
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
 /// Whether two headers say the same except for the command.
 bool same_run(std::string_view header, std::string_view other);
@@ -48,16 +50,17 @@ struct JournalError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A journal on disk. Each line is one write(2) to the end of the file, so lines stay whole even if the process is killed. Throws an
-/// InputError if another process has it open.
+/// A journal on disk. Each line is one write(2) to the end of the file, so lines stay whole even if
+/// the process is killed. Throws an InputError if another process has it open.
 class Journal {
  public:
-  /// Starts a new one; with `overwrite` in the place of a journal that is there. Throws InputError if the file cannot be made, or is not
-  /// empty and none to be replaced.
+  /// Starts a new one; with `overwrite` in the place of a journal that is there. Throws InputError
+  /// if the file cannot be made, or is not empty and none to be replaced.
   static Journal create(const std::string& path, const std::string& header, bool overwrite = false);
-  /// Goes on with an existing journal, or starts one: calls `known` for each outcome in it and `unattributed` for what no case was to
-  /// blame for, then cuts off a summary and an incomplete last line. Throws InputError, naming the line, if its header is that of another
-  /// run or a line cannot be read.
+  /// Goes on with an existing journal, or starts one: calls `known` for each outcome in it and
+  /// `unattributed` for what no case was to blame for, then cuts off a summary and an incomplete
+  /// last line. Throws InputError, naming the line, if its header is that of another run or a line
+  /// cannot be read.
   static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
                         const std::function<void(Unattributed)>& unattributed);
 
@@ -78,10 +81,11 @@ class Journal {
 
 struct ReportFile {
   std::string path;
-  std::map<std::string, std::string> header;  ///< every field but the command, by its path: "subject.settings.margin", "tolerance.relative"
-  double unit_roundoff = 0;                   ///< of the subject's numbers
-  std::vector<Outcome> outcomes;              ///< in the order of the file; of an id that stands in several lines, the last
-  std::size_t repeated = 0;                   ///< lines whose id stands in a later line again
+  std::map<std::string, std::string>
+      header;  ///< every field but the command, by its path: "subject.settings.margin", "tolerance.relative"
+  double unit_roundoff = 0;       ///< of the subject's numbers
+  std::vector<Outcome> outcomes;  ///< in the order of the file; of an id that stands in several lines, the last
+  std::size_t repeated = 0;       ///< lines whose id stands in a later line again
   std::size_t unattributed = 0;
   bool whole = false;  ///< it ends with a summary
 
@@ -89,8 +93,8 @@ struct ReportFile {
   [[nodiscard]] std::string title() const;
 };
 
-/// Throws InputError, naming the line and what was expected, if the file cannot be read or is no report. A last line that was cut off by a
-/// kill is passed over.
+/// Throws InputError, naming the line and what was expected, if the file cannot be read or is no
+/// report. A last line that was cut off by a kill is passed over.
 ReportFile read_report(const std::string& path);
 
 }  // namespace fathom::harness

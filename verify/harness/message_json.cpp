@@ -35,7 +35,9 @@ std::string_view string_at(std::string_view text, std::size_t from) {
 /// The bare word that starts at `from`; "nan(0x8000)" is one.
 std::string_view word_at(std::string_view text, std::size_t from) {
   std::size_t end = from;
-  const auto belongs = [&](char c) { return is_letter(c) || is_digit(c) || c == '+' || c == '-' || c == '.' || c == '_' || c == '#'; };
+  const auto belongs = [&](char c) {
+    return is_letter(c) || is_digit(c) || c == '+' || c == '-' || c == '.' || c == '_' || c == '#';
+  };
   while (end < text.size() && belongs(text[end])) ++end;
   if (end < text.size() && text[end] == '(') {
     const std::size_t close = text.find(')', end);
@@ -49,10 +51,13 @@ bool is_nan(std::string_view word) {
   if (!same_word(word.substr(0, word.find('(')), "nan")) return false;
   const std::string_view rest = word.substr(3);
   const auto belongs = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
-  return rest.empty() || (rest.size() > 1 && rest.back() == ')' && std::all_of(rest.begin() + 1, rest.end() - 1, belongs));
+  return rest.empty() ||
+         (rest.size() > 1 && rest.back() == ')' && std::all_of(rest.begin() + 1, rest.end() - 1, belongs));
 }
 
-std::string_view without_sign(std::string_view word) { return word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word; }
+std::string_view without_sign(std::string_view word) {
+  return word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word;
+}
 
 bool is_infinite(std::string_view word) { return same_word(word, "inf") || same_word(word, "infinity"); }
 
@@ -61,15 +66,16 @@ bool looks_like_a_number(std::string_view word) {
   return !size.empty() && (is_digit(size[0]) || size[0] == '.' || is_nan(size) || is_infinite(size));
 }
 
-/// The number with an exponent that is read exactly. A larger one makes any number that is not as long itself infinite, or 0, and so does
-/// the largest that is read.
+/// The number with an exponent that is read exactly. A larger one makes any number that is not as
+/// long itself infinite, or 0, and so does the largest that is read.
 std::string with_exponent_in_reach(std::string_view text) {
   constexpr std::size_t longest = 90'000;  // characters: fewer digits, and fewer bits, than the exponents' limits
   const std::string_view size = without_sign(text);
   const bool hex = size.size() > 1 && same_word(size.substr(0, 2), "0x");
   const std::size_t letter = text.find_first_of(hex ? "pP" : "eE");
   if (letter == text.npos || text.size() > longest) return std::string(text);
-  const std::size_t digits = letter + 1 + (letter + 1 < text.size() && (text[letter + 1] == '-' || text[letter + 1] == '+') ? 1 : 0);
+  const std::size_t digits =
+      letter + 1 + (letter + 1 < text.size() && (text[letter + 1] == '-' || text[letter + 1] == '+') ? 1 : 0);
   if (digits == text.size() || !std::all_of(text.begin() + static_cast<std::ptrdiff_t>(digits), text.end(), is_digit))
     return std::string(text);
   const std::string_view exponent = text.substr(std::min(text.find_first_not_of('0', digits), text.size()));
@@ -81,7 +87,8 @@ std::string with_exponent_in_reach(std::string_view text) {
 using Json = nlohmann::json;
 constexpr std::size_t shown_bytes = 200;
 
-/// A number as it was written, which a parser of JSON would round: a type of value that no text makes.
+/// A number as it was written, which a parser of JSON would round: a type of value that no text
+/// makes.
 Json number_as_written(const std::string& text) { return Json::binary({text.begin(), text.end()}); }
 
 }  // namespace
@@ -122,7 +129,9 @@ std::optional<std::string> read_integer(std::string_view text) {
   return number.value->get_num().get_str();
 }
 
-void refuse(const std::string& expected, const std::string& found) { throw ProtocolError("expected " + expected + ", found " + found); }
+void refuse(const std::string& expected, const std::string& found) {
+  throw ProtocolError("expected " + expected + ", found " + found);
+}
 
 bool is_number(const Json& value) { return value.is_binary(); }
 std::string written(const Json& number) { return {number.get_binary().begin(), number.get_binary().end()}; }
@@ -134,15 +143,16 @@ std::string dumped(const Json& value) {
   std::string text;
   for (const auto& [key, part] : value.items()) {
     text += text.empty() ? "" : ",";
-    text += (value.is_object() ? Json(key).dump(-1, ' ', true, Json::error_handler_t::replace) + ':' : "") + dumped(part);
+    text +=
+        (value.is_object() ? Json(key).dump(-1, ' ', true, Json::error_handler_t::replace) + ':' : "") + dumped(part);
   }
   return value.is_object() ? '{' + text + '}' : '[' + text + ']';
 }
 
 std::string shown_json(const Json& value) { return '\'' + kernels::printable(dumped(value), shown_bytes) + '\''; }
 
-/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
-/// length.
+/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no
+/// line costs more than a few times its length.
 Json json_on(std::string_view line, std::string* repeated) {
   constexpr int deepest = 8;
   const WithoutNumbers rest = without_numbers(line);
@@ -151,7 +161,8 @@ Json json_on(std::string_view line, std::string* repeated) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::object_start && level + 1 < names.size()) names[level + 1].clear();
     if (repeated && event == Json::parse_event_t::key && level < names.size())
-      if (auto name = value.get<std::string>(); !names[level].insert(name).second && repeated->empty()) *repeated = std::move(name);
+      if (auto name = value.get<std::string>(); !names[level].insert(name).second && repeated->empty())
+        *repeated = std::move(name);
     if (event == Json::parse_event_t::value && value.is_number_unsigned())
       value = number_as_written(rest.numbers.at(value.get<std::size_t>()));
     return depth <= deepest;
@@ -164,7 +175,8 @@ Json object_on(std::string_view line) {
     refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
   std::string repeated;
   Json object = json_on(line, &repeated);
-  if (!object.is_object()) throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
+  if (!object.is_object())
+    throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
   if (!repeated.empty()) refuse("each field once", kernels::shown(repeated) + " twice");
   return object;
 }
@@ -192,14 +204,17 @@ bool flag_in(const Json& object, const char* name, const char* of, std::optional
 
 const Json& object_in(const Json& object, const char* name, const char* of) {
   const Json* value = field(object, name);
-  if (!value || !value->is_object()) refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
+  if (!value || !value->is_object())
+    refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
   return *value;
 }
 
 double number_of(const Json& value, const char* name, Precision precision) {
   std::optional<double> number;
-  if (is_number(value) || value.is_string()) number = read_number(is_number(value) ? written(value) : value.get<std::string>(), precision);
-  if (!number) refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
+  if (is_number(value) || value.is_string())
+    number = read_number(is_number(value) ? written(value) : value.get<std::string>(), precision);
+  if (!number)
+    refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
   return *number;
 }
 
@@ -207,7 +222,8 @@ std::optional<Triple> triple_in(const Json& object, const char* name, const char
   const Json* value = field(object, name);
   if (!value) return std::nullopt;
   Triple triple;
-  if (!value->is_array() || value->size() != triple.size()) refuse(fmt::format("three numbers for \"{}\"", called), shown_json(*value));
+  if (!value->is_array() || value->size() != triple.size())
+    refuse(fmt::format("three numbers for \"{}\"", called), shown_json(*value));
   for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of((*value)[i], called, precision);
   return triple;
 }

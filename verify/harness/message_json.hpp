@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Messages of subjects as JSON whose numbers are as they were written, even by hand, as a NaN by printf("%g"); and fields of a type. Not a
-// door: that is protocol.hpp.
+// Messages of subjects as JSON whose numbers are as they were written, even by hand, as a NaN by
+// printf("%g"); and fields of a type. Not a door: that is protocol.hpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,17 +26,20 @@ struct WithoutNumbers {
 /// Takes out every bare word that starts like a number, or is a spelling of NaN or infinity.
 WithoutNumbers without_numbers(std::string_view text);
 
-/// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling of NaN or infinity with or without a
-/// sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)", "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
+/// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling
+/// of NaN or infinity with or without a sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)",
+/// "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
 std::optional<double> read_number(std::string_view text, Precision precision);
 
-/// The digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt if it is not an integer.
+/// The digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt if it is not an
+/// integer.
 std::optional<std::string> read_integer(std::string_view text);
 
 /// Throws ProtocolError: "expected ..., found ...".
 [[noreturn]] void refuse(const std::string& expected, const std::string& found);
 
-/// Whether this is a number as it was written, which a parser of JSON would round: a type of value that no text makes.
+/// Whether this is a number as it was written, which a parser of JSON would round: a type of value
+/// that no text makes.
 bool is_number(const nlohmann::json& value);
 std::string written(const nlohmann::json& number);
 
@@ -44,23 +47,28 @@ std::string written(const nlohmann::json& number);
 std::string dumped(const nlohmann::json& value);
 std::string shown_json(const nlohmann::json& value);
 
-/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no line costs more than a few times its
-/// length. `repeated`, if given, becomes the first name that an object has twice: readers differ in which of the two they take.
+/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no
+/// line costs more than a few times its length. `repeated`, if given, becomes the first name that
+/// an object has twice: readers differ in which of the two they take.
 nlohmann::json json_on(std::string_view line, std::string* repeated = nullptr);
 /// The same, which must be an object, each with its fields once.
 nlohmann::json object_on(std::string_view line);
 
-/// The field, or null. A field that is null is no way to leave it out: it is what many a program writes for NaN.
+/// The field, or null. A field that is null is no way to leave it out: it is what many a program
+/// writes for NaN.
 const nlohmann::json* field(const nlohmann::json& object, const char* name);
 
-// Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the object in the message.
+// Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the
+// object in the message.
 std::string text_in(const nlohmann::json& object, const char* name, const char* of);
-bool flag_in(const nlohmann::json& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt);
+bool flag_in(const nlohmann::json& object, const char* name, const char* of,
+             std::optional<bool> otherwise = std::nullopt);
 const nlohmann::json& object_in(const nlohmann::json& object, const char* name, const char* of);
 /// A number, or a text of one, rounded to the precision; NaN and infinities too.
 double number_of(const nlohmann::json& value, const char* name, Precision precision);
 /// Three of them; nullopt if the field is not there.
-std::optional<Triple> triple_in(const nlohmann::json& object, const char* name, const char* called, Precision precision);
+std::optional<Triple> triple_in(const nlohmann::json& object, const char* name, const char* called,
+                                Precision precision);
 
 /// The value of one of the words of its type.
 template <class Value>

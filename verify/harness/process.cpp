@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/process.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <fmt/format.h>
-#include <poll.h>
 #include <sstream>
 #include <string_view>
-#include <sys/ioctl.h>
-#include <sys/prctl.h>
-#include <sys/stat.h>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
-
 
 namespace fathom::harness {
 namespace {
@@ -62,7 +62,8 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// The child, between fork and exec: system calls alone, since other threads of the parent may have held any lock.
+/// The child, between fork and exec: system calls alone, since other threads of the parent may have
+/// held any lock.
 [[noreturn]] void become(const char* const* words, int input, int output, int errors, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -83,7 +84,8 @@ bool is_program(const std::string& path) {
   return ::stat(path.c_str(), &found) == 0 && S_ISREG(found.st_mode) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// Whether a shell finds a program of this name, which then is neither a word of its own language nor a function.
+/// Whether a shell finds a program of this name, which then is neither a word of its own language
+/// nor a function.
 bool is_found(const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos) return is_program(name);
   const char* const path = std::getenv("PATH");
@@ -93,7 +95,8 @@ bool is_found(const std::string& name) {
   return false;
 }
 
-/// The first word of a command, without its quotation marks. Empty if the command is more than words and files to read and write.
+/// The first word of a command, without its quotation marks. Empty if the command is more than
+/// words and files to read and write.
 std::string only_program(const std::string& command) {
   constexpr std::string_view blanks = " \t", never = "`\\(", unless_quoted = ";&|)\n";
   std::string first;
@@ -130,7 +133,9 @@ bool read_some(int end, std::string& to, std::size_t most) {
 
 }  // namespace
 
-std::string without_shell(const std::string& command) { return (is_found(only_program(command)) ? "exec " : "") + command; }
+std::string without_shell(const std::string& command) {
+  return (is_found(only_program(command)) ? "exec " : "") + command;
+}
 
 Spawned spawn(const std::string& command) {
   Pipe input, output, errors;
@@ -147,7 +152,8 @@ Spawned spawn(const std::string& command) {
 std::string described(const Ending& ending) {
   if (!ending.by_signal) return fmt::format("ended with exit code {}", ending.number);
   const char* const name = ::sigdescr_np(ending.number);
-  return name ? fmt::format("killed by signal {} ({})", ending.number, name) : fmt::format("killed by signal {}", ending.number);
+  return name ? fmt::format("killed by signal {} ({})", ending.number, name)
+              : fmt::format("killed by signal {}", ending.number);
 }
 
 Process::Process(const std::string& command, std::function<bool()> stop) : stop_(std::move(stop)) {
@@ -180,7 +186,8 @@ bool Process::last_is_unread() const {
   return static_cast<std::size_t>(in_pipe) + unsent() >= last_;
 }
 
-/// That we hold the other end as well keeps the signal away that writing to a process raises which is gone.
+/// That we hold the other end as well keeps the signal away that writing to a process raises which
+/// is gone.
 void Process::write_some() {
   while (input_ >= 0 && unsent() > 0) {
     const ssize_t written = ::write(input_, outgoing_.data() + sent_, std::min(unsent(), most_at_once));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One child process behind three pipes: lines go in, lines come out. Whatever the child does, its parent neither blocks nor ends.
-//                                                                                                     [verify/PROTOCOL.md]
+// One child process behind three pipes: lines go in, lines come out. Whatever the child does, its
+// parent neither blocks nor ends.
+//                                                                              [verify/PROTOCOL.md]
 #pragma once
 
 #include <sys/types.h>
@@ -38,8 +39,8 @@ class Process {
     stopped    ///< as asked for by `stop`
   };
 
-  /// Runs `/bin/sh -c command`, or the program itself if the command is a simple one. Asks `stop` now and then while waiting. Throws
-  /// std::system_error if no process can be started.
+  /// Runs `/bin/sh -c command`, or the program itself if the command is a simple one. Asks `stop`
+  /// now and then while waiting. Throws std::system_error if no process can be started.
   explicit Process(const std::string& command, std::function<bool()> stop = {});
   /// Kills what is left of the process group.
   ~Process();
@@ -53,7 +54,8 @@ class Process {
   /// Bytes that were sent but not yet written to the pipe.
   [[nodiscard]] std::size_t unsent() const { return outgoing_.size() - sent_; }
 
-  /// Reads the next line of its output, without the newline. After `end`, `line` holds what followed the last newline.
+  /// Reads the next line of its output, without the newline. After `end`, `line` holds what
+  /// followed the last newline.
   Got read_line(std::string& line, Clock::time_point deadline);
   /// The output that has arrived so far and has not been read as a line.
   const std::string& waiting();
@@ -81,7 +83,8 @@ class Process {
   int inlet_ = -1;                              // the end of the input that the process reads from
   std::string outgoing_, incoming_, words_;
   std::size_t last_ = 0, sent_ = 0,
-              searched_ = 0;  // last_: bytes of the line sent last; no newline in the first `searched_` bytes of incoming_
+              searched_ =
+                  0;  // last_: bytes of the line sent last; no newline in the first `searched_` bytes of incoming_
 };
 
 // ---- starting one ----
@@ -90,15 +93,16 @@ class Process {
 struct Spawned {
   pid_t id = -1;
   int input = -1, output = -1, errors = -1;  ///< our ends: non-blocking, closed on exec
-  int inlet = -1;                            ///< its own end of the input, to see how much of it is unread; closed on exec
+  int inlet = -1;  ///< its own end of the input, to see how much of it is unread; closed on exec
 };
 
-/// Puts "exec" before a simple command (no lists, pipelines or substitutions) whose program exists. Then no shell stays behind, which
-/// would hold the streams open that the program closes.
+/// Puts "exec" before a simple command (no lists, pipelines or substitutions) whose program exists.
+/// Then no shell stays behind, which would hold the streams open that the program closes.
 std::string without_shell(const std::string& command);
 
-/// Runs `/bin/sh -c without_shell(command)` in a process group of its own, with default signal actions, an empty signal mask, and no other
-/// open file. The kernel kills it if the calling thread ends first. Throws std::system_error.
+/// Runs `/bin/sh -c without_shell(command)` in a process group of its own, with default signal
+/// actions, an empty signal mask, and no other open file. The kernel kills it if the calling thread
+/// ends first. Throws std::system_error.
 Spawned spawn(const std::string& command);
 
 }  // namespace fathom::harness

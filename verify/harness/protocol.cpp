@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/protocol.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fmt/format.h>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -16,20 +17,21 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/files/shape_names.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/message_json.hpp"
 #include "verify/judge/fields.hpp"
-#include "fathom/numbers.hpp"
-#include "reference/files/shape_names.hpp"
 
 namespace fathom::harness {
 namespace {
 
 void add_body(text::JsonStream& out, const Body& body, Precision precision, bool with_faces) {
-  if (body.pieces && body.pieces->size() == 1) return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a polytope
+  if (body.pieces && body.pieces->size() == 1)
+    return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a polytope
   if (body.words && !body.pieces) {
     out.value(files::body_json(*body.words, files::Defaults::written).text());
     return;
@@ -37,16 +39,19 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
   out.object([&] {
     if (body.pieces) {
       out.key("pieces");
-      out.array_of(*body.pieces, [&](const std::vector<Point>& piece) { add_body(out, Body{piece}, precision, with_faces); });
+      out.array_of(*body.pieces,
+                   [&](const std::vector<Point>& piece) { add_body(out, Body{piece}, precision, with_faces); });
       return;
     }
     const std::optional<GivenPoints> rounded = seen(body.points, precision);
     if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
     out.key("vertices");
     // Read by strtod or by strtof, or by strtod and then rounded, each number is the same.
-    out.array_of(rounded->binary64(), [&](const std::array<double, 3>& p) { out.value(fmt::format("[{},{},{}]", p[0], p[1], p[2])); });
+    out.array_of(rounded->binary64(),
+                 [&](const std::array<double, 3>& p) { out.value(fmt::format("[{},{},{}]", p[0], p[1], p[2])); });
     const Faces faces = with_faces ? faces_of(body.points) : Faces();
-    if (!faces.empty()) out.key("faces"), out.array_of(faces, [&](const std::vector<std::uint32_t>& face) { out.array_of(face); });
+    if (!faces.empty())
+      out.key("faces"), out.array_of(faces, [&](const std::vector<std::uint32_t>& face) { out.array_of(face); });
   });
 }
 
@@ -74,10 +79,12 @@ std::string reason_in(const Json& reply, const char* name) {
 }
 
 /// The vertices of one used hull, if there is one.
-std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name, const char* called, Precision precision) {
+std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name, const char* called,
+                                           Precision precision) {
   const Json* list = field(object, name);
   if (!list) return std::nullopt;
-  if (!list->is_array() || list->empty()) refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
+  if (!list->is_array() || list->empty())
+    refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
   std::vector<Triple> vertices;
   for (const Json& vertex : *list) {
     const std::optional<Triple> point = triple_in({{"vertex", vertex}}, "vertex", called, precision);
@@ -97,7 +104,8 @@ void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
   }
   const Json* time = field(object, "microseconds");
   if (!time) return;
-  const std::optional<double> value = is_number(*time) ? read_number(written(*time), Precision::binary64) : std::nullopt;
+  const std::optional<double> value =
+      is_number(*time) ? read_number(written(*time), Precision::binary64) : std::nullopt;
   if (value && std::isfinite(*value) && *value >= 0) answer.microseconds = value;
   else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
 }
@@ -106,7 +114,8 @@ std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
   if (!list.is_array() || list.empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
   std::vector<ContactPoint> contacts;
   for (const Json& each : list) {
-    const std::optional<Triple> position = each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
+    const std::optional<Triple> position =
+        each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
     if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
     contacts.push_back({*position, {}});
     if (const Json* depth = field(each, "depth")) contacts.back().depth = number_of(*depth, "depth", precision);
@@ -124,7 +133,9 @@ void read(const Json& object, const char* name, const char* called, Precision pr
 void read(const Json& object, const char* name, const char*, Precision precision, std::vector<ContactPoint>& contacts) {
   if (const Json* found = field(object, name)) contacts = contacts_in(*found, precision);
 }
-void read(const Json& object, const char* name, const char*, Precision, bool& value) { value = flag_in(object, name, "the reply"); }
+void read(const Json& object, const char* name, const char*, Precision, bool& value) {
+  value = flag_in(object, name, "the reply");
+}
 
 Reply read_answer(const Json& object, Precision precision) {
   Reply reply;
@@ -181,7 +192,8 @@ Conventions conventions_in(const Json& hello) {
   Conventions conventions;
   judging::for_each_field(judging::conventions_fields, [&](const auto& row) {
     const std::string name(row.name);
-    if (!row.there || field(said, name.c_str())) read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
+    if (!row.there || field(said, name.c_str()))
+      read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
   });
   return conventions;
 }
@@ -190,7 +202,8 @@ std::set<std::string> promises_in(const Json& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
   for (const Json& promise : list) {
-    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "contacts" && promise != "distance")
+    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "contacts" &&
+        promise != "distance")
       refuse("depth, direction, witness, contacts, distance in \"promises\" in the hello", shown_json(promise));
     promises.insert(promise.get<std::string>());
   }
@@ -204,7 +217,8 @@ std::set<std::string> shapes_in(const Json& list) {
     const std::string name = word.is_string() ? word.get<std::string>() : "";
     const files::NamedShape named = files::named_shape(name);
     if (name != margin_word && name != pieces_word && (!named.shape || named.rounded))
-      refuse(fmt::format("{}, {}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word, pieces_word),
+      refuse(fmt::format("{}, {}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word,
+                         pieces_word),
              shown_json(word));
     shapes.insert(name);
   }
@@ -218,7 +232,9 @@ void read_capabilities(const Json& capabilities, SubjectInfo& info) {
 
 /// A type for both, or one for points and one for answers.
 NumberFormat format_in(const Json& hello) {
-  const auto type = [](const Json& object, const char* name, const char* of) { return word_in<Precision>(object, name, of); };
+  const auto type = [](const Json& object, const char* name, const char* of) {
+    return word_in<Precision>(object, name, of);
+  };
   const Json* said = field(hello, "precision");
   if (!said || !said->is_object()) return type(hello, "precision", "the hello");
   return {type(*said, "points", "the hello's precision"), type(*said, "answers", "the hello's precision")};
@@ -237,7 +253,8 @@ std::map<std::string, mpq_class> rounding_in(const Json& said) {
   for (const auto& [word, value] : said.items()) {
     const files::NamedShape named = files::named_shape(word);
     if (word != vertices_word && (!named.shape || named.rounded))
-      refuse(fmt::format("{}, {} in \"rounding\" in the hello", vertices_word, files::list_of_shapes()), kernels::shown(word));
+      refuse(fmt::format("{}, {} in \"rounding\" in the hello", vertices_word, files::list_of_shapes()),
+             kernels::shown(word));
     result[word] = radius_in(value);
   }
   return result;

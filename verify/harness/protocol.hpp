@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The messages of the protocol fathom/subject/1 to and from text: one JSON object a line.            [verify/PROTOCOL.md]
+// The messages of the protocol fathom/subject/1 to and from text: one JSON object a line.
+//                                                                              [verify/PROTOCOL.md]
 #pragma once
 
 #include <cstdint>
@@ -23,11 +24,13 @@ struct ProtocolError : std::runtime_error {
 
 /// The facets of a hull, as cycles of point indices.
 using Faces = std::vector<std::vector<std::uint32_t>>;
-/// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from outside. Empty if the hull is flat.
+/// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from
+/// outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
 
-/// What fathom sends, without the newline. A body that has words is sent by them, a union by its pieces, any other by its vertices. Numbers
-/// are the shortest decimals that read back as the same number of the precision; `seen` must hold such numbers only.
+/// What fathom sends, without the newline. A body that has words is sent by them, a union by its
+/// pieces, any other by its vertices. Numbers are the shortest decimals that read back as the same
+/// number of the precision; `seen` must hold such numbers only.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
@@ -49,14 +52,16 @@ struct Failed {
 struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
-  std::optional<double> microseconds = std::nullopt;                                ///< how long the answer took, as it says
-  std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;  ///< the vertices of the hulls that it used
+  std::optional<double> microseconds = std::nullopt;  ///< how long the answer took, as it says
+  std::optional<std::vector<Triple>> hull_a = std::nullopt,
+                                     hull_b = std::nullopt;  ///< the vertices of the hulls that it used
   std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
-/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf and C99 hex floats are understood as
-/// bare words and as strings, in any of their usual spellings. Known fields must have their type, whatever `overlap` says; null has none.
-/// Unknown fields are skipped, with a remark if they look misspelt. Throws ProtocolError.
+/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf
+/// and C99 hex floats are understood as bare words and as strings, in any of their usual spellings.
+/// Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are
+/// skipped, with a remark if they look misspelt. Throws ProtocolError.
 SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
 
 /// Whether the line is a hello, valid or not: the first line of a replay may be one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of the lines of a report, once: name, meaning, unit, since. Lines are written and read by these tables (report_lines.cpp).
-//                                                                                  [verify/judge/fields.hpp; schemas/verdict.schema.json]
+// The fields of the lines of a report, once: name, meaning, unit, since. Lines are written and read
+// by these tables (report_lines.cpp).
+//                                            [verify/judge/fields.hpp; schemas/verdict.schema.json]
 #pragma once
 
 #include <optional>
@@ -32,11 +33,13 @@ inline constexpr std::tuple hello_fields{
           [](const SubjectInfo& it) { return !it.shapes.empty(); }),
     field("promises", &SubjectInfo::promises, "", "Fields that each reply holds.", "",
           [](const SubjectInfo& it) { return !it.promises.empty(); }),
-    field("rounding", &SubjectInfo::rounding, "length", "Its own bodies are the asked ones grown by a ball of this radius.", "",
+    field("rounding", &SubjectInfo::rounding, "length",
+          "Its own bodies are the asked ones grown by a ball of this radius.", "",
           [](const SubjectInfo& it) { return !it.rounding.empty(); }),
     field("settings", &SubjectInfo::settings, "", "Shown in reports only.", "",
           [](const SubjectInfo& it) { return !it.settings.empty(); })};
-static_assert(judging::stored_fields(hello_fields) == judging::member_count<SubjectInfo>(), "each member of SubjectInfo has its row");
+static_assert(judging::stored_fields(hello_fields) == judging::member_count<SubjectInfo>(),
+              "each member of SubjectInfo has its row");
 constexpr const auto& fields_of(const SubjectInfo*) { return hello_fields; }
 
 // ---- an outcome ----
@@ -51,7 +54,8 @@ inline constexpr std::tuple hulls_fields{
     Derived<AboutHulls, double>{"grown", [](const AboutHulls& hulls) { return root(hulls.grown_squared); }, "length",
                                 "The largest distance of a used vertex from the asked body, correctly rounded."},
     field("grown_squared", &AboutHulls::grown_squared, "length^2", "Its square.")};
-static_assert(judging::stored_fields(hulls_fields) == judging::member_count<AboutHulls>(), "each member of AboutHulls has its row");
+static_assert(judging::stored_fields(hulls_fields) == judging::member_count<AboutHulls>(),
+              "each member of AboutHulls has its row");
 
 inline constexpr std::tuple pieces_fields{field("pairs", &AboutPieces::pairs, "", "How many were put."),
                                           field("answer_of", &AboutPieces::answer_of, "", "A piece of A and one of B."),
@@ -66,24 +70,31 @@ inline constexpr std::tuple outcome_fields{
           [](const Outcome& outcome) { return !outcome.variant.empty(); }),
     field("digest", &Outcome::digest, "", "Of the bodies as the subject saw them."),
     field("solid", &Outcome::solid, "", "Whether both bodies have a volume."),
-    field("metre_sized", &Outcome::metre_sized, "", "Whether the longest side of each body's box is from 1/100 to 100."),
+    field("metre_sized", &Outcome::metre_sized, "",
+          "Whether the longest side of each body's box is from 1/100 to 100."),
     field("verdict", &Outcome::verdict, "", "On the case."),
-    field("detail", &Outcome::detail, "", "What the harness saw.", "", [](const Outcome& outcome) { return !outcome.detail.empty(); }),
+    field("detail", &Outcome::detail, "", "What the harness saw.", "",
+          [](const Outcome& outcome) { return !outcome.detail.empty(); }),
     field("seconds", &Outcome::seconds, "s", "Until the answer."),
     field("microseconds", &Outcome::microseconds, "us", "The same as the subject measured it."),
     field("fit", &Outcome::fit, "",
-          "The subject saw all lengths times 2 to this power; 0 if it is not there. All lengths here are those of the case.", "",
-          [](const Outcome& outcome) { return outcome.fit != 0; }),
+          "The subject saw all lengths times 2 to this power; 0 if it is not there. All lengths here are those of the "
+          "case.",
+          "", [](const Outcome& outcome) { return outcome.fit != 0; }),
     field("radii", &Outcome::radii, "length",
-          "The radii by which the subject rounds both bodies, in sum; not there if it rounds neither. Tolerance, class and error_relative "
+          "The radii by which the subject rounds both bodies, in sum; not there if it rounds neither. Tolerance, class "
+          "and error_relative "
           "are relative to the depth less these.",
           "", [](const Outcome& outcome) { return outcome.radii != 0; }),
-    field("reply", &Outcome::reply, "", "The answer as it was understood, in the subject's precision; lengths in the unit of the case."),
+    field("reply", &Outcome::reply, "",
+          "The answer as it was understood, in the subject's precision; lengths in the unit of the case."),
     field("judgement", &Outcome::judgement, "", "The truth, and how far the answer is from it."),
     field("hulls", &Outcome::hulls, "",
           "The same answer by the hulls that the subject says it used; how far they are from the asked bodies."),
-    field("pieces", &Outcome::pieces, "", "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them.")};
-static_assert(judging::stored_fields(outcome_fields) + 1 == judging::member_count<Outcome>(), "each member of Outcome has its row");
+    field("pieces", &Outcome::pieces, "",
+          "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them.")};
+static_assert(judging::stored_fields(outcome_fields) + 1 == judging::member_count<Outcome>(),
+              "each member of Outcome has its row");
 
 constexpr const auto& fields_of(const AboutHulls*) { return hulls_fields; }
 constexpr const auto& fields_of(const AboutPieces*) { return pieces_fields; }
@@ -98,17 +109,19 @@ constexpr const auto& fields_of(const Unattributed*) { return unattributed_field
 // ---- the summary ----
 
 /// Of Coverage without what no line says: the cases, and answers without a depth.
-inline constexpr std::tuple coverage_fields{field("overlap", &Coverage::overlap, "", "Cases with an answer."),
-                                            field("overlapping", &Coverage::overlapping, "", "Answers that say that the bodies overlap."),
-                                            field("depth", &Coverage::depth, "", "Of these, those with a depth."),
-                                            field("direction", &Coverage::direction, "", "Beside a depth."),
-                                            field("witness", &Coverage::witness, "", "Beside a depth."),
-                                            field("contacts", &Coverage::contacts, "", "Beside a depth."),
-                                            field("distance", &Coverage::distance, "", "Of answers that say that the bodies are apart.")};
+inline constexpr std::tuple coverage_fields{
+    field("overlap", &Coverage::overlap, "", "Cases with an answer."),
+    field("overlapping", &Coverage::overlapping, "", "Answers that say that the bodies overlap."),
+    field("depth", &Coverage::depth, "", "Of these, those with a depth."),
+    field("direction", &Coverage::direction, "", "Beside a depth."),
+    field("witness", &Coverage::witness, "", "Beside a depth."),
+    field("contacts", &Coverage::contacts, "", "Beside a depth."),
+    field("distance", &Coverage::distance, "", "Of answers that say that the bodies are apart.")};
 static_assert(judging::stored_fields(coverage_fields) + 2 == judging::member_count<Coverage>());
 
 inline constexpr std::tuple times_fields{
-    Derived<Times, std::size_t>{"answers", [](const Times& times) { return times.count(); }, "", "Answers with a time."},
+    Derived<Times, std::size_t>{"answers", [](const Times& times) { return times.count(); }, "",
+                                "Answers with a time."},
     Derived<Times, double>{"median", [](const Times& times) { return times.median(); }, "us",
                            "Of an even number the lower of the middle two."},
     Derived<Times, double>{"worst", [](const Times& times) { return times.worst().amount; }, "us", "The longest."},
@@ -125,18 +138,19 @@ inline constexpr std::tuple most_fields{field("amount", &Most::amount, "", "The 
 inline constexpr std::tuple longest_fields{field("length", &Longest::length, "length", "The largest of several."),
                                            field("case", &Longest::id, "", "The case where it is.")};
 
-inline constexpr std::tuple hull_count_fields{field("answers", &HullCount::count, "", "That told the hulls that they are about."),
-                                              field("query_passed", &HullCount::passed, "", "By these hulls."),
-                                              Derived<HullCount, Longest>{"lost",
-                                                                          [](const HullCount& hulls) {
-                                                                            return Longest{hulls.lost.amount, hulls.lost.id};
-                                                                          },
-                                                                          "", "See that of a case."},
-                                              Derived<HullCount, Longest>{"grown",
-                                                                          [](const HullCount& hulls) {
-                                                                            return Longest{hulls.grown.amount, hulls.grown.id};
-                                                                          },
-                                                                          "", "See that of a case."}};
+inline constexpr std::tuple hull_count_fields{
+    field("answers", &HullCount::count, "", "That told the hulls that they are about."),
+    field("query_passed", &HullCount::passed, "", "By these hulls."),
+    Derived<HullCount, Longest>{"lost",
+                                [](const HullCount& hulls) {
+                                  return Longest{hulls.lost.amount, hulls.lost.id};
+                                },
+                                "", "See that of a case."},
+    Derived<HullCount, Longest>{"grown",
+                                [](const HullCount& hulls) {
+                                  return Longest{hulls.grown.amount, hulls.grown.id};
+                                },
+                                "", "See that of a case."}};
 
 inline constexpr std::tuple union_count_fields{
     field("overlapping", &UnionCount::count, "", "Judged answers about unions that overlap."),
@@ -154,9 +168,12 @@ struct Dearer {
   const TallyRow* row;
 };
 inline constexpr std::tuple dearer_fields{
-    Derived<Dearer, std::size_t>{"answers", [](const Dearer& it) { return it.row->dearer.size(); }, "", "With a price."},
-    Derived<Dearer, double>{"median", [](const Dearer& it) { return it.row->dearer.median(); }, "ratio", "Of the prices above the depths."},
-    Derived<Dearer, double>{"worst", [](const Dearer& it) { return it.row->dearer.worst(); }, "ratio", "The largest of them."},
+    Derived<Dearer, std::size_t>{"answers", [](const Dearer& it) { return it.row->dearer.size(); }, "",
+                                 "With a price."},
+    Derived<Dearer, double>{"median", [](const Dearer& it) { return it.row->dearer.median(); }, "ratio",
+                            "Of the prices above the depths."},
+    Derived<Dearer, double>{"worst", [](const Dearer& it) { return it.row->dearer.worst(); }, "ratio",
+                            "The largest of them."},
     Derived<Dearer, std::size_t>{"longer_pass", [](const Dearer& it) { return it.row->longer; }, "",
                                  "Translations that are too deep, and pass by the policy."}};
 
@@ -164,7 +181,8 @@ inline constexpr std::tuple part_fields{
     field("cases", &TallyRow::total, "", "That belong to it."),
     Derived<TallyRow, std::size_t>{"passed", [](const TallyRow& row) { return row.passes(); }, "", "Of them."},
     Derived<TallyRow, std::size_t>{"failed", [](const TallyRow& row) { return row.failures(); }, "", "Of them."},
-    Derived<TallyRow, std::size_t>{"unsupported", [](const TallyRow& row) { return row[Verdict::unsupported]; }, "", "Of them."},
+    Derived<TallyRow, std::size_t>{"unsupported", [](const TallyRow& row) { return row[Verdict::unsupported]; }, "",
+                                   "Of them."},
     field("verdicts", &TallyRow::verdicts, "", "How many have each verdict that occurs.")};
 
 inline constexpr std::tuple totals_fields{
@@ -174,18 +192,26 @@ inline constexpr std::tuple totals_fields{
     field("unsupported", &Totals::unsupported, "", "Cases that the subject declined."),
     field("unattributed", &Totals::unattributed, "", "What was no case's fault."),
     field("judged", &Totals::judged, "", "How many answers held each field and were judged by it."),
-    Derived<Totals, const Times*>{"microseconds", [](const Totals& it) { return it.times && !it.times->empty() ? it.times : nullptr; },
+    Derived<Totals, const Times*>{"microseconds",
+                                  [](const Totals& it) { return it.times && !it.times->empty() ? it.times : nullptr; },
                                   "us", "What the subject measured, if it did."},
-    Derived<Totals, const HullCount*>{"hulls", [](const Totals& it) { return it.hulls && it.hulls->count > 0 ? it.hulls : nullptr; }, "",
-                                      "Of answers that told the hulls that they are about."},
-    Derived<Totals, const UnionCount*>{"unions", [](const Totals& it) { return it.unions && it.unions->count > 0 ? it.unions : nullptr; },
-                                       "", "Of judged answers about unions that overlap."},
-    Derived<Totals, std::optional<Dearer>>{
-        "dearer", [](const Totals& it) { return it.all && !it.all->dearer.empty() ? std::optional(Dearer{it.all}) : std::nullopt; }, "",
-        "Prices of directions above the depths, relative to these."},
-    field("parts", &Totals::parts, "", "Of the cases that belong to each.", "", [](const Totals& it) { return !it.parts.empty(); })};
+    Derived<Totals, const HullCount*>{
+        "hulls", [](const Totals& it) { return it.hulls && it.hulls->count > 0 ? it.hulls : nullptr; }, "",
+        "Of answers that told the hulls that they are about."},
+    Derived<Totals, const UnionCount*>{
+        "unions", [](const Totals& it) { return it.unions && it.unions->count > 0 ? it.unions : nullptr; }, "",
+        "Of judged answers about unions that overlap."},
+    Derived<Totals, std::optional<Dearer>>{"dearer",
+                                           [](const Totals& it) {
+                                             return it.all && !it.all->dearer.empty() ? std::optional(Dearer{it.all})
+                                                                                      : std::nullopt;
+                                           },
+                                           "", "Prices of directions above the depths, relative to these."},
+    field("parts", &Totals::parts, "", "Of the cases that belong to each.", "",
+          [](const Totals& it) { return !it.parts.empty(); })};
 // Those that are pointers are handed out as what they point to.
-static_assert(std::tuple_size_v<decltype(totals_fields)> == judging::member_count<Totals>(), "each member of Totals has its row");
+static_assert(std::tuple_size_v<decltype(totals_fields)> == judging::member_count<Totals>(),
+              "each member of Totals has its row");
 
 constexpr const auto& fields_of(const Coverage*) { return coverage_fields; }
 constexpr const auto& fields_of(const Times*) { return times_fields; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of schema fathom/verdict/1, out and in: the part of journal.hpp that is JSON; and hellos, which headers hold. Fields come from the
-// tables; here is how a value of each type is written and read.
+// Lines of schema fathom/verdict/1, out and in: the part of journal.hpp that is JSON; and hellos,
+// which headers hold. Fields come from the tables; here is how a value of each type is written and
+// read.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -54,7 +55,8 @@ Json json_of(const Triple& t) { return {json_of(t[0]), json_of(t[1]), json_of(t[
 Json json_of(const Between& value) { return {{"low", json_of(value.low)}, {"high", json_of(value.high)}}; }
 Json json_of(const std::optional<Status>& value) { return value ? name(*value) : "undecided"; }
 Json json_of(const UnionBounds& bounds) {
-  return {{"squared", exact_text(bounds.deepest_pair)}, {"pieces", {bounds.a, bounds.b}}};  // the hulls have a field of their own
+  return {{"squared", exact_text(bounds.deepest_pair)},
+          {"pieces", {bounds.a, bounds.b}}};  // the hulls have a field of their own
 }
 Json json_of(const std::array<std::size_t, verdict_count>& verdicts) {
   Json json = Json::object();
@@ -151,7 +153,8 @@ void take(const Read& json, Verdict& value) {
   value = *verdict;
 }
 void take(const Read& json, Accuracy& value) {
-  for (const Accuracy a : {Accuracy::correctly_rounded, Accuracy::ulps_4, Accuracy::u_r_16, Accuracy::millionth, Accuracy::tolerance}) {
+  for (const Accuracy a :
+       {Accuracy::correctly_rounded, Accuracy::ulps_4, Accuracy::u_r_16, Accuracy::millionth, Accuracy::tolerance}) {
     value = a;
     if (json.get_ref<const std::string&>() == name(a)) return;
   }
@@ -254,7 +257,9 @@ std::optional<Outcome> read_outcome(std::string_view line) {
 
 std::string unattributed_line(const Unattributed& unattributed) { return line("unattributed", unattributed); }
 
-std::optional<Unattributed> read_unattributed(std::string_view line) { return read_line<Unattributed>(line, "unattributed"); }
+std::optional<Unattributed> read_unattributed(std::string_view line) {
+  return read_line<Unattributed>(line, "unattributed");
+}
 
 std::string summary_line(const Totals& totals) { return line("summary", totals); }
 
@@ -269,8 +274,9 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
   json["fathom"] = from.version;
   json["command"] = from.command;
   json["subject"] = Json::parse(hello_text(info));
-  json["tolerance"] = {
-      {"relative", exact_text(tolerance.relative)}, {"absolute", exact_text(tolerance.absolute)}, {"ulps", tolerance.ulps}};
+  json["tolerance"] = {{"relative", exact_text(tolerance.relative)},
+                       {"absolute", exact_text(tolerance.absolute)},
+                       {"ulps", tolerance.ulps}};
   if (from.fit) json["fit"] = exact_text(*from.fit);
   json["policy"] = judging::policy_text(tolerance.policy);
   for (const Method method : from.second) json["methods"].push_back(name(method));
@@ -284,10 +290,13 @@ bool same_run(std::string_view header, std::string_view other) {
 
 std::optional<std::string> difference(const Judgement& x, const Judgement& y) {
   const Json one = json_of(x), other = json_of(y);
-  const auto shown = [](const Json& fields, const std::string& key) { return fields.contains(key) ? fields.at(key).dump() : "nothing"; };
+  const auto shown = [](const Json& fields, const std::string& key) {
+    return fields.contains(key) ? fields.at(key).dump() : "nothing";
+  };
   for (const Json* fields : {&one, &other}) {
     for (const auto& [key, value] : fields->items())
-      if (shown(one, key) != shown(other, key)) return fmt::format("judgement.{}: {} and {}", key, shown(one, key), shown(other, key));
+      if (shown(one, key) != shown(other, key))
+        return fmt::format("judgement.{}: {} and {}", key, shown(one, key), shown(other, key));
   }
   return std::nullopt;
 }

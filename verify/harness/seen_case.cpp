@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/seen_case.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <limits>
 #include <map>
 #include <optional>
@@ -25,11 +26,11 @@
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/two_ways.hpp"
-#include "verify/judge/measures.hpp"
-#include "verify/judge/truth.hpp"
 #include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -85,8 +86,8 @@ struct Eyes {
       if (!rounded) return std::nullopt;
       pieces[i] = rounded->points.exact();
       if (is_flat(hull(pieces[i])))
-        return nothing(
-            fmt::format("piece {} of {} has no interior in {}, the precision of the subject", i, name, fathom::name(format.points)));
+        return nothing(fmt::format("piece {} of {} has no interior in {}, the precision of the subject", i, name,
+                                   fathom::name(format.points)));
     }
     return Body{.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))};
   }
@@ -99,7 +100,8 @@ struct Eyes {
     }
     if (body.shape) return nothing("the subject does not take shapes without a name");
     std::optional<GivenPoints> points = seen(body.points, format);
-    if (!points) return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(format.points)));
+    if (!points)
+      return nothing(fmt::format("a coordinate overflows {}, the precision of the subject", name(format.points)));
     return Body{*std::move(points)};
   }
 
@@ -114,7 +116,8 @@ struct Eyes {
     const std::string plain(files::named_shape(body.shape).shape->name);
     if (!shapes.contains(plain)) return plain;
     const auto margin = body.fields.numbers.find("margin");
-    if (margin != body.fields.numbers.end() && margin->second.front() > 0 && !shapes.contains(margin_word)) return margin_word;
+    if (margin != body.fields.numbers.end() && margin->second.front() > 0 && !shapes.contains(margin_word))
+      return margin_word;
     for (const files::NamedBody& term : body.terms)
       if (std::string word = lacking(term); !word.empty()) return word;
     return "";
@@ -122,7 +125,9 @@ struct Eyes {
 
   [[nodiscard]] std::optional<Body> see(const files::NamedBody& words) const {
     const std::optional<files::NamedBody> rounded = harness::rounded(words, format);
-    if (!rounded) return nothing(fmt::format("a number of a shape overflows {}, the precision of the subject", name(format.points)));
+    if (!rounded)
+      return nothing(
+          fmt::format("a number of a shape overflows {}, the precision of the subject", name(format.points)));
     try {
       return files::body_of(*rounded);
     } catch (const std::invalid_argument& error) {
@@ -160,8 +165,8 @@ class StopWhen final : public Monitor {
 };
 
 /// `radii`: those that the subject added, which shapes in `seen` have.
-Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply, const SubjectInfo& info,
-                          const NumberFormat& format, const Judging& judging) {
+Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
+                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
@@ -183,7 +188,8 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
   for (const Solver& solver : judging.second) {
     const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {
-      throw Disagreement(seen, solver, fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
+      throw Disagreement(seen, solver,
+                         fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
     };
     if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
     if (const auto where = difference(judgement, judged(again))) refuse(*where);
@@ -200,7 +206,8 @@ struct Told {
   [[nodiscard]] const Reply& reply() const { return std::get<Reply>(answer.said); }
 };
 
-/// How much a reply weighs: the depth, or minus the distance; what is not finite weighs most. nullopt without a number.
+/// How much a reply weighs: the depth, or minus the distance; what is not finite weighs most.
+/// nullopt without a number.
 std::optional<double> weight(const Reply& reply, const Conventions& conventions) {
   const double* const length = judging::length_of(reply);
   if (!length) return std::nullopt;
@@ -209,7 +216,8 @@ std::optional<double> weight(const Reply& reply, const Conventions& conventions)
   return negative ? -*length : *length;
 }
 
-/// The reply that is the answer about the unions, of those that claim an overlap, or of all if none does: the first of the greatest weight.
+/// The reply that is the answer about the unions, of those that claim an overlap, or of all if none
+/// does: the first of the greatest weight.
 const Told& deepest(const std::vector<Told>& all, const Conventions& conventions) {
   const bool overlap = std::ranges::any_of(all, [](const Told& told) { return told.reply().overlap; });
   const Told* best = nullptr;
@@ -242,7 +250,8 @@ std::optional<double> microseconds_of(const std::vector<Told>& all) {
   return sum;
 }
 
-void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info, const Judging& judging) {
+void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info,
+                 const Judging& judging) {
   const Told& chosen = deepest(all, info.conventions);
   SubjectAnswer whole{{}, chosen.reply(), microseconds_of(all)};
   for (const Told& told : all)
@@ -257,7 +266,8 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
   judge_answer(query, chosen.pair, {{}, chosen.reply()}, info, judging);
   outcome.pieces = {all.size(), {chosen.a, chosen.b}, std::move(*query.judgement)};
   for (const Told& told : all) {
-    const bool is_held = std::ranges::find(outcome.judgement->findings, Verdict::inconsistent) != outcome.judgement->findings.end();
+    const bool is_held =
+        std::ranges::find(outcome.judgement->findings, Verdict::inconsistent) != outcome.judgement->findings.end();
     if (!is_held) hold_to_promises(*outcome.judgement, told.reply(), info.promises);
   }
   outcome.verdict = outcome.judgement->verdict;
@@ -286,8 +296,10 @@ Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
 
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
   const auto demand = [](const Body& body, bool told, const char* name) {
-    if (told && body.words) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent as a shape", name));
-    if (told && body.pieces) throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent in pieces", name));
+    if (told && body.words)
+      throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent as a shape", name));
+    if (told && body.pieces)
+      throw ProtocolError(fmt::format("expected no \"hull.{}\": the body was sent in pieces", name));
   };
   demand(seen.a, answer.hull_a.has_value(), "a");
   demand(seen.b, answer.hull_b.has_value(), "b");
@@ -304,7 +316,8 @@ mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& ans
   return result;
 }
 
-std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes, std::string* why) {
+std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes,
+                            std::string* why) {
   std::string reason;
   const Eyes eyes{format, shapes, why ? *why : reason};
   const bool of_unions = has_union(pair);
@@ -367,7 +380,8 @@ Outcome declined(const Case& pair, const std::string& why) {
 void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
   const std::vector<std::string> lacking = missing(reply, promises);
   if (lacking.empty()) return;
-  const std::string sentence = fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
+  const std::string sentence =
+      fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
   judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
   judgement.accuracy.reset();
   std::vector<Verdict>& all = judgement.findings;
@@ -376,7 +390,8 @@ void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<s
   judgement.verdict = all.front();
 }
 
-void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging) {
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info,
+                  const Judging& judging) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
     outcome.verdict = Verdict::unsupported;
     outcome.detail = unsupported->why;
@@ -405,22 +420,30 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   outcome.detail = answer.remark;
 }
 
-std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) { return fmt::format("{}[{},{}]", id, a, b); }
+std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) {
+  return fmt::format("{}[{},{}]", id, a, b);
+}
 
 std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent) {
   constexpr unsigned long fewest_numbers = 1000;  // of the format, over the length of the bodies
   if (has_union(seen))
-    return rounds_pieces(info) ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known" : "";
+    return rounds_pieces(info)
+               ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known"
+               : "";
   const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
   const mpq_class radii = of_a + of_b;
   if (radii == 0) return "";
-  const mpq_class extent = sizes_of(seen).extent, step = judging::ulp_at_root(radii * radii, in_unit(info.format, exponent));
+  const mpq_class extent = sizes_of(seen).extent,
+                  step = judging::ulp_at_root(radii * radii, in_unit(info.format, exponent));
   if (extent == 0 || fewest_numbers * step <= extent) return "";
-  return fmt::format("the subject rounds bodies by radii of {:.3g}, beside which numbers of {} do not tell bodies as long as {:.3g}",
-                     round_binary64(radii), name(info.format.answers), round_binary64(extent));
+  return fmt::format(
+      "the subject rounds bodies by radii of {:.3g}, beside which numbers of {} do not tell bodies as long as {:.3g}",
+      round_binary64(radii), name(info.format.answers), round_binary64(extent));
 }
 
-bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info) { return has_union(seen) && !info.shapes.contains(pieces_word); }
+bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info) {
+  return has_union(seen) && !info.shapes.contains(pieces_word);
+}
 
 bool is_pair_of(std::string_view text, const Case& pair) {
   if (!has_union(pair) || !text.starts_with(pair.id + '[')) return false;
@@ -433,7 +456,8 @@ bool is_pair_of(std::string_view text, const Case& pair) {
   return a < count(pair.a) && b < count(pair.b) && text == pair_id(pair.id, a, b);
 }
 
-Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging, const AskPair& ask) {
+Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging,
+                      const AskPair& ask) {
   const Pieces a = pieces_of(seen.a), b = pieces_of(seen.b);
   Outcome outcome = outcome_for(seen, exponent);
   std::vector<Told> all;

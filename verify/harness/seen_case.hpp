@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case on its way through the harness: as the subject sees it, as it is judged, and of unions in pairs of pieces.
-//                                                                                         [verify/PROTOCOL.md; verify/judge/VERDICTS.md]
+// A case on its way through the harness: as the subject sees it, as it is judged, and of unions in
+// pairs of pieces.
+//                                                    [verify/PROTOCOL.md; verify/judge/VERDICTS.md]
 #pragma once
 
 #include <cstdint>
@@ -19,16 +20,18 @@
 
 namespace fathom::harness {
 
-/// Returns the case as a subject of this format sees it, in the unit of the case, which takes bodies by the names in `shapes`. A body that
-/// was given by such a name has its parameters, its margin and its pose rounded, and is the body of these. Any other has its points
-/// rounded, and no words. Returns nullopt, and the reason in `why`, if a number overflows the format, rounding leaves no body, a body is no
-/// polytope and its name is not in `shapes`, or both are half-spaces. What was seen is seen again as it is. If a body is a union, both are
-/// seen as pieces, without words; then nullopt is returned too if rounding leaves a piece without interior.
+/// Returns the case as a subject of this format sees it, in the unit of the case, which takes
+/// bodies by the names in `shapes`. A body that was given by such a name has its parameters, its
+/// margin and its pose rounded, and is the body of these. Any other has its points rounded, and no
+/// words. Returns nullopt, and the reason in `why`, if a number overflows the format, rounding
+/// leaves no body, a body is no polytope and its name is not in `shapes`, or both are half-spaces.
+/// What was seen is seen again as it is. If a body is a union, both are seen as pieces, without
+/// words; then nullopt is returned too if rounding leaves a piece without interior.
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes = {},
                             std::string* why = nullptr);
 
-/// Returns the k for which the extent of the bodies times 2^k is less than `size`, and at least half of it; 0 without a size, and for a
-/// point on a point. The size is above 0.
+/// Returns the k for which the extent of the bodies times 2^k is less than `size`, and at least
+/// half of it; 0 without a size, and for a point on a point. The size is above 0.
 long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
 
 /// The lengths of the bodies, those of shapes rounded up.
@@ -40,7 +43,8 @@ inline bool has_union(const Case& pair) { return pair.a.pieces || pair.b.pieces;
 /// Whether a body of the case has words, by which a subject is given it.
 inline bool has_words(const Case& pair) { return pair.a.words || pair.b.words; }
 
-/// A hash of the bodies in 16 hexadecimal digits: FNV-1a over the exact text of their points, or of their words.
+/// A hash of the bodies in 16 hexadecimal digits: FNV-1a over the exact text of their points, or of
+/// their words.
 std::string digest_of(const Case& pair);
 
 /// An outcome without a verdict, for the case as it is seen, with all lengths times 2^exponent.
@@ -56,42 +60,50 @@ struct Judging {
   Workspace* workspace = nullptr;        ///< of the thread that judges; may be null
 };
 
-/// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement if one of the second ways leads to
-/// another truth, or to another judgement in any field. Of shapes there is one second way, whatever was asked for: the certificate of the
-/// truth, which the checker must accept as a proof of it, or std::logic_error is thrown; and so it is of unions.
-void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info, const Judging& judging);
+/// Solves the case exactly and fills in verdict, detail, reply and judgement. Throws Disagreement
+/// if one of the second ways leads to another truth, or to another judgement in any field. Of
+/// shapes there is one second way, whatever was asked for: the certificate of the truth, which the
+/// checker must accept as a proof of it, or std::logic_error is thrown; and so it is of unions.
+void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info,
+                  const Judging& judging);
 
 /// Adds to the judgement that the reply lacks what the hello promises, if it does.
 void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises);
 
 // ---- the bodies that an answer is judged on, where they are not the ones that were asked ----
 
-/// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose lengths are 2^exponent times those of
-/// the case. What has a radius is a shape without words. Unions are as they are: see rounds_pieces.
+/// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose
+/// lengths are 2^exponent times those of the case. What has a radius is a shape without words.
+/// Unions are as they are: see rounds_pieces.
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Returns the radius by which the subject rounds such a body, in the subject's unit.
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info);
 
-/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it sees times 2^exponent.
+/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it
+/// sees times 2^exponent.
 std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent);
 
 /// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
 bool rounds_pieces(const SubjectInfo& info);
 
-/// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices: as a shape, or in pieces.
+/// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices: as a
+/// shape, or in pieces.
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
 
-/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of the case.
+/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of
+/// the case.
 Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent);
 
-/// Returns the square of the largest distance of a vertex of `from` from the body of the same letter in `to`, over the bodies whose hulls
-/// the answer tells.
+/// Returns the square of the largest distance of a vertex of `from` from the body of the same
+/// letter in `to`, over the bodies whose hulls the answer tells.
 mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& answer);
 
-// ---- unions put to a subject that takes convex bodies: the deepest of the answers about the pairs of pieces ----
+// ---- unions put to a subject that takes convex bodies: the deepest of the answers about the pairs
+// of pieces ----
 
-/// Puts a pair of pieces, as a case of its own with the id of pair_id. Sets the answer, or returns an outcome with verdict and detail.
+/// Puts a pair of pieces, as a case of its own with the id of pair_id. Sets the answer, or returns
+/// an outcome with verdict and detail.
 using AskPair = std::function<Outcome(const Case& pair, std::optional<SubjectAnswer>& answer)>;
 
 /// "key[0,2]": piece 0 of A and piece 2 of B.
@@ -99,17 +111,20 @@ std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b);
 /// Whether the text is the id of a pair of pieces of this case.
 bool is_pair_of(std::string_view text, const Case& pair);
 
-/// Why a case cannot be put to the subject, which sees lengths times 2^exponent: it is one of unions, and the subject rounds bodies; or it
-/// rounds them by a radius beside which its answers cannot tell bodies of this size, whatever they are. Empty if it can be.
+/// Why a case cannot be put to the subject, which sees lengths times 2^exponent: it is one of
+/// unions, and the subject rounds bodies; or it rounds them by a radius beside which its answers
+/// cannot tell bodies of this size, whatever they are. Empty if it can be.
 std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent);
 /// Whether the subject is asked about the case by its pairs of pieces.
 bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info);
 
-/// Asks about each pair of pieces, row by row, until there is no answer to one: then that is the outcome. What was declined makes the case
-/// declined, once all have been asked. Else the answer is
+/// Asks about each pair of pieces, row by row, until there is no answer to one: then that is the
+/// outcome. What was declined makes the case declined, once all have been asked. Else the answer is
 ///   of replies that claim an overlap, if any do, the deepest; or the first, if none has a depth;
-///   else "apart", with the least distance if every reply has one.
-/// A number that is not finite is deeper than any, and nearer. The answer is judged as one about the unions, and as one about its pair.
-Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging, const AskPair& ask);
+///   else "apart", with the least distance if every reply has one. A number that is not finite is
+///   deeper than any, and nearer. The answer is judged as one about the unions, and as one about
+///   its pair.
+Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging,
+                      const AskPair& ask);
 
 }  // namespace fathom::harness

@@ -31,7 +31,9 @@ std::string_view before_number(std::string_view text, std::string_view mark) {
   return digits > 0 && rest.ends_with(mark) ? rest.substr(0, rest.size() - mark.size()) : std::string_view();
 }
 
-std::string name_of(const Outcome& outcome) { return outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant; }
+std::string name_of(const Outcome& outcome) {
+  return outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant;
+}
 
 std::string at(const Most& most) { return fmt::format("{:.4g} ({})", most.amount, most.id); }
 
@@ -85,7 +87,8 @@ void Coverage::add(const Coverage& other) {
 std::vector<std::string> coverage_entries(const Coverage& coverage) {
   std::vector<std::string> result{fmt::format("overlap in {} of {} cases", coverage.overlap, coverage.cases)};
   if (coverage.distance > 0)
-    result.push_back(fmt::format("distance in {} of {} said to be apart", coverage.distance, coverage.overlap - coverage.overlapping));
+    result.push_back(fmt::format("distance in {} of {} said to be apart", coverage.distance,
+                                 coverage.overlap - coverage.overlapping));
   if (coverage.overlapping == 0) return result;
   result.push_back(fmt::format("depth in {} of {} said to overlap", coverage.depth, coverage.overlapping));
   result.push_back(fmt::format("direction in {}", coverage.direction));
@@ -96,7 +99,8 @@ std::vector<std::string> coverage_entries(const Coverage& coverage) {
 
 std::string coverage_warning(const Coverage& coverage) {
   if (coverage.overlapping == 0 || coverage.depth > 0) return "";
-  std::string result = fmt::format("depth judged 0 of {}: no answer that says the bodies overlap has a \"depth\"", coverage.overlapping);
+  std::string result =
+      fmt::format("depth judged 0 of {}: no answer that says the bodies overlap has a \"depth\"", coverage.overlapping);
   if (coverage.without_depth > 0) result += ", and without one no direction and no witness is judged";
   return result + "; a pass means the classification alone";
 }
@@ -143,18 +147,20 @@ void UnionCount::add(const Outcome& outcome) {
 
 std::vector<std::string> time_entries(const Times& times) {
   if (times.empty()) return {};
-  return {fmt::format("median {:.4g} us", times.median()), fmt::format("worst {:.4g} us ({})", times.worst().amount, times.worst().id)};
+  return {fmt::format("median {:.4g} us", times.median()),
+          fmt::format("worst {:.4g} us ({})", times.worst().amount, times.worst().id)};
 }
 
 std::vector<std::string> hull_entries(const HullCount& hulls) {
   if (hulls.count == 0) return {};
-  return {fmt::format("told in {} answers", hulls.count), fmt::format("by them {} pass", hulls.passed), "lost at most " + at(hulls.lost),
-          "grown at most " + at(hulls.grown)};
+  return {fmt::format("told in {} answers", hulls.count), fmt::format("by them {} pass", hulls.passed),
+          "lost at most " + at(hulls.lost), "grown at most " + at(hulls.grown)};
 }
 
 std::vector<std::string> union_entries(const UnionCount& unions) {
   if (unions.count == 0) return {};
-  std::vector<std::string> result{fmt::format("the deepest pair of pieces is enough in {} of {}", unions.enough, unions.count)};
+  std::vector<std::string> result{
+      fmt::format("the deepest pair of pieces is enough in {} of {}", unions.enough, unions.count)};
   if (unions.answers == 0) return result;
   result.push_back(fmt::format("deeper than {} of {} answers", unions.deeper, unions.answers));
   if (unions.deeper == 0) return result;
@@ -188,7 +194,8 @@ void TallyRow::add(const Outcome& outcome) {
   judged.add(outcome);
   if (!outcome.judgement) return;
   const Judgement& judgement = *outcome.judgement;
-  if (judgement.accuracy && fathom::passes(outcome.verdict)) ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
+  if (judgement.accuracy && fathom::passes(outcome.verdict))
+    ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
   if (judgement.error_relative) relative.add(*judgement.error_relative);
   if (judgement.error_u_r) u_r.add(*judgement.error_u_r);
   if (judgement.dearer) dearer.add(*judgement.dearer);
@@ -229,7 +236,8 @@ void Tally::add(const Outcome& outcome) {
 /// All families, the worst first.
 std::vector<Tally::Line> Tally::ordered() const {
   std::vector<Line> result;
-  for (const auto& [name, row] : families_) result.push_back({name.empty() ? "(no family)" : ascii(name, longest_label), row});
+  for (const auto& [name, row] : families_)
+    result.push_back({name.empty() ? "(no family)" : ascii(name, longest_label), row});
   std::ranges::stable_sort(result, std::greater(), [](const Line& line) { return line.row.failures(); });
   return result;
 }
@@ -252,7 +260,8 @@ std::vector<Tally::Line> Tally::lines(std::size_t most) const {
 
 std::vector<Tally::Line> Tally::failing_lines() const {
   std::vector<Line> result, passing, declined;
-  for (Line& line : ordered()) (line.row.failures() > 0 ? result : line.row.passes() > 0 ? passing : declined).push_back(std::move(line));
+  for (Line& line : ordered())
+    (line.row.failures() > 0 ? result : line.row.passes() > 0 ? passing : declined).push_back(std::move(line));
   const auto add_in_one = [&](const std::vector<Line>& lines, const std::string& label) {
     Line all{label, {}};
     for (const Line& line : lines) all.row.add(line.row);

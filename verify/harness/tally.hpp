@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run counts, and what the tables of reports show: outcomes by family and verdict, with the worst and the median error; how many
-// answers could be judged, the time that they took, the hulls that they are about, and how much deeper unions are than they say.
-//                                                                                                                    [docs/certify.md]
+// What a run counts, and what the tables of reports show: outcomes by family and verdict, with the
+// worst and the median error; how many answers could be judged, the time that they took, the hulls
+// that they are about, and how much deeper unions are than they say.
+//                                                                                 [docs/certify.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -19,22 +20,24 @@
 
 namespace fathom::harness {
 
-/// How many answers held each field and were judged by it. A subject whose answers have no depth, or misspell it, passes everything: this
-/// shows that.
+/// How many answers held each field and were judged by it. A subject whose answers have no depth,
+/// or misspell it, passes everything: this shows that.
 struct Coverage {
-  std::size_t cases = 0;                              ///< outcomes of any kind
-  std::size_t overlap = 0;                            ///< cases with an answer, whose classification was judged
-  std::size_t overlapping = 0;                        ///< answers that say that the bodies overlap
-  std::size_t depth = 0, direction = 0, witness = 0;  ///< answers with the field; without a depth the others are not judged
-  std::size_t contacts = 0;                           ///< the same
-  std::size_t distance = 0;                           ///< answers that say that they are apart, with a distance
-  std::size_t without_depth = 0;                      ///< answers whose direction, witness points or contacts came without one
+  std::size_t cases = 0;        ///< outcomes of any kind
+  std::size_t overlap = 0;      ///< cases with an answer, whose classification was judged
+  std::size_t overlapping = 0;  ///< answers that say that the bodies overlap
+  std::size_t depth = 0, direction = 0,
+              witness = 0;        ///< answers with the field; without a depth the others are not judged
+  std::size_t contacts = 0;       ///< the same
+  std::size_t distance = 0;       ///< answers that say that they are apart, with a distance
+  std::size_t without_depth = 0;  ///< answers whose direction, witness points or contacts came without one
 
   void add(const Outcome& outcome);
   void add(const Coverage& other);
 };
 
-/// "overlap in 9 of 9 cases", "depth in 0 of the 9 said to overlap", "direction in 0", "witness in 0"; the first alone if none is.
+/// "overlap in 9 of 9 cases", "depth in 0 of the 9 said to overlap", "direction in 0", "witness in
+/// 0"; the first alone if none is.
 std::vector<std::string> coverage_entries(const Coverage& coverage);
 
 /// A sentence if answers say that bodies overlap and none has a depth; else empty.
@@ -82,7 +85,8 @@ struct UnionCount {
 std::vector<std::string> time_entries(const Times& times);
 /// "told in 9 of 12 answers"... ; nothing without hulls.
 std::vector<std::string> hull_entries(const HullCount& hulls);
-/// "the deepest pair is enough in 7 of 12", "deeper than the answer in 5", "1.581 times (key) at most"...; nothing without unions.
+/// "the deepest pair is enough in 7 of 12", "deeper than the answer in 5", "1.581 times (key) at
+/// most"...; nothing without unions.
 std::vector<std::string> union_entries(const UnionCount& unions);
 
 // ---- outcomes by family and verdict ----
@@ -97,9 +101,11 @@ class Errors {
   void add(const Errors& other);
   [[nodiscard]] bool empty() const { return errors_.empty(); }
   [[nodiscard]] std::size_t size() const { return errors_.size(); }
-  /// The one of the largest magnitude, with its sign; of equal magnitudes the positive one. There must be one.
+  /// The one of the largest magnitude, with its sign; of equal magnitudes the positive one. There
+  /// must be one.
   [[nodiscard]] double worst() const;
-  /// The median of the magnitudes; of an even number the lower of the middle two. There must be one.
+  /// The median of the magnitudes; of an even number the lower of the middle two. There must be
+  /// one.
   [[nodiscard]] double median() const;
 
  private:
@@ -123,7 +129,8 @@ struct TallyRow {
   [[nodiscard]] std::size_t passes() const;
 };
 
-/// A row for each family, then one for each symmetry that cases were put through: "~swap"; those count in no family.
+/// A row for each family, then one for each symmetry that cases were put through: "~swap"; those
+/// count in no family.
 class Tally {
  public:
   void add(const Outcome& outcome);
@@ -136,10 +143,11 @@ class Tally {
     std::string label;  ///< of outcomes without a family: "(no family)"; printable ASCII, at most 32 characters
     TallyRow row;
   };
-  /// Families that fail first, those with the most failures before others, then by name. Past `most` families the rest share one line,
-  /// "(3 more)". Without the row of all.
+  /// Families that fail first, those with the most failures before others, then by name. Past
+  /// `most` families the rest share one line, "(3 more)". Without the row of all.
   [[nodiscard]] std::vector<Line> lines(std::size_t most = 100) const;
-  /// The same, but families without a failure share one line, "64 families pass", or "(3 not judged)" if all was declined.
+  /// The same, but families without a failure share one line, "64 families pass", or "(3 not
+  /// judged)" if all was declined.
   [[nodiscard]] std::vector<Line> failing_lines() const;
   /// Of all outcomes, symmetries included: "solid", "metre_sized", and "solid_and_metre_sized".
   [[nodiscard]] const std::vector<Line>& parts() const { return parts_; }
@@ -160,11 +168,12 @@ class Tally {
 
 // ---- failures in the order in which they deserve attention ----
 
-/// Larger is worse. Answers without a depth, and with one where there is none, have no relative error: they come first.
+/// Larger is worse. Answers without a depth, and with one where there is none, have no relative
+/// error: they come first.
 double badness(const Outcome& outcome);
 
-/// The indices of the failures, worst first. Equals follow by id and variant, so that the order does not depend on which answer of a
-/// parallel run came first.
+/// The indices of the failures, worst first. Equals follow by id and variant, so that the order
+/// does not depend on which answer of a parallel run came first.
 std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes);
 
 /// The same of each verdict.

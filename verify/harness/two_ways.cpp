@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/two_ways.hpp"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <exception>
-#include <fmt/format.h>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -14,34 +15,37 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/certificate.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
-#include "reference/solve/disagreement.hpp"
-#include "verify/harness/seen_case.hpp"
-#include "verify/harness/shrink/reproducer.hpp"
-#include "verify/harness/shrink/shrink.hpp"
-#include "fathom/certificate.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/solve/disagreement.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
+#include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/reproducer.hpp"
+#include "verify/harness/shrink/shrink.hpp"
 
 namespace fathom::harness {
 namespace {
 
 /// As the checker writes it.
 std::string surd_text(const Surd& value) {
-  return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)), exact_text(value.rational));
+  return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)),
+                     exact_text(value.rational));
 }
 
-/// What the checker finds. Throws fathom_check::Unreadable if none would read the text, std::logic_error if it refuses the proof.
+/// What the checker finds. Throws fathom_check::Unreadable if none would read the text,
+/// std::logic_error if it refuses the proof.
 fathom_check::Verdict acceptance(const std::string& id, const std::string& text) {
   fathom_check::require_readable(text);
   fathom_check::Verdict verdict = fathom_check::verify(text);
-  if (!verdict.accepted()) throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
+  if (!verdict.accepted())
+    throw std::logic_error(fmt::format("the certificate of {} is refused: {}", id, verdict.reason));
   return verdict;
 }
 
@@ -53,7 +57,8 @@ struct Attempt {
   std::optional<Answer> answer;
   std::string thrown;
 
-  Attempt(const std::string& name, const std::function<Answer(const Case&, Monitor*)>& solve, const Case& pair, Monitor* monitor) {
+  Attempt(const std::string& name, const std::function<Answer(const Case&, Monitor*)>& solve, const Case& pair,
+          Monitor* monitor) {
     try {
       answer = solve(pair, monitor);
     } catch (const Interrupted&) {
@@ -69,7 +74,8 @@ struct Attempt {
 std::string shown(const std::vector<Point>& points) {
   std::string result;
   for (const Point& p : points)
-    result += fmt::format("{}({}, {}, {})", result.empty() ? "" : " ", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+    result +=
+        fmt::format("{}({}, {}, {})", result.empty() ? "" : " ", exact_text(p.x), exact_text(p.y), exact_text(p.z));
   return result;
 }
 
@@ -82,7 +88,8 @@ std::optional<std::string> disagreement(const UnionsFound& x, const UnionsFound&
 
 template <class Answer, class Disagreement>
 std::optional<std::string> compared(const Case& pair, const Solver& x, const Solver& y, Monitor* monitor,
-                                    std::function<Answer(const Case&, Monitor*)> Solver::*way, const Disagreement& disagreement) {
+                                    std::function<Answer(const Case&, Monitor*)> Solver::*way,
+                                    const Disagreement& disagreement) {
   const Attempt<Answer> one(x.name, x.*way, pair, monitor), other(y.name, y.*way, pair, monitor);
   for (const Attempt<Answer>* attempt : {&one, &other})
     if (!attempt->answer) return attempt->thrown;
@@ -94,7 +101,8 @@ std::optional<std::string> compared(const Case& pair, const Solver& x, const Sol
 UnionsFound proved_answer(const Case& pair, Monitor* monitor) {
   const UnionTruth truth = truth_about(pieces_of(pair.a), pieces_of(pair.b), {monitor, true});
   static_cast<void>(accepted_certificate(pair.id, truth, monitor));
-  UnionsFound answer{truth.depth.status, truth.depth.apart ? truth.depth.apart->distance.squared : truth.depth.squared(), {}};
+  UnionsFound answer{
+      truth.depth.status, truth.depth.apart ? truth.depth.apart->distance.squared : truth.depth.squared(), {}};
   if (answer.status == Status::penetrating)
     for (const UnionOptimum& optimum : truth.depth.optima) answer.translations.push_back(optimum.translation);
   return answer;
@@ -114,7 +122,8 @@ void write(KeptDifference& kept, const std::string& directory, const Case& pair,
 }
 
 /// Goes on while the difference is there without some piece; a body keeps one.
-void drop_pieces(KeptDifference& kept, const std::string& directory, const Solver& x, const Solver& y, const std::function<bool()>& stop) {
+void drop_pieces(KeptDifference& kept, const std::string& directory, const Solver& x, const Solver& y,
+                 const std::function<bool()>& stop) {
   for (Body Case::*of : {&Case::a, &Case::b})
     for (std::size_t i = pieces_of(kept.pair.*of).size(); i-- > 0 && pieces_of(kept.pair.*of).size() > 1;) {
       if (stop && stop()) return;
@@ -125,7 +134,8 @@ void drop_pieces(KeptDifference& kept, const std::string& directory, const Solve
 }
 
 /// Of these families, whose cases have a size and a seed of their own.
-Case random_of(std::span<const families::Family> families, std::uint64_t seed, std::uint64_t number, unsigned least, unsigned most) {
+Case random_of(std::span<const families::Family> families, std::uint64_t seed, std::uint64_t number, unsigned least,
+               unsigned most) {
   families::Random random(families::Random(seed).next() + number);
   const auto size = static_cast<unsigned>(random.between(least, most));
   const std::uint64_t of_family = random.next();
@@ -139,8 +149,8 @@ Case random_of(std::span<const families::Family> families, std::uint64_t seed, s
   return *std::move(rounded);
 }
 
-/// Numbers are handed out in ascending order, and whoever has one finishes it. So once all are done, every case below the least number with
-/// a difference has been compared.
+/// Numbers are handed out in ascending order, and whoever has one finishes it. So once all are
+/// done, every case below the least number with a difference has been compared.
 class Comparer {
  public:
   Comparer(const StreamPlan& plan, const Solver& x, const Solver& y) : plan_(&plan), x_(&x), y_(&y), next_(plan.from) {}
@@ -151,7 +161,8 @@ class Comparer {
         Case pair = plan_->make(*number);
         std::optional<std::string> sentence = difference(pair, *x_, *y_);
         const std::lock_guard lock(mutex_);
-        if (sentence && (!first_ || *number < first_->number)) first_ = {*number, std::move(pair), *std::move(sentence)};
+        if (sentence && (!first_ || *number < first_->number))
+          first_ = {*number, std::move(pair), *std::move(sentence)};
         ++done_;
         if (plan_->report) plan_->report(done_);
       }
@@ -188,7 +199,8 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
   std::string text = certificate_text(pair.a.points, pair.b.points, answer, pair.id, monitor);
   const fathom_check::Verdict verdict = acceptance(pair.id, text);
   const Distance* const apart = answer.distance();
-  const bool same = apart ? verdict.signed_depth == surd_text({0, -apart->squared}) : verdict.depth_squared == exact_text(answer.squared());
+  const bool same = apart ? verdict.signed_depth == surd_text({0, -apart->squared})
+                          : verdict.depth_squared == exact_text(answer.squared());
   if (!same || verdict.status != name(answer.status()) || verdict.optima != answer.optima().size())
     throw std::logic_error(fmt::format("the certificate of {} proves another answer", pair.id));
   return text;
@@ -227,7 +239,8 @@ std::string accepted_certificate(const Case& pair, Monitor* monitor) {
   if (pair.a.shape || pair.b.shape) {
     SignedDepthOptions options;
     options.cores.monitor = monitor;
-    return accepted_certificate(pair.id, truth_about(files::shape_of(pair.a), files::shape_of(pair.b), options), monitor);
+    return accepted_certificate(pair.id, truth_about(files::shape_of(pair.a), files::shape_of(pair.b), options),
+                                monitor);
   }
   Options options;
   options.monitor = monitor;
@@ -261,8 +274,8 @@ std::optional<std::string> difference(const Case& pair, const Solver& x, const S
                   [](const UnionsFound& one, const UnionsFound& other) { return disagreement(one, other); });
 }
 
-KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence, const Solver& x,
-                               const Solver& y, const std::function<bool()>& stop) {
+KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence,
+                               const Solver& x, const Solver& y, const std::function<bool()>& stop) {
   KeptDifference kept;
   write(kept, directory, pair, sentence);
   if (has_union(pair)) {

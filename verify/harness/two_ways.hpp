@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers found again: by a proof of the truth that the checker accepts, or by a second way that shares as little as possible with the
-// first; on one case or on a stream of them, and made smaller where two ways differ.
+// Answers found again: by a proof of the truth that the checker accepts, or by a second way that
+// shares as little as possible with the first; on one case or on a stream of them, and made smaller
+// where two ways differ.
 #pragma once
 
 #include <cstdint>
@@ -16,9 +17,10 @@
 
 namespace fathom::harness {
 
-/// Returns the text of the certificate of an answer, which the independent checker has accepted as a proof of that very answer: of its
-/// status, its depth or distance, and how many optima it has. Throws std::logic_error if the checker refuses it or finds another answer
-/// proved, fathom_check::Unreadable if the text passes a limit of checkers, and Interrupted.
+/// Returns the text of the certificate of an answer, which the independent checker has accepted as
+/// a proof of that very answer: of its status, its depth or distance, and how many optima it has.
+/// Throws std::logic_error if the checker refuses it or finds another answer proved,
+/// fathom_check::Unreadable if the text passes a limit of checkers, and Interrupted.
 std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor* monitor = nullptr);
 /// The same for shapes: of the signed depth, or of its bounds.
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
@@ -46,8 +48,9 @@ struct Solver {
 /// The library's method.
 Solver solver_by(Method method);
 
-/// What users get: the automatic method and its certificate, which the independent checker must accept as a proof of that very answer.
-/// Throws std::logic_error otherwise. Answers about unions too, in the same way.
+/// What users get: the automatic method and its certificate, which the independent checker must
+/// accept as a proof of that very answer. Throws std::logic_error otherwise. Answers about unions
+/// too, in the same way.
 Solver solver_with_proof();
 
 /// Two ways do not agree about a case. It is the program's own fault.
@@ -58,8 +61,9 @@ struct Disagreement : std::logic_error {
   Solver second;  ///< that differs from the automatic method
 };
 
-/// Returns "automatic and exact differ: squared: 1/4 and 1/9", or who of them threw what; nullopt if the answers are equal in every field
-/// that must not depend on the way. A case of unions needs ways that answer about them. Throws Interrupted and std::bad_alloc.
+/// Returns "automatic and exact differ: squared: 1/4 and 1/9", or who of them threw what; nullopt
+/// if the answers are equal in every field that must not depend on the way. A case of unions needs
+/// ways that answer about them. Throws Interrupted and std::bad_alloc.
 std::optional<std::string> difference(const Case& pair, const Solver& x, const Solver& y, Monitor* monitor = nullptr);
 
 /// A difference, on disk.
@@ -69,19 +73,22 @@ struct KeptDifference {
   std::string path;      ///< of the case file
 };
 
-/// Makes a case on which the ways differ smaller as `shrink` does, and writes the smallest so far to `directory`/difference.case.json, from
-/// the beginning and at each step. If the difference vanishes when the points are rounded to binary64, it keeps the case as it is. Unions
-/// lose the pieces that the difference does not need.
-/// `sentence` is the difference. `stop` ends the search early. Throws InputError if the file cannot be written.
-KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence, const Solver& x,
-                               const Solver& y, const std::function<bool()>& stop = {});
+/// Makes a case on which the ways differ smaller as `shrink` does, and writes the smallest so far
+/// to `directory`/difference.case.json, from the beginning and at each step. If the difference
+/// vanishes when the points are rounded to binary64, it keeps the case as it is. Unions lose the
+/// pieces that the difference does not need. `sentence` is the difference. `stop` ends the search
+/// early. Throws InputError if the file cannot be written.
+KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence,
+                               const Solver& x, const Solver& y, const std::function<bool()>& stop = {});
 
-// ---- an endless stream of cases of all families, each given by the stream's seed and its number alone ----
+// ---- an endless stream of cases of all families, each given by the stream's seed and its number
+// alone ----
 
 inline constexpr unsigned least_random_size = 4, most_random_size = 40;
 
-/// Returns case `number` of the stream: the families take turns, size and seed are random. About two in three have their points rounded,
-/// to binary64 or to binary32, unless a coordinate overflows that; ".b64" or ".b32" behind the id says so. The same on every machine.
+/// Returns case `number` of the stream: the families take turns, size and seed are random. About
+/// two in three have their points rounded, to binary64 or to binary32, unless a coordinate
+/// overflows that; ".b64" or ".b32" behind the id says so. The same on every machine.
 Case random_case(std::uint64_t seed, std::uint64_t number);
 
 inline constexpr unsigned most_random_pieces = 5;
@@ -92,11 +99,11 @@ Case random_unions(std::uint64_t seed, std::uint64_t number);
 // ---- two ways on a stream ----
 
 struct StreamPlan {
-  std::function<Case(std::uint64_t)> make;         ///< called from all threads
-  std::uint64_t from = 0;                          ///< the first number
-  std::optional<std::uint64_t> count;              ///< of cases; without end unless given
-  unsigned jobs = 1;                               ///< threads; the caller's is one of them
-  std::function<bool()> stop;                      ///< asked before each case: true ends the stream; from one thread at a time
+  std::function<Case(std::uint64_t)> make;  ///< called from all threads
+  std::uint64_t from = 0;                   ///< the first number
+  std::optional<std::uint64_t> count;       ///< of cases; without end unless given
+  unsigned jobs = 1;                        ///< threads; the caller's is one of them
+  std::function<bool()> stop;               ///< asked before each case: true ends the stream; from one thread at a time
   std::function<void(std::uint64_t done)> report;  ///< called after each case, from one thread at a time; may be empty
 };
 
@@ -111,8 +118,9 @@ struct StreamResult {
   std::optional<StreamDifference> first;  ///< on case `end` they differ
 };
 
-/// Compares case after case until the stream ends, is stopped, or a difference is found. The result does not depend on the number of
-/// threads, except on how far a stopped stream came. Throws what the ways throw that is no answer, as std::bad_alloc.
+/// Compares case after case until the stream ends, is stopped, or a difference is found. The result
+/// does not depend on the number of threads, except on how far a stopped stream came. Throws what
+/// the ways throw that is no answer, as std::bad_alloc.
 StreamResult compare_stream(const StreamPlan& plan, const Solver& x, const Solver& y);
 
 }  // namespace fathom::harness

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every symmetry keeps the points exact, or it is not applied: so the depth of a variant is known from that of the case, by the law.
+// Every symmetry keeps the points exact, or it is not applied: so the depth of a variant is known
+// from that of the case, by the law.
 
 #include "verify/harness/variants.hpp"
 
@@ -23,8 +24,8 @@ namespace fathom::harness {
 namespace {
 
 constexpr long exponents[] = {10, -10, 3, -3, 1, -1};  // of scale, in the order in which they are tried
-constexpr long bulky = 20;                             // coordinates from 2^bulky on are made smaller rather than larger
-constexpr std::uint64_t seed = 7;                      // of all permutations
+constexpr long bulky = 20;         // coordinates from 2^bulky on are made smaller rather than larger
+constexpr std::uint64_t seed = 7;  // of all permutations
 
 constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
 
@@ -46,7 +47,8 @@ bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
   return true;
 }
 
-/// A power of two, or its negative, that can be added to all coordinates on this axis: the largest up to eight times the largest of them.
+/// A power of two, or its negative, that can be added to all coordinates on this axis: the largest
+/// up to eight times the largest of them.
 std::optional<mpq_class> shift(const Case& pair, std::size_t axis, const NumberFormat& format) {
   mpq_class largest = 0;
   std::optional<long> finest;
@@ -60,7 +62,8 @@ std::optional<mpq_class> shift(const Case& pair, std::size_t axis, const NumberF
   for (long exponent = highest; exponent >= *finest && exponent > highest - 64; --exponent)
     for (const int sign : {1, -1}) {
       const mpq_class step = scaled(sign, exponent);
-      if (all_coordinates(pair, axis, [&](const mpq_class& value) { return representable(value + step, format); })) return step;
+      if (all_coordinates(pair, axis, [&](const mpq_class& value) { return representable(value + step, format); }))
+        return step;
     }
   return std::nullopt;
 }
@@ -125,8 +128,9 @@ std::optional<Variant> rescaled(Variant variant) {
   for (const long size : exponents) {
     const long exponent = sign * size;
     bool exact = true;
-    for_each_coordinate(std::as_const(variant.seen),
-                        [&](const mpq_class& value) { exact = exact && representable(scaled(value, exponent), variant.format); });
+    for_each_coordinate(std::as_const(variant.seen), [&](const mpq_class& value) {
+      exact = exact && representable(scaled(value, exponent), variant.format);
+    });
     if (!exact) continue;
     for_each_coordinate(variant.seen, [&](mpq_class& value) { value = scaled(value, exponent); });
     variant.exponent = exponent;
@@ -144,7 +148,8 @@ std::optional<Variant> made(std::string_view name, const Case& as_seen, const Nu
   return variant;  // once more
 }
 
-// Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) - sqrt(q) > t is decided without a root.
+// Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) -
+// sqrt(q) > t is decided without a root.
 
 std::string short_text(double value) { return fmt::format("{:.6g}", value); }
 
@@ -154,15 +159,17 @@ double signed_root(const mpq_class& square) {
   return square < 0 ? -root : root;
 }
 
-/// Whether two lengths, given by their signed squares, differ by more than the square root of `allowed`.
+/// Whether two lengths, given by their signed squares, differ by more than the square root of
+/// `allowed`.
 bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
   const mpq_class rest = abs(p) + abs(q) - allowed, product = 4 * abs(p) * abs(q);
-  if ((p < 0) == (q < 0) || p == 0 || q == 0) return rest > 0 && rest * rest > product;  // |p| + |q| - allowed > 2 sqrt(pq)
-  return rest > 0 || rest * rest < product;                                              // the lengths add up
+  if ((p < 0) == (q < 0) || p == 0 || q == 0)
+    return rest > 0 && rest * rest > product;  // |p| + |q| - allowed > 2 sqrt(pq)
+  return rest > 0 || rest * rest < product;    // the lengths add up
 }
 
-/// The depth, or the distance, that the answer is about; of shapes the most that it may be, here less the radii that the subject added, if
-/// that is the smaller one.
+/// The depth, or the distance, that the answer is about; of shapes the most that it may be, here
+/// less the radii that the subject added, if that is the smaller one.
 mpq_class squared_length(const Reply& reply, const Judgement& judgement, const mpq_class& radii) {
   const bool far = !reply.overlap && reply.distance;
   if (!judgement.signed_depth) return far ? judgement.distance_squared : judgement.depth_squared;
@@ -187,7 +194,9 @@ class Comparison {
   Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
       : original_(original), variant_(variant), made_(made) {
     if (!original.judgement) return;
-    const auto length_less = [&](const mpq_class& radii) { return squared_length(*original.reply, *original.judgement, radii); };
+    const auto length_less = [&](const mpq_class& radii) {
+      return squared_length(*original.reply, *original.judgement, radii);
+    };
     allow(tolerance, length_less(0), length_less(original.radii));
   }
 
@@ -196,7 +205,8 @@ class Comparison {
     if (!original_.reply || !original_.judgement || original_.verdict == Verdict::nan)
       return fmt::format("the case itself ends in {}, {} of it does not", name(original_.verdict), of_variant());
     if (original_.reply->overlap != variant_.reply->overlap && fails(original_.verdict))
-      return fmt::format("overlap is {} of the case itself, and {} of {}", original_.reply->overlap ? "claimed" : "denied",
+      return fmt::format("overlap is {} of the case itself, and {} of {}",
+                         original_.reply->overlap ? "claimed" : "denied",
                          variant_.reply->overlap ? "claimed" : "denied", of_variant());
     if (original_.judgement->longer || variant_.judgement->longer) return "";  // by the policy two answers may be right
     if (std::string text = of_lengths(); !text.empty()) return text;
@@ -206,23 +216,26 @@ class Comparison {
  private:
   [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
 
-  /// Sets what is allowed: the larger of the tolerance and what rounding may change in both answers.
+  /// Sets what is allowed: the larger of the tolerance and what rounding may change in both
+  /// answers.
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& less_radii) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = sizes_of(made_.seen);
     const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
     const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.format, tolerance.ulps);
-    const judging::Slack slack_there = judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
+    const judging::Slack slack_there =
+        judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
     const auto allowed = [&](mpq_class judging::Slack::*const residual) {
-      const mpq_class both = slack.*residual + in_units(slack_there.*residual), absolute = tolerance.absolute * here.extent;
+      const mpq_class both = slack.*residual + in_units(slack_there.*residual),
+                      absolute = tolerance.absolute * here.extent;
       return judging::Allowance(tolerance.relative, less_radii, std::max(absolute, both)).squared();
     };
     allowed_depth_ = allowed(&judging::Slack::depth);
     allowed_price_ = allowed(&judging::Slack::direction);
   }
 
-  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says are apart and the other not, the depth:
-  /// 0.
+  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says
+  /// are apart and the other not, the depth: 0.
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
     if (!reply.overlap && !both_apart()) return mpq_class(0);
     const double* const length = judging::length_of(reply);
@@ -233,27 +246,30 @@ class Comparison {
   [[nodiscard]] bool both_apart() const { return !original_.reply->overlap && !variant_.reply->overlap; }
 
   [[nodiscard]] std::string of_lengths() const {
-    const std::optional<mpq_class> here = claimed(*original_.reply, 0), there = claimed(*variant_.reply, made_.exponent);
+    const std::optional<mpq_class> here = claimed(*original_.reply, 0),
+                                   there = claimed(*variant_.reply, made_.exponent);
     if (!here || !there) return "";
     const mpq_class difference = abs(*here - *there);
     if (difference * difference <= allowed_depth_) return "";
-    std::string text = fmt::format("the {} of the case and of {} differ by {}: {} and {}", both_apart() ? "distances" : "depths",
-                                   of_variant(), short_text(round_binary64(difference, Rounding::rn)),
-                                   short_text(round_binary64(*here, Rounding::rn)), short_text(round_binary64(*there, Rounding::rn)));
+    std::string text =
+        fmt::format("the {} of the case and of {} differ by {}: {} and {}", both_apart() ? "distances" : "depths",
+                    of_variant(), short_text(round_binary64(difference, Rounding::rn)),
+                    short_text(round_binary64(*here, Rounding::rn)), short_text(round_binary64(*there, Rounding::rn)));
     if (const auto [p, q] = prices(); p && q && *p != *q)
-      text += fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
+      text +=
+          fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
     return text;
   }
 
   [[nodiscard]] std::string of_prices() const {
     const std::optional<Between>&x = original_.judgement->price, &y = variant_.judgement->price;
     if (x && y && differ(*x, *y, made_.exponent, allowed_price_))
-      return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(x->low),
-                         short_text(std::ldexp(y->low, static_cast<int>(-made_.exponent))));
+      return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(),
+                         short_text(x->low), short_text(std::ldexp(y->low, static_cast<int>(-made_.exponent))));
     const auto [p, q] = prices();
     if (!p || !q || !differ(*p, *q, allowed_price_)) return "";
-    return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(), short_text(signed_root(*p)),
-                       short_text(signed_root(*q)));
+    return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(),
+                       short_text(signed_root(*p)), short_text(signed_root(*q)));
   }
 
   [[nodiscard]] std::pair<std::optional<mpq_class>, std::optional<mpq_class>> prices() const {
@@ -276,28 +292,34 @@ std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, s
     if (std::ranges::find(names, name) == names.end()) continue;
     if (std::optional<Variant> variant = made(name, as_seen, format)) result.push_back(*std::move(variant));
     else if (left_out)
-      left_out->push_back(
-          fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name, fathom::name(format.points)));
+      left_out->push_back(fmt::format("no {} other than the case itself keeps its coordinates exact in {}", name,
+                                      fathom::name(format.points)));
   }
   return result;
 }
 
-mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original) { return scaled(of_original, 2 * variant.exponent); }
+mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original) {
+  return scaled(of_original, 2 * variant.exponent);
+}
 
-Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance, std::optional<mpq_class> fit) {
+Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
+                        std::optional<mpq_class> fit) {
   return [=](const Case& pair) {
     const std::string names[] = {name};
     const long exponent = exponent_to_fit(pair, fit);
     const Outcome original = examine(pair, exponent);
     const std::vector<Variant> found = variants(pair, in_unit(format, exponent), names);
-    return found.empty() ? original : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance);
+    return found.empty() ? original
+                         : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance);
   };
 }
 
-Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance) {
+Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
+                        const Tolerance& tolerance) {
   Outcome result = variant;
   result.variant = made.name;
-  if (!passes(variant.verdict) || !variant.reply || !variant.judgement || original.verdict == Verdict::unsupported) return result;
+  if (!passes(variant.verdict) || !variant.reply || !variant.judgement || original.verdict == Verdict::unsupported)
+    return result;
   const std::string difference = Comparison(original, variant, made, tolerance).difference();
   if (difference.empty()) return result;
   result.verdict = result.judgement->verdict = Verdict::not_invariant;

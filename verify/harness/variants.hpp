@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a case as a subject sees it.
-// Output  the same case put through a symmetry of the depth, exactly; and whether the subject answered both alike.      [docs/certify.md]
+// Output  the same case put through a symmetry of the depth, exactly; and whether the subject
+//         answered both alike.                                                    [docs/certify.md]
 #pragma once
 
 #include <map>
@@ -16,7 +17,8 @@
 
 namespace fathom::harness {
 
-/// The case under one symmetry. Every coordinate is a finite number of the subject's format, so it sees just these points.
+/// The case under one symmetry. Every coordinate is a finite number of the subject's format, so it
+/// sees just these points.
 struct Variant {
   std::string name;  ///< one of variant_names
   Case seen;         ///< under the id of the original
@@ -30,26 +32,33 @@ inline constexpr std::string_view variant_names[] = {"swap", "translate", "permu
 
 /// The variants of `as_seen` that are exact in `format`, for those of the names that are known:
 ///   swap       B for A and A for B
-///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate exact
-///   permute    the points of both bodies, or of each of their pieces, in another order, the same each time
+///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate
+///              exact
+///   permute    the points of both bodies, or of each of their pieces, in another order, the same
+///              each time
 ///   scale      all coordinates times 2^10, or another power of two where that is not exact
-///   repeat     the case itself: once more, for subjects whose answers depend on what they were asked before
-/// Of a body that has words, its place moves, the vertices among its words change their order, and all its lengths are scaled.
-/// Variants that are not exact are left out; if `left_out` is given, a sentence about each is added to it.
+///   repeat     the case itself: once more, for subjects whose answers depend on what they were
+///              asked before Of a body that has words, its place moves, the vertices among its
+///              words change their order, and all its lengths are scaled. Variants that are not
+///              exact are left out; if `left_out` is given, a sentence about each is added to it.
 std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, std::span<const std::string> names,
                               std::vector<std::string>* left_out = nullptr);
 
-/// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the original.
+/// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the
+/// original.
 mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original);
 
-/// Compares the outcome of a variant with that of the original. If the variant passes by itself, but the subject's answers differ by more
-/// than the tolerance, the verdict becomes `not_invariant`, and the sentence says by how much. Compared are the depth, the price of the
-/// direction, whether the bodies overlap (unless both answers are within the tolerance), and whether there is an answer at all. A variant
-/// that fails by itself keeps its verdict.
-Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance);
+/// Compares the outcome of a variant with that of the original. If the variant passes by itself,
+/// but the subject's answers differ by more than the tolerance, the verdict becomes
+/// `not_invariant`, and the sentence says by how much. Compared are the depth, the price of the
+/// direction, whether the bodies overlap (unless both answers are within the tolerance), and
+/// whether there is an answer at all. A variant that fails by itself keeps its verdict.
+Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
+                        const Tolerance& tolerance);
 
-/// Examines a case and then its variant of this name: the outcome of the variant, compared. For shrinking. A case without such a variant
-/// yields the outcome of the case itself. `fit`: the size that the case is brought to; see exponent_to_fit.
+/// Examines a case and then its variant of this name: the outcome of the variant, compared. For
+/// shrinking. A case without such a variant yields the outcome of the case itself. `fit`: the size
+/// that the case is brought to; see exponent_to_fit.
 Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
                         std::optional<mpq_class> fit = std::nullopt);
 

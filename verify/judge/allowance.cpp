@@ -15,7 +15,9 @@ struct Digits {
   long bits, least_exponent;
 };
 
-constexpr Digits digits_of(Precision precision) { return precision == Precision::binary64 ? Digits{53, -1074} : Digits{24, -149}; }
+constexpr Digits digits_of(Precision precision) {
+  return precision == Precision::binary64 ? Digits{53, -1074} : Digits{24, -149};
+}
 
 mpq_class power_of_two(long exponent) { return scaled(1, exponent); }
 
@@ -23,7 +25,8 @@ long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.
 
 /// The e with 2^e <= sqrt(squared) < 2^(e+1). For a square above 0.
 long exponent_of_root(const mpq_class& squared) {
-  long e = (bit_length(squared.get_num()) - bit_length(squared.get_den()) - 1) >> 1;  // at most that, and short by 1 at most
+  long e =
+      (bit_length(squared.get_num()) - bit_length(squared.get_den()) - 1) >> 1;  // at most that, and short by 1 at most
   while (power_of_two(2 * (e + 1)) <= squared) ++e;
   return e;
 }
@@ -38,7 +41,8 @@ bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
 /// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
 bool correctly_rounded(const mpq_class& d, const mpq_class& squared, const NumberFormat& format) {
   const mpq_class there = scaled(squared, 2 * format.exponent);
-  const double nearest = format.answers == Precision::binary64 ? root_binary64(there, Rounding::rn) : root_binary32(there, Rounding::rn);
+  const double nearest =
+      format.answers == Precision::binary64 ? root_binary64(there, Rounding::rn) : root_binary32(there, Rounding::rn);
   return std::isfinite(nearest) && exact_value(nearest) == scaled(d, format.exponent);
 }
 
@@ -52,8 +56,10 @@ mpq_class ulp_at_root(const mpq_class& squared, const NumberFormat& format) {
 
 mpq_class unit_roundoff(Precision precision) { return power_of_two(-digits_of(precision).bits); }
 
-Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, unsigned long ulps) {
-  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)), of_depth = most * ulp_at_root(depth_squared, format),
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+                     unsigned long ulps) {
+  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)),
+                  of_depth = most * ulp_at_root(depth_squared, format),
                   of_point = most * ulp_at_root(square(sizes.farthest), format),
                   of_direction = most * 4 * unit_roundoff(format.answers) * sizes.reach;
   return {of_depth, of_depth + of_direction, mpq_class(7, 4) * of_point, 3 * of_depth + mpq_class(7, 2) * of_point};
@@ -64,11 +70,14 @@ Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, 
       proportional_(sgn(relative) > 0 ? mpq_class(square(relative) * depth_squared) : mpq_class(0)),
       squared_(std::max(proportional_, square(fixed_))) {}
 
-Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format, const Tolerance& tolerance) {
+Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+                       const Tolerance& tolerance) {
   for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
   const mpq_class absolute = tolerance.absolute * sizes.extent;
   const Slack slack = rounding_slack(sizes, depth_squared, format, tolerance.ulps);
-  const auto allowed = [&](const mpq_class& length) { return Allowance(tolerance.relative, depth_squared, std::max(absolute, length)); };
+  const auto allowed = [&](const mpq_class& length) {
+    return Allowance(tolerance.relative, depth_squared, std::max(absolute, length));
+  };
   classification = allowed(tolerance.ulps * ulp_at_root(depth_squared, format));
   depth = allowed(slack.depth);
   direction = allowed(slack.direction);
@@ -86,13 +95,14 @@ bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
 
 bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
 
-Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r, const NumberFormat& format) {
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r,
+                     const NumberFormat& format) {
   if (correctly_rounded(d, depth_squared, format)) return Accuracy::correctly_rounded;
   if (within(d, depth_squared, 4 * ulp_at_root(depth_squared, format))) return Accuracy::ulps_4;
   if (within(d, depth_squared, 16 * u_r)) return Accuracy::u_r_16;
   const mpq_class millionth(1, 1'000'000);  // (1 - e) depth <= d <= (1 + e) depth
-  const bool close =
-      sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth_squared && square(d) <= square(1 + millionth) * depth_squared;
+  const bool close = sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth_squared &&
+                     square(d) <= square(1 + millionth) * depth_squared;
   return close ? Accuracy::millionth : Accuracy::tolerance;
 }
 

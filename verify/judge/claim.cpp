@@ -62,7 +62,9 @@ bool is_finite(const Triple& p) {
   return std::ranges::all_of(p, [](double x) { return std::isfinite(x); });
 }
 
-bool is_finite(const ContactPoint& contact) { return is_finite(contact.position) && (!contact.depth || std::isfinite(*contact.depth)); }
+bool is_finite(const ContactPoint& contact) {
+  return is_finite(contact.position) && (!contact.depth || std::isfinite(*contact.depth));
+}
 
 const double* length_of(const Reply& reply) {
   const std::optional<double>& length = reply.overlap ? reply.depth : reply.distance;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is positive, and A moves. Of bodies that are said
-// to be apart, the distance stands in the depth's place.
+// A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is
+// positive, and A moves. Of bodies that are said to be apart, the distance stands in the depth's
+// place.
 #pragma once
 
 #include <gmpxx.h>
@@ -23,7 +24,8 @@ GivenPoints scaled(const GivenPoints& points, long exponent);
 struct Claim {
   bool overlap = false;
   bool finite = true;  ///< whether all numbers of the answer are finite, if it has a length
-  // nullopt if a number is absent or not finite; all of them if the bodies are said to be apart, without a distance:
+  // nullopt if a number is absent or not finite; all of them if the bodies are said to be apart,
+  // without a distance:
   std::optional<mpq_class> length;            ///< the depth, or the distance
   std::optional<Vector> direction;            ///< primitive, of A's motion; nullopt also if it is zero
   std::optional<mpq_class> direction_length;  ///< squared, of the direction as given
@@ -31,7 +33,8 @@ struct Claim {
   std::vector<Point> contacts;  ///< empty if a number of theirs is not finite
   std::vector<mpq_class> contact_depths;
 
-  /// The translation of A along a unit direction that makes the bodies touch. There must be a length.
+  /// The translation of A along a unit direction that makes the bodies touch. There must be a
+  /// length.
   [[nodiscard]] mpq_class way() const { return overlap ? *length : mpq_class(-*length); }
 };
 

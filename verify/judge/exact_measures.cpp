@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polytopes and unions of them, measured: every length is a rational or a root, and every comparison exact.      [proofs/judge.md]
+// Polytopes and unions of them, measured: every length is a rational or a root, and every
+// comparison exact.                                                               [proofs/judge.md]
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -36,7 +37,9 @@ class ExactMeasures : public Measures {
   bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
   bool is_contact_off_a() override { return contact_a_ && !allowed_.witness.negligible(*contact_a_); }
   bool is_contact_off_b() override { return contact_b_ && !allowed_.witness.negligible(*contact_b_); }
-  bool is_off_length(const mpq_class& difference) override { return !allowed_.depth.negligible(difference * difference); }
+  bool is_off_length(const mpq_class& difference) override {
+    return !allowed_.depth.negligible(difference * difference);
+  }
   bool misses(const Surd& squared_gap) override { return !allowed_.gap.negligible(squared_gap); }
   Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, squared_, rounding_unit(), format_); }
 
@@ -52,9 +55,10 @@ class ExactMeasures : public Measures {
   [[nodiscard]] double contact_away_b() const override;
 
  protected:
-  /// The squares of depth and distance; there is none of bodies that are not disjoint, or where it is not known. `tolerance` outlives it.
-  ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance, const NumberFormat& format,
-                const Tolerance& tolerance);
+  /// The squares of depth and distance; there is none of bodies that are not disjoint, or where it
+  /// is not known. `tolerance` outlives it.
+  ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
+                const NumberFormat& format, const Tolerance& tolerance);
 
   /// The squared distance of a point from A, or from B; 0 on the body.
   [[nodiscard]] virtual mpq_class squared_distance_a(const Point& point) const = 0;
@@ -81,8 +85,8 @@ class ExactMeasures : public Measures {
   std::optional<mpq_class> away_a_, away_b_, contact_a_, contact_b_;
 };
 
-ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance, const NumberFormat& format,
-                             const Tolerance& tolerance)
+ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
+                             const NumberFormat& format, const Tolerance& tolerance)
     : sizes_(std::move(sizes)),
       status_(status),
       depth_(std::move(depth)),
@@ -147,23 +151,28 @@ std::optional<mpq_class> distance_of(const Depth& depth) {
 class PolytopeMeasures final : public ExactMeasures {
  public:
   PolytopeMeasures(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance)
-      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status(), truth.depth.squared(), distance_of(truth.depth), format, tolerance),
+      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status(), truth.depth.squared(), distance_of(truth.depth),
+                      format, tolerance),
         truth_(truth),
         scene_(truth) {}
 
   bool is_inconsistent(const Vector& u, const mpq_class& d) override {
     return of_direction().off(d, price_ && way_ == u ? *price_ : scene_.price(u));
   }
-  bool is_dearer(const Vector& u, const mpq_class& times) override { return scene_.price(u) > times * times * depth_squared(); }
+  bool is_dearer(const Vector& u, const mpq_class& times) override {
+    return scene_.price(u) > times * times * depth_squared();
+  }
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
     return status() == Status::penetrating && of_direction().below(d, travel(u));
   }
 
   [[nodiscard]] std::string left(const mpq_class& d) const override {
-    return fmt::format("{:.4g} of overlap is left along its direction", std::abs(kernels::nearest_binary64({-d, travel_})));
+    return fmt::format("{:.4g} of overlap is left along its direction",
+                       std::abs(kernels::nearest_binary64({-d, travel_})));
   }
   [[nodiscard]] std::string across(const std::string& claimed) const override {
-    return fmt::format("the plane across its direction is at {}, not at {}", kernels::nearest_binary64({0, *price_}), claimed);
+    return fmt::format("the plane across its direction is at {}, not at {}", kernels::nearest_binary64({0, *price_}),
+                       claimed);
   }
   [[nodiscard]] std::string gap(const std::string& claimed) const override {
     if (sgn(*price_) > 0) return "no plane across its direction separates the bodies";
@@ -171,8 +180,12 @@ class PolytopeMeasures final : public ExactMeasures {
   }
 
  private:
-  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override { return squared_distance(point, truth_.a.exact()); }
-  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override { return squared_distance(point, truth_.b.exact()); }
+  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override {
+    return squared_distance(point, truth_.a.exact());
+  }
+  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override {
+    return squared_distance(point, truth_.b.exact());
+  }
 
   void measure_direction(const Claim& claim, Judgement& result) override {
     if (!claim.direction) return;
@@ -232,24 +245,31 @@ struct Left {
   mpq_class off;              ///< no less than the length by which that differs from the translation in question
 };
 
-/// A translation is judged by what it leaves, the signed depth of A + t and B, which is found by one more search. t is a root times a
-/// direction, and is known to as many bits as a question needs.
+/// A translation is judged by what it leaves, the signed depth of A + t and B, which is found by
+/// one more search. t is a root times a direction, and is known to as many bits as a question
+/// needs.
 class UnionMeasures final : public ExactMeasures {
  public:
   UnionMeasures(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor)
-      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status, truth.depth.squared(), distance_of(truth.depth), format, tolerance),
+      : ExactMeasures(sizes_of(truth.a, truth.b), truth.depth.status, truth.depth.squared(), distance_of(truth.depth),
+                      format, tolerance),
         truth_(truth),
         monitor_(monitor) {}
 
-  bool is_inconsistent(const Vector& u, const mpq_class& d) override { return leaves(u, d, &Left::distance) || leaves(u, d, &Left::depth); }
-  bool is_dearer(const Vector&, const mpq_class& times) override { return claimed_ * claimed_ > times * times * depth_squared(); }
+  bool is_inconsistent(const Vector& u, const mpq_class& d) override {
+    return leaves(u, d, &Left::distance) || leaves(u, d, &Left::depth);
+  }
+  bool is_dearer(const Vector&, const mpq_class& times) override {
+    return claimed_ * claimed_ > times * times * depth_squared();
+  }
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
     return status() == Status::penetrating && leaves(u, d, &Left::depth);
   }
   [[nodiscard]] bool is_one_question() const override { return true; }
 
   [[nodiscard]] std::string times(const mpq_class& d) const override {
-    return sgn(d) > 0 ? fmt::format(", {:.4g} times as much", root_binary64(depth_squared() / (d * d), Rounding::rn)) : "";
+    return sgn(d) > 0 ? fmt::format(", {:.4g} times as much", root_binary64(depth_squared() / (d * d), Rounding::rn))
+                      : "";
   }
   [[nodiscard]] std::string left(const mpq_class&) const override {
     return fmt::format("{:.4g} of overlap is left after its translation", least_root(told_.depth, told_.off));
@@ -258,8 +278,12 @@ class UnionMeasures final : public ExactMeasures {
   [[nodiscard]] std::string gap(const std::string&) const override { return what_is_left(); }
 
  private:
-  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override { return squared_distance(point, truth_.a); }
-  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override { return squared_distance(point, truth_.b); }
+  [[nodiscard]] mpq_class squared_distance_a(const Point& point) const override {
+    return squared_distance(point, truth_.a);
+  }
+  [[nodiscard]] mpq_class squared_distance_b(const Point& point) const override {
+    return squared_distance(point, truth_.b);
+  }
 
   void measure_direction(const Claim& claim, Judgement& result) override {
     if (claim.length) claimed_ = *claim.length;
@@ -313,7 +337,8 @@ class UnionMeasures final : public ExactMeasures {
   mpq_class claimed_;            // length
   Vector claimed_way_{0, 0, 0};  // direction
   Left told_;                    // what the claim leaves, its length mended
-  // The translation that was looked at last, by a direction and a length along it, and what it leaves:
+  // The translation that was looked at last, by a direction and a length along it, and what it
+  // leaves:
   Vector moved_along_{0, 0, 0};
   mpq_class moved_by_;
   unsigned moved_bits_ = 0;
@@ -326,7 +351,8 @@ std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& fo
   return std::make_unique<PolytopeMeasures>(truth, format, tolerance);
 }
 
-std::unique_ptr<Measures> measures_of(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor) {
+std::unique_ptr<Measures> measures_of(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
+                                      Monitor* monitor) {
   return std::make_unique<UnionMeasures>(truth, format, tolerance, monitor);
 }
 

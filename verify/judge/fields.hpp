@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of a judgement, once: name, meaning, unit, since. The JSON of reports, out and in, the struct of C, the dict of Python and the
-// pages of failures are made from this table. tests/harness/fields_test.cpp compares with it what cannot be: schema, header of C, class of
-// Python, pages of text.                                                              [VERDICTS.md; schemas/verdict.schema.json]
+// The fields of a judgement, once: name, meaning, unit, since. The JSON of reports, out and in, the
+// struct of C, the dict of Python and the pages of failures are made from this table.
+// tests/harness/fields_test.cpp compares with it what cannot be: schema, header of C, class of
+// Python, pages of text.                                 [VERDICTS.md; schemas/verdict.schema.json]
 #pragma once
 
 #include <gmpxx.h>
@@ -27,13 +28,14 @@ inline constexpr std::string_view first_version = "0.1.0";
 /// A member of a struct, as all know it who hand it out or take it.
 template <class Struct, class Value>
 struct Field {
-  std::string_view name;         ///< in JSON and in Python
-  Value Struct::*member;         ///< where it is
-  std::string_view unit;         ///< "length", "length^2", "ratio", "ratio^2", "ulp", "uR", "us"; empty of what is no number
-  std::string_view meaning;      ///< one sentence; the schema's description
-  std::string_view since;        ///< the first version of fathom that has it
-  std::string_view label;        ///< what stands before it among the residuals of a page; empty if it is none
-  bool (*there)(const Struct&);  ///< whether a struct has it; null of optional members, and of those that are always there
+  std::string_view name;  ///< in JSON and in Python
+  Value Struct::*member;  ///< where it is
+  std::string_view unit;  ///< "length", "length^2", "ratio", "ratio^2", "ulp", "uR", "us"; empty of what is no number
+  std::string_view meaning;  ///< one sentence; the schema's description
+  std::string_view since;    ///< the first version of fathom that has it
+  std::string_view label;    ///< what stands before it among the residuals of a page; empty if it is none
+  bool (*there)(
+      const Struct&);  ///< whether a struct has it; null of optional members, and of those that are always there
   static constexpr bool stored = true;
 };
 
@@ -48,8 +50,9 @@ struct Derived {
 };
 
 template <class Struct, class Value>
-constexpr Field<Struct, Value> field(std::string_view name, Value Struct::*member, std::string_view unit, std::string_view meaning,
-                                     std::string_view label = "", std::type_identity_t<bool (*)(const Struct&)> there = nullptr,
+constexpr Field<Struct, Value> field(std::string_view name, Value Struct::*member, std::string_view unit,
+                                     std::string_view meaning, std::string_view label = "",
+                                     std::type_identity_t<bool (*)(const Struct&)> there = nullptr,
                                      std::string_view since = first_version) {
   return {name, member, unit, meaning, since, label, there};
 }
@@ -105,7 +108,8 @@ struct AnyMember {
 /// How many members an aggregate has: the most that it can be made from.
 template <class Struct, class... Members>
 constexpr std::size_t member_count() {
-  if constexpr (requires { Struct{std::declval<Members>()..., AnyMember()}; }) return member_count<Struct, Members..., AnyMember>();
+  if constexpr (requires { Struct{std::declval<Members>()..., AnyMember()}; })
+    return member_count<Struct, Members..., AnyMember>();
   else return sizeof...(Members);
 }
 
@@ -122,11 +126,13 @@ Word(const char*, Value) -> Word<Value>;  // clang 14 asks for it
 inline constexpr std::array words_of_touching{Word{"overlap", Conventions::Touching::overlap},
                                               Word{"separate", Conventions::Touching::separate},
                                               Word{"either", Conventions::Touching::either}};
-inline constexpr std::array words_of_sign{Word{"positive", Conventions::Sign::positive}, Word{"negative", Conventions::Sign::negative}};
+inline constexpr std::array words_of_sign{Word{"positive", Conventions::Sign::positive},
+                                          Word{"negative", Conventions::Sign::negative}};
 inline constexpr std::array words_of_body{Word{"a", Conventions::Body::a}, Word{"b", Conventions::Body::b}};
 inline constexpr std::array words_of_claims{Word{"minimum", Conventions::Claims::minimum},
                                             Word{"separating", Conventions::Claims::separating}};
-inline constexpr std::array words_of_precision{Word{"binary64", Precision::binary64}, Word{"binary32", Precision::binary32}};
+inline constexpr std::array words_of_precision{Word{"binary64", Precision::binary64},
+                                               Word{"binary32", Precision::binary32}};
 constexpr const auto& words_of(Conventions::Touching) { return words_of_touching; }
 constexpr const auto& words_of(Conventions::Sign) { return words_of_sign; }
 constexpr const auto& words_of(Conventions::Body) { return words_of_body; }
@@ -147,7 +153,8 @@ inline constexpr std::tuple conventions_fields{
     field("unit", &Conventions::unit, "", "Whether directions are promised to have length 1."),
     field("claims", &Conventions::claims, "", "What a depth with a direction means; minimum if it is not there.", "",
           [](const Conventions& of) { return of.claims != Conventions::Claims::minimum; })};
-static_assert(stored_fields(conventions_fields) == member_count<Conventions>(), "each member of Conventions has its row");
+static_assert(stored_fields(conventions_fields) == member_count<Conventions>(),
+              "each member of Conventions has its row");
 constexpr const auto& fields_of(const Conventions*) { return conventions_fields; }
 
 /// In the order of JSON; "witness.a" is a field of "witness".
@@ -158,12 +165,14 @@ inline constexpr std::tuple reply_fields{
     field("direction", &Reply::direction, "ratio", "The direction in which a body moves apart, or farther apart."),
     field("witness.a", &Reply::witness_a, "length", "A point of A."),
     field("witness.b", &Reply::witness_b, "length", "A point of B."),
-    field("contacts", &Reply::contacts, "", "The points of a contact manifold; the largest of their depths is the depth.", "",
+    field("contacts", &Reply::contacts, "",
+          "The points of a contact manifold; the largest of their depths is the depth.", "",
           [](const Reply& reply) { return !reply.contacts.empty(); })};
 static_assert(stored_fields(reply_fields) == member_count<Reply>(), "each member of Reply has its row");
 
-inline constexpr std::tuple contact_fields{field("position", &ContactPoint::position, "length", "A point of both bodies."),
-                                           field("depth", &ContactPoint::depth, "length", "The depth there.")};
+inline constexpr std::tuple contact_fields{
+    field("position", &ContactPoint::position, "length", "A point of both bodies."),
+    field("depth", &ContactPoint::depth, "length", "The depth there.")};
 static_assert(stored_fields(contact_fields) == member_count<ContactPoint>(), "each member of ContactPoint has its row");
 
 constexpr const auto& fields_of(const Reply*) { return reply_fields; }
@@ -179,18 +188,21 @@ inline constexpr std::tuple judgement_fields{
     field("verdict", &Judgement::verdict, "", "The first of the findings, or a pass: on this answer alone."),
     field("status", &Judgement::status, "", "The truth; undecided of shapes only.", "", always),
     field("signed_depth", &Judgement::signed_depth, "length", "The truth about shapes."),
-    field("depth_squared", &Judgement::depth_squared, "length^2", "The truth about polytopes and unions; 0 unless they penetrate.", "",
-          has_squares),
-    field("distance_squared", &Judgement::distance_squared, "length^2", "The truth about polytopes and unions; 0 unless they are disjoint.",
-          "", has_squares),
+    field("depth_squared", &Judgement::depth_squared, "length^2",
+          "The truth about polytopes and unions; 0 unless they penetrate.", "", has_squares),
+    field("distance_squared", &Judgement::distance_squared, "length^2",
+          "The truth about polytopes and unions; 0 unless they are disjoint.", "", has_squares),
     field("findings", &Judgement::findings, "", "Everything that is wrong, in order of rank."),
     field("accuracy", &Judgement::accuracy, "", "The best class of a pass with a depth or a distance."),
-    field("error", &Judgement::error, "length", "The claimed depth or distance less the true one.", "depth or distance is off by"),
+    field("error", &Judgement::error, "length", "The claimed depth or distance less the true one.",
+          "depth or distance is off by"),
     field("error_ulps", &Judgement::error_ulps, "ulp", "The error in ulps of the true length.", "in ulps"),
     field("error_relative", &Judgement::error_relative, "ratio", "The error relative to the true length.", "relative"),
-    field("error_u_r", &Judgement::error_u_r, "uR", "The error in units of roundoff times the largest coordinate.", "in units of uR"),
+    field("error_u_r", &Judgement::error_u_r, "uR", "The error in units of roundoff times the largest coordinate.",
+          "in units of uR"),
     field("price_squared", &Judgement::price_squared, "length^2",
-          "Of polytopes: the squared way along the claimed direction to a plane across it; negative if the bodies are apart.",
+          "Of polytopes: the squared way along the claimed direction to a plane across it; negative if the bodies are "
+          "apart.",
           "depth of its direction"),
     field("travel_squared", &Judgement::travel_squared, "length^2",
           "Of polytopes: the squared shortest way along the claimed direction after which the interiors are disjoint.",
@@ -198,20 +210,22 @@ inline constexpr std::tuple judgement_fields{
     field("price", &Judgement::price, "length", "Of shapes: the way along the claimed direction to a plane across it.",
           "depth of its direction"),
     field("inconsistency", &Judgement::inconsistency, "length",
-          "The claimed depth, or minus the claimed distance, less the price; of unions, minus the overlap that is left, or the gap.",
+          "The claimed depth, or minus the claimed distance, less the price; of unions, minus the overlap that is "
+          "left, or the gap.",
           "claim less depth of its direction"),
-    field("overlap_left", &Judgement::overlap_left, "length", "The overlap after the claimed translation, if there is any.",
-          "overlap left"),
+    field("overlap_left", &Judgement::overlap_left, "length",
+          "The overlap after the claimed translation, if there is any.", "overlap left"),
     field("witness_a_squared", &Judgement::witness_a_squared, "length^2",
           "Of polytopes and unions: the squared distance of the point of A from A.", "point of A is off by"),
     field("witness_b_squared", &Judgement::witness_b_squared, "length^2",
           "Of polytopes and unions: the squared distance of the point of B from B.", "point of B is off by"),
-    field("witness_a_distance", &Judgement::witness_a_distance, "length", "Of shapes: the distance of the point of A from A.",
-          "point of A is off by"),
-    field("witness_b_distance", &Judgement::witness_b_distance, "length", "Of shapes: the distance of the point of B from B.",
-          "point of B is off by"),
+    field("witness_a_distance", &Judgement::witness_a_distance, "length",
+          "Of shapes: the distance of the point of A from A.", "point of A is off by"),
+    field("witness_b_distance", &Judgement::witness_b_distance, "length",
+          "Of shapes: the distance of the point of B from B.", "point of B is off by"),
     field("witness_gap", &Judgement::witness_gap, "length",
-          "The length of the points' difference less the translation; without a direction, the difference of their lengths.",
+          "The length of the points' difference less the translation; without a direction, the difference of their "
+          "lengths.",
           "points differ from translation by"),
     field("contact_a_squared", &Judgement::contact_a_squared, "length^2",
           "Of polytopes and unions: the squared distance from A of the contact that is farthest from A.",
@@ -220,9 +234,11 @@ inline constexpr std::tuple judgement_fields{
           "Of polytopes and unions: the squared distance from B of the contact that is farthest from B.",
           "contacts are away from B by up to"),
     field("contact_a_distance", &Judgement::contact_a_distance, "length",
-          "Of shapes: the distance from A of the contact that is farthest from A.", "contacts are away from A by up to"),
+          "Of shapes: the distance from A of the contact that is farthest from A.",
+          "contacts are away from A by up to"),
     field("contact_b_distance", &Judgement::contact_b_distance, "length",
-          "Of shapes: the distance from B of the contact that is farthest from B.", "contacts are away from B by up to"),
+          "Of shapes: the distance from B of the contact that is farthest from B.",
+          "contacts are away from B by up to"),
     field("deepest", &Judgement::deepest, "length", "The largest depth of a contact less the claimed depth.",
           "deepest contact less claimed depth"),
     field("dearer", &Judgement::dearer, "ratio", "The price of its direction above the depth, relative to that.",
@@ -230,21 +246,26 @@ inline constexpr std::tuple judgement_fields{
     field("longer", &Judgement::longer, "", "It is too deep, and passes so far by the policy.", "",
           [](const Judgement& j) { return j.longer; }),
     field("deepest_pair", &Judgement::bounds, "length^2",
-          "Of unions that overlap: the largest squared depth of a piece of A and a piece of B, and the first two that have it, from 0."),
+          "Of unions that overlap: the largest squared depth of a piece of A and a piece of B, and the first two that "
+          "have it, from 0."),
     Derived<Judgement, std::optional<mpq_class>>{
-        "hulls_squared", [](const Judgement& j) { return j.bounds ? std::optional(j.bounds->hulls) : std::nullopt; }, "length^2",
-        "The squared depth of the hulls of these unions."},
+        "hulls_squared", [](const Judgement& j) { return j.bounds ? std::optional(j.bounds->hulls) : std::nullopt; },
+        "length^2", "The squared depth of the hulls of these unions."},
     Derived<Judgement, std::optional<double>>{
         "deeper_than_pair",
         [](const Judgement& j) {
-          return j.bounds ? std::optional(root_binary64(j.depth_squared / j.bounds->deepest_pair, Rounding::rn)) : std::nullopt;
+          return j.bounds ? std::optional(root_binary64(j.depth_squared / j.bounds->deepest_pair, Rounding::rn))
+                          : std::nullopt;
         },
         "ratio", "Their depth over that of the deepest pair, correctly rounded; at least 1."},
     Derived<Judgement, std::optional<double>>{
         "deeper",
-        [](const Judgement& j) { return j.deeper_squared ? std::optional(root_binary64(*j.deeper_squared, Rounding::rn)) : std::nullopt; },
+        [](const Judgement& j) {
+          return j.deeper_squared ? std::optional(root_binary64(*j.deeper_squared, Rounding::rn)) : std::nullopt;
+        },
         "ratio", "Their depth over the claimed one, if that is above 0, correctly rounded."},
-    field("deeper_squared", &Judgement::deeper_squared, "ratio^2", "The square of that, exact.", "the true depth over the claimed one"),
+    field("deeper_squared", &Judgement::deeper_squared, "ratio^2", "The square of that, exact.",
+          "the true depth over the claimed one"),
     field("sentence", &Judgement::sentence, "", "What is wrong, for people.")};
 
 static_assert(stored_fields(judgement_fields) == member_count<Judgement>(), "each member of Judgement has its row");

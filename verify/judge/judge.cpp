@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance, the direction, the witness points.
-// Every comparison is exact; only what is shown is rounded.                                                [proofs/judge.md]
+// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance,
+// the direction, the witness points. Every comparison is exact; only what is shown is rounded.
+//                                                                                 [proofs/judge.md]
 #include "fathom/judge.hpp"
 
 #include <fmt/format.h>
@@ -36,11 +37,12 @@ struct Remarks {
 
 std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
 
-/// Findings one after another, each with its numbers: depths and claims as shortest decimals, differences to four digits.
+/// Findings one after another, each with its numbers: depths and claims as shortest decimals,
+/// differences to four digits.
 class Teller {
  public:
-  Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended, const NumberFormat& format,
-         const Remarks& remarks)
+  Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended,
+         const NumberFormat& format, const Remarks& remarks)
       : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), format_(format), remarks_(remarks) {}
 
   [[nodiscard]] std::string all() const {
@@ -54,7 +56,8 @@ class Teller {
  private:
   [[nodiscard]] std::string shortest(double x) const {
     const bool narrow = format_.answers == Precision::binary32 && std::isfinite(x) && kernels::nearest_binary32(x) == x;
-    return narrow ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);  // in another unit it may be no binary32
+    return narrow ? fmt::format("{}", static_cast<float>(x))
+                  : fmt::format("{}", x);  // in another unit it may be no binary32
   }
   [[nodiscard]] std::string depth() const { return truth_.depth(); }
   [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.length, 0})); }
@@ -64,18 +67,20 @@ class Teller {
   }
   [[nodiscard]] const char* length() const { return claim_.overlap ? "depth" : "distance"; }
   [[nodiscard]] std::string off(const char* way) const {
-    return fmt::format("too {} by {}: {} is claimed, the {} is {}", way, amount(truth_.off_by(*claim_.length)), claimed(), length(),
-                       truth_.length());
+    return fmt::format("too {} by {}: {} is claimed, the {} is {}", way, amount(truth_.off_by(*claim_.length)),
+                       claimed(), length(), truth_.length());
   }
 
   [[nodiscard]] std::string told(Verdict finding) const {
     switch (finding) {
       case Verdict::nan: return not_finite();
       case Verdict::false_separation:
-        if (truth_.status() == Status::touching) return "said to be apart: the bodies touch, which it declares to be an overlap";
+        if (truth_.status() == Status::touching)
+          return "said to be apart: the bodies touch, which it declares to be an overlap";
         return "said to be apart: the bodies overlap, the depth is " + depth();
       case Verdict::false_overlap:
-        if (truth_.status() == Status::touching) return "said to overlap: the bodies touch, which it declares not to be an overlap";
+        if (truth_.status() == Status::touching)
+          return "said to overlap: the bodies touch, which it declares not to be an overlap";
         return "said to overlap: " + apart();
       case Verdict::not_a_direction: return not_a_direction();
       case Verdict::wrong_sign: return wrong_sign();
@@ -91,7 +96,8 @@ class Teller {
   }
 
   [[nodiscard]] std::string not_finite() const {
-    if (const double claimed = *length_of(reply_); !std::isfinite(claimed)) return fmt::format("the {} is {}", length(), claimed);
+    if (const double claimed = *length_of(reply_); !std::isfinite(claimed))
+      return fmt::format("the {} is {}", length(), claimed);
     if (reply_.direction && !is_finite(*reply_.direction)) return "the direction is not finite";
     for (const auto* p : {&reply_.witness_a, &reply_.witness_b})
       if (*p && !is_finite(**p)) return "a witness point is not finite";
@@ -100,17 +106,19 @@ class Teller {
 
   [[nodiscard]] std::string not_a_direction() const {
     if (sgn(*claim_.direction_length) == 0) return "the direction is zero";
-    return fmt::format("the direction has length {}, where 1 is promised", root_binary64(*claim_.direction_length, Rounding::rn));
+    return fmt::format("the direction has length {}, where 1 is promised",
+                       root_binary64(*claim_.direction_length, Rounding::rn));
   }
 
   [[nodiscard]] std::string wrong_sign() const {
     std::string result;
     if (remarks_.length_sign) {
       const bool below = *length_of(reply_) > 0;  // the right one
-      result = fmt::format("the {} has the wrong sign: {}{} is claimed, {}{}{} is right", length(), below ? "" : "-", claimed(),
-                           claim_.overlap ? "by its conventions " : "", below ? "-" : "", truth_.length());
+      result = fmt::format("the {} has the wrong sign: {}{} is claimed, {}{}{} is right", length(), below ? "" : "-",
+                           claimed(), claim_.overlap ? "by its conventions " : "", below ? "-" : "", truth_.length());
     }
-    if (remarks_.direction_sign) result += std::string(result.empty() ? "" : "; ") + "the direction points the wrong way";
+    if (remarks_.direction_sign)
+      result += std::string(result.empty() ? "" : "; ") + "the direction points the wrong way";
     return result;
   }
 
@@ -147,13 +155,15 @@ class Teller {
 
   [[nodiscard]] std::string longer() const {
     const std::optional<double>& dearer = judgement_.dearer;
-    return fmt::format("separating: {} is claimed, the price of its direction; the depth is {}{}", claimed(), depth(),
-                       dearer && std::isfinite(*dearer) ? fmt::format(", the price is {:.4g} % more", 100 * *dearer) : "");
+    return fmt::format(
+        "separating: {} is claimed, the price of its direction; the depth is {}{}", claimed(), depth(),
+        dearer && std::isfinite(*dearer) ? fmt::format(", the price is {:.4g} % more", 100 * *dearer) : "");
   }
 
   [[nodiscard]] std::string pass() const {
     if (!truth_.status())
-      return std::string("undecided: the bounds of the truth leave open whether the bodies overlap, and it says that they ") +
+      return std::string(
+                 "undecided: the bounds of the truth leave open whether the bodies overlap, and it says that they ") +
              (reply_.overlap ? "do" : "do not");
     if (remarks_.tolerated) {
       if (truth_.status() == Status::disjoint) return "within the tolerance: said to overlap, " + apart();
@@ -179,7 +189,8 @@ class Teller {
 
 class Judge {
  public:
-  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format, const Tolerance& tolerance)
+  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+        const Tolerance& tolerance)
       : truth_(truth),
         reply_(reply),
         conventions_(conventions),
@@ -190,7 +201,8 @@ class Judge {
   Judgement run() {
     truth_.measure(claim_, result_);
     if (const std::optional<Surd> gap = squared_gap()) result_.witness_gap = kernels::nearest_root_binary64(*gap);
-    if (const std::optional<mpq_class> off = deepest_contact(claim_)) result_.deepest = kernels::nearest_binary64({*off, 0});
+    if (const std::optional<mpq_class> off = deepest_contact(claim_))
+      result_.deepest = kernels::nearest_binary64({*off, 0});
     classification();
     if (length_of(reply_)) {  // without one, no more than the classification is judged
       if (!claim_.finite) found(Verdict::nan);
@@ -209,7 +221,8 @@ class Judge {
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
 
-  /// |(b - a) - w u / |u||^2, where w is the way of A, for the claim as it stands; where no direction is claimed, (|b - a| - length)^2.
+  /// |(b - a) - w u / |u||^2, where w is the way of A, for the claim as it stands; where no
+  /// direction is claimed, (|b - a| - length)^2.
   [[nodiscard]] std::optional<Surd> squared_gap() const {
     if (!claim_.witness_a || !claim_.witness_b || !claim_.length) return std::nullopt;
     const Point &a = *claim_.witness_a, &b = *claim_.witness_b;
@@ -277,7 +290,8 @@ class Judge {
 
   /// A depth is as deep as the policy allows if it is the price of its own direction.
   void too_deep() {
-    result_.longer = claim_.direction && !truth_.is_inconsistent(*claim_.direction, *claim_.length) && allows(*claim_.direction);
+    result_.longer =
+        claim_.direction && !truth_.is_inconsistent(*claim_.direction, *claim_.length) && allows(*claim_.direction);
     if (!result_.longer) found(Verdict::too_deep);
   }
 
@@ -285,7 +299,8 @@ class Judge {
     using Kind = Policy::Kind;
     const Policy& policy = tolerance_.policy;
     if (policy.kind == Kind::within) return !truth_.is_dearer(u, 1 + policy.most);
-    return policy.kind == Kind::separating || (policy.kind == Kind::declared && conventions_.claims == Conventions::Claims::separating);
+    return policy.kind == Kind::separating ||
+           (policy.kind == Kind::declared && conventions_.claims == Conventions::Claims::separating);
   }
 
   [[nodiscard]] bool is_direction(const mpq_class& square) const {

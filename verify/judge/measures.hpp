@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the judge asks about the truth and a claim. Polytopes know the truth exactly; of shapes it may lie between bounds.
-//                                                                                                    [verify/judge/VERDICTS.md]
+// What the judge asks about the truth and a claim. Polytopes know the truth exactly; of shapes it
+// may lie between bounds.
+//                                                                        [verify/judge/VERDICTS.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -19,9 +20,10 @@ namespace fathom::judging {
 /// How close the bounds of shapes are: at first, and if they leave a question open at last.
 inline constexpr unsigned usual_bits = 40, most_bits = 160;
 
-/// tol is that of each residual: the tolerance, or the slack if that is larger. Every yes is proved; where the bounds of the truth leave
-/// something open, the answer is no, and `open` tells. A claimed depth d may be negative; u is the way that A moves. Once a claim of a
-/// distance was measured, that is the length in question: tol is that of a distance.
+/// tol is that of each residual: the tolerance, or the slack if that is larger. Every yes is
+/// proved; where the bounds of the truth leave something open, the answer is no, and `open` tells.
+/// A claimed depth d may be negative; u is the way that A moves. Once a claim of a distance was
+/// measured, that is the length in question: tol is that of a distance.
 class Measures {
  public:
   Measures() = default;
@@ -39,17 +41,20 @@ class Measures {
   /// Whether d is larger, or smaller, than the length in question by more than tol.
   virtual bool too_long(const mpq_class& d) = 0;
   virtual bool too_short(const mpq_class& d) = 0;
-  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of unions: whether A, moved by d along u,
-  /// overlaps B or is apart from it by more than tol.
+  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of
+  /// unions: whether A, moved by d along u, overlaps B or is apart from it by more than tol.
   virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
-  /// Whether the price of u is more than `times` the depth, with no tolerance. Of unions the claimed depth is the price.
+  /// Whether the price of u is more than `times` the depth, with no tolerance. Of unions the
+  /// claimed depth is the price.
   virtual bool is_dearer(const Vector& u, const mpq_class& times) = 0;
-  /// Whether the interiors meet, and do so still after a way along u that is longer than d by more than tol.
+  /// Whether the interiors meet, and do so still after a way along u that is longer than d by more
+  /// than tol.
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
-  /// Whether what is not separating is inconsistent for that reason alone, and is not to be called both.
+  /// Whether what is not separating is inconsistent for that reason alone, and is not to be called
+  /// both.
   [[nodiscard]] virtual bool is_one_question() const { return false; }
-  /// Whether a witness point that was measured is farther from its body than tol; and whether the points miss the translation by more,
-  /// which is given by its square.
+  /// Whether a witness point that was measured is farther from its body than tol; and whether the
+  /// points miss the translation by more, which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
   /// The same of the contact that is farthest away.
@@ -77,8 +82,8 @@ class Measures {
   [[nodiscard]] virtual double off_by(const mpq_class& d) const = 0;
   /// ", 1.581 times as much" of unions, whose depth is more than d; else empty.
   [[nodiscard]] virtual std::string times(const mpq_class&) const { return ""; }
-  /// "0.4 of overlap is left along its direction", of the direction that was measured; and where the plane across it is, which is
-  /// not as claimed.
+  /// "0.4 of overlap is left along its direction", of the direction that was measured; and where
+  /// the plane across it is, which is not as claimed.
   [[nodiscard]] virtual std::string left(const mpq_class& d) const = 0;
   [[nodiscard]] virtual std::string across(const std::string& claimed) const = 0;
   /// "the gap across its direction is 0.3, not 0.5".
@@ -91,8 +96,10 @@ class Measures {
 
 std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);
 /// With bounds of `bits` bits.
-std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits);
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
+                                      unsigned bits);
 
-std::unique_ptr<Measures> measures_of(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor);
+std::unique_ptr<Measures> measures_of(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
+                                      Monitor* monitor);
 
 }  // namespace fathom::judging

@@ -30,8 +30,9 @@ bool meets(const Triangle& t, const Vector& u) {
   return det(t[0], t[1], t[2]) > 0;
 }
 
-/// Looks for a triangle of points of P that the ray passes through. Either its plane supports P, and there the ray leaves P; or a point of
-/// P lies beyond it, the ray runs on through the tetrahedron of the four, and leaves it through another triangle.
+/// Looks for a triangle of points of P that the ray passes through. Either its plane supports P,
+/// and there the ray leaves P; or a point of P lies beyond it, the ray runs on through the
+/// tetrahedron of the four, and leaves it through another triangle.
 class Search {
  public:
   Search(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u) : placed_(placed), u_(u) {
@@ -91,7 +92,8 @@ class Search {
 
 }  // namespace
 
-std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience) {
+std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u,
+                                 unsigned patience) {
   return Search(placed, inside, u).run(patience);
 }
 
@@ -165,7 +167,8 @@ mpq_class squared_distance(const Point& point, std::span<const Point> body) {
   const polytope::PlacedPair placed = polytope::place({&point, 1}, body);
   if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return 0;
   const polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
-  return kernels::ratio(nearest.height * nearest.height, placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
+  return kernels::ratio(nearest.height * nearest.height,
+                        placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
 }
 
 mpq_class squared_distance(const Point& point, const Pieces& body) {

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two bodies, and the exact quantities that a judge needs of them.                       [AGHRS, section 3; proofs/judge.md]
+// The two bodies, and the exact quantities that a judge needs of them.
+//                                                               [AGHRS, section 3; proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>
+
 #include <memory>
 #include <optional>
 #include <span>
 
+#include "fathom/depth.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "fathom/depth.hpp"
 
 namespace fathom {
 
@@ -42,7 +44,8 @@ class Scene {
 
   /// h(u) / |u|, as a signed square. The direction is not zero.
   [[nodiscard]] mpq_class price(const Vector& u) const;
-  /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if they are disjoint already.
+  /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if
+  /// they are disjoint already.
   [[nodiscard]] mpq_class travel(const Vector& u);
 
  private:
@@ -51,10 +54,12 @@ class Scene {
   std::unique_ptr<const BodyPair> pair_;  ///< made when it is first needed
 };
 
-/// Where the ray from O along u leaves P = B (+) (-A), by a polytope Q inside P from a certificate of the depth: no hulls are needed. Its
-/// twin is directional_depth. Returns the greatest f with f u in P, in units of the lattice: exact. Returns nullopt after `patience`
-/// support queries; only rays through edges and corners may need many. u is not zero. [proofs/judge.md]
-std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u, unsigned patience = 200);
+/// Where the ray from O along u leaves P = B (+) (-A), by a polytope Q inside P from a certificate
+/// of the depth: no hulls are needed. Its twin is directional_depth. Returns the greatest f with f
+/// u in P, in units of the lattice: exact. Returns nullopt after `patience` support queries; only
+/// rays through edges and corners may need many. u is not zero. [proofs/judge.md]
+std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u,
+                                 unsigned patience = 200);
 
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of shapes: every length lies between two rationals, and a yes holds for all that lies between them. Exact signed depths are enclosed as
-// closely as is asked for; if rational, they are known.                                                      [proofs/judge.md]
+// Of shapes: every length lies between two rationals, and a yes holds for all that lies between
+// them. Exact signed depths are enclosed as closely as is asked for; if rational, they are known.
+//                                                                                 [proofs/judge.md]
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
@@ -23,9 +25,13 @@ namespace {
 using kernels::RationalInterval;
 
 RationalInterval known(const mpq_class& value) { return {value, value}; }
-RationalInterval operator/(const RationalInterval& x, const mpq_class& divisor) { return {x.low / divisor, x.high / divisor}; }
+RationalInterval operator/(const RationalInterval& x, const mpq_class& divisor) {
+  return {x.low / divisor, x.high / divisor};
+}
 
-Between outward(const RationalInterval& x) { return {round_binary64(x.low, Rounding::rd), round_binary64(x.high, Rounding::ru)}; }
+Between outward(const RationalInterval& x) {
+  return {round_binary64(x.low, Rounding::rd), round_binary64(x.high, Rounding::ru)};
+}
 
 /// Correctly rounded if that is known; else the least of the values, rounded towards 0.
 double least(const RationalInterval& x) {
@@ -170,11 +176,13 @@ class ShapeMeasures final : public Measures {
   [[nodiscard]] double off_by(const mpq_class& d) const override { return least(known(d) - length_); }
   [[nodiscard]] std::string left(const mpq_class&) const override {
     if (!measured_price_) return "its direction does not lead out of the half-space";
-    return left_ ? fmt::format("at least {:.4g} of overlap is left along its direction", *left_) : "overlap is left along its direction";
+    return left_ ? fmt::format("at least {:.4g} of overlap is left along its direction", *left_)
+                 : "overlap is left along its direction";
   }
   [[nodiscard]] std::string across(const std::string& claimed) const override {
     if (!measured_price_) return "its direction does not lead out of the half-space";
-    if (has_halfspace()) return fmt::format("the way out along its direction is {}, not {}", text(*measured_price_), claimed);
+    if (has_halfspace())
+      return fmt::format("the way out along its direction is {}, not {}", text(*measured_price_), claimed);
     return fmt::format("the plane across its direction is at {}, not at {}", text(*measured_price_), claimed);
   }
   [[nodiscard]] std::string gap(const std::string& claimed) const override {
@@ -189,7 +197,8 @@ class ShapeMeasures final : public Measures {
 
  private:
   // ---- allowances ----
-  /// The length in question less the radii that the subject added, if that is the smaller one: what an error is compared with.
+  /// The length in question less the radii that the subject added, if that is the smaller one: what
+  /// an error is compared with.
   [[nodiscard]] RationalInterval without_radii(const RationalInterval& length) const {
     return added_ == 0 ? length : lesser(length, magnitude(value_ - known(added_)));
   }
@@ -207,7 +216,8 @@ class ShapeMeasures final : public Measures {
   void ask_for(const RationalInterval& length) {
     length_ = length;
     Sizes sizes = sizes_;
-    if (has_halfspace()) {  // its witness point lies on a plane so far from the other body, and its depth counts in any direction
+    if (has_halfspace()) {  // its witness point lies on a plane so far from the other body, and its depth counts in any
+                            // direction
       sizes.farthest += length.high;
       sizes.reach += length.high;
     }
@@ -246,9 +256,11 @@ class ShapeMeasures final : public Measures {
     return kernels::enclosed(*depth.exact(), 4 * bits_);
   }
 
-  /// Of two bounded bodies h(u)/|u| and the radii. Out of a half-space the way along u; nullopt if that is no way out.
+  /// Of two bounded bodies h(u)/|u| and the radii. Out of a half-space the way along u; nullopt if
+  /// that is no way out.
   [[nodiscard]] std::optional<RationalInterval> price_of(const Vector& u) const {
-    if (!has_halfspace()) return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
+    if (!has_halfspace())
+      return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
     const bool of_a = is_halfspace(truth_.a);
     const Point& n = std::get<HalfSpace>(of_a ? truth_.a.core : truth_.b.core).normal;
     const mpq_class along = of_a ? mpq_class(-dot(u, n)) : dot(u, n);
@@ -306,7 +318,8 @@ class ShapeMeasures final : public Measures {
   /// Whether d is as near to the length in question.
   bool is_within(const mpq_class& d, const RationalInterval& length) {
     const RationalInterval over = known(d) - length_;
-    const mpq_class most = std::max(mpq_class(-over.low), over.high), least = std::max({mpq_class(0), over.low, mpq_class(-over.high)});
+    const mpq_class most = std::max(mpq_class(-over.low), over.high),
+                    least = std::max({mpq_class(0), over.low, mpq_class(-over.high)});
     if (most <= length.low) return true;
     open_ = open_ || least <= length.high;
     return false;
@@ -315,12 +328,14 @@ class ShapeMeasures final : public Measures {
   bool is_correctly_rounded(const mpq_class& d) {
     const auto round = [&](const mpq_class& x) {
       const mpq_class there = scaled(x, format_.exponent);
-      return format_.answers == Precision::binary64 ? round_binary64(there) : static_cast<double>(round_binary32(there));
+      return format_.answers == Precision::binary64 ? round_binary64(there)
+                                                    : static_cast<double>(round_binary32(there));
     };
     const double low = round(length_.low), high = round(length_.high);
     const mpq_class claimed = scaled(d, format_.exponent);
     if (low == high) return std::isfinite(low) && exact_value(low) == claimed;
-    open_ = open_ || (std::isfinite(low) && exact_value(low) <= claimed && (std::isinf(high) || claimed <= exact_value(high)));
+    open_ = open_ ||
+            (std::isfinite(low) && exact_value(low) <= claimed && (std::isinf(high) || claimed <= exact_value(high)));
     return false;
   }
 
@@ -342,7 +357,8 @@ class ShapeMeasures final : public Measures {
 
 }  // namespace
 
-std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance, unsigned bits) {
+std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
+                                      unsigned bits) {
   return std::make_unique<ShapeMeasures>(truth, format, tolerance, bits);
 }
 

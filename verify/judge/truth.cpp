@@ -24,7 +24,9 @@ double rounded(const mpq_class& x, Precision precision) {
   kernels::require_lowest_terms(x);
   return precision == Precision::binary64 ? round_binary64(x, Rounding::rn) : round_binary32(x, Rounding::rn);
 }
-double rounded(double x, Precision precision) { return precision == Precision::binary64 ? x : kernels::nearest_binary32(x); }
+double rounded(double x, Precision precision) {
+  return precision == Precision::binary64 ? x : kernels::nearest_binary32(x);
+}
 
 /// nullopt if a coordinate overflows.
 template <class P>
@@ -78,9 +80,10 @@ UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options) {
   return {std::move(a), std::move(b), std::move(depth)};
 }
 
-Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply, const Conventions& conventions,
-                const NumberFormat& format, const Tolerance& tolerance) {
-  return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format, tolerance);
+Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply,
+                const Conventions& conventions, const NumberFormat& format, const Tolerance& tolerance) {
+  return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format,
+               tolerance);
 }
 
 }  // namespace fathom
@@ -106,7 +109,8 @@ std::optional<Body> body_seen(const Body& body, const NumberFormat& format) {
 
 AnyTruth truth_of(const Body& a, const Body& b, const Options& options) {
   if (a.pieces || b.pieces) return truth_about(pieces_of(a), pieces_of(b), UnionOptions{.monitor = options.monitor});
-  if (a.shape || b.shape) return truth_about(files::shape_of(a), files::shape_of(b), SignedDepthOptions{.cores = options});
+  if (a.shape || b.shape)
+    return truth_about(files::shape_of(a), files::shape_of(b), SignedDepthOptions{.cores = options});
   return truth_about(a.points, b.points, options);
 }
 

@@ -57,7 +57,8 @@ std::optional<Policy> policy_of(std::string_view text) {
   for (const Policy::Kind kind : policy_kinds)
     if (text == policy_text({kind})) return Policy{kind};
   if (!text.starts_with(within) || !text.ends_with('%')) return std::nullopt;
-  const std::optional<mpq_class> percent = parse_number(text.substr(within.size(), text.size() - within.size() - 1), Decimals::exact).value;
+  const std::optional<mpq_class> percent =
+      parse_number(text.substr(within.size(), text.size() - within.size() - 1), Decimals::exact).value;
   if (!percent || sgn(*percent) < 0) return std::nullopt;
   return Policy{Policy::Kind::within, *percent / 100};
 }

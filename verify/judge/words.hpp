@@ -15,7 +15,8 @@ inline constexpr Policy::Kind policy_kinds[] = {Policy::Kind::declared, Policy::
 
 /// "declared", "minimum", "separating", "within=5%", "within=5/2%".
 std::string policy_text(const Policy& policy);
-/// The inverse of `policy_text`; the percentage may be a decimal too. nullopt for other words, and for what is below 0.
+/// The inverse of `policy_text`; the percentage may be a decimal too. nullopt for other words, and
+/// for what is below 0.
 std::optional<Policy> policy_of(std::string_view text);
 
 }  // namespace fathom::judging

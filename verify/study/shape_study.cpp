@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two shapes have in common, decided in rationals and square roots. Every search compares all features of one body with all of the
-// other; polytopes have many faces, which are found by their normals where only parallel ones matter.
+// What two shapes have in common, decided in rationals and square roots. Every search compares all
+// features of one body with all of the other; polytopes have many faces, which are found by their
+// normals where only parallel ones matter.
 
 #include <algorithm>
 #include <map>
@@ -23,7 +24,9 @@ Point point(const RationalVector& v) { return {v.x, v.y, v.z}; }
 
 ShapeFeature feature(std::string_view what) { return {what, {}, std::nullopt, std::nullopt}; }
 ShapeFeature centre(const Solid& solid) { return {"centre", {}, point(*solid.centre), std::nullopt}; }
-ShapeFeature line(std::string_view what, const Line& line) { return {what, line.direction, point(line.point), std::nullopt}; }
+ShapeFeature line(std::string_view what, const Line& line) {
+  return {what, line.direction, point(line.point), std::nullopt};
+}
 ShapeFeature face(const FlatFace& face) { return {"face", face.normal, std::nullopt, std::nullopt}; }
 ShapeFeature radius(const Surd& length) { return {"radius", {}, std::nullopt, length}; }
 
@@ -59,7 +62,8 @@ class Search {
 
   void find_centres_and_axes() {
     if (a_.centre && b_.centre && *a_.centre == *b_.centre) add(Kind::concentric, centre(a_), centre(b_));
-    const bool coaxial = a_.axis && b_.axis && are_parallel(a_.axis->direction, b_.axis->direction) && on(*a_.axis, b_.axis->point);
+    const bool coaxial =
+        a_.axis && b_.axis && are_parallel(a_.axis->direction, b_.axis->direction) && on(*a_.axis, b_.axis->point);
     if (a_.axis && b_.axis) find_axes(*a_.axis, *b_.axis, coaxial);
     if (coaxial) return;
     if (a_.centre && b_.axis && on(*b_.axis, *a_.centre)) add(Kind::centre_on_axis, centre(a_), line("axis", *b_.axis));
@@ -74,7 +78,8 @@ class Search {
       return;
     }
     if (dot(p.direction, q.direction) == 0) both(Kind::orthogonal_axes);
-    if (dot(RationalVector(q.point - p.point), rational_vector(cross(p.direction, q.direction))) == 0) both(Kind::intersecting_axes);
+    if (dot(RationalVector(q.point - p.point), rational_vector(cross(p.direction, q.direction))) == 0)
+      both(Kind::intersecting_axes);
   }
 
   void find_radii() {
@@ -120,14 +125,16 @@ class Search {
       for (const Generators& t : b_.sides) {
         if (!are_parallel(s.axis.direction, t.axis.direction)) continue;
         add(Kind::parallel_generators, line("generator", s.axis), line("generator", t.axis));
-        if (s.radius && t.radius && are_tangent(s, t)) add(Kind::tangent_generators, line("generator", s.axis), line("generator", t.axis));
+        if (s.radius && t.radius && are_tangent(s, t))
+          add(Kind::tangent_generators, line("generator", s.axis), line("generator", t.axis));
       }
     }
     if (study_[Kind::tangent_generators].count == 0) find_tangent_cones();
   }
 
-  /// Planes that are tangent to both along generators: a common direction of these is that from apex to apex, or that of a cylinder, and
-  /// the plane's normal lies in a plane with it and the axis.
+  /// Planes that are tangent to both along generators: a common direction of these is that from
+  /// apex to apex, or that of a cylinder, and the plane's normal lies in a plane with it and the
+  /// axis.
   void find_tangent_cones() {
     std::vector<RationalVector> generators;
     for (const Solid* solid : {&a_, &b_})
@@ -151,13 +158,15 @@ class Search {
     gap.add(of_b.height);
     gap.add(a_.shape.radius + b_.shape.radius, dot(n, n));
     if (!gap.is_zero() || !parallel(of_a.spanning.front(), of_b.spanning.front())) return false;
-    add(Kind::tangent_generators, {word_of(a_, of_a), -n, std::nullopt, std::nullopt}, {word_of(b_, of_b), n, std::nullopt, std::nullopt});
+    add(Kind::tangent_generators, {word_of(a_, of_a), -n, std::nullopt, std::nullopt},
+        {word_of(b_, of_b), n, std::nullopt, std::nullopt});
     return true;
   }
 
   /// Whether the cylinders about parallel axes touch along a line, from outside or from inside.
   static bool are_tangent(const Generators& s, const Generators& t) {
-    const RationalVector d = rational_vector(s.axis.direction), c = cross(RationalVector(t.axis.point - s.axis.point), d);
+    const RationalVector d = rational_vector(s.axis.direction),
+                         c = cross(RationalVector(t.axis.point - s.axis.point), d);
     if (is_zero(c)) return false;
     const mpq_class square = dot(c, c) / dot(d, d);
     for (const auto& [of_s, of_t] : {std::pair(1, 1), std::pair(1, -1), std::pair(-1, 1)}) {
@@ -183,8 +192,10 @@ class Search {
     if (touching && rho > 0 && cores != nullptr && cores->distance())
       add(Kind::distance_of_radii, radius({depth.radius_a, 0}), radius({depth.radius_b, 0}));
     const auto face_of = [](const Solid& solid, const Vector& u) { return support_face(solid.terms(), u); };
-    const SupportFace of_a = a_.half_space() ? SupportFace{} : face_of(a_, -n), of_b = b_.half_space() ? SupportFace{} : face_of(b_, n);
-    const std::string_view word_a = a_.half_space() ? "face" : word_of(a_, of_a), word_b = b_.half_space() ? "face" : word_of(b_, of_b);
+    const SupportFace of_a = a_.half_space() ? SupportFace{} : face_of(a_, -n),
+                      of_b = b_.half_space() ? SupportFace{} : face_of(b_, n);
+    const std::string_view word_a = a_.half_space() ? "face" : word_of(a_, of_a),
+                           word_b = b_.half_space() ? "face" : word_of(b_, of_b);
     study_.contact = ShapeInvolved{{word_a, -n, std::nullopt, std::nullopt}, {word_b, n, std::nullopt, std::nullopt}};
     if (!touching) return;
     add(Kind::touching_features, study_.contact->a, study_.contact->b);
@@ -219,7 +230,8 @@ ShapeSize size_of(const Shape& shape) {
   if (size.half_space) return size;
   size.terms = terms->size();
   for (const Term& term : *terms)
-    for (const Atom& atom : term.atoms) ++(atom.axes.empty() ? size.points : atom.axes.size() == 2 ? size.discs : size.balls);
+    for (const Atom& atom : term.atoms)
+      ++(atom.axes.empty() ? size.points : atom.axes.size() == 2 ? size.discs : size.balls);
   return size;
 }
 

@@ -6,14 +6,14 @@
 #include <optional>
 #include <set>
 
+#include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/nearest.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
-#include "fathom/numbers.hpp"
-#include "kernels/number/irrational.hpp"
-#include "kernels/vector.hpp"
 
 namespace fathom::studies {
 
@@ -39,8 +39,8 @@ bool RootSum::is_zero() const {
 Vector primitive_along(const RationalVector& v) { return fathom::primitive_along(Point{v.x, v.y, v.z}); }
 
 bool parallel(const RootVector& u, const RootVector& v) {
-  const RationalVector rr = cross(u.rational, v.rational), ri = cross(u.rational, v.irrational), ir = cross(u.irrational, v.rational),
-                       ii = cross(u.irrational, v.irrational);
+  const RationalVector rr = cross(u.rational, v.rational), ri = cross(u.rational, v.irrational),
+                       ir = cross(u.irrational, v.rational), ii = cross(u.irrational, v.irrational);
   for (const auto axis : {&RationalVector::x, &RationalVector::y, &RationalVector::z}) {
     RootSum component;
     component.add(rr.*axis);
@@ -54,7 +54,8 @@ bool parallel(const RootVector& u, const RootVector& v) {
 
 // ---- faces ----
 
-// An atom c + M y reaches <n,c> + |M^T n|: as a whole if M^T n = 0, else in the one point c + M s/|s|, s = M^T n.
+// An atom c + M y reaches <n,c> + |M^T n|: as a whole if M^T n = 0, else in the one point c + M
+// s/|s|, s = M^T n.
 
 namespace {
 
@@ -81,8 +82,8 @@ struct Farthest {
   }
 };
 
-// Points that reach one height have one root, or rational ones: c1 + sqrt(q1) = c2 + sqrt(q2) in rationals c and q, of which one root is
-// irrational, has q1 = q2.
+// Points that reach one height have one root, or rational ones: c1 + sqrt(q1) = c2 + sqrt(q2) in
+// rationals c and q, of which one root is irrational, has q1 = q2.
 RootVector between(const RootVector& p, const RootVector& q) {
   if (p.square == q.square) return {q.rational - p.rational, q.irrational - p.irrational, p.square};
   const auto plain = [](const RootVector& v) {
@@ -94,7 +95,8 @@ RootVector between(const RootVector& p, const RootVector& q) {
 void add_spanning(SupportFace& face, const RootVector& v) {
   const RootVector one_x{{1, 0, 0}, {}, 0}, one_y{{0, 1, 0}, {}, 0};
   if (parallel(v, one_x) && parallel(v, one_y)) return;  // 0
-  if (face.spanning.size() < 2 && std::none_of(face.spanning.begin(), face.spanning.end(), [&](const auto& u) { return parallel(u, v); }))
+  if (face.spanning.size() < 2 &&
+      std::none_of(face.spanning.begin(), face.spanning.end(), [&](const auto& u) { return parallel(u, v); }))
     face.spanning.push_back(v);
 }
 
@@ -102,7 +104,8 @@ Corner corner_of(const Term& term, const std::vector<Farthest>& tight) {
   Corner sharpest = Corner::smooth;
   for (const Farthest& part : tight) {
     if (part.whole()) {
-      const bool pointed = std::all_of(term.atoms.begin(), term.atoms.end(), [](const Atom& atom) { return atom.axes.empty(); });
+      const bool pointed =
+          std::all_of(term.atoms.begin(), term.atoms.end(), [](const Atom& atom) { return atom.axes.empty(); });
       return pointed ? Corner::vertex : Corner::apex;
     }
     if (part.atom->axes.size() == 2) sharpest = Corner::rim;
@@ -141,24 +144,28 @@ SupportFace support_face(std::span<const Term> terms, const Vector& direction) {
 
 // ---- revolution ----
 
-// An atom is one of revolution about a line in direction d if its centre is on the line, and M M^T = x I + y d d^T.
+// An atom is one of revolution about a line in direction d if its centre is on the line, and M M^T
+// = x I + y d d^T.
 
 namespace {
 
 RationalVector times(const Gram& s, const RationalVector& v) { return {dot(s[0], v), dot(s[1], v), dot(s[2], v)}; }
 
-/// Whether S maps d to a multiple of itself, and all vectors orthogonal to d to the same multiple of themselves.
+/// Whether S maps d to a multiple of itself, and all vectors orthogonal to d to the same multiple
+/// of themselves.
 bool turns_about(const Gram& s, const RationalVector& d) {
   const RationalVector image = times(s, d);
   if (!is_zero(cross(image, d))) return false;
-  const RationalVector e = d.x != 0 || d.y != 0 ? RationalVector{-d.y, d.x, 0} : RationalVector{1, 0, 0}, f = cross(d, e);
+  const RationalVector e = d.x != 0 || d.y != 0 ? RationalVector{-d.y, d.x, 0} : RationalVector{1, 0, 0},
+                       f = cross(d, e);
   const RationalVector of_e = times(s, e), of_f = times(s, f);
   return is_zero(cross(of_e, e)) && is_zero(cross(of_f, f)) && dot(of_e, e) * dot(f, f) == dot(of_f, f) * dot(e, e);
 }
 
 bool is_multiple_of_unit(const Gram& s) { return turns_about(s, {1, 0, 0}) && turns_about(s, {0, 1, 0}); }
 
-/// The one direction about which an ellipsoid or disc might be of revolution: that of M M^T - x I = y d d^T. It is not checked.
+/// The one direction about which an ellipsoid or disc might be of revolution: that of M M^T - x I =
+/// y d d^T. It is not checked.
 std::optional<RationalVector> direction_of(const Gram& s) {
   const mpq_class &xy = s[0].y, &xz = s[0].z, &yz = s[1].z;
   const int entries = (xy != 0 ? 1 : 0) + (xz != 0 ? 1 : 0) + (yz != 0 ? 1 : 0);
@@ -183,7 +190,8 @@ struct TermAxis {
 TermAxis axis_of_term(const Term& term) {
   TermAxis axis{true, rational_vector(term.atoms.front().center), std::nullopt};
   for (const Atom& atom : term.atoms)
-    if (const RationalVector d = rational_vector(atom.center) - axis.point; !is_zero(d) && !axis.direction) axis.direction = d;
+    if (const RationalVector d = rational_vector(atom.center) - axis.point; !is_zero(d) && !axis.direction)
+      axis.direction = d;
   for (const Atom& atom : term.atoms) {
     const Gram s = gram_of(atom);
     if (axis.direction || is_multiple_of_unit(s)) continue;
@@ -242,7 +250,9 @@ namespace {
 
 using Directions = std::set<Vector, kernels::NearestPlanes::LexicographicOrder>;
 
-polytope::Polytope hull_of(std::span<const Point> points) { return polytope::convex_hull(polytope::place(points, points).b.points()); }
+polytope::Polytope hull_of(std::span<const Point> points) {
+  return polytope::convex_hull(polytope::place(points, points).b.points());
+}
 
 std::vector<Point> points_of(const Term& term) {
   std::vector<Point> points;
@@ -271,12 +281,14 @@ struct Candidates {
     if (const std::vector<Point> points = points_of(term); !points.empty()) {
       const polytope::Polytope hull = hull_of(points);
       for (const polytope::Facet& facet : hull.facets) normals.insert(facet.normal);
-      for (const polytope::Edge& edge : hull.edges) lines.insert(primitive(hull.vertices[edge.to] - hull.vertices[edge.from]));
+      for (const polytope::Edge& edge : hull.edges)
+        lines.insert(primitive(hull.vertices[edge.to] - hull.vertices[edge.from]));
     }
     for (const Atom& atom : term.atoms) {
       if (atom.axes.empty()) continue;
       for (std::size_t k = 1; k < atom.axes.size(); ++k)
-        for (std::size_t j = 0; j < k; ++j) add_both(cross(rational_vector(atom.axes[j]), rational_vector(atom.axes[k])));
+        for (std::size_t j = 0; j < k; ++j)
+          add_both(cross(rational_vector(atom.axes[j]), rational_vector(atom.axes[k])));
       for (const Atom& other : term.atoms) {
         const RationalVector d = rational_vector(other.center) - rational_vector(atom.center);
         if (other.axes == atom.axes && !is_zero(d)) lines.insert(primitive_along(d));
@@ -317,14 +329,16 @@ bool same_form(const Atom& p, const Atom& q) { return gram_of(p) == gram_of(q); 
 std::optional<RationalVector> centre_of(const Term& term) {
   std::vector<const Atom*> atoms;
   for (const Atom& atom : term.atoms)
-    if (std::none_of(atoms.begin(), atoms.end(), [&](const Atom* p) { return p->center == atom.center && same_form(*p, atom); }))
+    if (std::none_of(atoms.begin(), atoms.end(),
+                     [&](const Atom* p) { return p->center == atom.center && same_form(*p, atom); }))
       atoms.push_back(&atom);
   RationalVector sum;
   for (const Atom* atom : atoms) sum = sum + rational_vector(atom->center);
   const RationalVector centre = scaled(mpq_class(1, static_cast<unsigned long>(atoms.size())), sum);
   const auto mirrored = [&](const Atom* p) {
     const RationalVector image = scaled(2, centre) - rational_vector(p->center);
-    return std::any_of(atoms.begin(), atoms.end(), [&](const Atom* q) { return rational_vector(q->center) == image && same_form(*p, *q); });
+    return std::any_of(atoms.begin(), atoms.end(),
+                       [&](const Atom* q) { return rational_vector(q->center) == image && same_form(*p, *q); });
   };
   return std::all_of(atoms.begin(), atoms.end(), mirrored) ? std::optional(centre) : std::nullopt;
 }
@@ -371,7 +385,8 @@ void find_sides(Solid& solid) {
       Generators side{line(atoms[i], atoms[j]), std::nullopt};
       const std::optional<mpq_class> square = round_square(atoms[i]);
       const RationalVector normal = cross(rational_vector(atoms[i].axes[0]), rational_vector(atoms[i].axes[1]));
-      if (square && is_zero(cross(normal, rational_vector(side.axis.direction)))) side.radius = Surd{solid.shape.radius, *square};
+      if (square && is_zero(cross(normal, rational_vector(side.axis.direction))))
+        side.radius = Surd{solid.shape.radius, *square};
       solid.sides.push_back(std::move(side));
     }
   }

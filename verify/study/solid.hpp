@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of square roots of rationals, and vectors of such numbers: is it zero? Roots of numbers whose ratio is the square of a rational are
-// multiples of one another, and others are linearly independent over the rationals: so a sum is zero if and only if the factors of each
-// class add up to zero.                                                                                       [proofs/shapes.md, "Study"]
+// Sums of square roots of rationals, and vectors of such numbers: is it zero? Roots of numbers
+// whose ratio is the square of a rational are multiples of one another, and others are linearly
+// independent over the rationals: so a sum is zero if and only if the factors of each class add up
+// to zero.                                                              [proofs/shapes.md, "Study"]
 #pragma once
 
-#include <array>
 #include <gmpxx.h>
+
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -53,16 +55,18 @@ bool parallel(const RootVector& u, const RootVector& v);
 // ---- faces ----
 
 // Input   a sum of terms, and a direction.
-// Output  the face of the sum in that direction, the set of its points that are farthest there: its dimension, and what it is.
+// Output  the face of the sum in that direction, the set of its points that are farthest there: its
+//         dimension, and what it is.
 
 /// What the atoms of a face of dimension 0 are; the later one wins in a sum.
 enum class Corner { vertex, apex, rim, smooth };
 
 struct SupportFace {
-  RootSum height;                    ///< the support: the greatest <n,x>
-  std::vector<RootVector> spanning;  ///< independent vectors of differences of its points: as many as its dimension, at most two
-  Corner corner = Corner::vertex;    ///< of dimension 0: what it is
-  bool of_points = true;             ///< only atoms that are points reach it
+  RootSum height;  ///< the support: the greatest <n,x>
+  std::vector<RootVector>
+      spanning;  ///< independent vectors of differences of its points: as many as its dimension, at most two
+  Corner corner = Corner::vertex;  ///< of dimension 0: what it is
+  bool of_points = true;           ///< only atoms that are points reach it
 };
 
 /// `direction` is not 0; every term has an atom.
@@ -71,8 +75,8 @@ SupportFace support_face(std::span<const Term> terms, const Vector& direction);
 // ---- solids ----
 
 // Input   a shape.
-// Output  what of it can coincide with something of another one: its centre, axis, radii, flat faces, generators. All in rationals and
-//         square roots of such.
+// Output  what of it can coincide with something of another one: its centre, axis, radii, flat
+//         faces, generators. All in rationals and square roots of such.
 
 struct Line {
   RationalVector point;
@@ -105,13 +109,15 @@ struct Solid {
   [[nodiscard]] std::span<const Term> terms() const { return std::get<std::vector<Term>>(shape.core); }
 };
 
-/// A sum of more line directions of its terms than this has no facets looked for that two of them span.
+/// A sum of more line directions of its terms than this has no facets looked for that two of them
+/// span.
 inline constexpr std::size_t most_line_directions = 500;
 
 /// The shape keeps the laws that signed_depth demands.
 Solid solid_of(const Shape& shape);
 
-/// What the face of the body in this direction is called: "vertex", "apex", "rim point", "smooth point", "edge", "generator", "face".
+/// What the face of the body in this direction is called: "vertex", "apex", "rim point", "smooth
+/// point", "edge", "generator", "face".
 std::string_view word_of(const Solid& solid, const SupportFace& face);
 
 // ---- revolution ----
@@ -119,15 +125,17 @@ std::string_view word_of(const Solid& solid, const SupportFace& face);
 // Input   a sum of terms.
 // Output  the line about which it is a body of revolution.
 
-/// M M^T of an atom c + M y, row by row: two atoms about one centre are equal as sets if and only if these are.
+/// M M^T of an atom c + M y, row by row: two atoms about one centre are equal as sets if and only
+/// if these are.
 using Gram = std::array<RationalVector, 3>;
 Gram gram_of(const Atom& atom);
 
-/// The square of the radius of a circular disc or a round ball. Returns nullopt for other atoms, points among them.
+/// The square of the radius of a circular disc or a round ball. Returns nullopt for other atoms,
+/// points among them.
 std::optional<mpq_class> round_square(const Atom& atom);
 
-/// The axis of revolution. Returns nullopt if there is none, or if there are several, as of a ball. Finds every axis of a sum whose terms
-/// are bodies of revolution one by one.
+/// The axis of revolution. Returns nullopt if there is none, or if there are several, as of a ball.
+/// Finds every axis of a sum whose terms are bodies of revolution one by one.
 std::optional<Line> axis_of(std::span<const Term> terms);
 
 }  // namespace fathom::studies

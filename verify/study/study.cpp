@@ -9,10 +9,10 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/predicates/perturbation.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "kernels/predicates/perturbed_kernel.hpp"
 
 namespace fathom::studies {
 
@@ -41,19 +41,23 @@ Involved Subject::involved(std::vector<Feature> own, std::vector<Feature> others
 
 namespace {
 
-/// The one of u and -u whose first component other than zero is positive, primitive: equal for parallel vectors alone.
+/// The one of u and -u whose first component other than zero is positive, primitive: equal for
+/// parallel vectors alone.
 Vector line_direction(const Vector& u) {
   Vector result = primitive(u);
   return lexicographically_less(result, Vector{0, 0, 0}) ? -result : result;
 }
 
-const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) { return subject.body.facets[gaussian::facet_of(node)]; }
+const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) {
+  return subject.body.facets[gaussian::facet_of(node)];
+}
 
 /// Whether the supporting planes of two facets with parallel normals are one.
 bool coplanar(const Subjects& subjects, gaussian::NodeId of_a, gaussian::NodeId of_b) {
   const polytope::Polytope &a = subjects.a.body, &b = subjects.b.body;
   const polytope::Facet& facet = facet_of(subjects.a, of_a);
-  return dot(facet.normal, a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(subjects.b, of_b).begin]]) == 0;
+  return dot(facet.normal,
+             a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(subjects.b, of_b).begin]]) == 0;
 }
 
 }  // namespace
@@ -62,7 +66,8 @@ void find_parallel_edges(const Subjects& subjects, Findings& findings) {
   ByDirection<gaussian::PerColour<std::vector<gaussian::ArcId>>> groups;
   for (const gaussian::Colour colour : gaussian::both_colours) {
     const gaussian::GaussianDiagram& diagram = subjects[colour].diagram;
-    for (const gaussian::ArcId i : diagram.arcs.ids()) groups[line_direction(diagram.arcs[i].circle.exact())][colour].push_back(i);
+    for (const gaussian::ArcId i : diagram.arcs.ids())
+      groups[line_direction(diagram.arcs[i].circle.exact())][colour].push_back(i);
   }
   for (const auto& [direction, edges] : groups) {
     findings.add_pairs(Coincidence::parallel_edges, subjects, edges);
@@ -90,22 +95,26 @@ void find_common_normals(const Subjects& subjects, Findings& findings) {
 
 // ---- on the sphere ----
 
-// Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z = (0, 0, 1).
+// Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z =
+// (0, 0, 1).
 
 namespace {
 
 /// Whether u, a direction on the arc's great circle, lies inside the arc, its ends excluded.
 bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
   if (diagram.rank == 1) return true;
-  // On an arc shorter than pi only its own directions pass both; on a half-circle the second condition repeats the first.
-  return det(diagram.nodes[arc.from].exact(), u, arc.circle.exact()) > 0 && det(u, diagram.nodes[arc.to].exact(), arc.circle.exact()) > 0;
+  // On an arc shorter than pi only its own directions pass both; on a half-circle the second
+  // condition repeats the first.
+  return det(diagram.nodes[arc.from].exact(), u, arc.circle.exact()) > 0 &&
+         det(u, diagram.nodes[arc.to].exact(), arc.circle.exact()) > 0;
 }
 
 bool on_equator(const gaussian::Arc& arc) { return arc.circle.exact().x == 0 && arc.circle.exact().y == 0; }
 
-/// The directions in which arcs of one diagram pass through the equator inside, each with its arc. No two are equal except for bodies of
-/// rank 1, whose one arc passes twice: arcs of a diagram do not cross. With d = circle and z the pole, an arc that leaves z's side does
-/// so at d x z: it runs on along d x (d x z), which points downward.
+/// The directions in which arcs of one diagram pass through the equator inside, each with its arc.
+/// No two are equal except for bodies of rank 1, whose one arc passes twice: arcs of a diagram do
+/// not cross. With d = circle and z the pole, an arc that leaves z's side does so at d x z: it runs
+/// on along d x (d x z), which points downward.
 ByDirection<gaussian::ArcId> passages(const gaussian::GaussianDiagram& diagram) {
   ByDirection<gaussian::ArcId> result;
   for (const gaussian::ArcId i : diagram.arcs.ids()) {
@@ -125,12 +134,15 @@ ByDirection<gaussian::ArcId> passages(const gaussian::GaussianDiagram& diagram) 
 
 void find_on_equator(const Subject& subject, Findings& findings) {
   for (const gaussian::NodeId i : subject.diagram.nodes.ids())
-    if (subject.diagram.nodes[i].exact().z == 0) findings.add(Coincidence::nodes_on_equator, subject.involved({subject.feature(i)}));
+    if (subject.diagram.nodes[i].exact().z == 0)
+      findings.add(Coincidence::nodes_on_equator, subject.involved({subject.feature(i)}));
   for (const gaussian::ArcId i : subject.diagram.arcs.ids())
-    if (on_equator(subject.diagram.arcs[i])) findings.add(Coincidence::arcs_on_equator, subject.involved({subject.feature(i)}));
+    if (on_equator(subject.diagram.arcs[i]))
+      findings.add(Coincidence::arcs_on_equator, subject.involved({subject.feature(i)}));
 }
 
-/// Crossings of arcs of `lying` that lie on the equator with those of `passing` that pass through it.
+/// Crossings of arcs of `lying` that lie on the equator with those of `passing` that pass through
+/// it.
 void find_passages_through_arcs(const Subject& lying, const Subject& passing, Findings& findings) {
   const ByDirection<gaussian::ArcId> through = passages(passing.diagram);
   for (const gaussian::ArcId i : lying.diagram.arcs.ids()) {
@@ -155,7 +167,8 @@ void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, F
       const kernels::Direction& node = nodes.diagram.nodes[i];
       for (const gaussian::ArcId j : arcs.diagram.arcs.ids()) {
         const gaussian::Arc& arc = arcs.diagram.arcs[j];
-        if (kernel.side_of_arc(node, arc.circle) != kernels::Sign::zero || !inside(arcs.diagram, arc, node.exact())) continue;
+        if (kernel.side_of_arc(node, arc.circle) != kernels::Sign::zero || !inside(arcs.diagram, arc, node.exact()))
+          continue;
         findings.add(Coincidence::normals_on_arcs, nodes.involved({nodes.feature(i)}, {arcs.feature(j)}));
       }
     }
@@ -202,7 +215,9 @@ void find_verticals(const Subjects& subjects, Findings& findings) {
 
 namespace {
 
-BodySize size_of(const polytope::Polytope& body) { return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()}; }
+BodySize size_of(const polytope::Polytope& body) {
+  return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()};
+}
 
 /// The predicates that the topology of a pair calls, whether or not the bodies overlap.
 PredicateCounts predicates_of(const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b) {
@@ -228,14 +243,15 @@ mpz_class common_divisor(const Bodies& bodies, mpz_class Vector::*axis) {
   return divisor == 0 ? 1 : divisor;
 }
 
-/// Gives each axis a unit of its own, and returns the units. No coincidence depends on them, and bodies of 1 by 10^300 get short
-/// coordinates, on which filters decide.
+/// Gives each axis a unit of its own, and returns the units. No coincidence depends on them, and
+/// bodies of 1 by 10^300 get short coordinates, on which filters decide.
 Vector stretch_axes(Bodies& bodies) {
   Vector units;
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
     units.*axis = common_divisor(bodies, axis);
     for (const gaussian::Colour colour : gaussian::both_colours)
-      for (Vector& p : bodies[colour]) mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
+      for (Vector& p : bodies[colour])
+        mpz_divexact((p.*axis).get_mpz_t(), (p.*axis).get_mpz_t(), (units.*axis).get_mpz_t());
   }
   return units;
 }
@@ -249,19 +265,22 @@ Feature face(const polytope::Polytope& body, const Vector& u) {
   return points;
 }
 
-void find_contacts(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& units, const Depth& depth, Findings& findings) {
+void find_contacts(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& units, const Depth& depth,
+                   Findings& findings) {
   if (depth.touch()) {
     const Vector& n = depth.touch()->direction;
     const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
     findings.add(Coincidence::touching_features, {{face(a, -u)}, {face(b, u)}});
   }
   if (depth.optima().size() < 2) return;
-  for (const Optimum& optimum : depth.optima()) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
+  for (const Optimum& optimum : depth.optima())
+    findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
 }
 
 }  // namespace
 
-Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options) {
+Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
+            const StudyOptions& options) {
   Study result;
   result.depth = penetration_depth(a, b, {.method = Method::exact, .monitor = options.monitor});
   context.report("hulls");
@@ -274,7 +293,8 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
   context.report("diagrams");
   const gaussian::GaussianDiagram diagram_a = gaussian::gaussian_diagram_of_reflection(body_a),
                                   diagram_b = gaussian::gaussian_diagram(body_b);
-  result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates : predicates_of(diagram_a, diagram_b);
+  result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates
+                                                                   : predicates_of(diagram_a, diagram_b);
 
   context.report("coincidences");
   const Subjects subjects{{gaussian::Colour::a, body_a, diagram_a}, {gaussian::Colour::b, body_b, diagram_b}};

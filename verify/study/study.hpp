@@ -12,7 +12,8 @@
 namespace fathom::studies {
 
 /// The public function with a context, which counts the predicates of the search for coincidences.
-Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b, const StudyOptions& options = {});
+Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
+            const StudyOptions& options = {});
 
 // ---- the searches ----
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and btGjkPairDetector, the path of two
-// convex bodies in a world. Margins that are not of the case are undone: where A and B grow by them, they are taken off the depth.
+// fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and
+// btGjkPairDetector, the path of two convex bodies in a world. Margins that are not of the case are
+// undone: where A and B grow by them, they are taken off the depth.
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConeShape.h>
@@ -28,7 +29,8 @@ constexpr const char *precision = "binary64", *suffix = "64";
 constexpr const char *precision = "binary32", *suffix = "";
 #endif
 
-/// Rounded. Through a volatile, as g++ 12 leaves the rounding of pairs of numbers out where they are widened again.
+/// Rounded. Through a volatile, as g++ 12 leaves the rounding of pairs of numbers out where they
+/// are widened again.
 btScalar scalar(double x) {
   const volatile btScalar rounded = static_cast<btScalar>(x);
   return rounded;
@@ -38,11 +40,14 @@ btVector3 vector(const Vector& v) { return {scalar(v[0]), scalar(v[1]), scalar(v
 
 Vector plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// How bodies are made: hulls of vertices about their own centre, their mean, as Bullet's users make them.
+/// How bodies are made: hulls of vertices about their own centre, their mean, as Bullet's users
+/// make them.
 struct Making {
   btScalar margin = 0;
-  bool inside = false;  ///< boxes and cylinders as in a world: with the margin that Bullet gives them, inside their lengths
-  bool early = false;   ///< subtract the centre before it is rounded to binary32: then the placed hull is off by half an ulp of the centre
+  bool inside =
+      false;  ///< boxes and cylinders as in a world: with the margin that Bullet gives them, inside their lengths
+  bool early = false;  ///< subtract the centre before it is rounded to binary32: then the placed hull is off by half an
+                       ///< ulp of the centre
 };
 
 struct Placed {
@@ -65,24 +70,27 @@ struct Placed {
 
   static std::unique_ptr<btConvexShape> hull(const std::vector<Vector>& vertices, const Vector& centre) {
     auto made = std::make_unique<btConvexHullShape>();
-    for (const Vector& v : vertices) made->addPoint(vector({v[0] - centre[0], v[1] - centre[1], v[2] - centre[2]}), false);
+    for (const Vector& v : vertices)
+      made->addPoint(vector({v[0] - centre[0], v[1] - centre[1], v[2] - centre[2]}), false);
     return made;
   }
 
-  /// GJK and EPA see a core and a ball around it, whose radius is the margin: that of the case, or else the mode's. A sphere or capsule is
-  /// nothing but margin.
+  /// GJK and EPA see a core and a ball around it, whose radius is the margin: that of the case, or
+  /// else the mode's. A sphere or capsule is nothing but margin.
   void make_shape(const Body& body, const Making& making) {
     const btVector3 x = vector(body.rotation[0]), y = vector(body.rotation[1]), z = vector(body.rotation[2]);
     at = btTransform({x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]}, vector(body.translation));
     const auto number = [&body](const char* name) { return subject::number(body, name); };
     const auto length = [&number] { return scalar(2 * number("half_length")); };
     if (subject::is(body, "sphere") || subject::is(body, "capsule")) {
-      if (body.margin > 0) throw subject::Unsupported("a margin around a " + body.shape + ", which is nothing but margin in Bullet");
+      if (body.margin > 0)
+        throw subject::Unsupported("a margin around a " + body.shape + ", which is nothing but margin in Bullet");
       if (subject::is(body, "sphere")) shape = std::make_unique<btSphereShape>(scalar(number("radius")));
       else shape = std::make_unique<btCapsuleShapeZ>(scalar(number("radius")), length());
       return;
     }
-    if (subject::is(body, "box")) return make_around_core<btBoxShape>(subject::triple(body, "half"), making, body.margin);
+    if (subject::is(body, "box"))
+      return make_around_core<btBoxShape>(subject::triple(body, "half"), making, body.margin);
     if (subject::is(body, "cylinder")) {
       const double radius = number("radius");
       return make_around_core<btCylinderShapeZ>({radius, radius, number("half_length")}, making, body.margin);
@@ -92,7 +100,8 @@ struct Placed {
     grow(making.margin, body.margin);
   }
 
-  /// Bullet counts the margin of these inside their lengths: the core would be smaller than the case's, and the edges round.
+  /// Bullet counts the margin of these inside their lengths: the core would be smaller than the
+  /// case's, and the edges round.
   template <class Inner>
   void make_around_core(const Vector& half, const Making& making, double given) {
     auto made = std::make_unique<Inner>(vector(half));
@@ -117,7 +126,8 @@ Making making(Settings& settings, double margin) {
   return making;
 }
 
-/// The solver has no guess of its own: without the setting it gets the one that Bullet's own callers give it, from centre to centre.
+/// The solver has no guess of its own: without the setting it gets the one that Bullet's own
+/// callers give it, from centre to centre.
 subject::Solver epa(Settings& settings) {
   settings.note("margin", "0");
   const std::optional<Vector> guess = settings.vector("guess", "B-A");
@@ -131,7 +141,8 @@ subject::Solver epa(Settings& settings) {
     if (result.status == btGjkEpaSolver2::sResults::EPA_Failed) throw std::runtime_error("btGjkEpaSolver2: EPA_Failed");
     if (!reply.overlap) return reply;
     reply.depth = result.distance;
-    reply.direction = plain(one.at.getBasis() * result.normal);  // the solver's normal is in the frame of A, its points are in the world
+    reply.direction = plain(one.at.getBasis() *
+                            result.normal);  // the solver's normal is in the frame of A, its points are in the world
     reply.witness = {plain(result.witnesses[0]), plain(result.witnesses[1])};
     return reply;
   };
@@ -174,7 +185,8 @@ subject::Solver pair(Settings& settings) {
 int main(int argc, char** argv) {
   const std::string name = std::string("bullet") + suffix;
   const std::vector<std::string> shapes{"sphere", "capsule", "box", "cylinder", "cone", "hull", "margin"};
-  const subject::Mode modes[] = {{.argument = "epa", .name = name + "-epa", .depth = "negative", .shapes = shapes, .make = epa},
-                                 {.argument = "pair", .name = name + "-pair", .depth = "negative", .shapes = shapes, .make = pair}};
+  const subject::Mode modes[] = {
+      {.argument = "epa", .name = name + "-epa", .depth = "negative", .shapes = shapes, .make = epa},
+      {.argument = "pair", .name = name + "-pair", .depth = "negative", .shapes = shapes, .make = pair}};
   return subject::run({"bullet", SUBJECT_VERSION, precision, {std::begin(modes), std::end(modes)}}, argc, argv);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-fcl signed|collide|indep: FCL's distance and collide, on fcl::Convex<double> in world coordinates and FCL's own
-// primitives.
+// fathom-subject-fcl signed|collide|indep: FCL's distance and collide, on fcl::Convex<double> in
+// world coordinates and FCL's own primitives.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>
@@ -65,7 +65,8 @@ fcl::Transform3d placing(const Body& body) {
 }
 
 struct Placed {
-  explicit Placed(const Body& body) : geometry(body.shape.empty() ? convex(subject::hull(body)) : primitive(body)), at(placing(body)) {}
+  explicit Placed(const Body& body)
+      : geometry(body.shape.empty() ? convex(subject::hull(body)) : primitive(body)), at(placing(body)) {}
   std::unique_ptr<fcl::CollisionGeometryd> geometry;
   fcl::Transform3d at;
 };
@@ -140,7 +141,12 @@ int main(int argc, char** argv) {
   std::vector<std::string> all = bounded;
   all.emplace_back("halfspace");  // in distance, a half-space is a null pointer that FCL calls
   const subject::Mode modes[] = {
-      {.argument = "signed", .name = "fcl-signed", .depth = "negative", .faces = true, .shapes = bounded, .make = signed_distance},
+      {.argument = "signed",
+       .name = "fcl-signed",
+       .depth = "negative",
+       .faces = true,
+       .shapes = bounded,
+       .make = signed_distance},
       {.argument = "collide",
        .name = "fcl-collide",
        .moves = "b",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-libccd epa|mpr: ccdGJKPenetration and ccdMPRPenetration on vertex lists in world coordinates, and on shapes.
+// fathom-subject-libccd epa|mpr: ccdGJKPenetration and ccdMPRPenetration on vertex lists in world
+// coordinates, and on shapes.
 #include <ccd/ccd.h>
 
 #include <cmath>
@@ -14,7 +15,8 @@ using subject::Body, subject::Vector;
 
 Vector plain(const ccd_vec3_t& v) { return {v.v[0], v.v[1], v.v[2]}; }
 
-/// A farthest point of a body along `u`. libccd knows no shapes: these are written as its test suite and FCL write them.
+/// A farthest point of a body along `u`. libccd knows no shapes: these are written as its test
+/// suite and FCL write them.
 using Support = Vector (*)(const Body& body, const Vector& u);
 
 /// The first of the farthest vertices.
@@ -76,8 +78,9 @@ Vector ellipsoid(const Body& body, const Vector& u) {
 }
 
 const std::map<std::string, Support>& supports() {
-  static const std::map<std::string, Support> all{{"sphere", sphere},     {"capsule", capsule}, {"box", box},
-                                                  {"cylinder", cylinder}, {"cone", cone},       {"ellipsoid", ellipsoid}};
+  static const std::map<std::string, Support> all{{"sphere", sphere}, {"capsule", capsule},
+                                                  {"box", box},       {"cylinder", cylinder},
+                                                  {"cone", cone},     {"ellipsoid", ellipsoid}};
   return all;
 }
 
@@ -114,7 +117,9 @@ void centre(const void* object, ccd_vec3_t* out) {
 /// Where GJK starts. libccd calls a function of the bodies alone: the direction has no other place.
 Vector first_direction{};
 
-void first(const void*, const void*, ccd_vec3_t* out) { ccdVec3Set(out, first_direction[0], first_direction[1], first_direction[2]); }
+void first(const void*, const void*, ccd_vec3_t* out) {
+  ccdVec3Set(out, first_direction[0], first_direction[1], first_direction[2]);
+}
 
 using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
 
@@ -134,8 +139,10 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
   return options;
 }
 
-/// libccd's position is where a force should act, by its header: not a point of both bodies, unless it is asked to be taken for one.
-subject::Solver solver(Penetration penetration, subject::Settings& settings, ccd_real_t ccd_t::*tolerance, const std::string& name) {
+/// libccd's position is where a force should act, by its header: not a point of both bodies, unless
+/// it is asked to be taken for one.
+subject::Solver solver(Penetration penetration, subject::Settings& settings, ccd_real_t ccd_t::*tolerance,
+                       const std::string& name) {
   const ccd_t options = options_of(settings, tolerance, name);
   const bool tells_position = settings.count("positions", 0) != 0;
   return [penetration, options, tells_position](const Body& a, const Body& b) {
@@ -158,11 +165,13 @@ subject::Solver solver(Penetration penetration, subject::Settings& settings, ccd
 int main(int argc, char** argv) {
   std::vector<std::string> shapes;
   for (const auto& [name, support_of_name] : supports()) shapes.push_back(name);
-  const subject::Mode epa{.argument = "epa", .name = "libccd-epa", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
-                            return solver(ccdGJKPenetration, settings, &ccd_t::epa_tolerance, "epa_tolerance");
-                          }};
-  const subject::Mode mpr{.argument = "mpr", .name = "libccd-mpr", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
-                            return solver(ccdMPRPenetration, settings, &ccd_t::mpr_tolerance, "mpr_tolerance");
-                          }};
+  const subject::Mode epa{
+      .argument = "epa", .name = "libccd-epa", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
+        return solver(ccdGJKPenetration, settings, &ccd_t::epa_tolerance, "epa_tolerance");
+      }};
+  const subject::Mode mpr{
+      .argument = "mpr", .name = "libccd-mpr", .moves = "b", .shapes = shapes, .make = [](subject::Settings& settings) {
+        return solver(ccdMPRPenetration, settings, &ccd_t::mpr_tolerance, "mpr_tolerance");
+      }};
   return subject::run({"libccd", SUBJECT_VERSION, "binary64", {epa, mpr}}, argc, argv);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-ode collide: dCollide on convex geoms and ODE's own primitives, the deepest of the contacts that it returns.
+// fathom-subject-ode collide: dCollide on convex geoms and ODE's own primitives, the deepest of the
+// contacts that it returns.
 #include <ode/ode.h>
 
 #include <algorithm>
@@ -13,7 +14,8 @@ using subject::Body, subject::Vector;
 
 Vector plain(const dVector3& v) { return {v[0], v[1], v[2]}; }
 
-/// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is where its normal and offset say.
+/// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is
+/// where its normal and offset say.
 dGeomID primitive(const Body& body) {
   const auto number = [&body](const char* name) { return subject::number(body, name); };
   if (subject::is(body, "halfspace")) {
@@ -37,7 +39,8 @@ dGeomID primitive(const Body& body) {
   return id;
 }
 
-/// A primitive, or a convex geom about the mean of its vertices, which ODE takes for an inner point. ODE keeps the pointers.
+/// A primitive, or a convex geom about the mean of its vertices, which ODE takes for an inner
+/// point. ODE keeps the pointers.
 class Geom {
  public:
   explicit Geom(const Body& body) {
@@ -95,18 +98,21 @@ subject::Solver collide(subject::Settings& settings) {
   const bool tells_positions = settings.count("positions", 0) != 0;
   settings.note("centre", "mean of the vertices");
   return [contacts, tells_positions](const Body& a, const Body& b) {
-    if (subject::is(a, "halfspace") && subject::is(b, "halfspace")) throw subject::Unsupported("two half-spaces: ODE collides no planes");
+    if (subject::is(a, "halfspace") && subject::is(b, "halfspace"))
+      throw subject::Unsupported("two half-spaces: ODE collides no planes");
     const Geom one(a), two(b);
     std::vector<dContactGeom> found(contacts);
     const int count = dCollide(one.id(), two.id(), static_cast<int>(contacts), found.data(), sizeof(dContactGeom));
     subject::Reply reply{.overlap = count > 0};
     if (!reply.overlap) return reply;
-    const dContactGeom& deepest = *std::max_element(found.begin(), found.begin() + count,
-                                                    [](const dContactGeom& c, const dContactGeom& d) { return c.depth < d.depth; });
+    const dContactGeom& deepest =
+        *std::max_element(found.begin(), found.begin() + count,
+                          [](const dContactGeom& c, const dContactGeom& d) { return c.depth < d.depth; });
     reply.depth = deepest.depth;
     reply.direction = plain(deepest.normal);
     for (int i = 0; i < count; ++i)
-      if (tells_positions && plain(found[i].normal) == *reply.direction) reply.contacts.push_back({plain(found[i].pos), found[i].depth});
+      if (tells_positions && plain(found[i].normal) == *reply.direction)
+        reply.contacts.push_back({plain(found[i].pos), found[i].depth});
     return reply;
   };
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the adapters add to the kit that users copy: several ways of asking one library, and settings
-// from the command line. Nothing of fathom is included: the programs stand alone.
+// What the adapters add to the kit that users copy: several ways of asking one library, and
+// settings from the command line. Nothing of fathom is included: the programs stand alone.
 #pragma once
 
 #include <algorithm>
@@ -33,12 +33,14 @@ inline const Vector& triple(const Body& body, const char* name) { return body.tr
 /// The direction of a shape's frame in the world, and back.
 inline Vector turned(const Body& body, const Vector& v) {
   Vector w{};
-  for (std::size_t i = 0; i < 3; ++i) w[i] = body.rotation[i][0] * v[0] + body.rotation[i][1] * v[1] + body.rotation[i][2] * v[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    w[i] = body.rotation[i][0] * v[0] + body.rotation[i][1] * v[1] + body.rotation[i][2] * v[2];
   return w;
 }
 inline Vector turned_back(const Body& body, const Vector& v) {
   Vector w{};
-  for (std::size_t i = 0; i < 3; ++i) w[i] = body.rotation[0][i] * v[0] + body.rotation[1][i] * v[1] + body.rotation[2][i] * v[2];
+  for (std::size_t i = 0; i < 3; ++i)
+    w[i] = body.rotation[0][i] * v[0] + body.rotation[1][i] * v[1] + body.rotation[2][i] * v[2];
   return w;
 }
 
@@ -72,8 +74,8 @@ inline Body hull(const Body& body) {
 
 // ---- settings ----
 
-/// The library's parameters: each has the library's own default unless key=value was given. The hello
-/// lists all of them.
+/// The library's parameters: each has the library's own default unless key=value was given. The
+/// hello lists all of them.
 class Settings {
  public:
   /// Throws std::invalid_argument for a word that is not key=value, or a key that comes twice.
@@ -81,7 +83,8 @@ class Settings {
     for (const std::string& word : words) {
       const std::size_t sign = word.find('=');
       if (sign == 0 || sign == std::string::npos) throw std::invalid_argument("expected KEY=VALUE, found " + word);
-      if (!given_.emplace(word.substr(0, sign), word.substr(sign + 1)).second) throw std::invalid_argument(word + " sets a key again");
+      if (!given_.emplace(word.substr(0, sign), word.substr(sign + 1)).second)
+        throw std::invalid_argument(word + " sets a key again");
     }
   }
 
@@ -93,12 +96,14 @@ class Settings {
     return value;
   }
 
-  /// The same of a whole number. The largest, which stands for none, is listed and may be given as "no limit".
+  /// The same of a whole number. The largest, which stands for none, is listed and may be given as
+  /// "no limit".
   unsigned long count(const std::string& key, unsigned long usual) {
     constexpr unsigned long endless = std::numeric_limits<unsigned long>::max();
     constexpr const char* no_limit = "no limit";
     unsigned long value = usual;
-    if (const auto text = taken(key)) value = *text == no_limit ? endless : read<unsigned long>(key, *text, "a whole number");
+    if (const auto text = taken(key))
+      value = *text == no_limit ? endless : read<unsigned long>(key, *text, "a whole number");
     note(key, value == endless ? no_limit : std::to_string(value));
     return value;
   }
@@ -124,7 +129,8 @@ class Settings {
     if (given_.empty()) return;
     std::string keys;
     for (const auto& [key, value] : told_) keys += " " + key;
-    throw std::invalid_argument(given_.begin()->first + " is no setting of this mode; it has" + (keys.empty() ? " none" : keys));
+    throw std::invalid_argument(given_.begin()->first + " is no setting of this mode; it has" +
+                                (keys.empty() ? " none" : keys));
   }
   [[nodiscard]] const std::map<std::string, std::string>& in_force() const { return told_; }
 
@@ -197,17 +203,19 @@ inline bool is_rotation(const fathom_subject::Matrix& rows) {
   return determinant > 0;
 }
 
-/// Throws Unsupported for a shape or a margin that the mode does not declare, and for a pose that is no rotation.
+/// Throws Unsupported for a shape or a margin that the mode does not declare, and for a pose that
+/// is no rotation.
 inline void check_taken(const Body& body, const Mode& mode) {
   if (body.shape.empty()) return;
   const auto takes = [&mode](const std::string& word) { return std::ranges::count(mode.shapes, word) > 0; };
-  if (body.shape == "margin" || !takes(body.shape)) throw Unsupported("a " + body.shape + ", which " + mode.name + " has not");
+  if (body.shape == "margin" || !takes(body.shape))
+    throw Unsupported("a " + body.shape + ", which " + mode.name + " has not");
   if (body.margin > 0 && !takes("margin")) throw Unsupported("a margin, which " + mode.name + " has not");
   if (!is_rotation(body.rotation)) throw Unsupported("a pose that is no rotation");
 }
 
-/// Answers cases in the mode that the command line names. Returns the exit code: 0, or 2 for wrong arguments or
-/// a line that is not of the protocol, which is reported on the standard error.
+/// Answers cases in the mode that the command line names. Returns the exit code: 0, or 2 for wrong
+/// arguments or a line that is not of the protocol, which is reported on the standard error.
 inline int run(const Program& program, int argc, char** argv) {
   try {
     std::string modes;

@@ -53,7 +53,8 @@ bool is(const Data& depth, std::string_view status) { return at(depth, "status")
 /// The object with the length that the answer is about.
 const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint") ? "distance" : "depth"); }
 
-/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds only.
+/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds
+/// only.
 std::string decimal_length(const Data& length) {
   if (at(length, "value").is_number()) return shown(at(length, "value"));
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
@@ -71,17 +72,19 @@ std::string length_text(const Data& depth) {
     if (!value.is_number()) return std::string("infinity");
     return shown(apart ? Data(-value.get<double>()) : value);
   };
-  return apart ? fmt::format("{} to {}", bound("high"), bound("low")) : fmt::format("{} to {}", bound("low"), bound("high"));
+  return apart ? fmt::format("{} to {}", bound("high"), bound("low"))
+               : fmt::format("{} to {}", bound("low"), bound("high"));
 }
 
 /// Its exact number and roundings, on demand.
 std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
-  if (const Data& exact = at(length, "exact"); !exact.is_null()) text += "exactly  " + picture::markup(exact.dump()) + "\n";
+  if (const Data& exact = at(length, "exact"); !exact.is_null())
+    text += "exactly  " + picture::markup(exact.dump()) + "\n";
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
-    text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")), shown(at(rounded, "rd")),
-                        shown(at(rounded, "ru")));
+    text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")),
+                        shown(at(rounded, "rd")), shown(at(rounded, "ru")));
   return text.empty() ? "" : folded("exact", text);
 }
 
@@ -93,8 +96,8 @@ std::string exact_place(const Data& value) {
 
 std::string contact_text(const Data& contact) {
   if (contact.is_null()) return "";
-  return fmt::format("{}: <span class=\"key-a\">A</span> at {}, <span class=\"key-b\">B</span> at {}", shown(at(contact, "kind")),
-                     point_list(at(contact, "a")), point_list(at(contact, "b")));
+  return fmt::format("{}: <span class=\"key-a\">A</span> at {}, <span class=\"key-b\">B</span> at {}",
+                     shown(at(contact, "kind")), point_list(at(contact, "a")), point_list(at(contact, "b")));
 }
 
 std::string size_text(const Data& lengths) {
@@ -118,7 +121,8 @@ std::uint64_t optima_count(const Data& depth) {
   return count.is_number() ? count.get<std::uint64_t>() : at(depth, "optima").size();
 }
 
-/// The cone's generators, if there are several: the optima are then a continuum. Empty if there is no cone, or it is one ray.
+/// The cone's generators, if there are several: the optima are then a continuum. Empty if there is
+/// no cone, or it is one ray.
 std::string continuum(const Data& depth) {
   const Data& cone = at(depth, "optimal_cone");
   if (!cone.is_object()) return "";
@@ -126,7 +130,9 @@ std::string continuum(const Data& depth) {
   if (lineality == "all") return "every direction";
   if (lineality == "none" && rays.size() == 1) return "";
   std::string result;
-  const auto add = [&](const std::string& part) { result += (result.empty() ? "all directions between " : ", ") + part; };
+  const auto add = [&](const std::string& part) {
+    result += (result.empty() ? "all directions between " : ", ") + part;
+  };
   if (lineality == "plane" && rays.empty()) return "every direction orthogonal to " + shown(at(cone, "axis"));
   if (lineality == "plane") add("those orthogonal to " + shown(at(cone, "axis")));
   if (lineality == "line") add("both along " + shown(at(cone, "axis")));
@@ -147,13 +153,14 @@ std::string optima_table(const Data& depth) {
   Table table("Shortest ways out", {"#", "'contact", "'A's points", "'B's points", "'direction"});
   for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_optima); ++i) {
     const Data& contact = at(optima[i], "contact");
-    table.add({std::to_string(i + 1), shown(at(contact, "kind")), point_list(at(contact, "a")), point_list(at(contact, "b")),
-               shown(at(optima[i], "direction"))},
+    table.add({std::to_string(i + 1), shown(at(contact, "kind")), point_list(at(contact, "a")),
+               point_list(at(contact, "b")), shown(at(optima[i], "direction"))},
               fmt::format("data-optimum=\"{}\"", i));
   }
   const std::uint64_t count = optima_count(depth);
   const std::string more =
-      count > most_optima ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", count - most_optima) : "";
+      count > most_optima ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", count - most_optima)
+                          : "";
   return table.text() + more;
 }
 
@@ -174,11 +181,13 @@ std::string decimals(const Data& place) {
 
 /// "piece 1 of A, piece 2 of B".
 std::string pieces_text(const Data& pieces) {
-  return fmt::format("piece {} of <span class=\"key-a\">A</span>, piece {} of <span class=\"key-b\">B</span>", pieces.at(0).dump(),
-                     pieces.at(1).dump());
+  return fmt::format("piece {} of <span class=\"key-a\">A</span>, piece {} of <span class=\"key-b\">B</span>",
+                     pieces.at(0).dump(), pieces.at(1).dump());
 }
 
-std::string clearance_text(const Data& optimum) { return at(optimum, "clearance") == true ? "yes" : "none: an exact fit"; }
+std::string clearance_text(const Data& optimum) {
+  return at(optimum, "clearance") == true ? "yes" : "none: an exact fit";
+}
 
 void add_overlap(FactList& rows, const Data& depth) {
   const Data& first = optima_of(depth).at(0);
@@ -196,10 +205,12 @@ void add_distance(FactList& rows, const Data& depth) {
   const Data& apart = at(depth, "apart");
   rows.add("distance", "distance", decimal_length(distance_of(depth)), exact_length(distance_of(depth)));
   rows.add("between", "between", pieces_text(at(apart, "pieces")));
-  rows.add("translation", "A touches if moved by", decimals(at(apart, "translation")), exact_place(at(apart, "translation")));
+  rows.add("translation", "A touches if moved by", decimals(at(apart, "translation")),
+           exact_place(at(apart, "translation")));
   for (const char* body : {"a", "b"}) {
     const Data& place = at(at(apart, "witness"), body);
-    rows.add(fmt::format("witness_{}", body), *body == 'a' ? "point of A" : "point of B", decimals(place), exact_place(place));
+    rows.add(fmt::format("witness_{}", body), *body == 'a' ? "point of A" : "point of B", decimals(place),
+             exact_place(place));
   }
 }
 
@@ -224,11 +235,13 @@ std::string answer_sentence(const Data& depth) {
 
 std::string subtitle(const Data& depth) {
   std::string result = shown(at(depth, "id"));
-  if (const Data& contact = at(depth, "contact"); contact.is_object()) result += " &middot; contact " + shown(at(contact, "kind"));
+  if (const Data& contact = at(depth, "contact"); contact.is_object())
+    result += " &middot; contact " + shown(at(contact, "kind"));
   if (!is(depth, "penetrating") || count_of_ways(depth).empty()) return result;
   if (!continuum(depth).empty()) return result + " &middot; a continuum of shortest ways out";
   const std::uint64_t count = optima_count(depth);
-  return result + " &middot; " + (count == 1 ? "one shortest way out" : counted(count, "shortest way out", "shortest ways out"));
+  return result + " &middot; " +
+         (count == 1 ? "one shortest way out" : counted(count, "shortest way out", "shortest ways out"));
 }
 
 std::string facts(const Data& depth) {
@@ -238,13 +251,16 @@ std::string facts(const Data& depth) {
   rows.add("status", "status", shown(at(depth, "status")));
   if (is(depth, "touching")) rows.add("depth", "depth", length_text(depth));
   else if (overlap || apart)
-    rows.add(apart ? "distance" : "depth", apart ? "distance" : "depth", length_text(depth), exact_length(length_of(depth)));
+    rows.add(apart ? "distance" : "depth", apart ? "distance" : "depth", length_text(depth),
+             exact_length(length_of(depth)));
   else rows.add("signed_depth", "signed depth", length_text(depth));
   if (const Data& unit = at(told, "unit_f64"); !unit.is_null())
     rows.add("unit", overlap ? "unit normal n" : "unit direction n", shown(unit), exact_place(at(told, "direction")));
   if (const Data& way = at(told, "translation_f64"); !way.is_null() && (overlap || apart))
-    rows.add("translation", overlap ? "A moves out by" : "A touches if moved by", shown(way), exact_place(at(told, "translation")));
-  if (const std::string contact = contact_text(at(depth, "contact")); !contact.empty()) rows.add("contact", "contact", contact);
+    rows.add("translation", overlap ? "A moves out by" : "A touches if moved by", shown(way),
+             exact_place(at(told, "translation")));
+  if (const std::string contact = contact_text(at(depth, "contact")); !contact.empty())
+    rows.add("contact", "contact", contact);
   if (const Data& witness = at(told, "witness_f64"); witness.is_object()) {
     const Data& exact = at(told, "witness");
     rows.add("witness_a", "point of A", shown(at(witness, "a")), exact_place(at(exact, "a")));
@@ -265,7 +281,8 @@ std::string union_sentence(const Data& depth) {
 
 std::string union_subtitle(const Data& depth) {
   std::string result = shown(at(depth, "id")) + " &middot; unions of convex pieces";
-  if (is(depth, "penetrating")) result += " &middot; " + counted(optima_of(depth).size(), "shortest way out", "shortest ways out");
+  if (is(depth, "penetrating"))
+    result += " &middot; " + counted(optima_of(depth).size(), "shortest way out", "shortest ways out");
   return result;
 }
 
@@ -287,9 +304,10 @@ std::string union_optima(const Data& depth) {
     table.add({std::to_string(i + 1), decimals(at(optima[i], "translation")), clearance_text(optima[i]),
                std::to_string(at(optima[i], "contacts").size())},
               fmt::format("data-optimum=\"{}\"", i));
-  const std::string more = optima.size() > most_union_optima
-                               ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", optima.size() - most_union_optima)
-                               : "";
+  const std::string more =
+      optima.size() > most_union_optima
+          ? fmt::format("<p class=\"soft\">{} more are not listed here.</p>\n", optima.size() - most_union_optima)
+          : "";
   return table.text() + more;
 }
 

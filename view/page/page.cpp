@@ -29,19 +29,24 @@ std::string lead_why(const stages::Stages& stages) {
   switch (stages.sum.kind) {
     case SumKind::p:
       return fmt::format(
-          "P, the set of all differences b - a, has {}. A moved by t is clear of B exactly if t is not inside P: so the way out is as long "
-          "as the nearest facet is far from O, and the ball around O that touches it has nothing of the boundary inside.",
+          "P, the set of all differences b - a, has {}. A moved by t is clear of B exactly if t is not inside P: so "
+          "the way out is as long "
+          "as the nearest facet is far from O, and the ball around O that touches it has nothing of the boundary "
+          "inside.",
           counted(facets, "facet", "facets"));
     case SumKind::q:
       return fmt::format(
-          "P, the set of all differences b - a, has too many facets to draw. Shown is Q, the polytope inside P that proves the depth: its "
+          "P, the set of all differences b - a, has too many facets to draw. Shown is Q, the polytope inside P that "
+          "proves the depth: its "
           "nearest facet lies on the boundary of P, and no one of its {} is nearer to O.",
           counted(facets, "facet", "facets"));
-    case SumKind::sampled: return "P, the set of all differences b - a, as a mesh near it: the answer comes from the exact body.";
+    case SumKind::sampled:
+      return "P, the set of all differences b - a, as a mesh near it: the answer comes from the exact body.";
     case SumKind::none: break;
   }
   if (stages.status == Status::disjoint || stages.status == Status::touching)
-    return "O is not inside P, the set of all differences b - a: the bodies do not overlap, and the plane across n is between them.";
+    return "O is not inside P, the set of all differences b - a: the bodies do not overlap, and the plane across n is "
+           "between them.";
   return "P, the set of all differences b - a, is not drawn.";
 }
 
@@ -52,40 +57,45 @@ std::string lead_where(const stages::Stages& stages) {
     using stages::WinnerKind;
     const WinnerKind kind = stages.winner->kind;
     winner = kind == WinnerKind::edges
-                 ? (stages.winner->pair ? fmt::format(" The answer is a crossing of arcs, of canonical pair {}.", *stages.winner->pair)
-                                        : std::string(" The answer is where two arcs meet."))
+                 ? (stages.winner->pair
+                        ? fmt::format(" The answer is a crossing of arcs, of canonical pair {}.", *stages.winner->pair)
+                        : std::string(" The answer is where two arcs meet."))
              : kind == WinnerKind::facet_of_a ? " The answer is a node of A: a facet of A against a vertex of B."
                                               : " The answer is a node of B: a facet of B against a vertex of A.";
   }
   return fmt::format(
-      "The Gaussian diagrams of -A and of B: a node is a facet's normal, an arc is an edge. A facet of P is a node of one in a face of the "
+      "The Gaussian diagrams of -A and of B: a node is a facet's normal, an arc is an edge. A facet of P is a node of "
+      "one in a face of the "
       "other, or a crossing of two arcs. All {} are in {}, in which every arc of A_i crosses every arc of B_i.{}",
-      counted(stages.counters.crossings, "crossing", "crossings"), counted(stages.pairs.size(), "canonical pair", "canonical pairs"),
-      winner);
+      counted(stages.counters.crossings, "crossing", "crossings"),
+      counted(stages.pairs.size(), "canonical pair", "canonical pairs"), winner);
 }
 
 std::string lead_coincided(const stages::Stages& stages) {
   const auto counts = [](const auto& found) { return found.count > 0; };
   if (stages.charts.empty()) return "What is in special position about these bodies, by name.";
   if (std::ranges::any_of(stages.coincidences, counts))
-    return "What is in special position about these bodies, by name. Topology is decided as if -A were moved and the frame tilted by "
+    return "What is in special position about these bodies, by name. Topology is decided as if -A were moved and the "
+           "frame tilted by "
            "infinitely little, E11 to E33 and a, b, c; values never are.";
   return "Nothing: the bodies are in general position.";
 }
 
 std::string lead_cost(const stages::Stages& stages) {
   if (stages.bounds.empty()) return "The exact method of AGHRS did not run: there is nothing to count.";
-  return stages.status == Status::penetrating
-             ? "What the exact method did, in counts."
-             : "What the exact method makes of these bodies, in counts; the search for closest lines is for bodies that overlap.";
+  return stages.status == Status::penetrating ? "What the exact method did, in counts."
+                                              : "What the exact method makes of these bodies, in counts; the search "
+                                                "for closest lines is for bodies that overlap.";
 }
 
 std::string lead_of_sums(const stages::UnionStages& stages) {
   if (stages.status != Status::penetrating)
     return "No two pieces have interiors in common: O is in the interior of no set of differences b - a of pieces.";
   return fmt::format(
-      "A moved by t overlaps B exactly if t is in the interior of the differences b - a of a piece of A and one of B. So the depth is the "
-      "distance from O to the nearest point that none of the {} x {} sets of differences holds inside: together they cover the ball around "
+      "A moved by t overlaps B exactly if t is in the interior of the differences b - a of a piece of A and one of B. "
+      "So the depth is the "
+      "distance from O to the nearest point that none of the {} x {} sets of differences holds inside: together they "
+      "cover the ball around "
       "O, and "
       "at the end of the way out the boundaries meet of those that touch there. {} into the ball.",
       stages.a.size(), stages.b.size(), counted(stages.sums.size(), "of them reaches", "of them reach"));
@@ -93,7 +103,8 @@ std::string lead_of_sums(const stages::UnionStages& stages) {
 
 // ---- what stands around the sections ----
 
-/// JSON that can stand in a script element: "<" occurs in its strings alone, where it has another form.
+/// JSON that can stand in a script element: "<" occurs in its strings alone, where it has another
+/// form.
 std::string block(std::string_view id, const std::string& json) {
   std::string result = fmt::format("<script type=\"application/json\" id=\"{}\">", id);
   result.reserve(result.size() + json.size() + 16);
@@ -120,8 +131,9 @@ std::string left_out_section(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return "";
   std::string items;
   for (const std::string& sentence : sentences) items += fmt::format("<li>{}</li>\n", picture::markup(sentence));
-  return "<section id=\"left-out\" aria-labelledby=\"left-out-h\">\n<h2 id=\"left-out-h\">What is left out</h2>\n<ul>\n" + items +
-         "</ul>\n</section>\n";
+  return "<section id=\"left-out\" aria-labelledby=\"left-out-h\">\n<h2 id=\"left-out-h\">What is left "
+         "out</h2>\n<ul>\n" +
+         items + "</ul>\n</section>\n";
 }
 
 Data parsed(const std::string& depth) {
@@ -133,10 +145,12 @@ Data parsed(const std::string& depth) {
 /// The page with its style, its script and its policy. `main` is markup, and so are the heading and
 /// what is below it.
 template <class AnySheet>
-std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading, const std::string& subtitle,
-                      const Sections& sections, const std::string& main, const Blocks& blocks) {
+std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading,
+                      const std::string& subtitle, const Sections& sections, const std::string& main,
+                      const Blocks& blocks) {
   std::string notes, nav, data;
-  for (const std::string& note : sheet.notes) notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
+  for (const std::string& note : sheet.notes)
+    notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
   for (const auto& [id, name] : sections) nav += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, name);
   for (const auto& [id, json] : blocks) data += block(id, json);
   const std::array scripts{script()};
@@ -156,7 +170,8 @@ std::string assembled(const AnySheet& sheet, std::string_view command, const std
                           {"script", std::string(script())}});
 }
 
-/// The exact squares that the stages leave out, of canonical pairs with one crossing: an array beside `pairs`.
+/// The exact squares that the stages leave out, of canonical pairs with one crossing: an array
+/// beside `pairs`.
 std::string squares(const stages::Stages& stages) {
   Data result = Data::array();
   for (const stages::StagedPair& pair : stages.pairs)
@@ -173,7 +188,8 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
     result += text.substr(begin, open - begin);
     if (open == std::string_view::npos) return result;
     const std::size_t close = text.find("}}", open);
-    const auto value = close == std::string_view::npos ? values.end() : values.find(text.substr(open + 2, close - open - 2));
+    const auto value =
+        close == std::string_view::npos ? values.end() : values.find(text.substr(open + 2, close - open - 2));
     if (value == values.end()) throw std::logic_error("a gap of the page without a value");
     result += value->second;
     begin = close + 2;
@@ -183,27 +199,33 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
-  const std::string main =
-      filled(pair_sections(),
-             {{"picture_what", figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
-              {"facts", facts(depth)},
-              {"lead_why", lead_why(stages)},
-              {"lead_where", lead_where(stages)},
-              {"lead_coincided", lead_coincided(stages)},
-              {"lead_cost", lead_cost(stages)}});
+  const std::string main = filled(
+      pair_sections(),
+      {{"picture_what",
+        figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+       {"facts", facts(depth)},
+       {"lead_why", lead_why(stages)},
+       {"lead_where", lead_where(stages)},
+       {"lead_coincided", lead_coincided(stages)},
+       {"lead_cost", lead_cost(stages)}});
   return assembled(sheet, "fathom depth --json", picture::markup(answer_sentence(depth)), subtitle(depth),
                    {{"what", "What happens"},
                     {"why", "Why no shorter way"},
                     {"where", "Where it comes from"},
                     {"coincided", "What coincided"},
                     {"cost", "Cost"}},
-                   main, {{"depth", sheet.depth}, {"stages", stages::to_json(stages)}, {"squares", squares(stages)}, {"case", sheet.pair}});
+                   main,
+                   {{"depth", sheet.depth},
+                    {"stages", stages::to_json(stages)},
+                    {"squares", squares(stages)},
+                    {"case", sheet.pair}});
 }
 
 std::string html_page(const UnionSheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const std::string_view caption =
-      "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across the translation; deeper: the pieces in contact.";
+      "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across the translation; deeper: the "
+      "pieces in contact.";
   const std::string main = filled(union_sections(), {{"picture_what", figure(sheet.picture, caption)},
                                                      {"facts", union_facts(depth, sheet.stages)},
                                                      {"optima", union_optima(depth)},

@@ -15,8 +15,8 @@ namespace fathom::page {
 
 using Data = nlohmann::ordered_json;
 
-/// Returns the text with each {{name}} replaced by the value of that name, which is put in as it is: a gap in a value is none. Throws
-/// std::logic_error if a name has no value.
+/// Returns the text with each {{name}} replaced by the value of that name, which is put in as it
+/// is: a gap in a value is none. Throws std::logic_error if a name has no value.
 std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
 
 // The files that are part of every page, as the build put them together: see
@@ -34,14 +34,15 @@ std::string_view script();
 
 // Small pieces of HTML over JSON values.
 
-/// A number, a word, or (1, 2, 3) of an array, as text that is escaped; "-" for null. Very long texts are cut, and say so.
+/// A number, a word, or (1, 2, 3) of an array, as text that is escaped; "-" for null. Very long
+/// texts are cut, and say so.
 std::string shown(const Data& value);
 
 /// "1 way", "2 ways".
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 
-// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in it. Numbers of the
-// answer are copied as they stand in its JSON.
+// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in
+// it. Numbers of the answer are copied as they stand in its JSON.
 
 /// "A overlaps B by 0.25", without markup.
 std::string answer_sentence(const Data& depth);

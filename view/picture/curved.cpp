@@ -91,13 +91,14 @@ FlatBody flat(const Curved& body, const Window& window, const Point& by) {
     }
   }
   result.base = window.dot(base);
-  const double right = mpq_class(body.radius * window.scale().x).get_d(), up = mpq_class(body.radius * window.scale().y).get_d();
+  const double right = mpq_class(body.radius * window.scale().x).get_d(),
+               up = mpq_class(body.radius * window.scale().y).get_d();
   if (body.radius > 0) result.terms.push_back({FlatAtom{{0, 0}, {{right, 0}, {0, up}}}});
   return result;
 }
 
-/// Unit vectors all around, ever closer ones near the way out: a close-up sees nothing else of the body. By rational points of the circle,
-/// which are the same on every machine.
+/// Unit vectors all around, ever closer ones near the way out: a close-up sees nothing else of the
+/// body. By rational points of the circle, which are the same on every machine.
 std::vector<Dot> directions() {
   constexpr int most_halvings = 30, steps = 24;
   std::vector<double> tangents{0};
@@ -181,7 +182,9 @@ class Body {
     return result;
   }
   /// Whether a plane across u touches the body at p.
-  [[nodiscard]] bool is_extreme(const Triple& p, const Triple& u) const { return reach(u) - dot(p, u) <= hardly * length(u); }
+  [[nodiscard]] bool is_extreme(const Triple& p, const Triple& u) const {
+    return reach(u) - dot(p, u) <= hardly * length(u);
+  }
   [[nodiscard]] Point place(const Triple& p) const { return base_ + extent_ * exact_point(p); }
 
  private:
@@ -211,7 +214,8 @@ std::vector<Disc> discs_of(const std::vector<NearTerm>& terms) {
       std::vector<Disc> moved;
       for (const Disc& disc : found)
         for (const NearAtom& atom : terms[other])
-          if (atom.axes.empty() && moved.size() < most_rims) moved.push_back({disc.center + atom.center, disc.u, disc.w});
+          if (atom.axes.empty() && moved.size() < most_rims)
+            moved.push_back({disc.center + atom.center, disc.u, disc.w});
       found = std::move(moved);
     }
     result.insert(result.end(), found.begin(), found.end());
@@ -219,8 +223,8 @@ std::vector<Disc> discs_of(const std::vector<NearTerm>& terms) {
   return result;
 }
 
-/// Whether an outward normal at the place of the rim looks at us. The outward normals are those between that of the end face and the last
-/// one that is extreme when it is turned to the side.
+/// Whether an outward normal at the place of the rim looks at us. The outward normals are those
+/// between that of the end face and the last one that is extreme when it is turned to the side.
 bool is_seen(const Body& body, const Disc& disc, const Triple& face, double turn, const Triple& towards) {
   constexpr int halvings = 40;
   constexpr double from_its_edge = -1e-9;
@@ -243,7 +247,8 @@ void add_rim(const Body& body, const Disc& disc, const Triple& face, const Tripl
   std::optional<bool> before;
   const std::size_t first = rims.size();
   for (int i = 0; i < samples; ++i) {
-    const bool hidden = !is_seen(body, disc, face, turn(i) + turn(1) / 2, towards);  // of the piece up to the next sample
+    const bool hidden =
+        !is_seen(body, disc, face, turn(i) + turn(1) / 2, towards);  // of the piece up to the next sample
     if (before != hidden) rims.push_back({{body.place(disc.at(turn(i)))}, hidden});
     rims.back().path.push_back(body.place(disc.at(turn((i + 1) % samples))));
     before = hidden;

@@ -13,21 +13,23 @@
 namespace fathom::picture {
 namespace {
 
-/// The looks from p + t (q - p) lie on the inner side of a facet as far as s = at + slope t, or from there on.
+/// The looks from p + t (q - p) lie on the inner side of a facet as far as s = at + slope t, or
+/// from there on.
 struct Reach {
   mpq_class at, slope;
 
   [[nodiscard]] mpq_class value(const mpq_class& t) const { return at + slope * t; }
 };
 
-/// The strip of looks from a segment, cut by the facets of a body: the points of it with t in [from, to] and s between the least `above`
-/// and the greatest `below`.
+/// The strip of looks from a segment, cut by the facets of a body: the points of it with t in
+/// [from, to] and s between the least `above` and the greatest `below`.
 struct Strip {
   mpq_class from = 0, to = 1;
   std::vector<Reach> below{{0, 0}}, above;  // looks begin at s = 0
 
-  /// The least t after which the strip is not empty. The height of the strip is concave in t: so where it is not positive, the two facets
-  /// that bound it there say where it may become so.                                                             [Newton's method]
+  /// The least t after which the strip is not empty. The height of the strip is concave in t: so
+  /// where it is not positive, the two facets that bound it there say where it may become so.
+  ///                                                                              [Newton's method]
   [[nodiscard]] std::optional<mpq_class> begin() const {
     if (above.empty()) return std::nullopt;
     for (mpq_class t = from; t < to;) {
@@ -126,8 +128,8 @@ Cover::Cover(const std::vector<Point>& points, const polytope::Polytope& hull, c
   for (const polytope::Facet& facet : hull.facets) {
     const Point normal = rational(facet.normal);
     const bool from_its_edge = view.faces_us(facet.normal) && view.faces_us(-facet.normal);
-    sides_.push_back(
-        {normal, dot(normal, points[hull.input_ids[hull.corners[facet.begin]]]), from_its_edge ? mpq_class(0) : dot(normal, view.look())});
+    sides_.push_back({normal, dot(normal, points[hull.input_ids[hull.corners[facet.begin]]]),
+                      from_its_edge ? mpq_class(0) : dot(normal, view.look())});
   }
 }
 

@@ -23,7 +23,8 @@ Lead lead_of(unsigned char byte) {
   return {0, 0, 0};
 }
 
-/// Bytes of the character that `text`, which is not empty, begins with; 0 if that is not UTF-8, or none that XML 1.0 may hold.
+/// Bytes of the character that `text`, which is not empty, begins with; 0 if that is not UTF-8, or
+/// none that XML 1.0 may hold.
 std::size_t character(std::string_view text) {
   const auto [length, bits, least] = lead_of(static_cast<unsigned char>(text[0]));
   if (length == 0 || length > text.size()) return 0;
@@ -47,7 +48,9 @@ std::size_t sum(std::span<const Share> shares) {
   return result;
 }
 
-double percent(std::size_t count, std::size_t all) { return 100 * static_cast<double>(count) / static_cast<double>(all); }
+double percent(std::size_t count, std::size_t all) {
+  return 100 * static_cast<double>(count) / static_cast<double>(all);
+}
 
 }  // namespace
 
@@ -97,10 +100,11 @@ std::string without_folders(std::string_view text) {
 
 std::string svg_element(const SvgFrame& frame, const std::string& content) {
   return fmt::format(
-      "<svg{0} class=\"{1}\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-labelledby=\"{4}-t {4}-d\">"
+      "<svg{0} class=\"{1}\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\" role=\"img\" aria-labelledby=\"{4}-t "
+      "{4}-d\">"
       "<title id=\"{4}-t\">{5}</title><desc id=\"{4}-d\">{6}</desc>{7}</svg>\n",
-      frame.is_file ? " xmlns=\"http://www.w3.org/2000/svg\"" : "", frame.style, frame.width, frame.height, frame.name, frame.title,
-      frame.description, content);
+      frame.is_file ? " xmlns=\"http://www.w3.org/2000/svg\"" : "", frame.style, frame.width, frame.height, frame.name,
+      frame.title, frame.description, content);
 }
 
 std::string share_bar(std::span<const Share> shares, const std::string& id, const std::string& label) {
@@ -113,11 +117,15 @@ std::string share_bar(std::span<const Share> shares, const std::string& id, cons
     if (share.count == 0) continue;
     const std::string style = share.style + (seen[share.style]++ % 2 == 0 ? "" : " other");
     const std::string text = fmt::format("{} {}", share.count, share.name);
-    bars += fmt::format("<rect class=\"share {}\" x=\"{:.3f}%\" y=\"0\" width=\"{:.3f}%\" height=\"22\"><title>{} of {}: {}</title></rect>",
-                        style, percent(before, all), percent(share.count, all), share.count, all, share.name);
-    const std::string named = share.link.empty() ? share.name : fmt::format("<a href=\"#{}\">{}</a>", share.link, share.name);
+    bars += fmt::format(
+        "<rect class=\"share {}\" x=\"{:.3f}%\" y=\"0\" width=\"{:.3f}%\" height=\"22\"><title>{} of {}: "
+        "{}</title></rect>",
+        style, percent(before, all), percent(share.count, all), share.count, all, share.name);
+    const std::string named =
+        share.link.empty() ? share.name : fmt::format("<a href=\"#{}\">{}</a>", share.link, share.name);
     legend += fmt::format(
-        "<li><svg class=\"swatch\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect class=\"share {}\" width=\"12\" "
+        "<li><svg class=\"swatch\" width=\"12\" height=\"12\" aria-hidden=\"true\"><rect class=\"share {}\" "
+        "width=\"12\" "
         "height=\"12\"/></svg> "
         "<b>{}</b> {}</li>",
         style, share.count, named);
@@ -125,21 +133,25 @@ std::string share_bar(std::span<const Share> shares, const std::string& id, cons
     before += share.count;
   }
   return fmt::format(
-      "<figure class=\"shares\"><svg width=\"100%\" height=\"22\" role=\"img\" aria-labelledby=\"{0}-t {0}-d\"><title id=\"{0}-t\">{1}"
+      "<figure class=\"shares\"><svg width=\"100%\" height=\"22\" role=\"img\" aria-labelledby=\"{0}-t {0}-d\"><title "
+      "id=\"{0}-t\">{1}"
       "</title><desc id=\"{0}-d\">{2}.</desc>{3}</svg><ul class=\"legend\">{4}</ul></figure>\n",
       id, label, described, bars, legend);
 }
 
 std::string filter_bar(const std::string& of, const std::string& what, std::span<const Choice> kinds) {
   std::string options = "<option value=\"\">all</option>";
-  for (const Choice& choice : kinds) options += fmt::format("<option value=\"{}\">{}</option>", choice.kind, choice.label);
+  for (const Choice& choice : kinds)
+    options += fmt::format("<option value=\"{}\">{}</option>", choice.kind, choice.label);
   return fmt::format(
-      "<form class=\"filter\" data-of=\"{0}\" hidden=\"hidden\"><label>text <input type=\"search\" name=\"text\"/></label> "
+      "<form class=\"filter\" data-of=\"{0}\" hidden=\"hidden\"><label>text <input type=\"search\" "
+      "name=\"text\"/></label> "
       "<label>{1} <select name=\"kind\">{2}</select></label> <output aria-live=\"polite\"></output></form>\n",
       of, what, options);
 }
 
-std::string copied_text(const std::string& id, const std::string& button, const std::string& summary, std::string_view text) {
+std::string copied_text(const std::string& id, const std::string& button, const std::string& summary,
+                        std::string_view text) {
   return fmt::format(
       "<p class=\"copying\"><button type=\"button\" class=\"copy\" data-of=\"{0}\" hidden=\"hidden\">{1}</button> "
       "<span role=\"status\"></span></p>\n<details><summary>{2}</summary><pre id=\"{0}\" class=\"wrap\" "
@@ -169,13 +181,15 @@ void FactList::add_text(std::string_view label, std::string_view text) {
   rows_ += fmt::format("<dt>{}</dt><dd class=\"number\">{}</dd>", label, markup(text));
 }
 
-Table::Table(std::string caption, std::vector<std::string_view> heads) : caption_(std::move(caption)), heads_(std::move(heads)) {}
+Table::Table(std::string caption, std::vector<std::string_view> heads)
+    : caption_(std::move(caption)), heads_(std::move(heads)) {}
 
 void Table::add(const std::vector<std::string>& cells, std::string_view attributes) {
   rows_ += fmt::format("<tr{}{}>", attributes.empty() ? "" : " ", attributes);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::string_view kind = heads_[i].starts_with('\'') ? " class=\"text\"" : "";
-    rows_ += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", kind, cells[i]) : fmt::format("<td{}>{}</td>", kind, cells[i]);
+    rows_ += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", kind, cells[i])
+                    : fmt::format("<td{}>{}</td>", kind, cells[i]);
   }
   rows_ += "</tr>\n";
 }
@@ -186,7 +200,8 @@ std::string Table::text() const {
     head += name.starts_with('\'') ? fmt::format("<th scope=\"col\" class=\"text\">{}</th>", name.substr(1))
                                    : fmt::format("<th scope=\"col\">{}</th>", name);
   return fmt::format(
-      "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table><caption>{0}</caption>\n<thead><tr>{1}</tr></thead>\n"
+      "<div class=\"wide\" role=\"region\" tabindex=\"0\" "
+      "aria-label=\"{0}\"><table><caption>{0}</caption>\n<thead><tr>{1}</tr></thead>\n"
       "<tbody>\n{2}</tbody></table></div>\n",
       caption_, head, rows_);
 }

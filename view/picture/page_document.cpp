@@ -29,15 +29,16 @@ std::string base64(std::string_view hex) {
 std::string sources(std::string_view what, std::span<const std::string_view> texts) {
   std::string result(what);
   if (texts.empty()) result += " 'none'";
-  for (const std::string_view text : texts) result += fmt::format(" 'sha256-{}'", base64(digest::digest_of(text).sha256));
+  for (const std::string_view text : texts)
+    result += fmt::format(" 'sha256-{}'", base64(digest::digest_of(text).sha256));
   return result;
 }
 
 }  // namespace
 
 std::string security_policy(std::span<const std::string_view> scripts, std::span<const std::string_view> styles) {
-  return fmt::format("default-src 'none'; {}; {}; img-src data:; base-uri 'none'; form-action 'none'", sources("script-src", scripts),
-                     sources("style-src", styles));
+  return fmt::format("default-src 'none'; {}; {}; img-src data:; base-uri 'none'; form-action 'none'",
+                     sources("script-src", scripts), sources("style-src", styles));
 }
 
 std::string policy_element(std::span<const std::string_view> scripts, std::span<const std::string_view> styles) {
@@ -51,7 +52,8 @@ std::string page(const std::string& title, const std::string& body) {
   const std::array<std::string_view, 1> scripts{page_script()}, styles{style};
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/><title>{}</title><style>{}</style></head>\n<body>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\"/><title>{}</title><style>{}</style></head>\n<body>\n"
       "{}<script>{}</script></body></html>\n",
       policy_element(scripts, styles), title, style, body, page_script());
 }

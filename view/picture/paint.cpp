@@ -17,14 +17,16 @@
 namespace fathom::picture {
 namespace {
 
-// The elements that every picture is painted with. Styles are classes of style.hpp; places are pixels.
+// The elements that every picture is painted with. Styles are classes of style.hpp; places are
+// pixels.
 
 /// A path; empty if there is nothing to draw.
 std::string path_element(const std::string& style, const std::string& d) {
   return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", style, d);
 }
 
-/// A circle; empty if its place is not finite. `more`: further attributes, with a space before them.
+/// A circle; empty if its place is not finite. `more`: further attributes, with a space before
+/// them.
 std::string circle_element(const std::string& style, const Dot& at, double radius, const std::string& more = "") {
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "";
   return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", style, at.x, at.y, radius, more);
@@ -40,8 +42,10 @@ std::pair<Dot, Dot> box_around(const std::vector<Dot>& dots) {
   return {low, high};
 }
 
-/// The union of convex areas: toned, or filled with the pattern `hatch`; a dot for what would be too small to be seen.
-std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::string& style, const std::string& hatch) {
+/// The union of convex areas: toned, or filled with the pattern `hatch`; a dot for what would be
+/// too small to be seen.
+std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::string& style,
+                         const std::string& hatch) {
   constexpr double too_small = 3;
   std::vector<Dot> all;
   std::string d;
@@ -57,11 +61,13 @@ std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::
                        : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
 }
 
-/// A face, given by the points that span it: a dot, a line, or the outline of a facet. `more` as for circles.
-std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style, double radius,
-                            const std::string& more = "") {
+/// A face, given by the points that span it: a dot, a line, or the outline of a facet. `more` as
+/// for circles.
+std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style,
+                            double radius, const std::string& more = "") {
   if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius, more);
-  const std::vector<Dot> dots = points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
+  const std::vector<Dot> dots =
+      points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
   const std::string d = path_data(dots, dots.size() > 2);
   return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"{}/>", style, d, more);
 }
@@ -71,9 +77,10 @@ std::string arrow_elements(const Dot& from, const Dot& to, const std::string& st
   const double right = to.x - from.x, down = to.y - from.y, length = std::sqrt(right * right + down * down);
   if (!(length >= 2)) return circle_element(style + " dot", from, 3);
   const double head = std::min(11.0, length / 2), x = right / length * head, y = down / length * head;
-  return fmt::format("<path class=\"{0} shaft\" d=\"{1}\"/><path class=\"{0} head\" d=\"{2}\"/>", style,
-                     path_data({from, {to.x - x * 0.7, to.y - y * 0.7}}, false),
-                     path_data({to, {to.x - x - y * 0.4, to.y - y + x * 0.4}, {to.x - x + y * 0.4, to.y - y - x * 0.4}}, true));
+  return fmt::format(
+      "<path class=\"{0} shaft\" d=\"{1}\"/><path class=\"{0} head\" d=\"{2}\"/>", style,
+      path_data({from, {to.x - x * 0.7, to.y - y * 0.7}}, false),
+      path_data({to, {to.x - x - y * 0.4, to.y - y + x * 0.4}, {to.x - x + y * 0.4, to.y - y - x * 0.4}}, true));
 }
 
 constexpr double longest_bar = 110;  // pixels
@@ -84,13 +91,18 @@ std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool up
   const RoundLength length = round_length(mpq_class(longest_bar / pixels));
   const double reach = mpq_class(length.value * pixels).get_d(), x = bar_inset, y = size.height - bar_inset;
   if (upright)
-    return path_element(
-               "bar",
-               path_data(
-                   {{x - 4, y - 24}, {x + 4, y - 24}, {x, y - 24}, {x, y - 24 - reach}, {x - 4, y - 24 - reach}, {x + 4, y - 24 - reach}},
-                   false)) +
-           fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y - 20 - reach / 2, length.text);
-  return path_element("bar", path_data({{x, y - 4}, {x, y + 4}, {x, y}, {x + reach, y}, {x + reach, y - 4}, {x + reach, y + 4}}, false)) +
+    return path_element("bar", path_data({{x - 4, y - 24},
+                                          {x + 4, y - 24},
+                                          {x, y - 24},
+                                          {x, y - 24 - reach},
+                                          {x - 4, y - 24 - reach},
+                                          {x + 4, y - 24 - reach}},
+                                         false)) +
+           fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + 8, y - 20 - reach / 2,
+                       length.text);
+  return path_element(
+             "bar", path_data({{x, y - 4}, {x, y + 4}, {x, y}, {x + reach, y}, {x + reach, y - 4}, {x + reach, y + 4}},
+                              false)) +
          fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + reach + 8, y + 4, length.text);
 }
 
@@ -103,15 +115,17 @@ std::string scale_bars(const Window& window) {
 /// Words in the corner below on the right; empty if there are none.
 std::string note_element(const std::string& text, const PixelSize& size) {
   if (text.empty()) return "";
-  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", size.width - bar_inset,
-                     size.height - bar_inset + 4, text);
+  return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>",
+                     size.width - bar_inset, size.height - bar_inset + 4, text);
 }
 
 /// The pattern that B is filled with.
 std::string hatch_element(const std::string& id) {
   return fmt::format(
-      "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"7\" height=\"7\" patternTransform=\"rotate(45)\">"
-      "<rect class=\"body-b toned\" width=\"7\" height=\"7\"/><path class=\"body-b stripe\" d=\"M3.5 0V7\"/></pattern></defs>",
+      "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"7\" height=\"7\" "
+      "patternTransform=\"rotate(45)\">"
+      "<rect class=\"body-b toned\" width=\"7\" height=\"7\"/><path class=\"body-b stripe\" d=\"M3.5 "
+      "0V7\"/></pattern></defs>",
       id);
 }
 
@@ -158,8 +172,10 @@ std::string outline_data(const std::vector<std::vector<Dot>>& areas) {
   return result;
 }
 
-/// A union: its area, deeper where pieces are in contact; thin seams, which are the edges of pieces; the outline.
-std::string union_elements(const Compound& body, const Window& window, const std::string& style, const std::string& hatch) {
+/// A union: its area, deeper where pieces are in contact; thin seams, which are the edges of
+/// pieces; the outline.
+std::string union_elements(const Compound& body, const Window& window, const std::string& style,
+                           const std::string& hatch) {
   const std::vector<std::vector<Dot>> areas = silhouettes(body, window);
   std::vector<std::vector<Dot>> in_contact;
   std::string hidden, seen;
@@ -169,11 +185,13 @@ std::string union_elements(const Compound& body, const Window& window, const std
     hidden += edges_data(wires, window, true);
     seen += wires.empty() ? path_data(areas[i], true) : edges_data(wires, window, false);
   }
-  return area_element(areas, style, hatch) + area_element(in_contact, style + " in-contact", "") + path_element(style + " hidden", hidden) +
-         path_element(style + " seam", seen) + path_element(style + " wire", outline_data(areas));
+  return area_element(areas, style, hatch) + area_element(in_contact, style + " in-contact", "") +
+         path_element(style + " hidden", hidden) + path_element(style + " seam", seen) +
+         path_element(style + " wire", outline_data(areas));
 }
 
-/// A body's area, then its edges: hidden ones first. Of a body without edges its outline, and its rims.
+/// A body's area, then its edges: hidden ones first. Of a body without edges its outline, and its
+/// rims.
 std::string body_elements(const Drawn& body, const Window& window, const std::string& style, const std::string& hatch) {
   if (const auto* compound = std::get_if<Compound>(&body)) return union_elements(*compound, window, style, hatch);
   const std::vector<std::vector<Dot>> areas = silhouettes(body, window);
@@ -189,7 +207,8 @@ std::string body_elements(const Drawn& body, const Window& window, const std::st
     hidden = rims_data(curved->rims, window, true);
     seen += rims_data(curved->rims, window, false);
   }
-  return area_element(areas, style, hatch) + path_element(style + " hidden", hidden) + path_element(style + " wire", seen);
+  return area_element(areas, style, hatch) + path_element(style + " hidden", hidden) +
+         path_element(style + " wire", seen);
 }
 
 /// The outline of A after a way.
@@ -222,7 +241,8 @@ std::vector<Dot> largest(const std::vector<std::vector<Dot>>& areas) {
 /// Where a body's letter stands: in what is seen of it, on the side away from the other body.
 std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& window, double towards) {
   const double inset = 14;
-  const std::vector<Dot> seen = clipped(around, true, {inset, inset}, {window.size().width - inset, window.size().height - inset});
+  const std::vector<Dot> seen =
+      clipped(around, true, {inset, inset}, {window.size().width - inset, window.size().height - inset});
   if (seen.empty()) return std::nullopt;
   const auto [low, high] = box_around(seen);
   const double x = (low.x + high.x) / 2 + (towards > 0 ? 0.25 : -0.25) * (high.x - low.x);
@@ -233,11 +253,13 @@ std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& wi
 }
 
 std::string letters(const PairScene& scene, const Window& window) {
-  const double towards = scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; if it is apart, it comes from the left
+  const double towards =
+      scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; if it is apart, it comes from the left
   std::string result;
   const auto add = [&](const Drawn& body, double side, const char* style, const char* letter) {
     if (const std::optional<Dot> at = letter_place(largest(silhouettes(body, window)), window, side))
-      result += fmt::format("<text class=\"{} letter\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, at->x, at->y, letter);
+      result +=
+          fmt::format("<text class=\"{} letter\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, at->x, at->y, letter);
   };
   add(scene.b, -towards, "body-b", "B");
   add(scene.a, towards, "body-a", "A");
@@ -258,7 +280,8 @@ std::string notes(const PairScene& scene, const Panel& panel) {
 std::string mark_elements(const std::vector<Mark>& marks, const Window& window) {
   std::string result;
   for (const Mark& mark : marks)
-    result += feature_element(mark.points, window, mark.of_a ? "body-a mark" : "body-b mark", 6, fmt::format(" id=\"{}\"", mark.id));
+    result += feature_element(mark.points, window, mark.of_a ? "body-a mark" : "body-b mark", 6,
+                              fmt::format(" id=\"{}\"", mark.id));
   return result;
 }
 
@@ -268,7 +291,8 @@ Bounds2 whole_box(const PairScene& scene) {
   for (const Point& end : {scene.way, scene.claimed.value_or(Point{})}) result.add(view.place(scene.anchor + end));
   for (const Drawn* body : {&scene.a, &scene.b})
     if (const std::optional<Bounds2> box = box_of(*body, view)) result.add(*box);
-  if (const std::optional<Bounds2> box = box_of(scene.a, view)) result.add(box->plus(Bounds2::of(view.place(scene.way))));
+  if (const std::optional<Bounds2> box = box_of(scene.a, view))
+    result.add(box->plus(Bounds2::of(view.place(scene.way))));
   return result;
 }
 
@@ -294,8 +318,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string panel_element(const PairScene& scene, const Panel& panel, const Dot& at, const std::string& name) {
   const PixelSize& size = panel.window.size();
-  return fmt::format("<svg x=\"{0}\" y=\"{1}\" class=\"pair\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\">{4}</svg>\n", at.x, at.y,
-                     size.width, size.height, painted(scene, panel, name));
+  return fmt::format(
+      "<svg x=\"{0}\" y=\"{1}\" class=\"pair\" viewBox=\"0 0 {2} {3}\" width=\"{2}\" height=\"{3}\">{4}</svg>\n", at.x,
+      at.y, size.width, size.height, painted(scene, panel, name));
 }
 
 std::string text_element(const std::string& style, double y, const std::string& text) {
@@ -315,12 +340,14 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
   if (longest == 0 || longest * std::max(scale.x, scale.y) >= short_way) return result;
   if (scene.approximate() && extent > 1'000'000'000 * longest) return result;
   const Spot start = scene.view.place(scene.anchor);
-  const Spot centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2), mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
+  const Spot centre{mpq_class(start.x + (ways.low.x + ways.high.x) / 2),
+                    mpq_class(start.y + (ways.low.y + ways.high.y) / 2)};
   result.push_back({Window::close(scene.view, centre, mpq_class(close_way / longest), size), true});
   return result;
 }
 
-std::string painted(const PairScene& scene, const Panel& panel, const std::string& name, const std::vector<Mark>& marks) {
+std::string painted(const PairScene& scene, const Panel& panel, const std::string& name,
+                    const std::vector<Mark>& marks) {
   const Window& window = panel.window;
   const std::string hatch = name + "-h";
   std::string result = hatch_element(hatch) + ground_element(window.size());
@@ -337,23 +364,28 @@ std::string painted(const PairScene& scene, const Panel& panel, const std::strin
 }
 
 std::string description_of(const PairScene& scene) {
-  std::string result = "Orthographic view of A, toned, and B, hatched, across a shortest way of A out of B, which points to the right.";
-  if (!scene.moves()) result = "Orthographic view of A, toned, and B, hatched, along a plane between them; they touch at the dot.";
+  std::string result =
+      "Orthographic view of A, toned, and B, hatched, across a shortest way of A out of B, which points to the right.";
+  if (!scene.moves())
+    result = "Orthographic view of A, toned, and B, hatched, along a plane between them; they touch at the dot.";
   if (scene.status == Status::disjoint)
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
   if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
   if (scene.enclosed) result += " The way is known to within its bounds.";
-  if (scene.claimed) result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";
+  if (scene.claimed)
+    result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";
   return result;
 }
 
-std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label, const std::vector<Mark>& marks) {
+std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label,
+                         const std::vector<Mark>& marks) {
   std::string result;
   for (const Panel& panel : panels_of(scene, on_pages)) {
     const std::string own = name + (panel.close ? "c" : "w");
     const std::string title = panel.close ? label + ", close to the translations" : label;
-    result += svg_element({"pair", on_pages.width, on_pages.height, own, title, description_of(scene)}, painted(scene, panel, own, marks));
+    result += svg_element({"pair", on_pages.width, on_pages.height, own, title, description_of(scene)},
+                          painted(scene, panel, own, marks));
   }
   return result;
 }
@@ -375,9 +407,9 @@ std::string scene_document(const PairScene& scene, const std::string& title, std
   }
   const std::string ground = fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", alone.width, y);
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
-         svg_element(
-             {"pair document", alone.width, y, "picture", markup(name), markup(spoken), true},
-             "\n<style>" + document_style() + "</style>\n" + ground + text_element("heading", head - 12, lines_of(name).front()) + body);
+         svg_element({"pair document", alone.width, y, "picture", markup(name), markup(spoken), true},
+                     "\n<style>" + document_style() + "</style>\n" + ground +
+                         text_element("heading", head - 12, lines_of(name).front()) + body);
 }
 
 }  // namespace fathom::picture

@@ -45,7 +45,8 @@ std::vector<P> inside_box(std::vector<P> path, bool closed, const P& low, const 
 template <class P>
 std::vector<P> around(std::vector<P> places) {
   std::ranges::sort(places, [](const P& p, const P& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
-  const auto last = std::unique(places.begin(), places.end(), [](const P& p, const P& q) { return p.x == q.x && p.y == q.y; });
+  const auto last =
+      std::unique(places.begin(), places.end(), [](const P& p, const P& q) { return p.x == q.x && p.y == q.y; });
   places.erase(last, places.end());
   if (places.size() < 3) return places;
   std::vector<P> result;
@@ -65,7 +66,7 @@ struct Part {
   double from, to;
 };
 
-/// What of the segment lies in the closed polygon; from >= to if nothing does.        [Cyrus and Beck]
+/// What of the segment lies in the closed polygon; from >= to if nothing does.     [Cyrus and Beck]
 Part part_inside(const Dot& p, const Dot& q, const std::vector<Dot>& polygon) {
   Part part{0, 1};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -97,7 +98,8 @@ Dot between(const Dot& p, const Dot& q, double share) { return {p.x + share * (q
 }  // namespace
 
 std::vector<std::pair<Dot, Dot>> united_outline(const std::vector<std::vector<Dot>>& polygons) {
-  constexpr double beside = 0.05;  // pixels: where a side is asked about, just outside its polygon, as its neighbour over a seam is there
+  constexpr double beside =
+      0.05;  // pixels: where a side is asked about, just outside its polygon, as its neighbour over a seam is there
   std::vector<std::pair<Dot, Dot>> result;
   for (std::size_t k = 0; k < polygons.size(); ++k) {
     const std::vector<Dot>& own = polygons[k];
@@ -113,7 +115,8 @@ std::vector<std::pair<Dot, Dot>> united_outline(const std::vector<std::vector<Do
         const Part part = part_inside(r, s, polygons[other]);
         if (part.from < part.to) covered.push_back(part);
       }
-      for (const Part& part : rest_of(std::move(covered))) result.emplace_back(between(p, q, part.from), between(p, q, part.to));
+      for (const Part& part : rest_of(std::move(covered)))
+        result.emplace_back(between(p, q, part.from), between(p, q, part.to));
     }
   }
   return result;

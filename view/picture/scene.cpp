@@ -42,14 +42,17 @@ void widen(mpq_class& extent, const auto& points, const Point& origin) {
   for (const Point& p : points) extent = std::max(extent, size_of(p - origin));
 }
 
-/// A way in proportion to the bodies: at most three times as long as they are far apart in any coordinate.
+/// A way in proportion to the bodies: at most three times as long as they are far apart in any
+/// coordinate.
 Point in_proportion(const Point& way, const mpq_class& extent) {
   const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent), size = size_of(way);
   return size > longest ? (longest / size) * way : way;
 }
 
 /// The vector alpha n + beta n/|n|, to within a few roundings.
-Point along(const AlongNormal& v) { return v.alpha * rational(v.normal) + v.beta * exact_point(unit_vector(rational(v.normal))); }
+Point along(const AlongNormal& v) {
+  return v.alpha * rational(v.normal) + v.beta * exact_point(unit_vector(rational(v.normal)));
+}
 
 Point place_of(const RoundedPoint& p) { return p.core + along({p.normal, 0, p.distance}); }
 
@@ -60,7 +63,8 @@ mpq_class rounded(const Surd& value) {
   return mpq_class(value.rational + sgn(value.root) * mpq_class(root));
 }
 
-/// n/|n| times the value, where no translation is known: of curved bodies, whose value is enclosed, or known by chance.
+/// n/|n| times the value, where no translation is known: of curved bodies, whose value is enclosed,
+/// or known by chance.
 Point way_by_value(const SignedDepth& depth) {
   const Bounds* bounds = depth.bounds();
   return along({depth.direction(), 0, bounds ? mpq_class((bounds->low + bounds->high) / 2) : rounded(*depth.exact())});
@@ -79,7 +83,8 @@ Points rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, c
   return result;
 }
 
-/// The direction of the answer: that of the half-space, if there is one, which is to be seen from its edge.
+/// The direction of the answer: that of the half-space, if there is one, which is to be seen from
+/// its edge.
 Point normal_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   if (const auto* half = std::get_if<HalfSpace>(&a.core)) return -half->normal;
   if (const auto* half = std::get_if<HalfSpace>(&b.core)) return half->normal;
@@ -92,7 +97,8 @@ Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point&
   return farthest(b, normal) - way;
 }
 
-/// Of the planes between pieces in contact the normal that is the least parallel to the way; nullopt if there is none beside it.
+/// Of the planes between pieces in contact the normal that is the least parallel to the way;
+/// nullopt if there is none beside it.
 std::optional<Point> second_of(const std::vector<PieceContact>& contacts, const Point& along) {
   const Vec3<double> way = unit_vector(along);
   std::optional<Point> best;
@@ -112,7 +118,9 @@ Points moved(const Points& points, const Point& by) {
 }
 
 /// A point of A, where it is now, that touches B once A has moved.
-Point meeting_point(const Points& a, const Points& b, const Point& by) { return penetration_depth(moved(a, by), b).witness()->a - by; }
+Point meeting_point(const Points& a, const Points& b, const Point& by) {
+  return penetration_depth(moved(a, by), b).witness()->a - by;
+}
 
 /// What is in contact, by pieces.
 struct Touching {
@@ -203,10 +211,12 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
 
 // The part of scene.hpp about unions.
 
-PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum, const std::optional<Point>& claimed) {
+PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum,
+                   const std::optional<Point>& claimed) {
   if (!depth.complete) throw std::invalid_argument("a search that was stopped has no picture");
   PairScene scene{depth.status, View({1, 0, 0}, std::nullopt), Wires{}, Wires{}, {}, {}, std::nullopt, false, {}, {}};
-  const Touching touching = depth.apart ? add_distance(a, b, *depth.apart, scene) : add_optimum(a, b, depth.optima.at(optimum), scene);
+  const Touching touching =
+      depth.apart ? add_distance(a, b, *depth.apart, scene) : add_optimum(a, b, depth.optima.at(optimum), scene);
   const std::vector<PieceContact> contacts = depth.apart ? std::vector<PieceContact>{} : depth.optima[optimum].contacts;
   const Point along = is_zero(scene.way) ? rational(contacts.front().direction) : scene.way;
   if (claimed) {
@@ -216,7 +226,8 @@ PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, st
     scene.claimed = in_proportion(*claimed, extent);
     scene.cut = *scene.claimed != *claimed;
   }
-  scene.view = View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along), edges_of(scene.touch_a, scene.touch_b));
+  scene.view = View(along, claimed && !is_zero(*claimed) ? claimed : second_of(contacts, along),
+                    edges_of(scene.touch_a, scene.touch_b));
   Compound of_a = compound_of(a, scene.view), of_b = compound_of(b, scene.view);
   of_a.in_contact = touching.a;
   of_b.in_contact = touching.b;

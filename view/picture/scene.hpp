@@ -21,12 +21,13 @@ struct PairScene {
   std::optional<Status> status;  ///< nullopt if the bounds leave it open
   View view;                     ///< across the way out
   Drawn a, b;
-  Point anchor;                  ///< where the ways begin: a point of A
-  Point way;                     ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
+  Point anchor;  ///< where the ways begin: a point of A
+  Point way;     ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
   std::optional<Point> claimed;  ///< the way that was claimed; cut where it is out of all proportion
   bool cut = false;              ///< whether it was
-  std::vector<std::vector<Point>> touch_a, touch_b;  ///< the faces in contact: of each the points that span it, or one point
-  bool enclosed = false;                             ///< whether the way is known by bounds only
+  std::vector<std::vector<Point>> touch_a,
+      touch_b;            ///< the faces in contact: of each the points that span it, or one point
+  bool enclosed = false;  ///< whether the way is known by bounds only
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
   [[nodiscard]] bool moves() const;        ///< whether `way` is not zero
@@ -41,12 +42,13 @@ struct Pair {
   const Depth& depth;
 };
 
-/// Hulls of points. `claimed`: another way to be shown beside the true one, in the picture's plane too.
+/// Hulls of points. `claimed`: another way to be shown beside the true one, in the picture's plane
+/// too.
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed = std::nullopt);
 
-/// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with it. `a` and `b` are what it is about.
-/// With several contacts two of the planes between pieces are seen from their edges. `claimed` is another way, which is then in the
-/// picture's plane.
+/// Unions of convex pieces, whose depth is complete, with one of its optima: both in contact with
+/// it. `a` and `b` are what it is about. With several contacts two of the planes between pieces are
+/// seen from their edges. `claimed` is another way, which is then in the picture's plane.
 PairScene scene_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, std::size_t optimum = 0,
                    const std::optional<Point>& claimed = std::nullopt);
 

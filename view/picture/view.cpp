@@ -48,17 +48,24 @@ struct Turn {
   double cosine, sine;
 };
 
-/// Unit vectors, so that no facet of a box that stands along the axes is seen from its edge, nor two of its edges behind one another.
-/// From above, the first first.
-constexpr std::array<Turn, 8> turns{
-    {{0.92, 0.392}, {0.8, 0.6}, {0.98, 0.199}, {0.92, -0.392}, {0.6, 0.8}, {0.8, -0.6}, {0.352, 0.936}, {0.352, -0.936}}};
+/// Unit vectors, so that no facet of a box that stands along the axes is seen from its edge, nor
+/// two of its edges behind one another. From above, the first first.
+constexpr std::array<Turn, 8> turns{{{0.92, 0.392},
+                                     {0.8, 0.6},
+                                     {0.98, 0.199},
+                                     {0.92, -0.392},
+                                     {0.6, 0.8},
+                                     {0.8, -0.6},
+                                     {0.352, 0.936},
+                                     {0.352, -0.936}}};
 
 Triple turned(const Triple& up, const Triple& beside, const Turn& turn) {
-  return normalised(
-      {turn.cosine * up.x + turn.sine * beside.x, turn.cosine * up.y + turn.sine * beside.y, turn.cosine * up.z + turn.sine * beside.z});
+  return normalised({turn.cosine * up.x + turn.sine * beside.x, turn.cosine * up.y + turn.sine * beside.y,
+                     turn.cosine * up.z + turn.sine * beside.z});
 }
 
-/// How much of the edge that is seen least is seen if `up` points up: from 0, end on, to 1. What lies along the way counts not.
+/// How much of the edge that is seen least is seen if `up` points up: from 0, end on, to 1. What
+/// lies along the way counts not.
 double seen(const Triple& right, const Triple& up, std::span<const Point> edges) {
   double least = 1;
   for (const Point& edge : edges) {
@@ -93,7 +100,8 @@ bool is_safe(const Dot& d) { return std::abs(d.x) <= safe_pixels && std::abs(d.y
 /// "1.5", "-0" never.
 std::string number(double x) {
   const std::string text = fmt::format("{:.1f}", x);
-  const std::string_view shown = text.ends_with(".0") ? std::string_view(text).substr(0, text.size() - 2) : std::string_view(text);
+  const std::string_view shown =
+      text.ends_with(".0") ? std::string_view(text).substr(0, text.size() - 2) : std::string_view(text);
   return std::string(shown == "-0" ? "0" : shown);
 }
 
@@ -161,12 +169,14 @@ void Bounds2::add(const Bounds2& box) {
 }
 
 Bounds2 Bounds2::plus(const Bounds2& box) const {
-  return {{mpq_class(low.x + box.low.x), mpq_class(low.y + box.low.y)}, {mpq_class(high.x + box.high.x), mpq_class(high.y + box.high.y)}};
+  return {{mpq_class(low.x + box.low.x), mpq_class(low.y + box.low.y)},
+          {mpq_class(high.x + box.high.x), mpq_class(high.y + box.high.y)}};
 }
 
 Window Window::around(const View& view, const Bounds2& box, const PixelSize& size) {
   const mpq_class width = box.width(), height = box.height();
-  const mpq_class across = static_cast<long>(size.width) - 2 * margin, down = static_cast<long>(size.height) - 2 * margin - strip;
+  const mpq_class across = static_cast<long>(size.width) - 2 * margin,
+                  down = static_cast<long>(size.height) - 2 * margin - strip;
   const Spot middle{mpq_class((box.low.x + box.high.x) / 2), mpq_class((box.low.y + box.high.y) / 2)};
   Spot scale{1, 1};
   if (width > 0) scale.x = across / width;
@@ -205,12 +215,15 @@ std::vector<Dot> Window::cut(std::vector<Spot> places, bool closed) const {
   if (std::ranges::all_of(dots, is_safe)) return cut(closed ? outline(std::move(dots)) : std::move(dots), closed);
   if (closed) places = outline(std::move(places));
   dots.clear();
-  const Spot low{mpq_class(-size_.width), mpq_class(-size_.height)}, high{mpq_class(2 * size_.width), mpq_class(2 * size_.height)};
+  const Spot low{mpq_class(-size_.width), mpq_class(-size_.height)},
+      high{mpq_class(2 * size_.width), mpq_class(2 * size_.height)};
   for (const Spot& p : clipped(std::move(places), closed, low, high)) dots.push_back(rounded(p));
   return dots;
 }
 
-std::vector<Dot> Window::segment(const Point& from, const Point& to) const { return cut({pixels(from), pixels(to)}, false); }
+std::vector<Dot> Window::segment(const Point& from, const Point& to) const {
+  return cut({pixels(from), pixels(to)}, false);
+}
 
 std::vector<Dot> Window::hull(const std::vector<Point>& points, const Point& by) const {
   std::vector<Spot> places;
@@ -227,7 +240,8 @@ std::string path_data(const std::vector<Dot>& dots, bool closed) {
     result += (result.empty() ? "M" : "L") + at;
     last = std::move(at);
   }
-  if (!result.empty() && dots.size() > 1 && result.find('L') == std::string::npos) result += "L" + last;  // a dot, by its round ends
+  if (!result.empty() && dots.size() > 1 && result.find('L') == std::string::npos)
+    result += "L" + last;  // a dot, by its round ends
   return result.empty() || !closed ? result : result + "Z";
 }
 

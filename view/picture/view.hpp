@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An orthographic look at exact points, across a way: what lies along it keeps its true length, and planes across it are seen from the
-// edge. Pictures decide nothing, so the directions of a look are rounded; but places are found by an exact linear map, so that a close-up
-// of bodies that lie far away, or whose depth is tiny, is as true as any, and no place overflows.
+// An orthographic look at exact points, across a way: what lies along it keeps its true length, and
+// planes across it are seen from the edge. Pictures decide nothing, so the directions of a look are
+// rounded; but places are found by an exact linear map, so that a close-up of bodies that lie far
+// away, or whose depth is tiny, is as true as any, and no place overflows.
 #pragma once
 
 #include <gmpxx.h>
+
 #include <optional>
 #include <span>
 #include <string>
@@ -30,12 +32,13 @@ Point exact_point(const Vec3<double>& v);
 
 class View {
  public:
-  /// Looks across `along`, which becomes the x axis, with `second` in the picture's plane too if it is there and not parallel to it.
-  /// Without it from a little above, so turned that none of the `edges` is seen end on if that can be. `along` must not be zero.
+  /// Looks across `along`, which becomes the x axis, with `second` in the picture's plane too if it
+  /// is there and not parallel to it. Without it from a little above, so turned that none of the
+  /// `edges` is seen end on if that can be. `along` must not be zero.
   View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges = {});
 
-  /// Where p is, if the origin is at 0. Lengths are kept to within a few roundings, all by the same factor, and points of one plane across
-  /// `along` are exactly above each other.
+  /// Where p is, if the origin is at 0. Lengths are kept to within a few roundings, all by the same
+  /// factor, and points of one plane across `along` are exactly above each other.
   [[nodiscard]] Spot place(const Point& p) const;
   /// Where p is, with `centre` at 0, in multiples of `unit` > 0.
   [[nodiscard]] Dot project(const Point& p, const Point& centre, const mpq_class& unit) const;
@@ -53,8 +56,8 @@ class View {
   Point look_;
 };
 
-// A rectangle of a picture's plane, shown as a rectangle of pixels. Shifts and scales are exact, so that what is shown is right whatever
-// the numbers are, and what lies far outside is cut exactly.
+// A rectangle of a picture's plane, shown as a rectangle of pixels. Shifts and scales are exact, so
+// that what is shown is right whatever the numbers are, and what lies far outside is cut exactly.
 
 /// In pixels.
 struct PixelSize {
@@ -76,8 +79,9 @@ struct Bounds2 {
 
 class Window {
  public:
-  /// The box fits, with a margin; a box of one place gets some room around it. If it is over 100 times as wide as high, or as high as wide,
-  /// the axes are scaled apart, so that both can be seen.
+  /// The box fits, with a margin; a box of one place gets some room around it. If it is over 100
+  /// times as wide as high, or as high as wide, the axes are scaled apart, so that both can be
+  /// seen.
   static Window around(const View& view, const Bounds2& box, const PixelSize& size);
   /// `scale` pixels for one unit, with `centre` in the middle.
   static Window close(const View& view, const Spot& centre, const mpq_class& scale, const PixelSize& size);
@@ -94,7 +98,8 @@ class Window {
   /// A vector in pixels.
   [[nodiscard]] Dot shift(const Point& v) const;
 
-  /// What can be seen of a segment, or of the convex hull of points, moved by `by`, with some room around it. May be empty.
+  /// What can be seen of a segment, or of the convex hull of points, moved by `by`, with some room
+  /// around it. May be empty.
   [[nodiscard]] std::vector<Dot> segment(const Point& from, const Point& to) const;
   [[nodiscard]] std::vector<Dot> hull(const std::vector<Point>& points, const Point& by = {}) const;
   [[nodiscard]] std::vector<Dot> cut(std::vector<Dot> dots, bool closed) const;

@@ -31,8 +31,8 @@ constexpr std::array<Shape, distinct_looks> shapes{
 
 constexpr double panel_width = 760, panel_margin = 12;                               // pixels
 constexpr double plot_height = 300, right_room = 24, label_room = 12, letter = 7.2;  // pixels; of a letter its width
-constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22, y_name_room = 20,
-                 least_left = 90;
+constexpr double x_label_room = 20, x_name_room = 20, legend_row = 20, legend_column = 360, title_room = 22,
+                 y_name_room = 20, least_left = 90;
 constexpr unsigned most_x_labels = 8, most_y_labels = 8;
 constexpr std::size_t most_characters = 84;  // of a line of text
 constexpr std::size_t most_marks = 64, marks_of_many = 32;
@@ -40,8 +40,8 @@ constexpr std::size_t most_marks = 64, marks_of_many = 32;
 /// The marker of the series with this number; with a title if there is one.
 std::string mark_element(std::size_t series, double x, double y, const std::string& what) {
   const std::size_t look = series % distinct_looks;
-  const std::string start =
-      fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill, look, x, y, shapes[look].path);
+  const std::string start = fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill,
+                                        look, x, y, shapes[look].path);
   return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, picture::markup(what));
 }
 
@@ -52,7 +52,8 @@ std::string line_classes(std::size_t series) {
 }
 
 std::size_t characters(const std::string& text) {  // of UTF-8
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }));
 }
 
 /// The text as markup, cut where it would not fit into the figure.
@@ -85,7 +86,8 @@ Field field_of(const CurvePanel& panel) {
   if (panel.band)
     for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
   if (panel.y.scale == Scale::linear) up.push_back(0);  // what lies above 0 and what below is seen in any case
-  Field field{ticks_for(panel.x.scale, across, most_x_labels, panel.x.tight), ticks_for(panel.y.scale, up, most_y_labels, panel.y.tight)};
+  Field field{ticks_for(panel.x.scale, across, most_x_labels, panel.x.tight),
+              ticks_for(panel.y.scale, up, most_y_labels, panel.y.tight)};
   std::size_t longest = 0;
   for (const Tick& tick : field.y.ticks) longest = std::max(longest, characters(tick.label));
   field.left = std::max(least_left, panel_margin + y_name_room + letter * static_cast<double>(longest) + label_room);
@@ -99,27 +101,27 @@ std::string grid_elements(const CurvePanel& panel, const Field& field) {
   const auto style = [](const Tick& tick) { return tick.label.empty() ? "grid small" : "grid"; };
   for (const Tick& tick : field.x.ticks) {
     const double x = field.across(tick.value);
-    lines += fmt::format("<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n", style(tick), x, field.top,
-                         field.bottom);
+    lines += fmt::format("<line class=\"{0}\" x1=\"{1:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{3:.1f}\"/>\n",
+                         style(tick), x, field.top, field.bottom);
     if (!tick.label.empty())
-      texts += fmt::format("<text class=\"soft\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, field.bottom + 16,
-                           tick.label);
+      texts += fmt::format("<text class=\"soft\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x,
+                           field.bottom + 16, tick.label);
   }
   for (const Tick& tick : field.y.ticks) {
     const double y = field.down(tick.value);
-    lines += fmt::format("<line class=\"{0}\" x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"{1:.1f}\" y2=\"{1:.1f}\"/>\n", style(tick), y, field.left,
-                         field.right);
+    lines += fmt::format("<line class=\"{0}\" x1=\"{2:.1f}\" x2=\"{3:.1f}\" y1=\"{1:.1f}\" y2=\"{1:.1f}\"/>\n",
+                         style(tick), y, field.left, field.right);
     if (!tick.label.empty())
-      texts +=
-          fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.left - 6, y + 4, tick.label);
+      texts += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+                           field.left - 6, y + 4, tick.label);
   }
-  lines += fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", field.left, field.top,
-                       field.right - field.left, field.bottom - field.top);
+  lines += fmt::format("<rect class=\"frame\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                       field.left, field.top, field.right - field.left, field.bottom - field.top);
   const double middle = (field.top + field.bottom) / 2, turn = panel_margin + 8;
-  texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", (field.left + field.right) / 2,
-                       field.bottom + x_label_room + 15, fitting(panel.x.name));
-  texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n", turn, middle,
-                       picture::markup(panel.y.name));
+  texts += fmt::format("<text text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+                       (field.left + field.right) / 2, field.bottom + x_label_room + 15, fitting(panel.x.name));
+  texts += fmt::format("<text text-anchor=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">{}</text>\n",
+                       turn, middle, picture::markup(panel.y.name));
   return lines + texts;
 }
 
@@ -128,11 +130,12 @@ std::string zero_elements(const CurvePanel& panel, const Field& field) {
   if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
   const double y = field.down(0);
   std::string result =
-      fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", field.left, field.right, y);
+      fmt::format("<line class=\"zero\" x1=\"{0:.1f}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n", field.left,
+                  field.right, y);
   const auto side = [&](const std::string& text, double at) {
     if (!text.empty())
-      result += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", field.right - 6, at,
-                            picture::markup(text));
+      result += fmt::format("<text class=\"soft\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
+                            field.right - 6, at, picture::markup(text));
   };
   if (y - field.top > legend_row) side(panel.above, y - 6);
   if (field.bottom - y > legend_row) side(panel.below, y + 15);
@@ -152,7 +155,8 @@ std::string band_element(const Band& band, const Field& field) {
 std::string series_elements(const Series& series, std::size_t number, const Field& field) {
   std::string path, marks;
   bool open = false;
-  const std::size_t every = series.places.size() <= most_marks ? 1 : (series.places.size() + marks_of_many - 1) / marks_of_many;
+  const std::size_t every =
+      series.places.size() <= most_marks ? 1 : (series.places.size() + marks_of_many - 1) / marks_of_many;
   for (std::size_t i = 0; i < series.places.size(); ++i) {
     const Datum& place = series.places[i];
     const bool drawn = field.holds(place.x, place.y);
@@ -172,9 +176,10 @@ std::string legend_elements(const CurvePanel& panel, double top, double left, do
   std::string result;
   std::size_t entry = 0;
   const auto add = [&](const std::string& sample, const std::string& name) {
-    const double x = left + legend_column * static_cast<double>(entry % 2), y = top + legend_row * static_cast<double>(entry / 2);
-    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y, sample,
-                          picture::markup(name));
+    const double x = left + legend_column * static_cast<double>(entry % 2),
+                 y = top + legend_row * static_cast<double>(entry / 2);
+    result += fmt::format("<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"46\" y=\"4\">{}</text></g>\n", x, y,
+                          sample, picture::markup(name));
     ++entry;
   };
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
@@ -192,7 +197,8 @@ std::string legend_elements(const CurvePanel& panel, double top, double left, do
 std::string left_out(const CurvePanel& panel, const Field& field) {
   std::size_t count = 0;
   for (const Series& series : panel.series)
-    count += static_cast<std::size_t>(std::ranges::count_if(series.places, [&](const Datum& p) { return !field.holds(p.x, p.y); }));
+    count += static_cast<std::size_t>(
+        std::ranges::count_if(series.places, [&](const Datum& p) { return !field.holds(p.x, p.y); }));
   if (count == 0) return "";
   const bool logarithmic = panel.x.scale == Scale::logarithmic || panel.y.scale == Scale::logarithmic;
   return fmt::format("Not drawn: {} value{}, {}.", count, count == 1 ? "" : "s",
@@ -212,9 +218,10 @@ PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip) {
   if (!panel.title.empty())
     content += fmt::format("<text class=\"panel\" x=\"{}\" y=\"16\">{}</text>\n", panel_margin, fitting(panel.title));
   content += grid_elements(panel, field) + zero_elements(panel, field);
-  content +=
-      fmt::format("<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
-                  picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12, field.bottom - field.top + 12);
+  content += fmt::format(
+      "<clipPath id=\"{}\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/></clipPath>\n",
+      picture::markup(clip), field.left - 6, field.top - 6, field.right - field.left + 12,
+      field.bottom - field.top + 12);
   content += fmt::format("<g clip-path=\"url(#{})\">\n", picture::markup(clip));
   if (panel.band) content += band_element(*panel.band, field);
   for (std::size_t i = 0; i < panel.series.size(); ++i) content += series_elements(panel.series[i], i, field);
@@ -287,12 +294,13 @@ Drawn drawn(const Figure& figure) {
 std::string figure_file(const Figure& figure) {
   const Drawn picture = drawn(figure);
   const double height = std::ceil(picture.height);
-  const std::string style = fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
-  const std::string ground =
-      fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>\n<text class=\"title\" x=\"{}\" y=\"22\">{}</text>\n", panel_width,
-                  height, panel_margin, fitting(figure.title));
-  return picture::svg_element({"plot", panel_width, height, picture::markup(figure.prefix), picture::markup(figure.title),
-                               picture::markup(figure.description), true},
+  const std::string style =
+      fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
+  const std::string ground = fmt::format(
+      "<rect class=\"ground\" width=\"{}\" height=\"{}\"/>\n<text class=\"title\" x=\"{}\" y=\"22\">{}</text>\n",
+      panel_width, height, panel_margin, fitting(figure.title));
+  return picture::svg_element({"plot", panel_width, height, picture::markup(figure.prefix),
+                               picture::markup(figure.title), picture::markup(figure.description), true},
                               style + ground + picture.content);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Line charts as SVG, for looking at: numbers are placed to a tenth of a pixel, and the exact ones stand elsewhere.
-// Series differ by dash and by marker as well as by colour. Colours are those of all pictures:
-// light, dark, on paper as light ones. Round numbers along an axis come first, then what a figure
-// is made of, then the door.
+// Line charts as SVG, for looking at: numbers are placed to a tenth of a pixel, and the exact ones
+// stand elsewhere. Series differ by dash and by marker as well as by colour. Colours are those of
+// all pictures: light, dark, on paper as light ones. Round numbers along an axis come first, then
+// what a figure is made of, then the door.
 #pragma once
 
 #include <optional>
@@ -33,11 +33,12 @@ struct Ticks {
   [[nodiscard]] double share(double value) const;
 };
 
-/// The ticks of an axis that shows all of the values that have a place on it. About `most` of them have a label. The ends of a tight axis
-/// are the extreme values themselves.
+/// The ticks of an axis that shows all of the values that have a place on it. About `most` of them
+/// have a label. The ends of a tight axis are the extreme values themselves.
 Ticks ticks_for(Scale scale, std::span<const double> values, unsigned most, bool tight = false);
 
-/// A decimal of at most six significant digits: "0.25", "20,000"; powers of ten where that is long: "2.5·10⁷".
+/// A decimal of at most six significant digits: "0.25", "20,000"; powers of ten where that is long:
+/// "2.5·10⁷".
 std::string number_text(double value);
 
 struct Datum {
@@ -46,10 +47,11 @@ struct Datum {
 };
 
 struct Series {
-  std::string name;           ///< in the legend
-  std::vector<Datum> places;  ///< ascending in x; none: it is not shown, but those after it have the looks that they would have
-  bool line = true;           ///< whether neighbours are joined
-  bool marks = true;          ///< whether places have markers: of very many, only some
+  std::string name;  ///< in the legend
+  std::vector<Datum>
+      places;         ///< ascending in x; none: it is not shown, but those after it have the looks that they would have
+  bool line = true;   ///< whether neighbours are joined
+  bool marks = true;  ///< whether places have markers: of very many, only some
 };
 
 /// What lies between two curves.
@@ -90,8 +92,8 @@ inline constexpr unsigned distinct_looks = 6;
 /// left out, lines are broken there, and a sentence below the panel counts them.
 std::string figure_file(const Figure& figure);
 
-/// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms. Returns nullopt unless there are two different
-/// x with positive values.
+/// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms.
+/// Returns nullopt unless there are two different x with positive values.
 std::optional<double> growth_exponent(std::span<const Datum> places);
 
 }  // namespace fathom::plot

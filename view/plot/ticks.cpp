@@ -14,7 +14,7 @@ namespace {
 
 constexpr double smallest_plain = 1e-4, largest_plain = 1e6;  // shown without a power of ten
 constexpr int digits = 6;
-constexpr double least_span = 1e-9;    // of an axis, as a share of its values: below it doubles are too coarse for ticks
+constexpr double least_span = 1e-9;  // of an axis, as a share of its values: below it doubles are too coarse for ticks
 constexpr double least_size = 1e-290;  // of an axis: below it steps are subnormal
 constexpr double least_logarithmic = 1e-300, most_logarithmic = 1e300;
 constexpr std::array round_steps{1.0, 2.0, 5.0};
@@ -87,7 +87,8 @@ Ticks linear_ticks(double low, double high, unsigned most, bool tight) {
   return result;
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above the value; and the least that is not below it.
+/// The largest of 1, 2, 5 times a power of ten that is not above the value; and the least that is
+/// not below it.
 double round_below(double value) {
   const double decade = power(static_cast<int>(std::floor(std::log10(value) + least_span)));
   double result = decade;
@@ -116,13 +117,17 @@ Ticks logarithmic_ticks(double low, double high, unsigned most, bool tight) {
     if (high <= low * (1 + least_span)) high = round_above(low * 1.5), low = round_below(low / 1.5);
   }
   Ticks result{Scale::logarithmic, low, high, {}};
-  const int first = static_cast<int>(std::floor(std::log10(low) - least_span)), last = static_cast<int>(std::ceil(std::log10(high)));
-  const int decades = last - first, every = round_count((decades + static_cast<int>(most) - 1) / static_cast<int>(most));
-  const bool labels_between = decades * 3 <= static_cast<int>(most) + 1, small_ticks = decades <= static_cast<int>(most);
+  const int first = static_cast<int>(std::floor(std::log10(low) - least_span)),
+            last = static_cast<int>(std::ceil(std::log10(high)));
+  const int decades = last - first,
+            every = round_count((decades + static_cast<int>(most) - 1) / static_cast<int>(most));
+  const bool labels_between = decades * 3 <= static_cast<int>(most) + 1,
+             small_ticks = decades <= static_cast<int>(most);
   for (int exponent = first; exponent <= last; ++exponent)
     for (int figure = 1; figure < 10; ++figure) {
       const double value = figure * power(exponent);
-      if (value < low * (1 - least_span) || value > high * (1 + least_span) || !std::isfinite(value) || value <= 0) continue;
+      if (value < low * (1 - least_span) || value > high * (1 + least_span) || !std::isfinite(value) || value <= 0)
+        continue;
       const bool labelled = figure == 1 ? exponent % every == 0 : labels_between && (figure == 2 || figure == 5);
       if (labelled || small_ticks) result.ticks.push_back({value, labelled ? number_text(value) : ""});
     }

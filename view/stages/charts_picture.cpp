@@ -54,7 +54,8 @@ struct Square {
 
   [[nodiscard]] static Pixel pixel(double longitude, double latitude) {
     const double most = 90 * degree;
-    return {left + (std::clamp(longitude, -most, most) / (2 * most) + 0.5) * side, top + (0.5 - latitude / (2 * most)) * side};
+    return {left + (std::clamp(longitude, -most, most) / (2 * most) + 0.5) * side,
+            top + (0.5 - latitude / (2 * most)) * side};
   }
   [[nodiscard]] Pixel pixel(const Place& p) const {
     const double along = dot(p, right), ahead = dot(p, chart.z);
@@ -62,13 +63,15 @@ struct Square {
   }
   [[nodiscard]] bool is_pole(const Place& p) const { return std::hypot(dot(p, right), dot(p, chart.z)) < pole; }
 
-  /// The part of an arc in this hemisphere, or a dot where there is only a point of it; "" if there is none to be seen.
+  /// The part of an arc in this hemisphere, or a dot where there is only a point of it; "" if there
+  /// is none to be seen.
   [[nodiscard]] std::string path(const StagedBody& body, Index edge) const {
     const std::optional<SphereArc> arc = arc_of(body, edge);
     std::string result;
     if (!arc) return result;
     for (SphereArc part : parts_in(*arc, chart.z)) {
-      if (is_pole(part.at(part.begin))) part.begin += 2 * pole;  // there all longitudes meet: the arc's own is that of its inside
+      if (is_pole(part.at(part.begin)))
+        part.begin += 2 * pole;  // there all longitudes meet: the arc's own is that of its inside
       if (is_pole(part.at(part.end))) part.end -= 2 * pole;
       if (part.begin < part.end) result += path_text(polyline(part, [this](const Place& p) { return pixel(p); }));
     }
@@ -86,16 +89,18 @@ std::string axes(const StagedChart& chart) {
   for (int at = -90; at <= 90; at += tick) {
     const Pixel p = Square::pixel(at * degree, at * degree);
     if (std::abs(at) < 90)
-      lines += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {4:.1f}H{5:.1f}\"/>\n", p.x, top, top + side, left,
-                           p.y, left + side);
-    texts += fmt::format("<text class=\"soft middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}°</text>\n", p.x, top + side + 16, at);
+      lines += fmt::format("<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {4:.1f}H{5:.1f}\"/>\n", p.x, top,
+                           top + side, left, p.y, left + side);
+    texts +=
+        fmt::format("<text class=\"soft middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}°</text>\n", p.x, top + side + 16, at);
     texts += fmt::format("<text class=\"soft end\" x=\"{:.1f}\" y=\"{:.1f}\">{}°</text>\n", left - 5, p.y + 4, at);
   }
-  texts += fmt::format("<text class=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">longitude</text>\n", left + side / 2, top + side + 34);
-  texts +=
-      fmt::format("<text class=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">latitude</text>\n", left - 42, top + side / 2);
-  texts +=
-      fmt::format("<text class=\"head\" x=\"{:.1f}\" y=\"{:.1f}\">{} hemisphere</text>\n", left, top - 12, chart.upper ? "Upper" : "Lower");
+  texts += fmt::format("<text class=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">longitude</text>\n", left + side / 2,
+                       top + side + 34);
+  texts += fmt::format("<text class=\"middle\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\">latitude</text>\n",
+                       left - 42, top + side / 2);
+  texts += fmt::format("<text class=\"head\" x=\"{:.1f}\" y=\"{:.1f}\">{} hemisphere</text>\n", left, top - 12,
+                       chart.upper ? "Upper" : "Lower");
   return lines + texts;
 }
 
@@ -107,9 +112,10 @@ double end_of_strip(const Stages& all, const Square& square, const std::optional
 }
 
 std::string strip_element(const Stages& all, const Square& square, const StagedPair& pair) {
-  const double from = end_of_strip(all, square, pair.strip[0], left), to = end_of_strip(all, square, pair.strip[1], left + side);
-  return fmt::format("<rect class=\"strip\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n", std::min(from, to), top,
-                     std::max(0.5, std::abs(to - from)), side);
+  const double from = end_of_strip(all, square, pair.strip[0], left),
+               to = end_of_strip(all, square, pair.strip[1], left + side);
+  return fmt::format("<rect class=\"strip\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                     std::min(from, to), top, std::max(0.5, std::abs(to - from)), side);
 }
 
 std::string wall_elements(const Square& square) {
@@ -121,8 +127,8 @@ std::string wall_elements(const Square& square) {
 }
 
 /// All arcs of a body but the lit ones, then those, each as an element of its own.
-std::string arc_elements(const Square& square, const StagedDiagram& diagram, const StagedBody& body, const std::set<Index>& lit,
-                         const char* style, bool all) {
+std::string arc_elements(const Square& square, const StagedDiagram& diagram, const StagedBody& body,
+                         const std::set<Index>& lit, const char* style, bool all) {
   std::string quiet, loud;
   for (const StagedArc& arc : diagram.arcs) {
     const bool is_lit = lit.contains(arc.edge);
@@ -143,7 +149,8 @@ std::string node_elements(const Square& square) {
   }
   for (const StagedNode& node : square.chart.b.nodes) {
     const Pixel p = Square::pixel(node.longitude, node.latitude);
-    result += fmt::format("<rect class=\"node of-b\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"4\" height=\"4\"/>", p.x - 2, p.y - 2);
+    result +=
+        fmt::format("<rect class=\"node of-b\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"4\" height=\"4\"/>", p.x - 2, p.y - 2);
   }
   return result.empty() ? result : result + "\n";
 }
@@ -155,19 +162,21 @@ std::string optimum_elements(const Stages& all, const Square& square) {
     const Place& n = all.contact.optima[i].direction;
     if (dot(n, square.chart.z) < 0) continue;
     const Pixel p = square.pixel(n);
-    result += fmt::format("<circle class=\"optimum\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>\n", p.x, p.y, i == 0 ? 7 : 4.5);
+    result += fmt::format("<circle class=\"optimum\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"{2}\"/>\n", p.x, p.y,
+                          i == 0 ? 7 : 4.5);
   }
   return result;
 }
 
 std::string caption_of(const Stages& all, const StagedChart& chart, const std::optional<Index>& lit) {
-  std::string text = fmt::format("{} hemisphere: {} arcs of -A, {} of B, {} walls.", chart.upper ? "Upper" : "Lower", chart.a.arcs.size(),
-                                 chart.b.arcs.size(), chart.walls.size());
+  std::string text = fmt::format("{} hemisphere: {} arcs of -A, {} of B, {} walls.", chart.upper ? "Upper" : "Lower",
+                                 chart.a.arcs.size(), chart.b.arcs.size(), chart.walls.size());
   if (!lit) return text + " No arcs cross.";
   const StagedPair& pair = all.pairs[*lit];
   const bool winner = all.winner && all.winner->pair == *lit;
-  return text + fmt::format(" Lit: canonical pair {}, |A_i| = {}, |B_i| = {}: {} crossing{}{}.", *lit, pair.a.size(), pair.b.size(),
-                            pair.crossings(), pair.crossings() == 1 ? "" : "s", winner ? ", one of them the optimum" : "");
+  return text + fmt::format(" Lit: canonical pair {}, |A_i| = {}, |B_i| = {}: {} crossing{}{}.", *lit, pair.a.size(),
+                            pair.b.size(), pair.crossings(), pair.crossings() == 1 ? "" : "s",
+                            winner ? ", one of them the optimum" : "");
 }
 
 constexpr double panel_width = 492, panel_height = 500;
@@ -206,21 +215,26 @@ std::string legend_entry(std::size_t number, std::string_view sample, std::strin
 std::string legend(double x, double y) {
   std::string result = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", x, y);
   std::size_t n = 0;
-  result +=
-      legend_entry(n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>", "arcs of -A");
+  result += legend_entry(
+      n++, "<path class=\"arc of-a\" d=\"M0 0H28\"/><circle class=\"node of-a\" cx=\"14\" cy=\"0\" r=\"2.2\"/>",
+      "arcs of -A");
   result += legend_entry(n++, "<path class=\"arc of-a lit\" d=\"M0 0H28\"/>", "A_i of the pair");
   result += legend_entry(n++, "<circle class=\"optimum\" cx=\"14\" cy=\"0\" r=\"6\"/>", "optimum");
   result += legend_entry(
-      n++, "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>", "arcs of B");
+      n++,
+      "<path class=\"arc of-b\" d=\"M0 0H28\"/><rect class=\"node of-b\" x=\"12\" y=\"-2\" width=\"4\" height=\"4\"/>",
+      "arcs of B");
   result += legend_entry(n++, "<path class=\"arc of-b lit\" d=\"M0 0H28\"/>", "B_i of the pair");
-  result += legend_entry(
-      n++, "<rect class=\"strip\" x=\"4\" y=\"-7\" width=\"20\" height=\"14\"/><path class=\"wall\" d=\"M4 -7V7M24 -7V7M14 -7V7\"/>",
-      "its strip, walls");
+  result += legend_entry(n++,
+                         "<rect class=\"strip\" x=\"4\" y=\"-7\" width=\"20\" height=\"14\"/><path class=\"wall\" "
+                         "d=\"M4 -7V7M24 -7V7M14 -7V7\"/>",
+                         "its strip, walls");
   return result + "</g>\n";
 }
 
 constexpr std::string_view about_charts =
-    "Each hemisphere of the Gaussian diagrams of -A and B as a square of longitude and latitude. Nodes are facets, arcs are edges; where "
+    "Each hemisphere of the Gaussian diagrams of -A and B as a square of longitude and latitude. Nodes are facets, "
+    "arcs are edges; where "
     "arcs "
     "cross, the sum P of B and -A has a facet.";
 
@@ -273,15 +287,18 @@ std::vector<Pixel> polyline(const SphereArc& arc, const Projection& project) {
 
 std::string path_text(const std::vector<Pixel>& pixels) {
   std::string result;
-  for (const Pixel& pixel : pixels) result += fmt::format("{}{:.1f} {:.1f}", result.empty() ? 'M' : 'L', pixel.x, pixel.y);
+  for (const Pixel& pixel : pixels)
+    result += fmt::format("{}{:.1f} {:.1f}", result.empty() ? 'M' : 'L', pixel.x, pixel.y);
   return result;
 }
 
 std::optional<Index> pair_to_light(const Stages& stages, Index chart) {
-  if (stages.winner && stages.winner->pair && stages.pairs[*stages.winner->pair].chart == chart) return stages.winner->pair;
+  if (stages.winner && stages.winner->pair && stages.pairs[*stages.winner->pair].chart == chart)
+    return stages.winner->pair;
   std::optional<Index> result;
   for (Index i = 0; i < stages.pairs.size(); ++i)
-    if (stages.pairs[i].chart == chart && (!result || stages.pairs[i].crossings() > stages.pairs[*result].crossings())) result = i;
+    if (stages.pairs[i].chart == chart && (!result || stages.pairs[i].crossings() > stages.pairs[*result].crossings()))
+      result = i;
   return result;
 }
 
@@ -292,17 +309,21 @@ ChartPanel chart_panel(const Stages& all, Index chart, std::optional<Index> lit)
   const bool all_nodes = a.nodes.size() + b.nodes.size() <= most_nodes;
   ChartPanel panel{axes(square.chart), caption_of(all, square.chart, lit), ""};
   if (lit)
-    panel.content += fmt::format("<text class=\"soft end\" x=\"{:.1f}\" y=\"{:.1f}\">canonical pair {}: {} × {}</text>\n", left + side,
-                                 top - 12, *lit, all.pairs[*lit].a.size(), all.pairs[*lit].b.size());
+    panel.content +=
+        fmt::format("<text class=\"soft end\" x=\"{:.1f}\" y=\"{:.1f}\">canonical pair {}: {} × {}</text>\n",
+                    left + side, top - 12, *lit, all.pairs[*lit].a.size(), all.pairs[*lit].b.size());
   if (lit) panel.content += strip_element(all, square, all.pairs[*lit]);
   if (all_walls) panel.content += wall_elements(square);
   std::set<Index> lit_a, lit_b;
-  if (lit) lit_a = {all.pairs[*lit].a.begin(), all.pairs[*lit].a.end()}, lit_b = {all.pairs[*lit].b.begin(), all.pairs[*lit].b.end()};
-  panel.content +=
-      arc_elements(square, a, all.a, lit_a, "arc of-a", all_arcs) + arc_elements(square, b, all.b, lit_b, "arc of-b", all_arcs);
+  if (lit)
+    lit_a = {all.pairs[*lit].a.begin(), all.pairs[*lit].a.end()},
+    lit_b = {all.pairs[*lit].b.begin(), all.pairs[*lit].b.end()};
+  panel.content += arc_elements(square, a, all.a, lit_a, "arc of-a", all_arcs) +
+                   arc_elements(square, b, all.b, lit_b, "arc of-b", all_arcs);
   if (all_nodes) panel.content += node_elements(square);
   panel.content += optimum_elements(all, square);
-  panel.content += fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", left, top, side, side);
+  panel.content +=
+      fmt::format("<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", left, top, side, side);
   if (!all_arcs) panel.left_out += fmt::format(" More than {} arcs: only lit ones are drawn.", most_arcs);
   if (!all_walls) panel.left_out += fmt::format(" More than {} walls: they are not drawn.", most_walls);
   return panel;
@@ -316,12 +337,15 @@ std::string charts_file(const Stages& stages) {
     content += fmt::format("<g transform=\"translate({:.0f} 0)\">\n{}</g>\n", panel_width * i, panel.content);
     description += " " + panel.caption + panel.left_out;
   }
-  const double width = panel_width * static_cast<double>(stages.charts.size()), height = panel_height + legend_height - 20;
-  const std::string style = fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
-  const std::string ground = fmt::format("<rect class=\"ground\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width, height);
-  return picture::svg_element(
-      {"atlas", width, height, "charts", "Charts of the Gaussian diagrams of -A and B", picture::markup(description), true},
-      style + ground + content);
+  const double width = panel_width * static_cast<double>(stages.charts.size()),
+               height = panel_height + legend_height - 20;
+  const std::string style =
+      fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
+  const std::string ground =
+      fmt::format("<rect class=\"ground\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width, height);
+  return picture::svg_element({"atlas", width, height, "charts", "Charts of the Gaussian diagrams of -A and B",
+                               picture::markup(description), true},
+                              style + ground + content);
 }
 
 }  // namespace fathom::stages

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   the stages of two bodies.
 // Output  their charts as an SVG file, in longitude and latitude, where walls are vertical and a
-// hemisphere fits a square.
-//         A's arcs are solid and B's dashed; what is lit is thick. Pixels are placed by doubles: the exact data stand
-//         elsewhere.                                                  [AGHRS, section 2.2, "Computing F"]
+//         hemisphere fits a square. A's arcs are solid and B's dashed; what is lit is thick. Pixels
+//         are placed by doubles: the exact data stand elsewhere.
+//                                                               [AGHRS, section 2.2, "Computing F"]
 //
 // First arcs of great circles, the parts of them in a hemisphere, and how they look in a
 // projection.
@@ -19,7 +19,8 @@
 
 namespace fathom::stages {
 
-/// The points cos(t) from + sin(t) side for t in [begin, end]; `from` and `side` are orthogonal unit vectors.
+/// The points cos(t) from + sin(t) side for t in [begin, end]; `from` and `side` are orthogonal
+/// unit vectors.
 struct SphereArc {
   Place from, side;
   double begin, end;
@@ -55,13 +56,14 @@ struct ChartPanel {
   std::string left_out;  ///< sentences on what is not drawn, as plain text; may be empty
 };
 
-/// The canonical pair that a picture of this chart lights unless another is asked for: that with the optimum, else the one with most
-/// crossings, the first of several.
+/// The canonical pair that a picture of this chart lights unless another is asked for: that with
+/// the optimum, else the one with most crossings, the first of several.
 std::optional<Index> pair_to_light(const Stages& stages, Index chart);
 
 ChartPanel chart_panel(const Stages& stages, Index chart, std::optional<Index> pair);
 
-/// Both charts side by side, as a file of its own. Throws std::invalid_argument if the stages have no charts.
+/// Both charts side by side, as a file of its own. Throws std::invalid_argument if the stages have
+/// no charts.
 std::string charts_file(const Stages& stages);
 
 }  // namespace fathom::stages

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of the study for what coincides, and which monomials of the perturbation decide it. Part of parts.hpp.
-#include <algorithm>
+// The names of the study for what coincides, and which monomials of the perturbation decide it.
+// Part of parts.hpp.
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -28,8 +30,8 @@ class Decisions {
   /// The subjects must outlive it.
   Decisions(const studies::Subjects& subjects, const kernels::Perturbation& perturbation);
 
-  /// The monomials that decide about these features, by name, each once; empty if the method asks no question that they make zero, as of
-  /// bodies that only tie.
+  /// The monomials that decide about these features, by name, each once; empty if the method asks
+  /// no question that they make zero, as of bodies that only tie.
   [[nodiscard]] std::vector<std::string> about(Coincidence kind, const Involved& involved) const;
 
  private:
@@ -90,7 +92,8 @@ const kernels::Direction& Decisions::end(const Member& member, gaussian::NodeId 
   return subjects_[member.colour].diagram.nodes[i];
 }
 
-void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence kind, const std::vector<Member>& all) const {
+void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence kind,
+                             const std::vector<Member>& all) const {
   for (const Member& member : all) {
     const gaussian::Arc* const own = arc(member);
     if (own == nullptr || subjects_[member.colour].diagram.rank < 2) return;  // a full circle has no ends
@@ -124,7 +127,8 @@ void Decisions::ask(const kernels::PerturbedKernel& kernel, Coincidence kind, co
       return;
     case Coincidence::coincident_normals:
     case Coincidence::nodes_on_one_vertical:
-      if (node(all[0]) != nullptr && node(all[1]) != nullptr) (void)kernel.x_order(*node(all[0]), *node(all[1]), frame().v);
+      if (node(all[0]) != nullptr && node(all[1]) != nullptr)
+        (void)kernel.x_order(*node(all[0]), *node(all[1]), frame().v);
       return;
     case Coincidence::crossings_on_equator:
       if (arc(all[0]) != nullptr && arc(all[1]) != nullptr)
@@ -144,7 +148,8 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
   std::vector<std::string> names;
   for (const TierCounts& asked : counts)
     for (const auto& [monomial, count] : asked.decided)
-      if (const std::string name = monomial_name(monomial); std::ranges::find(names, name) == names.end()) names.push_back(name);
+      if (const std::string name = monomial_name(monomial); std::ranges::find(names, name) == names.end())
+        names.push_back(name);
   return names;
 }
 
@@ -164,7 +169,8 @@ void find_contacts(const StagesSource& subject, studies::Findings& findings) {
     findings.add(Coincidence::touching_features, {{faces.a.ids}, {faces.b.ids}});
   }
   if (depth.optima().size() < 2) return;
-  for (const Optimum& optimum : depth.optima()) findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
+  for (const Optimum& optimum : depth.optima())
+    findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
 }
 
 Study study_of(const StagesSource& subject, const studies::Subjects& subjects, Stages& stages) {

@@ -40,7 +40,8 @@ StagedPair staged_pair(const canonical::CanonicalPair& pair, Index chart, const 
 // One hemisphere.
 class ClosestOfPairs {
  public:
-  ClosestOfPairs(const StagesSource& subject, const chart::Charts& charts, const lines::EdgeLinesOfA& a, const lines::EdgeLinesOfB& b)
+  ClosestOfPairs(const StagesSource& subject, const chart::Charts& charts, const lines::EdgeLinesOfA& a,
+                 const lines::EdgeLinesOfB& b)
       : subject_(subject), scene_(charts, a, b) {}
 
   std::optional<ClosestPair> of(const canonical::CanonicalPair& pair) {
@@ -60,8 +61,8 @@ class ClosestOfPairs {
     if (!trace.nearest) return std::nullopt;  // all are parallel
     const mpz_class& unit = subject_.pair.denominator;
     const mpq_class squared = kernels::ratio(nearest.numerator(), nearest.denominator() * unit * unit);
-    return ClosestPair{scene_.a.edge(trace.nearest->a).value, scene_.b.edge(trace.nearest->b).value, subject_.placing.length(squared),
-                       squared};
+    return ClosestPair{scene_.a.edge(trace.nearest->a).value, scene_.b.edge(trace.nearest->b).value,
+                       subject_.placing.length(squared), squared};
   }
 
  private:
@@ -88,8 +89,10 @@ PairFate fate_of(lines::Treatment treatment) {
 
 // ---- what the first optimum comes from: a facet of one body, or the crossing of two arcs ----
 
-// The face of a hull, spanned by these input points, whose outward normal is `normal` if it is a facet.
-StagedFeature feature_of(const polytope::Polytope& hull, const std::vector<std::uint32_t>& points, const Vector& normal) {
+// The face of a hull, spanned by these input points, whose outward normal is `normal` if it is a
+// facet.
+StagedFeature feature_of(const polytope::Polytope& hull, const std::vector<std::uint32_t>& points,
+                         const Vector& normal) {
   const auto vertex = [&](std::uint32_t point) {
     return static_cast<Index>(std::ranges::lower_bound(hull.input_ids, point) - hull.input_ids.begin());
   };
@@ -135,7 +138,8 @@ constexpr std::size_t most_blocks = 4000;
 constexpr std::uint64_t wanted_blocks = 256;
 
 std::optional<Index> pair_to_cut(const Stages& stages) {
-  if (stages.winner && stages.winner->pair && stages.pairs[*stages.winner->pair].crossings() >= least_crossings) return stages.winner->pair;
+  if (stages.winner && stages.winner->pair && stages.pairs[*stages.winner->pair].crossings() >= least_crossings)
+    return stages.winner->pair;
   const auto largest = std::ranges::max_element(stages.pairs, {}, &StagedPair::crossings);
   if (largest == stages.pairs.end() || largest->crossings() < least_crossings || !largest->closest) return std::nullopt;
   return static_cast<Index>(largest - stages.pairs.begin());
@@ -147,7 +151,8 @@ Blocks as_searched(const lines::SearchTrace& trace, std::size_t pair) {
   return blocks;
 }
 
-// Cuts the grid until about as many blocks as wanted are left at the most. It starts with the facets of step 1, as the search does.
+// Cuts the grid until about as many blocks as wanted are left at the most. It starts with the
+// facets of step 1, as the search does.
 Blocks cut_for_picture(const StagesSource& subject, const chart::Charts& charts, const canonical::CanonicalPair& pair) {
   const lines::EdgeLinesOfA a(subject.exact.hulls.a, subject.pair.exponent());
   const lines::EdgeLinesOfB b(subject.exact.hulls.b, subject.pair.exponent());
@@ -163,7 +168,9 @@ Blocks cut_for_picture(const StagesSource& subject, const chart::Charts& charts,
   return std::move(trace.blocks);
 }
 
-std::array<Index, 2> run_of(const kernels::LineRun& run) { return {static_cast<Index>(run.first), static_cast<Index>(run.last)}; }
+std::array<Index, 2> run_of(const kernels::LineRun& run) {
+  return {static_cast<Index>(run.first), static_cast<Index>(run.last)};
+}
 
 BlockFate block_fate_of(lines::Treatment treatment) {
   switch (treatment) {
@@ -175,14 +182,17 @@ BlockFate block_fate_of(lines::Treatment treatment) {
 }
 
 std::vector<StagedLevel> levels_of(const Blocks& blocks, const StagedPair& pair) {
-  const auto place = [](const Indices& edges, Index edge) { return static_cast<Index>(std::ranges::find(edges, edge) - edges.begin()); };
+  const auto place = [](const Indices& edges, Index edge) {
+    return static_cast<Index>(std::ranges::find(edges, edge) - edges.begin());
+  };
   const Index row = place(pair.a, pair.closest->a), column = place(pair.b, pair.closest->b);
   const auto holds = [](const std::array<Index, 2>& run, Index i) { return run[0] <= i && i < run[1]; };
   std::vector<StagedLevel> levels;
   for (const lines::SearchTrace::Block& block : blocks) {
     if (block.level >= levels.size()) levels.resize(block.level + 1);
     StagedBlock staged{run_of(block.rows), run_of(block.columns), block_fate_of(block.treatment)};
-    if (staged.fate != BlockFate::refined && holds(staged.rows, row) && holds(staged.columns, column)) staged.fate = BlockFate::won;
+    if (staged.fate != BlockFate::refined && holds(staged.rows, row) && holds(staged.columns, column))
+      staged.fate = BlockFate::won;
     StagedLevel& level = levels[block.level];
     if (block.level > 0) level.cut_a = block.side == lines::GridAxis::rows;
     level.blocks.push_back(staged);
@@ -217,7 +227,8 @@ void add_pairs(const StagesSource& subject, Stages& stages) {
 void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages) {
   if (!depth.penetration()) return;
   const Optimum& first = depth.optima().front();
-  StagedWinner winner{kind_of(first.contact.kind), std::nullopt, feature_of(subject.exact.hulls.a, first.contact.a, -first.direction),
+  StagedWinner winner{kind_of(first.contact.kind), std::nullopt,
+                      feature_of(subject.exact.hulls.a, first.contact.a, -first.direction),
                       feature_of(subject.exact.hulls.b, first.contact.b, first.direction)};
   for (Index i = 0; winner.kind == WinnerKind::edges && i < stages.pairs.size(); ++i) {
     const StagedPair& pair = stages.pairs[i];
@@ -236,7 +247,8 @@ void add_cutting(const StagesSource& subject, Stages& stages) {
   Blocks blocks = as_searched(subject.exact.traces[pair.chart], of_hemisphere);
   if (blocks.empty() || blocks.size() > most_blocks) {
     cutting.as_searched = false;
-    blocks = cut_for_picture(subject, subject.exact.charts[pair.chart], subject.exact.subsets[pair.chart][of_hemisphere]);
+    blocks =
+        cut_for_picture(subject, subject.exact.charts[pair.chart], subject.exact.subsets[pair.chart][of_hemisphere]);
   }
   cutting.levels = levels_of(blocks, pair);
   stages.cutting = std::move(cutting);

@@ -44,7 +44,8 @@ class Placing {
 /// The unit vector in a direction that is not 0.
 Place unit(const Vector& direction);
 
-/// What the parts are made from. `exact` has hulls, diagrams, charts and canonical subsets whatever the status.
+/// What the parts are made from. `exact` has hulls, diagrams, charts and canonical subsets whatever
+/// the status.
 struct StagesSource {
   const Body &a, &b;
   const polytope::PlacedPair& pair;
@@ -69,9 +70,10 @@ void add_coincidences(const StagesSource& subject, Stages& stages);
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
 
 // Input   the exact method's stages for bodies that penetrate.
-// Output  every facet of P = B (+) (-A), with the features of both bodies that make it. The directions are those of nodes and of crossings;
-//         crossings of the perturbed arcs are those of the arcs themselves, or lie at a node.            [AGHRS, section 2.2;
-//         proofs/depth.md]
+// Output  every facet of P = B (+) (-A), with the features of both bodies that make it. The
+//         directions are those of nodes and of crossings;
+//         crossings of the perturbed arcs are those of the arcs themselves, or lie at a node.
+//                                                             [AGHRS, section 2.2; proofs/depth.md]
 // Size    at most the number of nodes and crossings.
 
 /// A vertex of A and one of B: the corner b - a of P.
@@ -86,10 +88,12 @@ struct ExactSumFacet {
   mpz_class height;                      ///< h(normal) in the unit of the lattice
   std::vector<SumCorner> corners;        ///< counter-clockwise from outside, none on a line with its neighbours
   std::vector<polytope::VertexId> a, b;  ///< the faces of A and B: extreme points, ascending
-  Indices pairs;  ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
+  Indices
+      pairs;  ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
 };
 
-/// Returns all facets in the order of their normals, or nullopt if there are more than `most`, or far more crossings than that.
+/// Returns all facets in the order of their normals, or nullopt if there are more than `most`, or
+/// far more crossings than that.
 std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& exact, std::size_t most);
 
 }  // namespace fathom::stages

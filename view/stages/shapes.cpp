@@ -56,8 +56,11 @@ mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
 // A body in binary64, on the scale of places, seen from its base.
 class Outline {
  public:
-  Outline(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) : radius_(scaled(shape.radius, scale)) {
-    const auto place = [&](const Point& p) -> Place { return {scaled(p.x, scale), scaled(p.y, scale), scaled(p.z, scale)}; };
+  Outline(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale)
+      : radius_(scaled(shape.radius, scale)) {
+    const auto place = [&](const Point& p) -> Place {
+      return {scaled(p.x, scale), scaled(p.y, scale), scaled(p.z, scale)};
+    };
     for (const Term& term : terms) {
       std::vector<Piece>& pieces = terms_.emplace_back();
       for (const Atom& atom : term.atoms) {
@@ -72,7 +75,8 @@ class Outline {
   [[nodiscard]] Place extreme(const Place& u) const {
     Place sum = times(radius_, u);
     for (const std::vector<Piece>& pieces : terms_) {
-      const auto best = std::ranges::max_element(pieces, {}, [&](const Piece& piece) { return dot(u, piece.extreme(u)); });
+      const auto best =
+          std::ranges::max_element(pieces, {}, [&](const Piece& piece) { return dot(u, piece.extreme(u)); });
       sum = plus(sum, best->extreme(u));
     }
     return sum;
@@ -116,13 +120,15 @@ StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const Sta
   std::vector<Vector> samples;
   for (const Place& u : directions()) {
     const Place p = outline.extreme(u);
-    samples.push_back({mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
+    samples.push_back(
+        {mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
   }
   const polytope::Polytope hull = polytope::convex_hull(samples);
   const Point base = base_of(terms) - scale.center;
   const Place at{scaled(base.x, scale), scaled(base.y, scale), scaled(base.z, scale)};
   StagedBody body;
-  for (const Vector& v : hull.vertices) body.vertices.push_back(plus(at, {v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step}));
+  for (const Vector& v : hull.vertices)
+    body.vertices.push_back(plus(at, {v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step}));
   for (const polytope::Facet& facet : hull.facets) {
     Indices& corners = body.facets.emplace_back();
     for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.corners[i].value);
@@ -240,12 +246,14 @@ void add_sampled_sum(Stages& stages) {
   const double step = reach > 0 ? reach / steps : 1;
   std::vector<Vector> lattice;
   for (const Place& p : samples)
-    lattice.push_back({mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
+    lattice.push_back(
+        {mpz_class(std::round(p[0] / step)), mpz_class(std::round(p[1] / step)), mpz_class(std::round(p[2] / step))});
   const polytope::Polytope hull = polytope::convex_hull(lattice);
   if (hull.rank < 3) return;
   StagedSum& sum = stages.sum;
   sum.kind = SumKind::sampled;
-  for (const Vector& v : hull.vertices) sum.vertices.push_back({v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step});
+  for (const Vector& v : hull.vertices)
+    sum.vertices.push_back({v.x.get_d() * step, v.y.get_d() * step, v.z.get_d() * step});
   for (const polytope::Facet& facet : hull.facets) sum.facets.push_back(facet_of(hull, facet, sum.vertices));
   std::ranges::stable_sort(sum.facets, {}, &StagedFacet::distance);
   stages.left_out.emplace_back("P is a mesh near the set of all differences: its facets are left out of the ranking.");
@@ -255,10 +263,12 @@ void add_sampled_sum(Stages& stages) {
 void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages) {
   const ShapeStudy found = study(a, b, {.listed = 0, .monitor = options.monitor});
   for (std::size_t i = 0; i < found.coincidences.size(); ++i)
-    if (found.coincidences[i].count > 0) stages.coincidences.push_back({shape_coincidence_names[i], found.coincidences[i].count, {}});
+    if (found.coincidences[i].count > 0)
+      stages.coincidences.push_back({shape_coincidence_names[i], found.coincidences[i].count, {}});
   if (!stages.coincidences.empty())
     stages.left_out.emplace_back(
-        "Of what coincides of curved bodies only names and counts are here, the features are left out: fathom study lists them.");
+        "Of what coincides of curved bodies only names and counts are here, the features are left out: fathom study "
+        "lists them.");
 }
 
 }  // namespace
@@ -271,11 +281,14 @@ Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& option
   const SignedDepth depth = signed_depth(shape_a, shape_b, wanted);
   Stages stages;
   stages.scale = scale_of_shapes(shape_a, shape_b);
-  stages.left_out.emplace_back("Of curved bodies there are no diagrams, charts and canonical pairs: those are left out.");
+  stages.left_out.emplace_back(
+      "Of curved bodies there are no diagrams, charts and canonical pairs: those are left out.");
   stages.a = outline_of("A", shape_a, stages);
   stages.b = outline_of("B", shape_b, stages);
-  stages.left_out.emplace_back("The outlines are sampled: their facets are near the bodies, and no part of the answer.");
-  if (depth.bounds()) stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
+  stages.left_out.emplace_back(
+      "The outlines are sampled: their facets are near the bodies, and no part of the answer.");
+  if (depth.bounds())
+    stages.left_out.emplace_back("The depth is known by bounds: the translation is drawn with their middle.");
   stages.counters = depth.counters();
   add_answer(depth, stages);
   add_sampled_sum(stages);

@@ -17,7 +17,8 @@
 namespace fathom::stages {
 namespace {
 
-// Far from O, a body's digits are those of its place: then places count from the body. So they do if it is farther than this many extents.
+// Far from O, a body's digits are those of its place: then places count from the body. So they do
+// if it is farther than this many extents.
 constexpr int near_origin = 4;
 
 // Beyond this power of two, squares and products of places would leave binary64.
@@ -64,7 +65,9 @@ double component(const mpz_class& c, long most) {
 // Of very many ties, so many are listed.
 constexpr std::size_t most_optima = 1000;
 
-std::optional<Index> index_of(gaussian::NodeId node) { return node.is_none() ? std::nullopt : std::optional(node.value); }
+std::optional<Index> index_of(gaussian::NodeId node) {
+  return node.is_none() ? std::nullopt : std::optional(node.value);
+}
 
 void add_diagram(const gaussian::GaussianDiagram& diagram, StagedBody& body) {
   for (const kernels::Direction& node : diagram.nodes) body.nodes.push_back(unit(node.exact()));
@@ -91,8 +94,9 @@ StagedBody body_of(const polytope::Polytope& hull, const gaussian::GaussianDiagr
 void tell_of_lost_places(std::string_view name, const StagedBody& body, Stages& stages) {
   const std::set<Place> distinct(body.vertices.begin(), body.vertices.end());
   if (distinct.size() < body.vertices.size())
-    stages.left_out.push_back(std::string("Vertices of ") + std::string(name) +
-                              " fall together in binary64: beside the other body, or along one axis, they are too near each other.");
+    stages.left_out.push_back(
+        std::string("Vertices of ") + std::string(name) +
+        " fall together in binary64: beside the other body, or along one axis, they are too near each other.");
 }
 
 Place times(double length, const Place& direction) {
@@ -124,19 +128,23 @@ void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
   }
   stages.contact.translation = stages.contact.optima.front().translation;
   if (depth.optima_count() > most_optima)
-    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " + std::to_string(depth.optima_count()) +
-                              " optima are listed.");
+    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " +
+                              std::to_string(depth.optima_count()) + " optima are listed.");
 }
 
 // ---- both hemispheres as charts ----
 
 // In longitude and latitude about v: walls stay vertical, and the hemisphere fits a square.
 
-std::optional<Index> end_of(gaussian::NodeId node) { return node == chart::at_infinity ? std::nullopt : std::optional(node.value); }
+std::optional<Index> end_of(gaussian::NodeId node) {
+  return node == chart::at_infinity ? std::nullopt : std::optional(node.value);
+}
 
-StagedDiagram diagram_in(const chart::ColourChart& chart, const std::vector<Place>& nodes, const Place& v, const Place& z) {
+StagedDiagram diagram_in(const chart::ColourChart& chart, const std::vector<Place>& nodes, const Place& v,
+                         const Place& z) {
   StagedDiagram result;
-  for (const chart::ChartArc& arc : chart.arcs) result.arcs.push_back({arc.arc.value, end_of(arc.left), end_of(arc.right)});
+  for (const chart::ChartArc& arc : chart.arcs)
+    result.arcs.push_back({arc.arc.value, end_of(arc.left), end_of(arc.right)});
   const Place right = cross(v, z);
   for (const gaussian::NodeId i : chart.wall_of.ids()) {
     if (chart.wall_of[i].is_none()) continue;
@@ -157,7 +165,8 @@ void add_charts(const StagesSource& subject, Stages& stages) {
     staged.z = unit(charts.frame.z.exact());
     staged.a = diagram_in(charts.of.a, stages.a.nodes, staged.v, staged.z);
     staged.b = diagram_in(charts.of.b, stages.b.nodes, staged.v, staged.z);
-    for (const chart::Wall& wall : charts.walls) staged.walls.push_back({wall.colour == gaussian::Colour::a, wall.node.value});
+    for (const chart::Wall& wall : charts.walls)
+      staged.walls.push_back({wall.colour == gaussian::Colour::a, wall.node.value});
     stages.charts.push_back(std::move(staged));
   }
 }
@@ -174,7 +183,8 @@ struct Sizes {
 void add_bounds(const StagesSource& subject, Stages& stages) {
   const depth::Hulls& hulls = subject.exact.hulls;
   const Sizes size{static_cast<double>(hulls.a.edges.size()), static_cast<double>(hulls.b.edges.size())};
-  const std::uint64_t vertices = hulls.a.vertices.size() + hulls.b.vertices.size(), edges = hulls.a.edges.size() + hulls.b.edges.size(),
+  const std::uint64_t vertices = hulls.a.vertices.size() + hulls.b.vertices.size(),
+                      edges = hulls.a.edges.size() + hulls.b.edges.size(),
                       facets = hulls.a.facets.size() + hulls.b.facets.size();
   std::uint64_t walls = 0, pieces = 0, pairs = 0, sums = 0, crossings = 0;
   for (const chart::Charts& charts : subject.exact.charts) {
@@ -187,8 +197,8 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
     sums += of_subsets.a + of_subsets.b;
     crossings += of_subsets.product;
   }
-  const auto add = [&](std::string_view stage, std::string_view what, std::uint64_t count, std::string_view bound, double value,
-                       std::string_view source) {
+  const auto add = [&](std::string_view stage, std::string_view what, std::uint64_t count, std::string_view bound,
+                       double value, std::string_view source) {
     stages.bounds.push_back({stage, what, count, bound, value, source});
   };
   const double near_linear = size.both() * size.log() * size.log();
@@ -202,7 +212,8 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
         "PENETRATION-DEPTH, step 1");
   add("canonical subsets", "pairs (A_i, B_i)", pairs, "(m + n) log^2(m + n)", near_linear, "(C5)");
   add("canonical subsets", "sum |A_i| + |B_i|", sums, "(m + n) log^2(m + n)", near_linear, "(C5) and equation (1)");
-  add("canonical subsets", "crossings: sum |A_i| |B_i|", crossings, "m n", size.m * size.n, "each crossing once: (C2), (C3)");
+  add("canonical subsets", "crossings: sum |A_i| |B_i|", crossings, "m n", size.m * size.n,
+      "each crossing once: (C2), (C3)");
   if (stages.status == Status::penetrating)
     add("closest lines", "pairs of lines looked at", stages.counters.pairs_evaluated, "(m n)^(3/4) + m + n",
         std::pow(size.m * size.n, 0.75) + size.both(),
@@ -245,12 +256,13 @@ class StageTimes : public Monitor {
   Clock::time_point begin_{};
 };
 
-// The answer of penetration_depth. Where a common lattice would be too fine, that one takes another way, and may name another of several
-// right directions of touching bodies.
+// The answer of penetration_depth. Where a common lattice would be too fine, that one takes another
+// way, and may name another of several right directions of touching bodies.
 Depth answer_of(const StagesSource& subject, bool slim) {
   if (slim) return subject.exact.depth;
   kernels::Context context = subject.context.worker();
-  return solve::placed_depth(context, subject.a.points.exact(), subject.b.points.exact(), {.method = Method::exact}).depth;
+  return solve::placed_depth(context, subject.a.points.exact(), subject.b.points.exact(), {.method = Method::exact})
+      .depth;
 }
 
 void fill(const StagesSource& subject, const Depth& depth, Stages& stages) {
@@ -263,7 +275,8 @@ void fill(const StagesSource& subject, const Depth& depth, Stages& stages) {
   stages.counters = subject.exact.depth.counters;
   if (!depth.penetration())
     stages.left_out.emplace_back(
-        "The bodies do not penetrate: the exact method ends before the search for closest lines, so pairs have no closest lines.");
+        "The bodies do not penetrate: the exact method ends before the search for closest lines, so pairs have no "
+        "closest lines.");
   add_sum(subject, stages);
   add_coincidences(subject, stages);
   add_bounds(subject, stages);
@@ -282,14 +295,17 @@ StagedScale scale_of(const Point& origin, const mpq_class& extent) {
   return scale;
 }
 
-double scaled(const mpq_class& value, const StagedScale& scale) { return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0; }
+double scaled(const mpq_class& value, const StagedScale& scale) {
+  return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0;
+}
 
 Placing::Placing(const polytope::PlacedPair& pair) : scale_(scale_of(pair.origin, extent_of(pair))), pair_(&pair) {}
 
 Place Placing::point(const Vector& lattice) const { return point(pair_->position(lattice)); }
 
 Place Placing::vector(const Vector& lattice) const {
-  return vector(Point{{lattice.x, pair_->denominator}, {lattice.y, pair_->denominator}, {lattice.z, pair_->denominator}});
+  return vector(
+      Point{{lattice.x, pair_->denominator}, {lattice.y, pair_->denominator}, {lattice.z, pair_->denominator}});
 }
 
 Place Placing::point(const Point& p) const { return vector(p - scale_.center); }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies.
-// Output  what the exact method makes of them on its way to the depth, as plain numbers: the data of all pictures, schema fathom/stages/1.
-//         Places are binary64 numbers, for pixels; counts are exact, and depths are those of penetration_depth.
-// Size    linear in the diagrams and in sum |A_i| + |B_i|; the sum P is left out where it is large.          [AGHRS, PENETRATION-DEPTH]
+// Output  what the exact method makes of them on its way to the depth, as plain numbers: the data
+//         of all pictures, schema fathom/stages/1. Places are binary64 numbers, for pixels; counts
+//         are exact, and depths are those of penetration_depth.
+// Size    linear in the diagrams and in sum |A_i| + |B_i|; the sum P is left out where it is large.
+//                                                                        [AGHRS, PENETRATION-DEPTH]
 #pragma once
 
 #include <gmpxx.h>
@@ -24,7 +26,8 @@ namespace fathom::stages {
 
 /// A point, a translation or a unit vector.
 using Place = std::array<double, 3>;
-/// An index of a vertex, an edge, a facet (all within the hull), a node, an arc, a wall or a canonical pair.
+/// An index of a vertex, an edge, a facet (all within the hull), a node, an arc, a wall or a
+/// canonical pair.
 using Index = std::uint32_t;
 using Indices = std::vector<Index>;
 
@@ -33,13 +36,15 @@ inline Place cross(const Place& p, const Place& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond binary64.
+/// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond
+/// binary64.
 struct StagedScale {
   Point center;
   long exponent = 0;
 };
 
-/// The hull of a body, and its Gaussian diagram: that of -A, that of B. Arc i is edge i, node i is facet i.
+/// The hull of a body, and its Gaussian diagram: that of -A, that of B. Arc i is edge i, node i is
+/// facet i.
 struct StagedBody {
   int rank = 0;
   bool sampled = false;  ///< a mesh near a curved body: without diagram
@@ -49,8 +54,8 @@ struct StagedBody {
   std::vector<Indices> facets;  ///< counter-clockwise from outside
   std::vector<Place> nodes;     ///< unit normals, negated for A
   std::vector<std::array<std::optional<Index>, 2>> arcs;
-  /// Only of rank 1 and 2, whose arcs are full and half circles, for each arc: the unit normal of its circle. A half circle passes through
-  /// circle x node.
+  /// Only of rank 1 and 2, whose arcs are full and half circles, for each arc: the unit normal of
+  /// its circle. A half circle passes through circle x node.
   std::vector<Place> circles;
 };
 
@@ -72,7 +77,8 @@ struct StagedArc {
   std::optional<Index> from, to;  ///< nodes; none: the arc goes on over the equator
 };
 
-/// A node of this hemisphere, in the chart: longitude atan2(<n,r>, <n,z>) and latitude asin(<n,v>), r = v x z.
+/// A node of this hemisphere, in the chart: longitude atan2(<n,r>, <n,z>) and latitude asin(<n,v>),
+/// r = v x z.
 struct StagedNode {
   Index node;
   double longitude, latitude;
@@ -95,7 +101,8 @@ struct StagedChart {
   std::vector<StagedWall> walls;  ///< from left to right
 };
 
-/// What the search for closest lines did with a canonical pair: looked at each crossing, cleared all at once, or cut. `none`: no search.
+/// What the search for closest lines did with a canonical pair: looked at each crossing, cleared
+/// all at once, or cut. `none`: no search.
 enum class PairFate { none, scanned, cleared, cut };
 
 /// The closest lines of a canonical pair.
@@ -125,13 +132,15 @@ struct StagedBlock {
   BlockFate fate;
 };
 
-/// Blocks of level 0: the whole grid. Those of a level partition the refined ones of the level before.
+/// Blocks of level 0: the whole grid. Those of a level partition the refined ones of the level
+/// before.
 struct StagedLevel {
   std::optional<bool> cut_a;  ///< whose chain was cut into these; none for level 0
   std::vector<StagedBlock> blocks;
 };
 
-/// How a grid is cut. Blocks that are not refined partition it; exactly one of them won: it holds the pair's closest lines.
+/// How a grid is cut. Blocks that are not refined partition it; exactly one of them won: it holds
+/// the pair's closest lines.
 struct StagedCutting {
   Index pair;
   bool winner;       ///< whether the pair holds the optimum; else it is the largest one
@@ -150,7 +159,8 @@ struct StagedFeature {
 /// Which step found the first optimum.
 struct StagedWinner {
   WinnerKind kind;
-  std::optional<Index> pair;  ///< of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
+  std::optional<Index>
+      pair;  ///< of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
   StagedFeature a, b;
 };
 
@@ -233,7 +243,8 @@ struct StageOptions {
   Monitor* monitor = nullptr;
 };
 
-/// Returns the stages of two bodies of any kind and rank. Throws as penetration_depth and signed_depth do.
+/// Returns the stages of two bodies of any kind and rank. Throws as penetration_depth and
+/// signed_depth do.
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options = {});
 
 /// One line of JSON without its newline, pure ASCII: schemas/stages.schema.json.

@@ -2,8 +2,9 @@
 // The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex
 // polygons in parallel planes: their edges, merged by angle. First that sum, then all facets, then
 // what is shown of them.
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -37,7 +38,8 @@ struct Turn {
   }
 };
 
-/// One of the two polygons: those of B as they are, those of A reflected. Its edges are taken by angle.
+/// One of the two polygons: those of B as they are, those of A reflected. Its edges are taken by
+/// angle.
 class Side {
  public:
   Side(const polytope::Polytope& body, bool reflected, std::vector<VertexId> cycle)
@@ -78,7 +80,8 @@ class Side {
 /// The corners of the facet of P with this normal, given the faces of A in direction -normal and of
 /// B in direction normal: each a vertex, the ends of an edge, or the cycle of a facet,
 /// counter-clockwise from outside its body.
-std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal, std::vector<VertexId> of_a, std::vector<VertexId> of_b) {
+std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal, std::vector<VertexId> of_a,
+                                 std::vector<VertexId> of_b) {
   Side a(hulls.a, true, std::move(of_a)), b(hulls.b, false, std::move(of_b));
   const Vector r = a.has_edges() ? a.edge(0) : b.edge(0);
   const Turn turn{normal, r, cross(normal, r)};
@@ -108,7 +111,8 @@ using FoundByNormal = std::map<Vector, Found, kernels::NearestPlanes::Lexicograp
 bool is_on(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& n) {
   if (diagram.rank < 2) return true;
   const Vector circle = arc.circle.exact();
-  return sgn(det(circle, diagram.nodes[arc.from].exact(), n)) >= 0 && sgn(det(circle, n, diagram.nodes[arc.to].exact())) >= 0;
+  return sgn(det(circle, diagram.nodes[arc.from].exact(), n)) >= 0 &&
+         sgn(det(circle, n, diagram.nodes[arc.to].exact())) >= 0;
 }
 
 class Directions {
@@ -129,7 +133,8 @@ class Directions {
         for (const chart::ChartArcOfA a : pair.a) {
           if (found_.size() > most) return;
           for (const chart::ChartArcOfB b : pair.b)
-            add(charts.of.a.arcs[chart::ChartArcId(a.value)].arc, charts.of.b.arcs[chart::ChartArcId(b.value)].arc, number);
+            add(charts.of.a.arcs[chart::ChartArcId(a.value)].arc, charts.of.b.arcs[chart::ChartArcId(b.value)].arc,
+                number);
         }
       }
     }
@@ -227,7 +232,8 @@ StagedSum sum_of(const StagesSource& subject, const std::vector<ExactSumFacet>& 
     StagedFacet staged;
     for (const SumCorner& corner : facet.corners) {
       const auto [place, is_new] = indices.emplace(corner, static_cast<Index>(sum.vertices.size()));
-      if (is_new) sum.vertices.push_back(subject.placing.vector(hulls.b.vertices[corner.b] - hulls.a.vertices[corner.a]));
+      if (is_new)
+        sum.vertices.push_back(subject.placing.vector(hulls.b.vertices[corner.b] - hulls.a.vertices[corner.a]));
       staged.vertices.push_back(place->second);
     }
     staged.normal = unit(facet.normal);
@@ -293,7 +299,8 @@ StagedSum inner_sum(const StagesSource& subject) {
   const InnerPolytope& q = *penetration->inner;
   StagedSum sum;
   sum.kind = SumKind::q;
-  for (const auto& [a, b] : q.vertices) sum.vertices.push_back(subject.placing.vector(subject.pair.b[b] - subject.pair.a[a]));
+  for (const auto& [a, b] : q.vertices)
+    sum.vertices.push_back(subject.placing.vector(subject.pair.b[b] - subject.pair.a[a]));
   for (const std::vector<std::uint32_t>& corners : q.facets) sum.facets.push_back(facet_of_q(subject, q, corners));
   rank(sum.facets);
   return sum;
@@ -302,7 +309,8 @@ StagedSum inner_sum(const StagesSource& subject) {
 }  // namespace
 
 std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& exact, std::size_t most) {
-  if (exact.subsets[0].sums().product + exact.subsets[1].sums().product > most * crossings_per_facet) return std::nullopt;
+  if (exact.subsets[0].sums().product + exact.subsets[1].sums().product > most * crossings_per_facet)
+    return std::nullopt;
   Directions directions(exact);
   directions.add_nodes();
   directions.add_crossings(most);
@@ -313,7 +321,8 @@ std::optional<std::vector<ExactSumFacet>> sum_facets(const depth::ExactStages& e
   for (const auto& [n, found] : directions.found()) {
     std::vector<VertexId> a = faces.of_a(n, found), b = faces.of_b(n, found);
     std::vector<SumCorner> corners = sum_cycle(exact.hulls, n, a, b);
-    const mpz_class height = dot(n, exact.hulls.b.vertices[corners.front().b] - exact.hulls.a.vertices[corners.front().a]);
+    const mpz_class height =
+        dot(n, exact.hulls.b.vertices[corners.front().b] - exact.hulls.a.vertices[corners.front().a]);
     result.push_back({n, height, std::move(corners), sorted(std::move(a)), sorted(std::move(b)), found.pairs});
   }
   return result;
@@ -330,8 +339,9 @@ void add_sum(const StagesSource& subject, Stages& stages) {
   }
   stages.sum = inner_sum(subject);
   const std::string many = fmt::format("P has too many facets to be drawn, more than {}", most_facets);
-  stages.left_out.push_back(many + (stages.sum.kind == SumKind::q ? ": in its place stands Q, the polytope inside P that proves the depth."
-                                                                  : ", and no smaller polytope that proves the depth was found."));
+  stages.left_out.push_back(many + (stages.sum.kind == SumKind::q
+                                        ? ": in its place stands Q, the polytope inside P that proves the depth."
+                                        : ", and no smaller polytope that proves the depth was found."));
 }
 
 }  // namespace fathom::stages

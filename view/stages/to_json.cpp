@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view unit_sentence = "A place is (input - center) * 2^exponent; a length is input * 2^exponent.";
 
-// Of the largest coordinate among both bodies; more where a body is small beside that, or far thinner than long.
+// Of the largest coordinate among both bodies; more where a body is small beside that, or far
+// thinner than long.
 constexpr int usual_digits = 6, most_digits = 17;
 
 constexpr int places_digits = 7;  // of lengths and angles
@@ -29,7 +30,8 @@ double least_extent(const StagedBody& body) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto [low, high] = std::ranges::minmax_element(body.vertices, {}, [axis](const Place& p) { return p[axis]; });
-    if (low != body.vertices.end() && (*high)[axis] > (*low)[axis]) least = std::min(least, (*high)[axis] - (*low)[axis]);
+    if (low != body.vertices.end() && (*high)[axis] > (*low)[axis])
+      least = std::min(least, (*high)[axis] - (*low)[axis]);
   }
   return least;
 }
@@ -37,7 +39,8 @@ double least_extent(const StagedBody& body) {
 int digits_for(const StagedBody& body, double largest) {
   const double extent = least_extent(body);
   if (largest == 0 || !std::isfinite(extent)) return usual_digits;
-  return std::clamp(usual_digits + static_cast<int>(std::ceil(std::log10(largest / extent))), usual_digits, most_digits);
+  return std::clamp(usual_digits + static_cast<int>(std::ceil(std::log10(largest / extent))), usual_digits,
+                    most_digits);
 }
 
 void write_body(text::JsonStream& json, const StagedBody& body, bool of_a, double largest) {
@@ -47,14 +50,16 @@ void write_body(text::JsonStream& json, const StagedBody& body, bool of_a, doubl
     if (body.sampled) json.key("sampled"), json.boolean(true);
     json.key("ids"), json.array_of(body.ids);
     json.key("vertices"), json.array_of(body.vertices, [&](const Place& p) { json.numbers(p, digits); });
-    json.key("edges"), json.array_of(body.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
+    json.key("edges"),
+        json.array_of(body.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
     json.key("facets"), json.array_of(body.facets, [&](const Indices& facet) { json.array_of(facet); });
     json.key("arcs_of"), json.string(of_a ? "-A" : "B");
     json.key("nodes"), json.array_of(body.nodes, [&](const Place& n) { json.numbers(n, usual_digits); });
     json.key("arcs"), json.array_of(body.arcs, [&](const auto& arc) {
       json.array_of(arc, [&](const std::optional<Index>& node) { json.integer_or_null(node); });
     });
-    if (!body.circles.empty()) json.key("circles"), json.array_of(body.circles, [&](const Place& n) { json.numbers(n, usual_digits); });
+    if (!body.circles.empty())
+      json.key("circles"), json.array_of(body.circles, [&](const Place& n) { json.numbers(n, usual_digits); });
   });
 }
 
@@ -92,7 +97,9 @@ void write_contact(text::JsonStream& json, const StagedContact& contact) {
 void write_diagram(text::JsonStream& json, const StagedDiagram& diagram) {
   json.object([&] {
     json.key("nodes"), json.array_of(diagram.nodes, [&](const StagedNode& node) {
-      json.array([&] { json.integer(node.node), json.number(node.longitude, places_digits), json.number(node.latitude, places_digits); });
+      json.array([&] {
+        json.integer(node.node), json.number(node.longitude, places_digits), json.number(node.latitude, places_digits);
+      });
     });
     json.key("arcs"), json.array_of(diagram.arcs, [&](const StagedArc& arc) {
       json.array([&] { json.integer(arc.edge), json.integer_or_null(arc.from), json.integer_or_null(arc.to); });
@@ -217,17 +224,21 @@ void write_sum(text::JsonStream& json, const StagedSum& sum) {
     json.key("vertices"), json.array_of(sum.vertices, [&](const Place& p) { json.numbers(p, places_digits); });
     json.key("origin"), json.numbers({0, 0, 0}, places_digits);
     json.key("facets"), json.array([&] {
-      for (std::size_t i = 0; i < sum.facets.size(); ++i) write_facet(json, sum.facets[i], i < exact_facets || sum.facets[i].optimal);
+      for (std::size_t i = 0; i < sum.facets.size(); ++i)
+        write_facet(json, sum.facets[i], i < exact_facets || sum.facets[i].optimal);
     });
   });
 }
 
 void write_involved(text::JsonStream& json, const StagedInvolved& involved) {
-  const auto features = [&](const auto& list) { json.array_of(list, [&](const auto& points) { json.array_of(points); }); };
+  const auto features = [&](const auto& list) {
+    json.array_of(list, [&](const auto& points) { json.array_of(points); });
+  };
   json.object([&] {
     json.key("a"), features(involved.a);
     json.key("b"), features(involved.b);
-    json.key("decided_by"), json.array_of(involved.decided_by, [&](const std::string& monomial) { json.string(monomial); });
+    json.key("decided_by"),
+        json.array_of(involved.decided_by, [&](const std::string& monomial) { json.string(monomial); });
   });
 }
 
@@ -235,7 +246,8 @@ void write_coincidence(text::JsonStream& json, const StagedCoincidence& coincide
   json.object([&] {
     json.key("kind"), json.string(coincidence.kind);
     json.key("count"), json.integer(coincidence.count);
-    json.key("listed"), json.array_of(coincidence.listed, [&](const StagedInvolved& involved) { write_involved(json, involved); });
+    json.key("listed"),
+        json.array_of(coincidence.listed, [&](const StagedInvolved& involved) { write_involved(json, involved); });
   });
 }
 
@@ -262,7 +274,8 @@ void write_bound(text::JsonStream& json, const StagedBound& bound, const Stages&
     if (std::isfinite(bound.bound_value)) json.number(bound.bound_value, places_digits);
     else json.null();
     json.key("source"), json.string(bound.source);
-    const auto seconds = std::ranges::find(stages.seconds, bound.stage, [](const auto& stage) { return std::string_view(stage.first); });
+    const auto seconds =
+        std::ranges::find(stages.seconds, bound.stage, [](const auto& stage) { return std::string_view(stage.first); });
     if (seconds != stages.seconds.end()) json.key("seconds"), json.number(seconds->second, places_digits);
   });
 }
@@ -301,7 +314,8 @@ void write_pieces(text::JsonStream& json, const std::vector<StagedPiece>& pieces
     json.object([&] {
       json.key("ids"), json.array_of(piece.ids);
       json.key("vertices"), json.array_of(piece.vertices, [&](const Place& p) { json.numbers(p, digits_of_pieces); });
-      json.key("edges"), json.array_of(piece.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
+      json.key("edges"),
+          json.array_of(piece.edges, [&](const auto& edge) { json.array_of(edge, [&](Index v) { json.integer(v); }); });
       json.key("facets"), json.array_of(piece.facets, [&](const Indices& facet) { json.array_of(facet); });
     });
   });
@@ -336,7 +350,8 @@ void write_sum(text::JsonStream& json, const PieceSum& sum) {
     json.key("touches"), json.array_of(sum.touches);
     json.key("vertices"), json.array_of(sum.vertices, [&](const Place& p) { json.numbers(p, digits_of_sums); });
     json.key("facets"), json.array_of(sum.facets, [&](const Indices& facet) { json.array_of(facet); });
-    json.key("through"), json.array_of(sum.through, [&](const auto& pair) { json.array_of(pair, [&](Index i) { json.integer(i); }); });
+    json.key("through"),
+        json.array_of(sum.through, [&](const auto& pair) { json.array_of(pair, [&](Index i) { json.integer(i); }); });
   });
 }
 
@@ -352,7 +367,8 @@ std::string to_json(const Stages& stages) {
     json.key("contact"), write_contact(json, stages.contact);
     json.key("charts"), json.array_of(stages.charts, [&](const StagedChart& chart) { write_chart(json, chart); });
     json.key("pairs"), json.array([&] {
-      for (Index i = 0; i < stages.pairs.size(); ++i) write_pair(json, stages.pairs[i], stages.winner && stages.winner->pair == i);
+      for (Index i = 0; i < stages.pairs.size(); ++i)
+        write_pair(json, stages.pairs[i], stages.winner && stages.winner->pair == i);
     });
     json.key("cutting");
     if (stages.cutting) write_cutting(json, *stages.cutting);
@@ -361,10 +377,12 @@ std::string to_json(const Stages& stages) {
     if (stages.winner) write_winner(json, *stages.winner);
     else json.null();
     json.key("sum"), write_sum(json, stages.sum);
-    json.key("coincidences"), json.array_of(stages.coincidences, [&](const StagedCoincidence& c) { write_coincidence(json, c); });
+    json.key("coincidences"),
+        json.array_of(stages.coincidences, [&](const StagedCoincidence& c) { write_coincidence(json, c); });
     json.key("decided"), json.array_of(stages.decided, [&](const StagedDecision& d) { write_decision(json, d); });
     json.key("counts"), write_counts(json, stages.counters);
-    json.key("bounds"), json.array_of(stages.bounds, [&](const StagedBound& bound) { write_bound(json, bound, stages); });
+    json.key("bounds"),
+        json.array_of(stages.bounds, [&](const StagedBound& bound) { write_bound(json, bound, stages); });
     if (!stages.seconds.empty())
       json.key("seconds"), json.object([&] {
         for (const auto& [stage, seconds] : stages.seconds) json.key(stage), json.number(seconds, places_digits);

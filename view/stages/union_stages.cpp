@@ -74,7 +74,8 @@ class Sums {
   [[nodiscard]] Indices touches_of(Index i, Index j) const {
     Indices result;
     for (Index k = 0; k < std::min(depth_.optima.size(), most_ways); ++k)
-      if (std::ranges::any_of(depth_.optima[k].contacts, [&](const PieceContact& c) { return c.a == i && c.b == j; })) result.push_back(k);
+      if (std::ranges::any_of(depth_.optima[k].contacts, [&](const PieceContact& c) { return c.a == i && c.b == j; }))
+        result.push_back(k);
     return result;
   }
   [[nodiscard]] PieceSum measured(Index i, Index j) const {
@@ -121,8 +122,8 @@ bool add_facets(PieceSum& sum, const polytope::Polytope& a, const polytope::Poly
   return true;
 }
 
-void add_sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const unions::PlacedPieces& placed, const Hulls& of_a,
-              const Hulls& of_b, const Placing& placing, Monitor* monitor, UnionStages& stages) {
+void add_sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const unions::PlacedPieces& placed,
+              const Hulls& of_a, const Hulls& of_b, const Placing& placing, Monitor* monitor, UnionStages& stages) {
   if (depth.status != Status::penetrating) {
     stages.left_out.emplace_back("The differences of pieces are not drawn: O is in the interior of none of them.");
     return;
@@ -130,15 +131,18 @@ void add_sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const u
   const bool only_touching = a.size() * b.size() > most_pairs;
   stages.sums = Sums(a, b, depth, placing, monitor).all(only_touching);
   if (only_touching)
-    stages.left_out.push_back(fmt::format("There are {} pairs of pieces: of their differences those are here that touch after the way out.",
-                                          a.size() * b.size()));
+    stages.left_out.push_back(
+        fmt::format("There are {} pairs of pieces: of their differences those are here that touch after the way out.",
+                    a.size() * b.size()));
   std::size_t drawn = 0, left = 0;
   for (PieceSum& sum : stages.sums) {
-    if (drawn < most_drawn && add_facets(sum, of_a[sum.a], of_b[sum.b], depth, placed.whole.denominator, placing)) ++drawn;
+    if (drawn < most_drawn && add_facets(sum, of_a[sum.a], of_b[sum.b], depth, placed.whole.denominator, placing))
+      ++drawn;
     else ++left;
   }
   if (left > 0)
-    stages.left_out.push_back(fmt::format("Of the {} differences of pieces that are listed {} are not drawn.", stages.sums.size(), left));
+    stages.left_out.push_back(
+        fmt::format("Of the {} differences of pieces that are listed {} are not drawn.", stages.sums.size(), left));
 }
 
 Hulls hulls_of(const std::vector<kernels::PointCloud>& clouds) {
@@ -156,7 +160,8 @@ void require_drawable(const Hulls& a, const Hulls& b) {
   for (const Hulls* hulls : {&a, &b})
     for (const polytope::Polytope& hull : *hulls) edges += hull.edges.size();
   if (edges > most_edges_of_pieces)
-    throw std::invalid_argument(fmt::format("the pieces have {} edges, and a page shows at most {}", edges, most_edges_of_pieces));
+    throw std::invalid_argument(
+        fmt::format("the pieces have {} edges, and a page shows at most {}", edges, most_edges_of_pieces));
 }
 
 }  // namespace
@@ -174,9 +179,11 @@ UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth,
   add_pieces(of_a, placing, stages.a);
   add_pieces(of_b, placing, stages.b);
   if (depth.apart) stages.ways.push_back(way_of(*depth.apart, placing));
-  for (std::size_t k = 0; k < std::min(depth.optima.size(), most_ways); ++k) stages.ways.push_back(way_of(depth.optima[k], placing));
+  for (std::size_t k = 0; k < std::min(depth.optima.size(), most_ways); ++k)
+    stages.ways.push_back(way_of(depth.optima[k], placing));
   stages.left_out.emplace_back(
-      "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what coincided and what it cost "
+      "Sections 3 to 5 of the pages of convex bodies are left out: the stages of the algorithm of AGHRS, what "
+      "coincided and what it cost "
       "are "
       "those of convex pairs. The depth of unions is found by a search among the differences of their pieces.");
   if (depth.optima.size() > most_ways)

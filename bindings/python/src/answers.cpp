@@ -28,7 +28,9 @@ using py::literals::operator""_a;
 
 py::str status(const PairAnswer& asked) { return std::string(asked.answer.status_name()); }
 
-py::object nearest(const PairAnswer& asked) { return py::cast(asked.answer.complete() ? asked.answer.nearest_binary64() : std::nullopt); }
+py::object nearest(const PairAnswer& asked) {
+  return py::cast(asked.answer.complete() ? asked.answer.nearest_binary64() : std::nullopt);
+}
 
 py::object exact_value(const PairAnswer& asked) {
   const Part<Surd> value = asked.answer.exact();
@@ -58,14 +60,16 @@ py::object normal(const PairAnswer& asked) {
 
 /// Of polytopes and unions; of a search that was stopped the shortest that was found.
 std::optional<Point> rational_translation(const PairAnswer& asked) {
-  if (const Depth* const depth = asked.depth()) return depth->distance() ? depth->distance()->translation : depth->translation();
+  if (const Depth* const depth = asked.depth())
+    return depth->distance() ? depth->distance()->translation : depth->translation();
   const UnionDepth* const unions = asked.of_unions();
   if (!unions) return std::nullopt;
   return unions->apart ? unions->apart->distance.translation : unions->optima.front().translation;
 }
 
 py::object translation(const PairAnswer& asked, bool exact) {
-  if (const std::optional<Point> t = rational_translation(asked)) return exact ? py::object(fractions(*t)) : py::object(array(*t));
+  if (const std::optional<Point> t = rational_translation(asked))
+    return exact ? py::object(fractions(*t)) : py::object(array(*t));
   const Part<SurdPoint> rounding = asked.answer.translation();
   if (!rounding) return py::none();
   if (!exact) return array(rounded::nearest_binary64(*rounding));
@@ -79,7 +83,8 @@ py::object rounded_point(const RoundedPoint& p, bool exact) {
 }
 
 py::object witness_in_python(const PairAnswer& asked, bool exact) {
-  if (const Depth* const depth = asked.depth()) return witness(depth->distance() ? depth->distance()->witness : depth->witness(), exact);
+  if (const Depth* const depth = asked.depth())
+    return witness(depth->distance() ? depth->distance()->witness : depth->witness(), exact);
   if (const UnionDepth* const unions = asked.of_unions())
     return witness(unions->apart ? std::optional(unions->apart->distance.witness) : std::nullopt, exact);
   const std::optional<RoundedWitness> found = asked.of_shapes()->witness();
@@ -93,8 +98,8 @@ py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> t
 }
 
 py::dict touch(const PieceContact& met) {
-  return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction), "normal"_a = integers(met.direction),
-                  "contact"_a = contact(&met.contact));
+  return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction),
+                  "normal"_a = integers(met.direction), "contact"_a = contact(&met.contact));
 }
 
 py::list optima_of_unions(const UnionDepth& found) {
@@ -122,7 +127,8 @@ py::list optima(const PairAnswer& answer) {
   const std::vector<AlongNormal> translations = answer.of_shapes()->translations();
   for (std::size_t i = 0; i < translations.size(); ++i) {
     const AlongNormal& t = translations[i];
-    const Contact* const touching = core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes()->contact();
+    const Contact* const touching =
+        core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes()->contact();
     list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(rounded::coordinates(t))),
                         py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
   }
@@ -140,17 +146,18 @@ py::object apart(const PairAnswer& answer) {
   if (!unions || !unions->apart) return py::none();
   const UnionDistance& apart = *unions->apart;
   const Distance& d = apart.distance;
-  return py::dict("distance"_a = root_binary64(d.squared), "squared"_a = fraction(d.squared), "pieces"_a = py::make_tuple(apart.a, apart.b),
-                  "translation"_a = array(d.translation), "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact));
+  return py::dict("distance"_a = root_binary64(d.squared), "squared"_a = fraction(d.squared),
+                  "pieces"_a = py::make_tuple(apart.a, apart.b), "translation"_a = array(d.translation),
+                  "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact));
 }
 
 py::object union_bounds(const PairAnswer& answer) {
   const Part<UnionBounds> found = answer.answer.union_bounds();
   if (!found) return py::none();
   const UnionBounds& bounds = *found;
-  return py::dict("deepest_pair"_a = root_binary64(bounds.deepest_pair), "pieces"_a = py::make_tuple(bounds.a, bounds.b),
-                  "hulls"_a = root_binary64(bounds.hulls), "deepest_pair_squared"_a = fraction(bounds.deepest_pair),
-                  "hulls_squared"_a = fraction(bounds.hulls));
+  return py::dict("deepest_pair"_a = root_binary64(bounds.deepest_pair),
+                  "pieces"_a = py::make_tuple(bounds.a, bounds.b), "hulls"_a = root_binary64(bounds.hulls),
+                  "deepest_pair_squared"_a = fraction(bounds.deepest_pair), "hulls_squared"_a = fraction(bounds.hulls));
 }
 
 std::string certificate(const PairAnswer& answer, const std::string& id) {
@@ -193,7 +200,8 @@ py::dict counters_in_python(const PairAnswer& answer) {
 
 std::vector<std::string> notes(const PairAnswer& answer) {
   std::vector<std::string> result = answer.notes;
-  if (const std::optional<std::string> sizes = shapes::sizes_note(shapes::sizes_of(answer.a, answer.b))) result.push_back(*sizes);
+  if (const std::optional<std::string> sizes = shapes::sizes_note(shapes::sizes_of(answer.a, answer.b)))
+    result.push_back(*sizes);
   if (!answer.dents.empty()) result.push_back(answer.dents);
   return result;
 }
@@ -203,22 +211,24 @@ py::dict checked(const std::string& text) {
     const py::gil_scoped_release unlocked;
     return fathom_check::verify(text);
   }();
-  return py::dict("accepted"_a = verdict.accepted(), "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed,
-                  "line_number"_a = verdict.line, "reason"_a = verdict.reason, "status"_a = verdict.status,
+  return py::dict("accepted"_a = verdict.accepted(),
+                  "malformed"_a = verdict.outcome == fathom_check::Outcome::malformed, "line_number"_a = verdict.line,
+                  "reason"_a = verdict.reason, "status"_a = verdict.status,
                   "verdict"_a = fathom_check::verdict_line(verdict, ""));
 }
 
 /// What makes the answer again: the name of a function of this module, and its arguments.
 py::tuple question_of(const PairAnswer& answer) {
   if (answer.of_unions())
-    return py::make_tuple("union_depth", answer.a, answer.b, py::none(), py::none(), answer.question.union_bounds, py::none());
+    return py::make_tuple("union_depth", answer.a, answer.b, py::none(), py::none(), answer.question.union_bounds,
+                          py::none());
   const Options& options = answer.question.options;
-  return py::make_tuple("depth", answer.a, answer.b, py::none(), py::none(), std::string(name(options.method)), options.optima,
-                        answer.question.bits);
+  return py::make_tuple("depth", answer.a, answer.b, py::none(), py::none(), std::string(name(options.method)),
+                        options.optima, answer.question.bits);
 }
 
-PairAnswer union_answer(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, bool bounds,
-                        const py::object& stop) {
+PairAnswer union_answer(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+                        bool bounds, const py::object& stop) {
   PairAnswer result;
   result.a = posed(union_from(a, "A", "a"), pose_a, "a", &result.notes);
   result.b = posed(union_from(b, "B", "b"), pose_b, "b", &result.notes);
@@ -253,7 +263,8 @@ PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor) {
   thread_local Workspace workspace;
   std::vector<std::string> notes;
   std::string dents = shapes::dents_text({hull_fact(asked.a), hull_fact(asked.b)});
-  Body a = posed(std::move(asked.a), asked.pose_a, "a", &notes), b = posed(std::move(asked.b), asked.pose_b, "b", &notes);
+  Body a = posed(std::move(asked.a), asked.pose_a, "a", &notes),
+       b = posed(std::move(asked.b), asked.pose_b, "b", &notes);
   Question of_call = question;
   of_call.options.monitor = &monitor;
   of_call.options.workspace = &workspace;
@@ -318,9 +329,10 @@ void bind_answers(py::module_& module) {
       .def("certificate", certificate, arg("id"));
   module.def(
       "depth",
-      [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b, const std::string& method,
-         const std::optional<std::size_t>& optima, unsigned bits) {
-        Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b"), pose_from(pose_a, "a"), pose_from(pose_b, "b")};
+      [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+         const std::string& method, const std::optional<std::size_t>& optima, unsigned bits) {
+        Asked asked{body_from(a, py::none(), "a"), body_from(b, py::none(), "b"), pose_from(pose_a, "a"),
+                    pose_from(pose_b, "b")};
         const Question how = question(method, optima, bits);
         return watched([&](Monitor& monitor) { return answer_to(std::move(asked), how, monitor); });
       },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer about two bodies of any kinds, in the words of Python; and long work, which Ctrl-C ends, and which leaves Python's lock to
-// others.
+// The answer about two bodies of any kinds, in the words of Python; and long work, which Ctrl-C
+// ends, and which leaves Python's lock to others.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,8 +22,8 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work is to end. For the thread that called
-/// from Python, which has let the lock go.
+/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work
+/// is to end. For the thread that called from Python, which has let the lock go.
 class SignalMonitor final : public Monitor {
  public:
   explicit SignalMonitor(py::object stop) : stop_(std::move(stop)) {}
@@ -62,8 +62,9 @@ class FlagMonitor final : public Monitor {
   const std::atomic<bool>& stop_;
 };
 
-/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler raised: KeyboardInterrupt. So it does
-/// with what `stop` raises. Work that `stop` ended returns what it has, or throws std::runtime_error if that is nothing.
+/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler
+/// raised: KeyboardInterrupt. So it does with what `stop` raises. Work that `stop` ended returns
+/// what it has, or throws std::runtime_error if that is nothing.
 template <class Work>
 auto watched(Work work, py::object stop = py::none()) {
   const bool asked = !stop.is_none();
@@ -127,4 +128,5 @@ void bind_questions(py::module_& module);
 }  // namespace fathom::python
 
 template <>
-struct pybind11::detail::type_caster<fathom::python::PairAnswer> : fathom::python::MadeCaster<fathom::python::PairAnswer> {};
+struct pybind11::detail::type_caster<fathom::python::PairAnswer>
+    : fathom::python::MadeCaster<fathom::python::PairAnswer> {};

@@ -22,17 +22,24 @@ namespace {
 /// The answer about a pair, or what was wrong with it.
 using MaybeAnswer = std::variant<std::exception_ptr, PairAnswer>;
 
-/// Whether all pairs are answered, wrong ones by what was thrown; or the first that is wrong, by its place, ends the work and throws.
+/// Whether all pairs are answered, wrong ones by what was thrown; or the first that is wrong, by
+/// its place, ends the work and throws.
 enum class Faults { returned, thrown };
 
 /// Bodies to be asked about, or what was wrong with them.
 using MaybeAsked = std::variant<std::exception_ptr, Asked>;
 
-/// What the threads of a batch share. They take pairs in order, so that all before the first fault are finished.
+/// What the threads of a batch share. They take pairs in order, so that all before the first fault
+/// are finished.
 class Batch {
  public:
   Batch(std::vector<MaybeAsked> pairs, const Question& question, Faults faults, std::atomic<std::size_t>& done)
-      : pairs_(std::move(pairs)), question_(question), faults_(faults), done_(done), outcomes_(pairs_.size()), end_(pairs_.size()) {}
+      : pairs_(std::move(pairs)),
+        question_(question),
+        faults_(faults),
+        done_(done),
+        outcomes_(pairs_.size()),
+        end_(pairs_.size()) {}
 
   std::atomic<bool> stop = false;
 
@@ -76,7 +83,8 @@ class Batch {
 
   PairAnswer answered(std::size_t i, Monitor& monitor) {
     if (const auto* const wrong = std::get_if<std::exception_ptr>(&pairs_[i])) std::rethrow_exception(*wrong);
-    return named("pair " + std::to_string(i), [&] { return answer_to(std::get<Asked>(std::move(pairs_[i])), question_, monitor); });
+    return named("pair " + std::to_string(i),
+                 [&] { return answer_to(std::get<Asked>(std::move(pairs_[i])), question_, monitor); });
   }
 
   void end_before(std::size_t place) {
@@ -93,10 +101,11 @@ class Batch {
   std::atomic<std::size_t> next_ = 0, end_;  // no pair at end_ or behind is wanted
 };
 
-/// Answers all of them with so many threads, or with as many as the system gives. `done` counts them meanwhile. To be called without
-/// Python's lock. Throws Interrupted if the monitor stopped the work, and only then.
-std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Question& question, unsigned threads, Faults faults,
-                                    std::atomic<std::size_t>& done, Monitor& monitor) {
+/// Answers all of them with so many threads, or with as many as the system gives. `done` counts
+/// them meanwhile. To be called without Python's lock. Throws Interrupted if the monitor stopped
+/// the work, and only then.
+std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Question& question, unsigned threads,
+                                    Faults faults, std::atomic<std::size_t>& done, Monitor& monitor) {
   const std::size_t useful = std::min<std::size_t>(threads, pairs.size());
   Batch batch(std::move(pairs), question, faults, done);
   std::atomic<unsigned> running = 0;
@@ -144,7 +153,8 @@ std::vector<MaybeAsked> asked_pairs(const py::iterable& pairs, Faults faults) {
     result.push_back(asked_or_fault(faults, [&] {
       if (!PySequence_Check(pair.ptr()) || py::len(pair) != 2) throw py::value_error(place + "expected two bodies");
       const auto two = py::reinterpret_borrow<py::sequence>(pair);
-      return Asked{body_from(two[0], py::none(), (place + "a").c_str()), body_from(two[1], py::none(), (place + "b").c_str())};
+      return Asked{body_from(two[0], py::none(), (place + "a").c_str()),
+                   body_from(two[1], py::none(), (place + "b").c_str())};
     }));
   }
   return result;
@@ -159,19 +169,22 @@ std::optional<std::size_t> count_of(const py::object& poses, const char* name) {
 }
 
 /// One pair, by as many poses as there are.
-std::vector<MaybeAsked> asked_poses(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b,
-                                    Faults faults) {
+std::vector<MaybeAsked> asked_poses(const py::object& a, const py::object& b, const py::object& poses_a,
+                                    const py::object& poses_b, Faults faults) {
   const Asked unposed{body_from(a, py::none(), "a"), body_from(b, py::none(), "b")};
   const std::optional<std::size_t> of_a = count_of(poses_a, "poses_a"), of_b = count_of(poses_b, "poses_b");
   if (of_a && of_b && *of_a != *of_b)
-    throw py::value_error("expected as many poses of a as of b, found " + std::to_string(*of_a) + " and " + std::to_string(*of_b));
+    throw py::value_error("expected as many poses of a as of b, found " + std::to_string(*of_a) + " and " +
+                          std::to_string(*of_b));
   std::vector<MaybeAsked> result;
   for (std::size_t i = 0; i < of_a.value_or(of_b.value_or(1)); ++i) {
     const std::string place = "pair " + std::to_string(i) + ": ";
     const auto pose = [&](const py::object& poses, const char* name) {
       return poses.is_none() ? std::nullopt : pose_from(py::object(poses[py::int_(i)]), (place + name).c_str());
     };
-    result.push_back(asked_or_fault(faults, [&] { return Asked{unposed.a, unposed.b, pose(poses_a, "a"), pose(poses_b, "b")}; }));
+    result.push_back(asked_or_fault(faults, [&] {
+      return Asked{unposed.a, unposed.b, pose(poses_a, "a"), pose(poses_b, "b")};
+    }));
   }
   return result;
 }
@@ -192,13 +205,14 @@ py::object told_by(const py::object& progress, const std::atomic<std::size_t>& d
   });
 }
 
-py::list depths(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b, const Question& how,
-                unsigned threads, Faults faults, const py::object& progress) {
+py::list depths(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b,
+                const Question& how, unsigned threads, Faults faults, const py::object& progress) {
   std::vector<MaybeAsked> pairs = b.is_none() ? asked_pairs(a, faults) : asked_poses(a, b, poses_a, poses_b, faults);
   const std::size_t total = pairs.size();
   std::atomic<std::size_t> done = 0;
-  std::vector<MaybeAnswer> outcomes = watched(
-      [&](Monitor& monitor) { return answer_all(std::move(pairs), how, threads, faults, done, monitor); }, told_by(progress, done, total));
+  std::vector<MaybeAnswer> outcomes =
+      watched([&](Monitor& monitor) { return answer_all(std::move(pairs), how, threads, faults, done, monitor); },
+              told_by(progress, done, total));
   if (!progress.is_none()) progress(total, total);
   py::list result;
   for (MaybeAnswer& outcome : outcomes) {
@@ -214,14 +228,15 @@ void bind_batches(py::module_& module) {
   using py::arg;
   module.def(
       "depths",
-      [](const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b, const std::string& method,
-         const std::optional<std::size_t>& optima, unsigned bits, unsigned threads, bool faults_returned, const py::object& progress) {
+      [](const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b,
+         const std::string& method, const std::optional<std::size_t>& optima, unsigned bits, unsigned threads,
+         bool faults_returned, const py::object& progress) {
         if (threads == 0) threads = std::max(std::thread::hardware_concurrency(), 1U);
-        return depths(a, b, poses_a, poses_b, question(method, optima, bits), threads, faults_returned ? Faults::returned : Faults::thrown,
-                      progress);
+        return depths(a, b, poses_a, poses_b, question(method, optima, bits), threads,
+                      faults_returned ? Faults::returned : Faults::thrown, progress);
       },
-      arg("a"), arg("b"), arg("poses_a"), arg("poses_b"), arg("method"), arg("optima"), arg("bits"), arg("threads"), arg("faults_returned"),
-      arg("progress"));
+      arg("a"), arg("b"), arg("poses_a"), arg("poses_b"), arg("method"), arg("optima"), arg("bits"), arg("threads"),
+      arg("faults_returned"), arg("progress"));
 }
 
 }  // namespace fathom::python

@@ -25,7 +25,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& sentence) { throw py::value_error(sentence); }
 
-/// How the mesh that was last asked about differs from its hull. It is the deleter of the faces, which all copies of a body share.
+/// How the mesh that was last asked about differs from its hull. It is the deleter of the faces,
+/// which all copies of a body share.
 class RememberedFact {
  public:
   std::optional<polytope::MeshConvexity> of(const Body& body) const {
@@ -71,10 +72,12 @@ files::GivenPose given_pose(py::handle from) {
     std::vector<std::array<mpq_class, 4>> rows;
     const bool listed = PySequence_Check(from.ptr());
     if (!listed || (py::len(from) != 3 && py::len(from) != 4)) refuse("expected a pose of 3 or 4 rows of 4 numbers");
-    for (const py::object row : py::reinterpret_borrow<py::sequence>(from)) {  // an array makes its rows as they are asked for
+    for (const py::object row :
+         py::reinterpret_borrow<py::sequence>(from)) {  // an array makes its rows as they are asked for
       if (!PySequence_Check(row.ptr()) || py::len(row) != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
       const auto entries = py::reinterpret_borrow<py::sequence>(row);
-      rows.push_back({number_from(entries[0]), number_from(entries[1]), number_from(entries[2]), number_from(entries[3])});
+      rows.push_back(
+          {number_from(entries[0]), number_from(entries[1]), number_from(entries[2]), number_from(entries[3])});
     }
     pose = files::pose_of(rows, fault);
   }
@@ -96,7 +99,9 @@ py::object in_python(const GivenPoints& given) {
   return list;
 }
 
-py::object points_in_python(const Body& body) { return body.shape || body.pieces ? py::object(py::none()) : in_python(body.points); }
+py::object points_in_python(const Body& body) {
+  return body.shape || body.pieces ? py::object(py::none()) : in_python(body.points);
+}
 
 py::object pieces_in_python(const Body& body) {
   if (!body.pieces) return py::none();
@@ -111,7 +116,9 @@ bool has_no_interior(const Body& body) {
   return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
 }
 
-py::object description(const Body& body) { return py::module_::import("json").attr("loads")(files::body_json(body).text()); }
+py::object description(const Body& body) {
+  return py::module_::import("json").attr("loads")(files::body_json(body).text());
+}
 
 // ---- what pickle keeps ----
 
@@ -121,7 +128,8 @@ py::tuple state_of(const Body& body) {
   return py::make_tuple(files::body_json(body).text(), body.faces != nullptr, faces.corners, faces.ends);
 }
 
-Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uint32_t> corners, std::vector<std::uint32_t> ends) {
+Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uint32_t> corners,
+                   std::vector<std::uint32_t> ends) {
   CaseItem item = parse_case("{\"a\":" + json + ",\"b\":{\"vertices\":[[0,0,0]]}}", "body");
   if (!item.ok()) throw item.error();
   Body body = std::move(std::get<Case>(item.outcome).a);
@@ -222,7 +230,8 @@ void bind_shapes(py::module_& module) {
   module.def(
       "tapered_capsule",
       [](Object low, Object high, Object half_length, Text axis) {
-        return shape("tapered_capsule", {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
+        return shape("tapered_capsule",
+                     {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
   module.def(
@@ -246,7 +255,8 @@ void bind_shapes(py::module_& module) {
   module.def(
       "frustum",
       [](Object low, Object high, Object half_length, Text axis) {
-        return shape("frustum", {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
+        return shape("frustum",
+                     {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
       },
       arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
   module.def(
@@ -275,7 +285,8 @@ void warn(const std::string& sentence) {
 /// The points of a convex body, "piece 3 of A" as a warning calls it, and "a: piece 3" an error.
 std::vector<Point> piece_from(py::handle from, const std::string& called, const std::string& name) {
   const Body body = body_from(from, py::none(), name.c_str());
-  if (body.shape) throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
+  if (body.shape)
+    throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
   const std::optional<polytope::MeshConvexity> fact = fact_of(body);
   if (fact && fact->dents) warn(shapes::dents_of(called, *fact->dents));
   return body.points.exact();
@@ -285,7 +296,8 @@ std::vector<Point> piece_from(py::handle from, const std::string& called, const 
 Pieces pieces_from(py::handle from, const std::string& called, const std::string& name) {
   if (is_one_body(from)) return {piece_from(from, called, name)};
   if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
-    throw py::type_error(name + ": expected convex pieces, or one convex body, found " + py::repr(py::type::of(from)).cast<std::string>());
+    throw py::type_error(name + ": expected convex pieces, or one convex body, found " +
+                         py::repr(py::type::of(from)).cast<std::string>());
   Pieces pieces;
   for (const py::handle item : py::reinterpret_borrow<py::iterable>(from)) {
     const std::string piece = "piece " + std::to_string(pieces.size());
@@ -344,12 +356,15 @@ Body body_from(py::handle from, py::handle pose, const char* name, std::vector<s
 }
 
 Decimals decimals_from(const std::string& decimals) {
-  if (decimals != "binary64" && decimals != "exact") refuse("expected decimals 'binary64' or 'exact', found '" + decimals + "'");
+  if (decimals != "binary64" && decimals != "exact")
+    refuse("expected decimals 'binary64' or 'exact', found '" + decimals + "'");
   return decimals == "exact" ? Decimals::exact : Decimals::binary64;
 }
 
 const GivenPoints& points_of(const Body& body, const char* name) {
-  if (body.shape) refuse(std::string(name) + ": expected a polytope, found a shape that is none: depth, width, study and judge take those");
+  if (body.shape)
+    refuse(std::string(name) +
+           ": expected a polytope, found a shape that is none: depth, width, study and judge take those");
   return body.points;
 }
 
@@ -367,15 +382,17 @@ void warn_of_dents(const Body& body, const std::string& called) {
 }
 
 void bind_bodies(py::module_& module) {
-  py::class_<files::GivenPose>(module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
+  py::class_<files::GivenPose>(
+      module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
       .def(py::init(&given_pose), py::arg("rows"))
-      .def_property_readonly("rows",
-                             [](const files::GivenPose& given) {
-                               py::list rows;
-                               for (const auto& row : files::exact_pose(given))
-                                 rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
-                               return py::tuple(rows);
-                             })
+      .def_property_readonly(
+          "rows",
+          [](const files::GivenPose& given) {
+            py::list rows;
+            for (const auto& row : files::exact_pose(given))
+              rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
+            return py::tuple(rows);
+          })
       .def_property_readonly("note", [](const files::GivenPose& given) { return files::pose_note(given, false); });
   module.def(
       "pose",
@@ -388,7 +405,8 @@ void bind_bodies(py::module_& module) {
       },
       py::arg("quaternion"), py::arg("translation"));
   py::class_<Body>(module, "Body", "A convex body: the hull of `points`, or a shape; or a union of convex `pieces`.")
-      .def(py::init([](const py::object& points) { return body_from(points, py::none(), "points"); }), py::arg("points"))
+      .def(py::init([](const py::object& points) { return body_from(points, py::none(), "points"); }),
+           py::arg("points"))
       .def_property_readonly("points", points_in_python)
       .def_property_readonly("pieces", pieces_in_python)
       .def_property_readonly("is_shape", [](const Body& body) { return body.shape.has_value(); })
@@ -397,23 +415,28 @@ void bind_bodies(py::module_& module) {
       .def(
           "moved", [](const Body& body, const py::object& pose) { return posed(body, pose, "body"); }, py::arg("pose"))
       .def(
-          "with_margin", [](const Body& body, const py::object& margin) { return body_with_margin(body, number_from(margin)); },
+          "with_margin",
+          [](const Body& body, const py::object& margin) { return body_with_margin(body, number_from(margin)); },
           py::arg("margin"))
       .def("__add__", body_sum, py::is_operator())
       .def("__repr__", described)
-      .def_property_readonly("description", description,
-                             "The body as a case has it: the name of a shape, its numbers and its pose; the vertices of other bodies, the "
-                             "pieces of a union. Floats are exact, and so are texts as \"1/3\".")
+      .def_property_readonly(
+          "description", description,
+          "The body as a case has it: the name of a shape, its numbers and its pose; the vertices of other bodies, the "
+          "pieces of a union. Floats are exact, and so are texts as \"1/3\".")
       .def_property_readonly("state", state_of);
-  module.def("body_of_state", body_of_state, py::arg("json"), py::arg("has_faces"), py::arg("corners"), py::arg("ends"));
+  module.def("body_of_state", body_of_state, py::arg("json"), py::arg("has_faces"), py::arg("corners"),
+             py::arg("ends"));
   module.def(
-      "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); }, py::arg("body"));
+      "convexity", [](const py::object& body) { return convexity(body_from(body, py::none(), "body")); },
+      py::arg("body"));
   bind_shapes(module);
   module.def(
       "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, py::arg("pieces"));
   module.def("read_pieces", union_in_files, py::arg("path"), py::arg("decimals"));
   module.def(
-      "read_mesh", [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
+      "read_mesh",
+      [](const std::string& path, const std::string& decimals) { return read_mesh(path, decimals_from(decimals)); },
       py::arg("path"), py::arg("decimals") = "binary64");
 }
 

@@ -14,7 +14,8 @@
 
 namespace fathom::python {
 
-/// Loads an object of Python that has its value. Of one that `__new__` made alone pybind11 would read memory that nobody wrote.
+/// Loads an object of Python that has its value. Of one that `__new__` made alone pybind11 would
+/// read memory that nobody wrote.
 template <class Value>
 struct MadeCaster : py::detail::type_caster_base<Value> {
   bool load(py::handle from, bool convert) {
@@ -26,10 +27,11 @@ struct MadeCaster : py::detail::type_caster_base<Value> {
   }
 };
 
-/// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays of floats and sequences of numbers that
-/// are binary64 stay in binary64. `faces` beside `vertices` are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws
-/// py::value_error with a sentence that begins with `name`, and py::type_error; unions of pieces are refused. What there is to say of the
-/// pose goes to `notes`.
+/// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays
+/// of floats and sequences of numbers that are binary64 stay in binary64. `faces` beside `vertices`
+/// are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws py::value_error
+/// with a sentence that begins with `name`, and py::type_error; unions of pieces are refused. What
+/// there is to say of the pose goes to `notes`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
 /// The same of a body that is there, of any kind.
@@ -44,8 +46,8 @@ std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
 /// The same of a body and a pose that are there. May be called without Python's lock.
 Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes);
 
-/// How the mesh differs from its hull; nullopt if it has no faces, or that was not tried. Found once for a Body of Python, whoever asks.
-/// May be called without Python's lock.
+/// How the mesh differs from its hull; nullopt if it has no faces, or that was not tried. Found
+/// once for a Body of Python, whoever asks. May be called without Python's lock.
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
 /// Its points, if it is a polytope; throws py::value_error else.
@@ -66,8 +68,9 @@ auto named(const std::string& name, Work work) try {
   throw py::type_error(name + ": " + fault.what());
 }
 
-/// A union that is there; or one of convex pieces, of one or as many as there are, each as body_from takes it: polytopes. A warning of
-/// pieces that are not convex says "piece 3 of A" where `called` is "A", an error "a: piece 3" where `name` is "a".
+/// A union that is there; or one of convex pieces, of one or as many as there are, each as
+/// body_from takes it: polytopes. A warning of pieces that are not convex says "piece 3 of A" where
+/// `called` is "A", an error "a: piece 3" where `name` is "a".
 Body union_from(py::handle from, const std::string& called, const std::string& name);
 
 /// Warns of the pieces of a union that are not convex, where faces tell it.
@@ -81,4 +84,5 @@ void bind_bodies(py::module_& module);
 template <>
 struct pybind11::detail::type_caster<fathom::Body> : fathom::python::MadeCaster<fathom::Body> {};
 template <>
-struct pybind11::detail::type_caster<fathom::files::GivenPose> : fathom::python::MadeCaster<fathom::files::GivenPose> {};
+struct pybind11::detail::type_caster<fathom::files::GivenPose> : fathom::python::MadeCaster<fathom::files::GivenPose> {
+};

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say what everything means. Here its files
-// of cases, golden data, and families; and the module itself.
+// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say
+// what everything means. Here its files of cases, golden data, and families; and the module itself.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,7 +25,8 @@ namespace {
 /// A case as its id and bodies.
 py::tuple in_python(Case&& found) { return py::make_tuple(found.id, std::move(found.a), std::move(found.b)); }
 
-/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still be read.
+/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still
+/// be read.
 class Cases {
  public:
   explicit Cases(const std::string& path) : stream_(CaseStream::open(path, std::cin)) {}
@@ -46,7 +48,8 @@ class Cases {
 template <>
 struct pybind11::detail::type_caster<fathom::python::Cases> : fathom::python::MadeCaster<fathom::python::Cases> {};
 template <>
-struct pybind11::detail::type_caster<fathom::golden::ZstdReader> : fathom::python::MadeCaster<fathom::golden::ZstdReader> {};
+struct pybind11::detail::type_caster<fathom::golden::ZstdReader>
+    : fathom::python::MadeCaster<fathom::golden::ZstdReader> {};
 
 namespace fathom::python {
 namespace {

@@ -44,13 +44,17 @@ mpq_class number_from_text(py::handle text) {
 mpq_class quotient(py::handle number, py::handle numerator, py::handle denominator) {
   if (!PyLong_Check(numerator.ptr()) || !PyLong_Check(denominator.ptr())) refuse_what_is_no_number(number);
   mpq_class value(integer_from(numerator), integer_from(denominator));
-  if (value.get_den() == 0) throw py::value_error("expected a number, found " + shown(number) + ": the denominator is zero");
+  if (value.get_den() == 0)
+    throw py::value_error("expected a number, found " + shown(number) + ": the denominator is zero");
   value.canonicalize();
   return value;
 }
 
-py::object integer_ratio(py::handle number) try { return number.attr("as_integer_ratio")(); } catch (py::error_already_set& raised) {
-  if (!raised.matches(PyExc_OverflowError) && !raised.matches(PyExc_ValueError)) throw;  // they stand for infinity and NaN
+py::object integer_ratio(py::handle number) try {
+  return number.attr("as_integer_ratio")();
+} catch (py::error_already_set& raised) {
+  if (!raised.matches(PyExc_OverflowError) && !raised.matches(PyExc_ValueError))
+    throw;  // they stand for infinity and NaN
   throw py::value_error("expected a finite number, found " + shown(number));
 }
 
@@ -71,14 +75,16 @@ using Triples = std::vector<std::array<double, 3>>;
 /// Whether each element of the array is a binary64 number.
 bool fits_binary64(const py::dtype& type) {
   constexpr py::ssize_t exact_integer = 4, binary64 = 8;
-  return type.kind() == 'f' ? type.itemsize() <= binary64 : (type.kind() == 'i' || type.kind() == 'u') && type.itemsize() <= exact_integer;
+  return type.kind() == 'f' ? type.itemsize() <= binary64
+                            : (type.kind() == 'i' || type.kind() == 'u') && type.itemsize() <= exact_integer;
 }
 
 /// A mask says that some numbers are none: which ones are to count, only the caller knows.
 void refuse_masks(py::handle from) {
   if (!py::hasattr(from, "mask")) return;
   const py::object any = py::module_::import("numpy").attr("any")(from.attr("mask"));
-  if (any.cast<bool>()) refuse("expected an array without a mask, found one where some numbers are masked: drop or fill them first");
+  if (any.cast<bool>())
+    refuse("expected an array without a mask, found one where some numbers are masked: drop or fill them first");
 }
 
 GivenPoints points_from_array(const py::array& array) {
@@ -123,7 +129,8 @@ GivenPoints points_from_sequence(const py::iterable& sequence) {
     try {
       points.push_back(point_from(item));
     } catch (const py::value_error& fault) {
-      if (is_one_body(item)) refuse("expected a convex body, found a list of bodies: union_depth takes such a list as their union");
+      if (is_one_body(item))
+        refuse("expected a convex body, found a list of bodies: union_depth takes such a list as their union");
       refuse("point " + std::to_string(points.size()) + ": " + fault.what());
     }
   }
@@ -150,7 +157,8 @@ MeshFaces faces_from(py::handle from, std::size_t points) {
     for (py::ssize_t j = 0; j < view.shape(1); ++j) {
       const std::int64_t corner = view(i, j);
       if (corner < 0 || static_cast<std::size_t>(corner) >= points)
-        refuse("face " + std::to_string(i) + ": expected an index below " + std::to_string(points) + ", found " + std::to_string(corner));
+        refuse("face " + std::to_string(i) + ": expected an index below " + std::to_string(points) + ", found " +
+               std::to_string(corner));
       faces.corners.push_back(static_cast<std::uint32_t>(corner));
     }
     faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
@@ -207,7 +215,8 @@ mpq_class number_from(py::handle number) {
   if (PyLong_Check(number.ptr())) return integer_from(number);
   if (PyUnicode_Check(number.ptr())) return number_from_text(number);
   if (py::isinstance(number, decimal_type())) {  // its exponent may be so large that no memory holds it as an int
-    if (!number.attr("is_finite")().cast<bool>()) throw py::value_error("expected a finite number, found " + shown(number));
+    if (!number.attr("is_finite")().cast<bool>())
+      throw py::value_error("expected a finite number, found " + shown(number));
     return number_from_text(py::str(number));
   }
   if (py::hasattr(number, "as_integer_ratio")) {
@@ -241,7 +250,9 @@ py::object integer(const mpz_class& value) {
   return py::reinterpret_steal<py::object>(PyLong_FromString(value.get_str(16).c_str(), nullptr, 16));
 }
 
-py::object fraction(const mpq_class& value) { return fraction_type()(integer(value.get_num()), integer(value.get_den())); }
+py::object fraction(const mpq_class& value) {
+  return fraction_type()(integer(value.get_num()), integer(value.get_den()));
+}
 
 py::tuple fractions(const Point& p) { return py::make_tuple(fraction(p.x), fraction(p.y), fraction(p.z)); }
 
@@ -249,7 +260,9 @@ py::tuple integers(const Vector& v) { return py::make_tuple(integer(v.x), intege
 
 py::array_t<double> array(const std::array<double, 3>& values) { return py::array_t<double>(3, values.data()); }
 
-py::array_t<double> array(const Point& p) { return array(std::array{round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)}); }
+py::array_t<double> array(const Point& p) {
+  return array(std::array{round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)});
+}
 
 GivenPoints given_form(std::vector<Point> points) {
   if (!std::ranges::all_of(points, are_binary64)) return GivenPoints(std::move(points));

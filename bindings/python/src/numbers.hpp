@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact numbers from Python and back; the points and faces of a convex body, from an array, a sequence of points, or an object with
-// `vertices`.
+// Exact numbers from Python and back; the points and faces of a convex body, from an array, a
+// sequence of points, or an object with `vertices`.
 #pragma once
 
 #include <gmpxx.h>
@@ -21,12 +21,13 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// The exact value of a float, an int, a Fraction, a Decimal, anything with as_integer_ratio; or of a text as parse_number reads it, whose
-/// decimals stand for themselves, as those of a Decimal do. Throws py::value_error with what was found, and py::type_error for what is no
-/// number.
+/// The exact value of a float, an int, a Fraction, a Decimal, anything with as_integer_ratio; or of
+/// a text as parse_number reads it, whose decimals stand for themselves, as those of a Decimal do.
+/// Throws py::value_error with what was found, and py::type_error for what is no number.
 mpq_class number_from(py::handle number);
 
-/// The float that Python makes of a number, which may be NaN. Throws as number_from does, with `name` before what was expected.
+/// The float that Python makes of a number, which may be NaN. Throws as number_from does, with
+/// `name` before what was expected.
 double float_from(py::handle number, const std::string& name);
 
 /// The text in UTF-8. Throws py::value_error if it holds half a character, as "\ud800".
@@ -52,17 +53,19 @@ py::array_t<double> array(const Point& point);
 
 // ---- points and faces ----
 
-/// The points, in binary64 if all of them are. Throws py::value_error, which names the first bad point, and py::type_error.
+/// The points, in binary64 if all of them are. Throws py::value_error, which names the first bad
+/// point, and py::type_error.
 GivenPoints given_points(py::handle from);
 
 /// The same of points that are there.
 GivenPoints given_form(std::vector<Point> points);
 
-/// The faces of an object that has some beside its `vertices`, so many points; else null. Throws py::value_error.
+/// The faces of an object that has some beside its `vertices`, so many points; else null. Throws
+/// py::value_error.
 std::shared_ptr<const MeshFaces> given_faces(py::handle from, std::size_t points);
 
-/// Whether it is one convex body rather than a list of some: a Body, an object with `vertices`, or a sequence of points, the first of which
-/// begins with a number.
+/// Whether it is one convex body rather than a list of some: a Body, an object with `vertices`, or
+/// a sequence of points, the first of which begins with a number.
 bool is_one_body(py::handle from);
 
 }  // namespace fathom::python

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other questions about two bodies, and the judge.
-#include <optional>
 #include <pybind11/stl.h>
+
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -34,11 +35,13 @@ Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_
 
 py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
 
-py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a, const py::object& pose_b) {
+py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a,
+             const py::object& pose_b) {
   const Pair pair = pair_from(a, b, pose_a, pose_b);
   const Point along = point_from(direction);
-  const DirectionalDepth found =
-      watched([&](Monitor& monitor) { return directional_depth(pair.a.points.exact(), pair.b.points.exact(), along, &monitor); });
+  const DirectionalDepth found = watched([&](Monitor& monitor) {
+    return directional_depth(pair.a.points.exact(), pair.b.points.exact(), along, &monitor);
+  });
   py::dict result("status"_a = std::string(name(found.status())), "factor"_a = fraction(found.factor()),
                   "translation"_a = fractions(found.translation()), "squared"_a = fraction(found.squared()),
                   "length"_a = root_binary64(found.squared()), "normal"_a = normal_of(found.normal()));
@@ -49,46 +52,57 @@ py::dict ray(const py::object& a, const py::object& b, const py::object& directi
   return result;
 }
 
-py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a, const py::object& pose_b) {
+py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a,
+                const py::object& pose_b) {
   const Pair pair = pair_from(a, b, pose_a, pose_b);
   const Body unit_body = body_from(ball, py::none(), "ball");
   const GivenPoints& points = points_of(unit_body, "ball");
-  const MetricResult found = watched(
-      [&](Monitor& monitor) { return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor); });
+  const MetricResult found = watched([&](Monitor& monitor) {
+    return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
+  });
   py::list optima;
   for (const MetricOptimum& optimum : found.optima())
     optima.append(py::dict("vertex"_a = optimum.vertex, "translation"_a = fractions(optimum.translation),
                            "normal"_a = normal_of(optimum.direction), "contact"_a = contact(&optimum.contact)));
-  return py::dict("status"_a = std::string(name(found.status())), "depth"_a = fraction(found.depth()), "optima"_a = optima,
-                  "normal"_a = normal_of(found.direction()));
+  return py::dict("status"_a = std::string(name(found.status())), "depth"_a = fraction(found.depth()),
+                  "optima"_a = optima, "normal"_a = normal_of(found.direction()));
 }
 
-py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a, const py::object& pose_b) {
+py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a,
+                const py::object& pose_b) {
   const Pair pair = pair_from(a, b, pose_a, pose_b);
   const mpq_class within = number_from(delta);
-  const ApproxDepth found =
-      watched([&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
-  return py::dict("status"_a = std::string(name(found.status())), "low"_a = root_binary64(found.bound_squared(), Rounding::rd),
-                  "high"_a = root_binary64(found.squared(), Rounding::ru), "low_squared"_a = fraction(found.bound_squared()),
-                  "high_squared"_a = fraction(found.squared()), "translation"_a = fractions(found.translation()),
-                  "normal"_a = normal_of(found.direction()));
+  const ApproxDepth found = watched(
+      [&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
+  return py::dict("status"_a = std::string(name(found.status())),
+                  "low"_a = root_binary64(found.bound_squared(), Rounding::rd),
+                  "high"_a = root_binary64(found.squared(), Rounding::ru),
+                  "low_squared"_a = fraction(found.bound_squared()), "high_squared"_a = fraction(found.squared()),
+                  "translation"_a = fractions(found.translation()), "normal"_a = normal_of(found.direction()));
 }
 
-py::dict involved(const Involved& features) { return py::dict("a"_a = py::cast(features.a), "b"_a = py::cast(features.b)); }
+py::dict involved(const Involved& features) {
+  return py::dict("a"_a = py::cast(features.a), "b"_a = py::cast(features.b));
+}
 
 py::dict size_of(const BodySize& size) {
   return py::dict("rank"_a = size.rank, "vertices"_a = size.vertices, "edges"_a = size.edges, "facets"_a = size.facets);
 }
 
-py::dict studied(PairAnswer answer, const py::dict& coincidences, const py::dict& predicates, const py::dict& a, const py::dict& b) {
-  return py::dict("answer"_a = std::move(answer), "coincidences"_a = coincidences, "predicates"_a = predicates, "a"_a = a, "b"_a = b);
+py::dict studied(PairAnswer answer, const py::dict& coincidences, const py::dict& predicates, const py::dict& a,
+                 const py::dict& b) {
+  return py::dict("answer"_a = std::move(answer), "coincidences"_a = coincidences, "predicates"_a = predicates,
+                  "a"_a = a, "b"_a = b);
 }
 
-py::dict coincidence(std::uint64_t count, const py::list& listed) { return py::dict("count"_a = count, "listed"_a = listed); }
+py::dict coincidence(std::uint64_t count, const py::list& listed) {
+  return py::dict("count"_a = count, "listed"_a = listed);
+}
 
 py::dict study_of_polytopes(Pair pair, std::size_t listed) {
-  Study found = watched(
-      [&](Monitor& monitor) { return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor}); });
+  Study found = watched([&](Monitor& monitor) {
+    return study(pair.a.points.exact(), pair.b.points.exact(), {.listed = listed, .monitor = &monitor});
+  });
   py::dict coincidences;
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
     py::list list;
@@ -101,33 +115,39 @@ py::dict study_of_polytopes(Pair pair, std::size_t listed) {
 
 py::dict feature(const ShapeFeature& found) {
   return py::dict("what"_a = std::string(found.what),
-                  "direction"_a = found.direction == Vector{0, 0, 0} ? py::object(py::none()) : py::object(integers(found.direction)),
+                  "direction"_a = found.direction == Vector{0, 0, 0} ? py::object(py::none())
+                                                                     : py::object(integers(found.direction)),
                   "point"_a = found.point ? py::object(fractions(*found.point)) : py::object(py::none()),
-                  "length"_a = found.length ? py::object(py::make_tuple(fraction(found.length->rational), fraction(found.length->root)))
+                  "length"_a = found.length ? py::object(py::make_tuple(fraction(found.length->rational),
+                                                                        fraction(found.length->root)))
                                             : py::object(py::none()));
 }
 
 py::dict size_of(const ShapeSize& size) {
-  return py::dict("half_space"_a = size.half_space, "terms"_a = size.terms, "points"_a = size.points, "discs"_a = size.discs,
-                  "balls"_a = size.balls, "radius"_a = fraction(size.radius));
+  return py::dict("half_space"_a = size.half_space, "terms"_a = size.terms, "points"_a = size.points,
+                  "discs"_a = size.discs, "balls"_a = size.balls, "radius"_a = fraction(size.radius));
 }
 
 py::dict study_of_shapes(Pair pair, std::size_t listed) {
-  ShapeStudy found = watched(
-      [&](Monitor& monitor) { return study(files::shape_of(pair.a), files::shape_of(pair.b), {.listed = listed, .monitor = &monitor}); });
+  ShapeStudy found = watched([&](Monitor& monitor) {
+    return study(files::shape_of(pair.a), files::shape_of(pair.b), {.listed = listed, .monitor = &monitor});
+  });
   py::dict coincidences;
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
     py::list list;
-    for (const ShapeInvolved& one : found.coincidences[i].listed) list.append(py::dict("a"_a = feature(one.a), "b"_a = feature(one.b)));
+    for (const ShapeInvolved& one : found.coincidences[i].listed)
+      list.append(py::dict("a"_a = feature(one.a), "b"_a = feature(one.b)));
     coincidences[py::str(std::string(shape_coincidence_names[i]))] = coincidence(found.coincidences[i].count, list);
   }
   const py::dict a = size_of(found.a), b = size_of(found.b);
   return studied({std::move(pair.a), std::move(pair.b), {}, {std::move(found.depth)}}, coincidences, {}, a, b);
 }
 
-py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a, const py::object& pose_b) {
+py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a,
+                  const py::object& pose_b) {
   Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
-  return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed) : study_of_polytopes(std::move(pair), listed);
+  return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed)
+                                      : study_of_polytopes(std::move(pair), listed);
 }
 
 // ---- the judge ----
@@ -157,7 +177,9 @@ Value argument(const py::dict& claim, const char* name, const char* expected) tr
   throw py::type_error(std::string(name) + ": expected " + expected + ", found " + shown(claim[name]));
 }
 
-std::string text_argument(const py::dict& claim, const char* name) { return argument<std::string>(claim, name, "a text"); }
+std::string text_argument(const py::dict& claim, const char* name) {
+  return argument<std::string>(claim, name, "a text");
+}
 bool bool_argument(const py::dict& claim, const char* name) { return argument<bool>(claim, name, "True or False"); }
 
 std::optional<double> number_or_none(py::handle from, const char* name) {
@@ -199,7 +221,9 @@ Reply reply_from(const py::dict& claim) {
 Claimed claimed_from(const py::dict& claim) {
   Claimed result;
   result.reply = reply_from(claim);
-  const auto take = [&]<class Value>(const char* name, Value& value) { value = one_of<Value>(name, text_argument(claim, name)); };
+  const auto take = [&]<class Value>(const char* name, Value& value) {
+    value = one_of<Value>(name, text_argument(claim, name));
+  };
   take("touching", result.conventions.touching);
   take("sign", result.conventions.depth);
   take("moves", result.conventions.moves);
@@ -212,7 +236,9 @@ Claimed claimed_from(const py::dict& claim) {
   result.tolerance.absolute = number_from(claim["absolute"]);
   const std::string policy = text_argument(claim, "policy");
   const std::optional<Policy> known = judging::policy_of(policy);
-  if (!known) throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy + "'");
+  if (!known)
+    throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy +
+                          "'");
   result.tolerance.policy = *known;
   return result;
 }
@@ -220,8 +246,10 @@ Claimed claimed_from(const py::dict& claim) {
 /// A body of any kind, as an implementation of this format sees it.
 Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
   const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
-  std::optional<Body> body = judging::body_seen(is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name), format);
-  if (!body) throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
+  std::optional<Body> body =
+      judging::body_seen(is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name), format);
+  if (!body)
+    throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
   return *std::move(body);
 }
 
@@ -233,7 +261,9 @@ py::object in_python(const mpq_class& value) { return fraction(value); }
 py::object in_python(const Between& value) { return py::make_tuple(value.low, value.high); }
 py::object in_python(Verdict value) { return py::str(std::string(name(value))); }
 py::object in_python(Accuracy value) { return py::str(std::string(name(value))); }
-py::object in_python(const std::optional<Status>& value) { return py::str(value ? std::string(name(*value)) : "undecided"); }
+py::object in_python(const std::optional<Status>& value) {
+  return py::str(value ? std::string(name(*value)) : "undecided");
+}
 py::object in_python(const UnionBounds& value) {
   return py::dict("squared"_a = fraction(value.deepest_pair), "pieces"_a = py::make_tuple(value.a, value.b));
 }
@@ -247,7 +277,8 @@ py::object in_python(const std::optional<T>& value) {
   return value ? in_python(*value) : py::object(py::none());
 }
 
-py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a, const py::object& pose_b) {
+py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a,
+                const py::object& pose_b) {
   const Claimed claimed = claimed_from(claim);
   const Body seen_a = seen_from(a, pose_a, claimed.format, "a"), seen_b = seen_from(b, pose_b, claimed.format, "b");
   const Judgement found = watched([&](Monitor& monitor) {

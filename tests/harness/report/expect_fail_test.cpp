@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strict list of known failures: every way in which run and list can disagree is found, and a written list agrees with its run.
+// The strict list of known failures: every way in which run and list can disagree is found, and a
+// written list agrees with its run.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -21,7 +22,9 @@ using testing::outcome;
 using Check = ExpectedFailures::Check;
 using Outcomes = std::vector<Outcome>;
 
-Check check(const std::string& list, const Outcomes& outcomes) { return ExpectedFailures::parse(list, "known").check(outcomes); }
+Check check(const std::string& list, const Outcomes& outcomes) {
+  return ExpectedFailures::parse(list, "known").check(outcomes);
+}
 
 std::string refusal(const std::string& list) {
   try {
@@ -35,9 +38,10 @@ std::string refusal(const std::string& list) {
 using Sentences = std::vector<std::string>;
 
 TEST(ExpectedFailures, AgreesWithWhatItLists) {
-  const Check result = check("# why\n\n  too-deep a::1 # known upstream\r\nnot-invariant\ta::1~swap\ncrash b",
-                             {outcome("a::1", Verdict::too_deep), outcome("a::1", Verdict::not_invariant, "swap"),
-                              outcome("a::2", Verdict::pass), outcome("b", Verdict::crash), outcome("c", Verdict::unsupported)});
+  const Check result =
+      check("# why\n\n  too-deep a::1 # known upstream\r\nnot-invariant\ta::1~swap\ncrash b",
+            {outcome("a::1", Verdict::too_deep), outcome("a::1", Verdict::not_invariant, "swap"),
+             outcome("a::2", Verdict::pass), outcome("b", Verdict::crash), outcome("c", Verdict::unsupported)});
   EXPECT_TRUE(result.ok());
   EXPECT_EQ(result.allowed, (std::set<std::string>{"crash b", "not-invariant a::1~swap", "too-deep a::1"}));
 }
@@ -89,7 +93,8 @@ TEST(ExpectedFailures, LinesThatAreNone) {
   EXPECT_EQ(refusal("pass a"), "known:1: 'pass' is no failure");
   EXPECT_EQ(refusal("unsupported a"), "known:1: 'unsupported' is no failure");
   EXPECT_EQ(refusal("nan  # an id is missing"), "known:1: expected the id of a case after 'nan'");
-  EXPECT_EQ(refusal("nan an id"), "known:1: expected nothing but a comment after the id, found 'id'; a blank in an id is %20");
+  EXPECT_EQ(refusal("nan an id"),
+            "known:1: expected nothing but a comment after the id, found 'id'; a blank in an id is %20");
   for (const std::string id : {"a%", "a%2", "a%2g", "%%", "a~b~c", "a\x01", "~%"})
     EXPECT_EQ(refusal("nan " + id).empty(), id == "~%") << id;
   EXPECT_EQ(refusal(""), "");

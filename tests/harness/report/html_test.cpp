@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page: well-formed whatever others say, self-contained, nothing lost, and which failures it shows.
+// The page: well-formed whatever others say, self-contained, nothing lost, and which failures it
+// shows.
 #include "verify/harness/report/html.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,9 @@ using testing::subject;
 using Outcomes = std::vector<Outcome>;
 using Failures = std::vector<HtmlFailure>;
 
-Case cubes(const std::string& id, const mpq_class& x) { return {id, families::translated(families::cube(), {x, 0, 0}), families::cube()}; }
+Case cubes(const std::string& id, const mpq_class& x) {
+  return {id, families::translated(families::cube(), {x, 0, 0}), families::cube()};
+}
 
 /// As the harness would: one answer, judged.
 HtmlFailure failure(const Case& seen, const Reply& reply) {
@@ -57,7 +60,8 @@ void check_policy(const Element& page) {
   const Element& policy = *page.all("meta").at(1);
   EXPECT_EQ(policy["http-equiv"], "Content-Security-Policy");
   EXPECT_TRUE(policy["content"].starts_with("default-src 'none'; script-src 'sha256-")) << policy["content"];
-  for (const std::string unsafe : {"unsafe", "http", "*"}) EXPECT_EQ(policy["content"].find(unsafe), std::string::npos) << unsafe;
+  for (const std::string unsafe : {"unsafe", "http", "*"})
+    EXPECT_EQ(policy["content"].find(unsafe), std::string::npos) << unsafe;
   EXPECT_EQ(page.all("script").size(), 1u);
 }
 
@@ -71,7 +75,8 @@ void check_pictures(const Element& page) {
   for (const Element* path : page.all("path")) EXPECT_TRUE((*path)["d"].starts_with("M"));
 }
 
-/// Reads the page and checks what every page must be: self-contained, with unique ids, no dangling link, and an accessible structure.
+/// Reads the page and checks what every page must be: self-contained, with unique ids, no dangling
+/// link, and an accessible structure.
 Element read_page(const std::string& text) {
   Element page = testing::read_xml(text);
   check_policy(page);
@@ -97,7 +102,8 @@ Element read_page(const std::string& text) {
     });
   for (const Element* picture : page.all("svg")) {
     if (picture->attributes.contains("aria-hidden")) continue;
-    EXPECT_EQ(std::pair(picture->children.at(0).name, picture->children.at(1).name), std::pair(std::string("title"), std::string("desc")));
+    EXPECT_EQ(std::pair(picture->children.at(0).name, picture->children.at(1).name),
+              std::pair(std::string("title"), std::string("desc")));
     EXPECT_TRUE((*picture)["aria-labelledby"].starts_with(picture->children[0]["id"]));
   }
   EXPECT_EQ(page.all("h1").size(), 1u);
@@ -118,11 +124,12 @@ TEST(Html, AFailureInFull) {
   reply.direction = Triple{0.6, 0.8, 0};
   const HtmlFailure deep = failure(cubes("cubes::deep", mpq_class(3, 2)), reply);
   ASSERT_EQ(deep.outcome.verdict, Verdict::too_deep);
-  const Element page = read_page(html_page(subject(), Outcomes{deep.outcome, judged("cubes::2", Verdict::pass, 0, 0)}, Failures{deep}, {}));
+  const Element page = read_page(
+      html_page(subject(), Outcomes{deep.outcome, judged("cubes::2", Verdict::pass, 0, 0)}, Failures{deep}, {}));
   ASSERT_EQ(page.all("article").size(), 1u);
   const Element& article = *page.all("article")[0];
-  for (const std::string what : {"cubes::deep", "too-deep", "0.75", "(0.6, 0.8, 0)", "0.5 (squared: 1/4)", "depth^2 = 1/4", "a.cert",
-                                 "translation of A = (1/2, 0, 0)", "(0.5, 0, 0)"})
+  for (const std::string what : {"cubes::deep", "too-deep", "0.75", "(0.6, 0.8, 0)", "0.5 (squared: 1/4)",
+                                 "depth^2 = 1/4", "a.cert", "translation of A = (1/2, 0, 0)", "(0.5, 0, 0)"})
     EXPECT_TRUE(says(article, what)) << what;
   EXPECT_TRUE(says(article, deep.outcome.judgement->sentence));
   ASSERT_GE(article.all("svg").size(), 1u);
@@ -135,7 +142,8 @@ TEST(Html, AFailureInFull) {
   EXPECT_TRUE(says(page, "relative 1/1000, absolute 1/1000000 of the extent"));
 }
 
-// Of every family, with claims that are right, absurd and useless: a picture that stays in bounds, for flat, tiny and huge bodies too.
+// Of every family, with claims that are right, absurd and useless: a picture that stays in bounds,
+// for flat, tiny and huge bodies too.
 TEST(Html, PicturesOfAllFamilies) {
   Failures failures;
   Outcomes outcomes;
@@ -184,17 +192,21 @@ TEST(Html, WhatIsNoCasesFault) {
 TEST(Html, WellFormedWhateverOthersSay) {
   SubjectInfo info = subject();
   info.name = info.version = info.library = info.settings[testing::hostile()] = testing::hostile();
-  HtmlFailure bad{judged(testing::hostile(), Verdict::too_deep, -INFINITY, NAN), cubes(testing::hostile(), 1), testing::hostile()};
+  HtmlFailure bad{judged(testing::hostile(), Verdict::too_deep, -INFINITY, NAN), cubes(testing::hostile(), 1),
+                  testing::hostile()};
   bad.outcome.detail = bad.outcome.variant = testing::hostile();
   bad.outcome.judgement->sentence = testing::hostile();
-  const Element page = read_page(html_page(info, Outcomes{bad.outcome, outcome("</td>\xff", Verdict::garbage)}, Failures{bad}, {}));
+  const Element page =
+      read_page(html_page(info, Outcomes{bad.outcome, outcome("</td>\xff", Verdict::garbage)}, Failures{bad}, {}));
   EXPECT_TRUE(says(page, "</td>\\xff"));
 }
 
 TEST(Html, Histograms) {
   Outcomes outcomes;
-  for (const double error : {0.0, 1e-16, 2e-16, 5e-9, -0.3}) outcomes.push_back(judged("a::1", Verdict::pass, error, 0));
-  for (const double error : {-0.0, 1e-40, 1e40, double{INFINITY}}) outcomes.push_back(judged("a::2", Verdict::too_deep, error, 0));
+  for (const double error : {0.0, 1e-16, 2e-16, 5e-9, -0.3})
+    outcomes.push_back(judged("a::1", Verdict::pass, error, 0));
+  for (const double error : {-0.0, 1e-40, 1e40, double{INFINITY}})
+    outcomes.push_back(judged("a::2", Verdict::too_deep, error, 0));
   const Element page = read_page(html_page(subject(), outcomes, {}, {}));
   std::vector<const Element*> charts;
   for (const Element* picture : page.all("svg"))
@@ -202,16 +214,18 @@ TEST(Html, Histograms) {
   ASSERT_EQ(charts.size(), 2u) << "relative, and in uR";
   std::multiset<std::string> titles;
   for (const Element* bar : charts[0]->all("rect")) titles.insert(bar->children.at(0).text);
-  EXPECT_EQ(titles, (std::multiset<std::string>{"pass: 1 case from 1e-1 to 1e0", "pass: 1 case from 1e-9 to 1e-8",
-                                                "pass: 1 case with no error at all", "pass: 2 cases from 1e-16 to 1e-15",
-                                                "too-deep: 1 case below 1e-17", "too-deep: 1 case with no error at all",
-                                                "too-deep: 2 cases from 1e18 on"}));
+  EXPECT_EQ(titles,
+            (std::multiset<std::string>{"pass: 1 case from 1e-1 to 1e0", "pass: 1 case from 1e-9 to 1e-8",
+                                        "pass: 1 case with no error at all", "pass: 2 cases from 1e-16 to 1e-15",
+                                        "too-deep: 1 case below 1e-17", "too-deep: 1 case with no error at all",
+                                        "too-deep: 2 cases from 1e18 on"}));
 }
 
 TEST(Html, ThousandsOfFailures) {
   Outcomes outcomes;
   Failures failures;
-  for (int i = 0; i < 6000; ++i) outcomes.push_back(judged("many::" + std::to_string(i), Verdict::too_shallow, -1e-3 * i, 1));
+  for (int i = 0; i < 6000; ++i)
+    outcomes.push_back(judged("many::" + std::to_string(i), Verdict::too_shallow, -1e-3 * i, 1));
   outcomes.push_back(judged("rare::1", Verdict::too_shallow, -1e-9, 1));
   outcomes.push_back(judged("many::x", Verdict::too_deep, 1e-9, 1));
   for (const Outcome& each : outcomes) failures.push_back({each, cubes(each.id, 1), ""});
@@ -230,19 +244,23 @@ std::vector<std::vector<std::string>> rows_of(const Element& page, const std::st
     if (!element.attributes.contains("id") || element["id"] != id) return;
     for (const Element* row : element.all("tr")) {
       rows.emplace_back();
-      for (const Element& cell : row->children) rows.back().push_back(cell.children.empty() ? cell.text : cell.children[0].text);
+      for (const Element& cell : row->children)
+        rows.back().push_back(cell.children.empty() ? cell.text : cell.children[0].text);
     }
   });
   return rows;
 }
 
-// A crash says nothing about the depth: it is shown, with the bodies, behind the answers that are wrong.
+// A crash says nothing about the depth: it is shown, with the bodies, behind the answers that are
+// wrong.
 TEST(Html, WrongAnswersBeforeThoseThatAreNotThere) {
   Failures failures;
   Outcomes outcomes{judged("fine", Verdict::pass, 0, 0), outcome("touch", Verdict::touching_by_convention),
                     outcome("not mine", Verdict::unsupported)};
-  for (const Verdict verdict : {Verdict::crash, Verdict::time_out}) failures.push_back({outcome("lost", verdict), cubes("lost", 1), ""});
-  for (const auto& [id, error] : {std::pair{"deep little", 0.25}, std::pair{"deep most", 4.0}, std::pair{"deep more", 0.5}})
+  for (const Verdict verdict : {Verdict::crash, Verdict::time_out})
+    failures.push_back({outcome("lost", verdict), cubes("lost", 1), ""});
+  for (const auto& [id, error] :
+       {std::pair{"deep little", 0.25}, std::pair{"deep most", 4.0}, std::pair{"deep more", 0.5}})
     failures.push_back({judged(id, Verdict::too_deep, error, 1), cubes("deep", 1), ""});
   for (const HtmlFailure& each : failures) outcomes.push_back(each.outcome);
   const Element page = read_page(html_page(subject(), outcomes, failures, {}));
@@ -258,22 +276,28 @@ TEST(Html, WrongAnswersBeforeThoseThatAreNotThere) {
   EXPECT_EQ(cards, (std::vector<std::string>{"deep most", "deep more", "deep little", "lost", "lost"}));
   std::vector<std::string> ids;
   for (const auto& row : rows_of(page, "cases")) ids.push_back(row.at(0));
-  EXPECT_EQ(ids, (std::vector<std::string>{"deep most", "deep more", "deep little", "lost", "lost", "not mine", "touch", "fine"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"deep most", "deep more", "deep little", "lost", "lost", "not mine", "touch",
+                                           "fine"}));
 }
 
 // The bar, its legend, the line above it, both tables and the filter count the same cases.
 TEST(Html, CountsAgree) {
   Outcomes outcomes;
-  std::map<Verdict, std::size_t> counts{
-      {Verdict::pass, 5}, {Verdict::touching_by_convention, 2}, {Verdict::unsupported, 1}, {Verdict::too_deep, 3}, {Verdict::crash, 4}};
+  std::map<Verdict, std::size_t> counts{{Verdict::pass, 5},
+                                        {Verdict::touching_by_convention, 2},
+                                        {Verdict::unsupported, 1},
+                                        {Verdict::too_deep, 3},
+                                        {Verdict::crash, 4}};
   for (const auto& [verdict, count] : counts)
-    for (std::size_t i = 0; i < count; ++i) outcomes.push_back(outcome("a::" + std::to_string(outcomes.size()), verdict));
+    for (std::size_t i = 0; i < count; ++i)
+      outcomes.push_back(outcome("a::" + std::to_string(outcomes.size()), verdict));
   const Element page = read_page(html_page(subject(), outcomes, {}, {}));
   EXPECT_TRUE(says(page, "15 cases: 7 pass, 7 fail, 1 unsupported"));
   EXPECT_TRUE(says(page, "Passes are pass and touching-by-convention: 5 + 2."));
   const Element& bar = *page.all("figure").at(0);
   std::map<std::string, std::string> legend;
-  for (const Element* item : bar.all("li")) legend[item->text.substr(item->text.find_last_of(' ') + 1)] = item->all("b").at(0)->text;
+  for (const Element* item : bar.all("li"))
+    legend[item->text.substr(item->text.find_last_of(' ') + 1)] = item->all("b").at(0)->text;
   double width = 0;
   for (const Element& part : bar.children.at(0).children)
     if (part.name == "rect") width += std::stod(part["width"]);
@@ -283,11 +307,14 @@ TEST(Html, CountsAgree) {
     EXPECT_EQ(legend[word], std::to_string(count)) << word;
     EXPECT_TRUE(says(page, word + " (" + std::to_string(count) + ")")) << "the filter: " << word;
     const auto rows = rows_of(page, "cases");
-    EXPECT_EQ(std::ranges::count(rows, word, [](const auto& row) { return row.at(1); }), static_cast<std::ptrdiff_t>(count)) << word;
+    EXPECT_EQ(std::ranges::count(rows, word, [](const auto& row) { return row.at(1); }),
+              static_cast<std::ptrdiff_t>(count))
+        << word;
   }
   const Element& all = *page.all("tbody").at(0)->all("tr").at(0);
   std::vector<std::string> cells;
-  for (const Element* cell : all.all("td")) cells.push_back(cell->children.empty() ? cell->text : cell->children[0].text);
+  for (const Element* cell : all.all("td"))
+    cells.push_back(cell->children.empty() ? cell->text : cell->children[0].text);
   EXPECT_EQ(cells, (std::vector<std::string>{"15", "7", "5", "2", "4", "3", "1"})) << "cases, passes, and each verdict";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JUnit XML: well-formed whatever others say, built as the JUnit schema has it, and every verdict in its place.
+// JUnit XML: well-formed whatever others say, built as the JUnit schema has it, and every verdict
+// in its place.
 #include "verify/harness/report/junit.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ void expect_counts(const Element& element) {
   EXPECT_EQ(number(element, "skipped"), element.all("skipped").size());
 }
 
-/// The structure of the JUnit schema that CI systems read: elements, order, attributes, and counts that are right.
+/// The structure of the JUnit schema that CI systems read: elements, order, attributes, and counts
+/// that are right.
 Element read_junit(const std::string& text) {
   const Element root = testing::read_xml(text);
   EXPECT_EQ(root.name, "testsuites");
@@ -47,9 +49,11 @@ Element read_junit(const std::string& text) {
     for (std::size_t i = 1; i < suite.children.size(); ++i) {
       const Element& test = suite.children[i];
       EXPECT_EQ(test.name, "testcase");
-      EXPECT_TRUE(test.attributes.contains("name") && test.attributes.contains("classname") && test.attributes.contains("time"));
+      EXPECT_TRUE(test.attributes.contains("name") && test.attributes.contains("classname") &&
+                  test.attributes.contains("time"));
       EXPECT_LE(test.children.size(), 1u);
-      for (const Element& child : test.children) EXPECT_TRUE((std::set<std::string>{"failure", "error", "skipped"}).contains(child.name));
+      for (const Element& child : test.children)
+        EXPECT_TRUE((std::set<std::string>{"failure", "error", "skipped"}).contains(child.name));
     }
   }
   return root;
@@ -74,22 +78,24 @@ TEST(Junit, EachVerdictInItsPlace) {
   for (const std::string verdict : {"pass", "touching-by-convention"}) EXPECT_EQ(child(root, verdict), "") << verdict;
   EXPECT_EQ(child(root, "unsupported"), "skipped");
   EXPECT_EQ(root.all("failure").size(), 13u);
-  for (const Element* failure : root.all("failure")) EXPECT_EQ((*failure)["type"], (*failure)["message"]) << "no sentence: the verdict";
+  for (const Element* failure : root.all("failure"))
+    EXPECT_EQ((*failure)["type"], (*failure)["message"]) << "no sentence: the verdict";
 }
 
 TEST(Junit, SuitesAreFamilies) {
   Outcome crash = outcome("b::1", Verdict::crash);
   crash.detail = "killed by signal 11";
   crash.seconds = 1.25;
-  const Element root =
-      read_junit(junit_xml(subject(), Outcomes{judged("b::2", Verdict::too_deep, 1, 1), judged("a-n8-s1", Verdict::pass, 0, 0), crash,
-                                               outcome("alone", Verdict::pass), outcome("b::2", Verdict::not_invariant, "swap")}));
+  const Element root = read_junit(junit_xml(
+      subject(), Outcomes{judged("b::2", Verdict::too_deep, 1, 1), judged("a-n8-s1", Verdict::pass, 0, 0), crash,
+                          outcome("alone", Verdict::pass), outcome("b::2", Verdict::not_invariant, "swap")}));
   ASSERT_EQ(root.children.size(), 3u);
   EXPECT_EQ(root["name"], "fathom certify demo 2.1 (libccd, binary64)");
   EXPECT_EQ(root.children[0]["name"], "demo");
   EXPECT_EQ(root.children[1]["name"], "demo.a");
   const Element& b = root.children[2];
-  EXPECT_EQ(std::tuple(b["name"], b["tests"], b["failures"], b["errors"], b["time"]), std::tuple("demo.b", "3", "2", "1", "1.250000"));
+  EXPECT_EQ(std::tuple(b["name"], b["tests"], b["failures"], b["errors"], b["time"]),
+            std::tuple("demo.b", "3", "2", "1", "1.250000"));
   const Element *deep = b.all("testcase")[0], *dead = b.all("testcase")[1], *swapped = b.all("testcase")[2];
   EXPECT_EQ(std::tuple((*deep)["name"], (*deep)["classname"], deep->children[0]["message"], deep->children[0]["type"]),
             std::tuple("b::2", "demo.b", "a sentence about b::2", "too-deep"));
@@ -132,7 +138,9 @@ TEST(Junit, WellFormedWhateverOthersSay) {
   Outcome bad = judged(testing::hostile(), Verdict::too_deep, 1, 1);
   bad.detail = bad.variant = testing::hostile();
   const auto known = ExpectedFailures::parse("nan gone%00%ff%3c", "list").check(Outcomes{bad});
-  EXPECT_EQ(read_junit(junit_xml(info, Outcomes{bad, outcome(testing::hostile() + "::", Verdict::crash)}, known)).children.size(), 3u);
+  EXPECT_EQ(read_junit(junit_xml(info, Outcomes{bad, outcome(testing::hostile() + "::", Verdict::crash)}, known))
+                .children.size(),
+            3u);
   EXPECT_TRUE(rc::check("well-formed", [](const std::string& id, const std::string& detail) {
     Outcome any = outcome(id, Verdict::garbage);
     any.detail = detail;

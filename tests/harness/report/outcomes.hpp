@@ -36,7 +36,8 @@ inline SubjectInfo subject() {
   return result;
 }
 
-/// Everything that breaks careless writers: markup, control characters, line ends, bytes that are not UTF-8, and characters that are.
+/// Everything that breaks careless writers: markup, control characters, line ends, bytes that are
+/// not UTF-8, and characters that are.
 inline std::string hostile() {
   using namespace std::string_literals;
   return "<&>\"']]>\t\n\r\0\x01\x1b\x7f\x80\xff\xc0\xaf\xed\xa0\x80\xef\xbf\xbe\xf4\x90\x80\x80 \xc3\xa9\xe2\x88\x9a\xf0\x9f\x98\x80%~# -->\xc3"s;

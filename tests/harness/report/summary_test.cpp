@@ -69,10 +69,13 @@ TEST(Summary, Table) {
   const std::string table = summary.table(testing::subject());
   const auto lines = lines_of(table);
   EXPECT_EQ(lines[0], "demo 2.1 (libccd, binary64)");
-  EXPECT_EQ(lines[1], "conventions  bodies that touch are either; the depth is positive; A moves; directions have length 1");
+  EXPECT_EQ(lines[1],
+            "conventions  bodies that touch are either; the depth is positive; A moves; directions have length 1");
   EXPECT_EQ(lines[2], "settings     epa_tolerance = 1e-4; max_iterations = 1000");
-  // cases, pass, crash, too-deep, too-shallow, not-invariant, unsupported; worst and median, relative and in uR
-  EXPECT_EQ(row(table, "cubes"), (Words{"cubes", "3", "1", ".", "1", "1", ".", ".", "-0.5", "0.25", "-2e+12", "1e+12"}));
+  // cases, pass, crash, too-deep, too-shallow, not-invariant, unsupported; worst and median,
+  // relative and in uR
+  EXPECT_EQ(row(table, "cubes"),
+            (Words{"cubes", "3", "1", ".", "1", "1", ".", ".", "-0.5", "0.25", "-2e+12", "1e+12"}));
   EXPECT_EQ(row(table, "balls"), (Words{"balls", "2", "1", ".", ".", ".", ".", "1", "1e-16", "1e-16", "0.5", "0.5"}));
   EXPECT_EQ(row(table, "(no"), (Words{"(no", "family)", "1", ".", "1", ".", ".", ".", ".", ".", ".", ".", "."}));
   EXPECT_EQ(row(table, "~swap"), (Words{"~swap", "1", ".", ".", ".", ".", "1", ".", ".", ".", ".", "."}));
@@ -89,9 +92,9 @@ TEST(Summary, ClassesOfPasses) {
     passed.judgement->accuracy = accuracy;
     summary.add(passed);
   }
-  EXPECT_NE(
-      summary.table({}).find("\npasses       correctly rounded: 2; 1e-6: 1\njudged       overlap in 0 of 3 cases\nwords        relative: "),
-      std::string::npos);
+  EXPECT_NE(summary.table({}).find("\npasses       correctly rounded: 2; 1e-6: 1\njudged       overlap in 0 of 3 "
+                                   "cases\nwords        relative: "),
+            std::string::npos);
 }
 
 Outcome answered(bool overlap, bool depth, bool direction, bool witness_b) {
@@ -105,24 +108,30 @@ Outcome answered(bool overlap, bool depth, bool direction, bool witness_b) {
   return result;
 }
 
-// What no depth stands beside is not judged, and neither is half a pair of points. Of bodies that are said to be apart a distance counts.
+// What no depth stands beside is not judged, and neither is half a pair of points. Of bodies that
+// are said to be apart a distance counts.
 TEST(Summary, WhatWasJudged) {
   Summary summary;
   EXPECT_EQ(coverage_warning(summary.tally().all().judged), "");
-  for (const Outcome& each : {answered(true, false, true, true), answered(true, false, false, false), answered(false, false, true, true)})
+  for (const Outcome& each :
+       {answered(true, false, true, true), answered(true, false, false, false), answered(false, false, true, true)})
     summary.add(each);
-  EXPECT_TRUE(coverage_warning(summary.tally().all().judged).starts_with("depth judged 0 of 2: ")) << "of those that overlap";
+  EXPECT_TRUE(coverage_warning(summary.tally().all().judged).starts_with("depth judged 0 of 2: "))
+      << "of those that overlap";
   EXPECT_NE(
-      summary.table({}).find("\njudged       overlap in 3 of 3 cases; depth in 0 of 2 said to overlap; direction in 0; witness in 0\n"),
+      summary.table({}).find(
+          "\njudged       overlap in 3 of 3 cases; depth in 0 of 2 said to overlap; direction in 0; witness in 0\n"),
       std::string::npos);
   for (const Outcome& each : {answered(true, true, true, false), answered(true, true, false, true)}) summary.add(each);
   summary.add(outcome("a::2", Verdict::crash));
   EXPECT_NE(
-      summary.table({}).find("\njudged       overlap in 5 of 6 cases; depth in 2 of 4 said to overlap; direction in 1; witness in 1\n"),
+      summary.table({}).find(
+          "\njudged       overlap in 5 of 6 cases; depth in 2 of 4 said to overlap; direction in 1; witness in 1\n"),
       std::string::npos);
   summary.add(answered(false, true, true, true));
-  EXPECT_NE(summary.table({}).find("\njudged       overlap in 6 of 7 cases; distance in 1 of 2 said to be apart; depth in 2 of 4 said to "
-                                   "overlap; direction in 1; witness in 1\n"),
+  EXPECT_NE(summary.table({}).find(
+                "\njudged       overlap in 6 of 7 cases; distance in 1 of 2 said to be apart; depth in 2 of 4 said to "
+                "overlap; direction in 1; witness in 1\n"),
             std::string::npos);
   EXPECT_EQ(coverage_warning(summary.tally().all().judged), "");
   Outcome manifold = answered(true, true, true, false);
@@ -151,9 +160,9 @@ TEST(Summary, SolidAndMetreSizedCasesApart) {
   EXPECT_NE(table.find("\nsolid       1"), std::string::npos) << table;
   EXPECT_EQ(table.find("\nmetre-sized"), std::string::npos) << "as many as all";
   EXPECT_NE(table.find("\nboth        1"), std::string::npos) << table;
-  EXPECT_NE(
-      table.find("price        median 0.125 above the depth, worst 0.25, of 3 directions; 1 longer translation passes by the policy\n"),
-      std::string::npos)
+  EXPECT_NE(table.find("price        median 0.125 above the depth, worst 0.25, of 3 directions; 1 longer translation "
+                       "passes by the policy\n"),
+            std::string::npos)
       << table;
 }
 
@@ -164,7 +173,8 @@ TEST(Summary, WorstFailuresByName) {
   Summary summary;
   for (const Outcome& each : outcomes) summary.add(each);
   const std::string table = summary.table({}, outcomes, {"here", "there"});
-  EXPECT_NE(table.find("\n  crash             e ~swap\n  too-deep          c; d; a\nsee          here; there\n"), std::string::npos)
+  EXPECT_NE(table.find("\n  crash             e ~swap\n  too-deep          c; d; a\nsee          here; there\n"),
+            std::string::npos)
       << table;
   EXPECT_EQ(Summary().table({}, {}, {"here"}).find("here"), std::string::npos) << "nothing failed";
 }
@@ -174,7 +184,8 @@ TEST(Summary, WhatIsNoCasesFault) {
   summary.add(judged("a::1", Verdict::pass, 0, 0));
   for (const char* detail : {"wrote 'x'", "killed", "wrote 'x'"}) summary.add(Unattributed{"a::1", detail});
   EXPECT_EQ(summary.unattributed(), 3u);
-  EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\nwords "), std::string::npos) << summary.table({});
+  EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\nwords "), std::string::npos)
+      << summary.table({});
 }
 
 TEST(Summary, OfNothing) {
@@ -183,17 +194,20 @@ TEST(Summary, OfNothing) {
   EXPECT_EQ(lines_of(table).back(), "0 cases: 0 pass, 0 fail");
 }
 
-// All verdicts, long names, hostile bytes, many families: 140 columns of ASCII, every count once, the errors in one block.
+// All verdicts, long names, hostile bytes, many families: 140 columns of ASCII, every count once,
+// the errors in one block.
 TEST(Summary, NeverWiderThanItMay) {
   Summary summary;
   SubjectInfo subject = testing::subject();
   subject.name = testing::hostile();
-  for (int i = 0; i < 40; ++i) subject.settings["setting" + std::to_string(i)] = std::string(static_cast<std::size_t>(i * 7), 'x');
+  for (int i = 0; i < 40; ++i)
+    subject.settings["setting" + std::to_string(i)] = std::string(static_cast<std::size_t>(i * 7), 'x');
   for (std::size_t i = 0; i < verdict_count; ++i)
-    summary.add(
-        judged(testing::hostile() + std::to_string(i) + std::string(i * 4, 'f') + "::1", static_cast<Verdict>(i), -1.25e-300, 1e300));
+    summary.add(judged(testing::hostile() + std::to_string(i) + std::string(i * 4, 'f') + "::1",
+                       static_cast<Verdict>(i), -1.25e-300, 1e300));
   for (int i = 0; i < 300; ++i)
-    summary.add(judged("family" + std::to_string(i) + "::1", Verdict::pass, std::numeric_limits<double>::infinity(), 0));
+    summary.add(
+        judged("family" + std::to_string(i) + "::1", Verdict::pass, std::numeric_limits<double>::infinity(), 0));
   const std::string table = summary.table(subject), all = summary.table(subject, {}, {}, 140, true);
   EXPECT_EQ(table.find("\nfamily299"), std::string::npos);
   EXPECT_NE(all.find("\nfamily299"), std::string::npos);

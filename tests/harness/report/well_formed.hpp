@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A strict reader of the XML that reports are made of: it accepts less than XML 1.0 allows, and nothing else.
+// A strict reader of the XML that reports are made of: it accepts less than XML 1.0 allows, and
+// nothing else.
 #pragma once
 
 #include <cctype>
@@ -63,7 +64,8 @@ class XmlReader {
   }
   std::string name() {
     std::string result;
-    for (; !text_.empty() && (std::isalnum(static_cast<unsigned char>(text_[0])) || text_[0] == '-'); text_.remove_prefix(1))
+    for (; !text_.empty() && (std::isalnum(static_cast<unsigned char>(text_[0])) || text_[0] == '-');
+         text_.remove_prefix(1))
       result += text_[0];
     require(!result.empty(), "expected a name");
     return result;
@@ -77,19 +79,23 @@ class XmlReader {
     const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
     require((byte < 0x80 || byte >= 0xc2) && byte <= 0xf4 && text_.size() >= length, "no UTF-8");
     const std::string result(text_.substr(0, length));
-    for (std::size_t i = 1; i < length; ++i) require((static_cast<unsigned char>(result[i]) & 0xc0U) == 0x80, "no UTF-8");
+    for (std::size_t i = 1; i < length; ++i)
+      require((static_cast<unsigned char>(result[i]) & 0xc0U) == 0x80, "no UTF-8");
     for (const std::string_view bad : {"\xef\xbf\xbe", "\xef\xbf\xbf"}) require(result != bad, "U+FFFE, U+FFFF");
     if (length > 1) {
       const auto second = static_cast<unsigned char>(result[1]);
-      require(!(byte == 0xe0 && second < 0xa0) && !(byte == 0xed && second >= 0xa0), "no UTF-8: overlong, or a surrogate");
-      require(!(byte == 0xf0 && second < 0x90) && !(byte == 0xf4 && second >= 0x90), "no UTF-8: overlong, or beyond U+10FFFF");
+      require(!(byte == 0xe0 && second < 0xa0) && !(byte == 0xed && second >= 0xa0),
+              "no UTF-8: overlong, or a surrogate");
+      require(!(byte == 0xf0 && second < 0x90) && !(byte == 0xf4 && second >= 0x90),
+              "no UTF-8: overlong, or beyond U+10FFFF");
     }
     text_.remove_prefix(length);
     return result;
   }
   std::string reference() {
-    static const std::map<std::string_view, std::string> known{{"&amp;", "&"}, {"&lt;", "<"},  {"&gt;", ">"},   {"&quot;", "\""},
-                                                               {"&#39;", "'"}, {"&#9;", "\t"}, {"&#10;", "\n"}, {"&#13;", "\r"}};
+    static const std::map<std::string_view, std::string> known{{"&amp;", "&"},   {"&lt;", "<"},  {"&gt;", ">"},
+                                                               {"&quot;", "\""}, {"&#39;", "'"}, {"&#9;", "\t"},
+                                                               {"&#10;", "\n"},  {"&#13;", "\r"}};
     for (const auto& [written, meant] : known)
       if (accept(written)) return meant;
     require(false, "an unknown reference");

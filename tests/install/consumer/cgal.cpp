@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies over many kernels of CGAL, straight into fathom. Prints what differs from the expected answer; 0 if nothing does.
+// Bodies over many kernels of CGAL, straight into fathom. Prints what differs from the expected answer; 0 if nothing
+// does.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
@@ -51,7 +52,8 @@ const std::vector<fathom::Point> cube = [] {
   return corners;
 }();
 
-/// The cube against the tetrahedron of size s = 1/2 + 1: across the diagonal plane they are s / sqrt(3) deep, along an axis 1.
+/// The cube against the tetrahedron of size s = 1/2 + 1: across the diagonal plane they are s / sqrt(3) deep, along an
+/// axis 1.
 template <class K>
 void expect_right(const typename K::FT& size, std::string_view kernel) {
   const auto points = tetrahedron<K>(size);
@@ -76,16 +78,19 @@ void kernels() {
   expect_right<CGAL::Simple_cartesian<float>>(1.5F, "float");
   expect_right<CGAL::Simple_cartesian<mpq_class>>(mpq_class(3, 2), "mpq_class");
   expect_right<CGAL::Simple_cartesian<CGAL::Gmpq>>(CGAL::Gmpq(3, 2), "Gmpq");
-  expect_right<CGAL::Simple_cartesian<boost::multiprecision::mpq_rational>>(boost::multiprecision::mpq_rational(3, 2), "mpq_rational");
+  expect_right<CGAL::Simple_cartesian<boost::multiprecision::mpq_rational>>(boost::multiprecision::mpq_rational(3, 2),
+                                                                            "mpq_rational");
   expect_right<CGAL::Simple_cartesian<CGAL::MP_Float>>(CGAL::MP_Float(1.5), "MP_Float");
-  expect_right<CGAL::Simple_cartesian<CGAL::Quotient<CGAL::MP_Float>>>(CGAL::Quotient<CGAL::MP_Float>(3, 2), "Quotient<MP_Float>");
+  expect_right<CGAL::Simple_cartesian<CGAL::Quotient<CGAL::MP_Float>>>(CGAL::Quotient<CGAL::MP_Float>(3, 2),
+                                                                       "Quotient<MP_Float>");
   expect_right<CGAL::Homogeneous<CGAL::Gmpz>>(CGAL::Quotient<CGAL::Gmpz>(3, 2), "Homogeneous<Gmpz>");
   const mpq_class third(1, 3);
   expect_same_number<Epeck>(third, "to Epeck");
   expect_same_number<CGAL::Simple_cartesian<CGAL::Gmpq>>(third, "to Gmpq");
   expect_same_number<CGAL::Simple_cartesian<mpq_class>>(third, "to mpq_class");
   expect_same_number<CGAL::Simple_cartesian<boost::multiprecision::mpq_rational>>(third, "to mpq_rational");
-  expect(fathom::exact_value(CGAL::MP_Float(-0x1.8p-200)) == mpq_class("-0x3") / (mpq_class(1) << 201), "a small MP_Float");
+  expect(fathom::exact_value(CGAL::MP_Float(-0x1.8p-200)) == mpq_class("-0x3") / (mpq_class(1) << 201),
+         "a small MP_Float");
   expect(fathom::exact_value(CGAL::MP_Float(0x1.8p200)) == (mpq_class(3) << 199), "a large MP_Float");
   expect(fathom::exact_value(Epeck::FT(1) / 3 * 3) == 1, "the exact value of a lazy number");
   expect(fathom::exact_value(0.1) == mpq_class("3602879701896397/36028797018963968"), "the exact value of a double");
@@ -130,13 +135,15 @@ void pairs() {
   one.for_each([&](const auto& a, const std::string& kind_of_a) {
     other.for_each([&](const auto& b, const std::string& kind_of_b) {
       const fathom::Depth depth = fathom::penetration_depth(a, b);
-      const fathom::Depth expected = fathom::penetration_depth(fathom::exact_points(a), fathom::exact_points(b));  // with the same indices
+      const fathom::Depth expected =
+          fathom::penetration_depth(fathom::exact_points(a), fathom::exact_points(b));  // with the same indices
       expect(depth.squared() == squared && depth.optima() == expected.optima(), kind_of_a + " and " + kind_of_b);
     });
   });
   fathom::Options naive;
   naive.method = fathom::Method::naive;
-  expect(fathom::penetration_depth(one.mesh, other.polyhedron, naive).method == fathom::Method::naive, "options are passed on");
+  expect(fathom::penetration_depth(one.mesh, other.polyhedron, naive).method == fathom::Method::naive,
+         "options are passed on");
 }
 
 void not_finite() {
@@ -161,7 +168,8 @@ void not_finite() {
   }
 }
 
-static_assert(!fathom::CgalBody<std::vector<fathom::Point>> && !fathom::CgalBody<std::vector<Epick::Vector_3>> && !fathom::CgalBody<int>);
+static_assert(!fathom::CgalBody<std::vector<fathom::Point>> && !fathom::CgalBody<std::vector<Epick::Vector_3>> &&
+              !fathom::CgalBody<int>);
 
 }  // namespace
 

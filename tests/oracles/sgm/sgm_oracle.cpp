@@ -20,13 +20,15 @@ using Map = CGAL::Arr_polyhedral_sgm<Traits>;
 using Polyhedron = CGAL::Arr_polyhedral_sgm_polyhedron_3<Map, Traits>;
 using Initializer = CGAL::Arr_polyhedral_sgm_initializer<Map, Polyhedron>;
 
-// Where gmpxx is at hand, which the build tells CGAL, mpq_class is the exact number type of CGAL's kernel.
+// Where gmpxx is at hand, which the build tells CGAL, mpq_class is the exact number type of CGAL's
+// kernel.
 Kernel::FT number(const mpz_class& value) { return Kernel::FT(mpq_class(value)); }
 mpq_class rational(const Kernel::FT& value) { return value.exact(); }
 
-/// An integer multiple of a rotation, that of the quaternion 5 - 19i - 14j + 3k, by rows. CGAL 5.5.1 builds wrong maps for some bodies of
-/// small integers (seen with facet normals on the meridian y = 0 and arcs through the poles); after this turn small integer vectors lie
-/// in no special place of its parametrisation.
+/// An integer multiple of a rotation, that of the quaternion 5 - 19i - 14j + 3k, by rows. CGAL
+/// 5.5.1 builds wrong maps for some bodies of small integers (seen with facet normals on the
+/// meridian y = 0 and arcs through the poles); after this turn small integer vectors lie in no
+/// special place of its parametrisation.
 constexpr long turn[3][3] = {{181, 502, -254}, {562, -149, 106}, {26, -274, -523}};
 
 Vector turned(const Vector& v) {
@@ -43,12 +45,15 @@ Vector turned_back(const Vector& n) {
 Vector integer_direction(const Traits::Point_2& direction) {
   const mpq_class x = rational(direction.dx()), y = rational(direction.dy()), z = rational(direction.dz());
   const mpz_class scale = lcm(x.get_den(), lcm(y.get_den(), z.get_den()));
-  const auto integer = [&scale](const mpq_class& value) { return mpz_class(value.get_num() * (scale / value.get_den())); };
+  const auto integer = [&scale](const mpq_class& value) {
+    return mpz_class(value.get_num() * (scale / value.get_den()));
+  };
   return {integer(x), integer(y), integer(z)};
 }
 
-/// The facets of the body whose map this is. Each vertex of the map is a facet's normal, unless it only splits a long arc (degree 2), and
-/// the faces around it hold the facet's corners. Throws when corners are not on one plane.
+/// The facets of the body whose map this is. Each vertex of the map is a facet's normal, unless it
+/// only splits a long arc (degree 2), and the faces around it hold the facet's corners. Throws when
+/// corners are not on one plane.
 std::vector<HalfSpace> facets(const Map& map) {
   std::vector<HalfSpace> result;
   for (auto vertex = map.vertices_begin(); vertex != map.vertices_end(); ++vertex) {
@@ -60,7 +65,8 @@ std::vector<HalfSpace> facets(const Map& map) {
     const auto first = vertex->incident_halfedges();
     const mpq_class common = offset(first->face()->point());
     for (auto next = first; ++next != first;)
-      if (offset(next->face()->point()) != common) throw std::runtime_error("CGAL's Gaussian map is wrong: a facet is not planar");
+      if (offset(next->face()->point()) != common)
+        throw std::runtime_error("CGAL's Gaussian map is wrong: a facet is not planar");
     result.push_back({turned_back(normal), common});
   }
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A subject that misbehaves as the first coordinate of A says, and answers about shapes with what it was told of them.
+// A subject that misbehaves as the first coordinate of A says, and answers about shapes with what
+// it was told of them.
 #include <unistd.h>
 
 #include <cmath>

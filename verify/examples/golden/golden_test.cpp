@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a project that computes penetration depths tests itself with golden cases and GoogleTest. CMakeLists.txt beside it gets the sample of
-// them; `fathom golden export --format c` makes other ones.
+// How a project that computes penetration depths tests itself with golden cases and GoogleTest.
+// CMakeLists.txt beside it gets the sample of them; `fathom golden export --format c` makes other
+// ones.
 #include <fathom_golden_sample.h>
 #include <gtest/gtest.h>
 
@@ -20,10 +21,13 @@ Points points(const double* numbers, std::size_t count) {
   return result;
 }
 
-// ---- what stands for the project's own code: the separating axis test over all triples of points and all pairs of differences ----
+// ---- what stands for the project's own code: the separating axis test over all triples of points
+// and all pairs of differences ----
 
 Vector minus(const Vector& p, const Vector& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-Vector cross(const Vector& p, const Vector& q) { return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}; }
+Vector cross(const Vector& p, const Vector& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
 double dot(const Vector& p, const Vector& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
 Points differences(const Points& body) {
@@ -58,11 +62,14 @@ Answer penetration(const Points& a, const Points& b, Axes which) {
     const double length = std::sqrt(dot(axis, axis));
     if (length == 0) continue;
     double least_a = HUGE_VAL, greatest_a = -HUGE_VAL, least_b = HUGE_VAL, greatest_b = -HUGE_VAL;
-    for (const Vector& p : a) least_a = std::min(least_a, dot(axis, p)), greatest_a = std::max(greatest_a, dot(axis, p));
-    for (const Vector& p : b) least_b = std::min(least_b, dot(axis, p)), greatest_b = std::max(greatest_b, dot(axis, p));
+    for (const Vector& p : a)
+      least_a = std::min(least_a, dot(axis, p)), greatest_a = std::max(greatest_a, dot(axis, p));
+    for (const Vector& p : b)
+      least_b = std::min(least_b, dot(axis, p)), greatest_b = std::max(greatest_b, dot(axis, p));
     for (const double sign : {1.0, -1.0}) {
       const double depth = (sign > 0 ? greatest_b - least_a : greatest_a - least_b) / length;
-      if (depth < answer.depth) answer.depth = depth, answer.direction = {sign * axis[0], sign * axis[1], sign * axis[2]};
+      if (depth < answer.depth)
+        answer.depth = depth, answer.direction = {sign * axis[0], sign * axis[1], sign * axis[2]};
     }
   }
   answer.overlap = answer.depth > 0;
@@ -80,7 +87,8 @@ bool right(const fathom_golden_case& golden, Axes which) {
 
 TEST(Penetration, IsRightInEveryGoldenCase) {
   for (const fathom_golden_case& golden : fathom_golden_cases)
-    EXPECT_TRUE(right(golden, Axes::all)) << golden.name << ", whose signed depth is " << golden.signed_depth << "; " << golden.flags;
+    EXPECT_TRUE(right(golden, Axes::all))
+        << golden.name << ", whose signed depth is " << golden.signed_depth << "; " << golden.flags;
 }
 
 TEST(Penetration, WithoutPairsOfEdgesIsFoundToBeWrong) {

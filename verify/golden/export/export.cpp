@@ -2,11 +2,12 @@
 
 #include "verify/golden/export/export.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
+
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <map>
 #include <optional>
@@ -45,7 +46,8 @@ class ReleaseRecords {
   ReleaseRecords(fs::path folder, const Dataset& dataset, Monitor* monitor)
       : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
 
-  /// Calls `take` with each, nullopt for one that doubles cannot tell, and what reads its certificate, which is not read unless asked for.
+  /// Calls `take` with each, nullopt for one that doubles cannot tell, and what reads its
+  /// certificate, which is not read unless asked for.
   template <class Take>
   void each(Take take) const {
     for (const Manifest& shard : dataset_->shards) {
@@ -93,7 +95,8 @@ class ReleaseRecords {
     try {
       return action();
     } catch (const FileError& error) {
-      if (std::string_view(error.what()).find(folder_.string()) != std::string_view::npos) throw;  // it names the file already
+      if (std::string_view(error.what()).find(folder_.string()) != std::string_view::npos)
+        throw;  // it names the file already
       throw FileError(fmt::format("{}: {}", path, error.what()));
     } catch (const NotARecord& error) {
       throw FileError(fmt::format("{}:{}: {}", path, reader.number(), error.what()));
@@ -115,12 +118,15 @@ class OwnRecords {
     while (const std::optional<CaseItem> item = cases.next()) {
       const auto wrong = [&](const std::string& sentence) { return InputError(name, item->line, sentence); };
       if (!item->ok()) throw item->error();
-      if (!is_plain(item->id)) throw wrong("expected an id of letters, digits and . _ - alone, found " + kernels::shown(item->id));
+      if (!is_plain(item->id))
+        throw wrong("expected an id of letters, digits and . _ - alone, found " + kernels::shown(item->id));
       if (!names.insert(item->id).second) throw wrong("the id " + kernels::shown(item->id) + " occurred before");
       const Case& points = item->value();
       for (const Body* body : {&points.a, &points.b})
-        if (body->shape || body->pieces) throw wrong("exports are of polytopes: expected vertices, found a shape or pieces");
-      const Record record = record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
+        if (body->shape || body->pieces)
+          throw wrong("exports are of polytopes: expected vertices, found a shape or pieces");
+      const Record record =
+          record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
       std::optional<ExportCase> entry = export_case(record.line);
       if (entry) entry->group = "own";
       all_.push_back({std::move(entry), record.certificate});
@@ -138,7 +144,9 @@ class OwnRecords {
     std::string certificate;
   };
   static bool is_plain(const std::string& id) {
-    return !id.empty() && std::ranges::all_of(id, [](unsigned char c) { return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-'; });
+    return !id.empty() && std::ranges::all_of(id, [](unsigned char c) {
+      return std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-';
+    });
   }
 
   std::vector<Own> all_;
@@ -147,10 +155,16 @@ class OwnRecords {
 /// Whether the request asks for the case at all.
 bool is_wanted(const ExportCase& entry, const ExportRequest& request) {
   const auto has = [&entry](const std::string& word) { return has_word(word, entry); };
-  const auto named = [&entry](const std::string& pattern) { return ::fnmatch(pattern.c_str(), entry.group.c_str(), 0) == 0; };
-  const auto met = [&entry](const std::string& kind) { return std::ranges::find(entry.contacts, kind) != entry.contacts.end(); };
-  const bool exact = request.exact_in.empty() || std::ranges::find(entry.formats, request.exact_in) != entry.formats.end();
-  return !std::ranges::any_of(request.excluded, has) && (request.only.empty() || std::ranges::any_of(request.only, has)) &&
+  const auto named = [&entry](const std::string& pattern) {
+    return ::fnmatch(pattern.c_str(), entry.group.c_str(), 0) == 0;
+  };
+  const auto met = [&entry](const std::string& kind) {
+    return std::ranges::find(entry.contacts, kind) != entry.contacts.end();
+  };
+  const bool exact =
+      request.exact_in.empty() || std::ranges::find(entry.formats, request.exact_in) != entry.formats.end();
+  return !std::ranges::any_of(request.excluded, has) &&
+         (request.only.empty() || std::ranges::any_of(request.only, has)) &&
          (request.families.empty() || std::ranges::any_of(request.families, named)) &&
          (request.contacts.empty() || std::ranges::any_of(request.contacts, met)) && exact;
 }
@@ -167,12 +181,14 @@ bool fits(const std::optional<ExportCase>& entry, const ExportRequest& request, 
 /// `count` <= `size` numbers below `size`, ascending, evenly spaced.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t size) {
   std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < count; ++i) result.push_back((2 * i + 1) * size / (2 * count));  // the middle of each of `count` parts
+  for (std::size_t i = 0; i < count; ++i)
+    result.push_back((2 * i + 1) * size / (2 * count));  // the middle of each of `count` parts
   return result;
 }
 
-/// How many to take of each group, of which so many are there: `count` in all, or all if that is fewer. No group gets two more than another
-/// that has some left; where the last round does not reach all of them, those that it reaches lie evenly in the order of the groups.
+/// How many to take of each group, of which so many are there: `count` in all, or all if that is
+/// fewer. No group gets two more than another that has some left; where the last round does not
+/// reach all of them, those that it reaches lie evenly in the order of the groups.
 std::vector<std::size_t> shares(const std::vector<std::size_t>& sizes, std::size_t count) {
   std::vector<std::size_t> result(sizes.size(), 0);
   while (count > 0) {
@@ -187,7 +203,8 @@ std::vector<std::size_t> shares(const std::vector<std::size_t>& sizes, std::size
   return result;
 }
 
-/// The numbers of the chosen ones among those that fit. `groups`: of each group, the numbers of those in it.
+/// The numbers of the chosen ones among those that fit. `groups`: of each group, the numbers of
+/// those in it.
 std::set<std::size_t> chosen_of(const std::vector<std::vector<std::size_t>>& groups, std::size_t count) {
   std::vector<std::size_t> sizes;
   for (const std::vector<std::size_t>& group : groups) sizes.push_back(group.size());
@@ -215,8 +232,9 @@ class Groups {
 
 void refuse_if_none_fits(const fs::path& folder, const Exported& counts) {
   if (counts.fitting > 0) return;
-  throw FolderError(fmt::format("none of the {} records of {} fits: {} are beyond binary64, {} are excluded, {} have more points",
-                                counts.records, folder.string(), counts.not_doubles, counts.excluded, counts.too_large));
+  throw FolderError(
+      fmt::format("none of the {} records of {} fits: {} are beyond binary64, {} are excluded, {} have more points",
+                  counts.records, folder.string(), counts.not_doubles, counts.excluded, counts.too_large));
 }
 
 }  // namespace
@@ -231,8 +249,9 @@ std::vector<std::string> words_of_cases() {
 }
 
 bool has_word(std::string_view word, const ExportCase& entry) {
-  return word == entry.status ||
-         std::ranges::any_of(entry.flags, [word](const std::string& flag) { return word == flag || word == first_word(flag); });
+  return word == entry.status || std::ranges::any_of(entry.flags, [word](const std::string& flag) {
+           return word == flag || word == first_word(flag);
+         });
 }
 
 std::vector<std::string> groups_of_releases() {
@@ -261,7 +280,8 @@ namespace {
 
 /// `records` can be read twice, so that memory is bounded by the export.
 template <class Records>
-Exported exported(const Records& records, const fs::path& from, const ExportRequest& request, const ExportSource& source) {
+Exported exported(const Records& records, const fs::path& from, const ExportRequest& request,
+                  const ExportSource& source) {
   Groups groups;
   Exported result;
   records.each([&](const std::optional<ExportCase>& entry, const auto&) {
@@ -286,7 +306,8 @@ Exported exported(const Records& records, const fs::path& from, const ExportRequ
 std::string plain_name(const std::string& path) {
   std::string name = path == "-" ? "standard input" : fs::path(path).filename().string();
   for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view(" ._-").find(c) == std::string_view::npos) c = '_';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view(" ._-").find(c) == std::string_view::npos)
+      c = '_';
   return name;
 }
 
@@ -294,8 +315,9 @@ std::string plain_name(const std::string& path) {
 
 Exported export_release(const fs::path& folder, const ExportRequest& request, Monitor* monitor) {
   const Dataset dataset = dataset_in(folder);
-  return exported(ReleaseRecords(folder, dataset, monitor), folder, request,
-                  {std::string(name_of(dataset.level)), dataset.version, std::to_string(dataset.seed), "", command_of(request)});
+  return exported(
+      ReleaseRecords(folder, dataset, monitor), folder, request,
+      {std::string(name_of(dataset.level)), dataset.version, std::to_string(dataset.seed), "", command_of(request)});
 }
 
 Exported export_own_cases(const std::string& path, const ExportRequest& request, Monitor* monitor) {

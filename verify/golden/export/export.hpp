@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a release of polytopes, or a file of one's own cases, and which of them are wanted.
-// Output  one file with these, for the tests of other projects, and their certificates. The same input and request give the same bytes.
+// Output  one file with these, for the tests of other projects, and their certificates. The same
+//         input and request give the same bytes.
 #pragma once
 
 #include <array>
@@ -18,7 +19,8 @@ namespace fathom::golden {
 
 enum class ExportFormat { c, csv, json, rust };
 
-inline constexpr std::array export_formats = {ExportFormat::c, ExportFormat::csv, ExportFormat::json, ExportFormat::rust};
+inline constexpr std::array export_formats = {ExportFormat::c, ExportFormat::csv, ExportFormat::json,
+                                              ExportFormat::rust};
 
 /// "c", "csv", "json", "rust".
 std::string_view name_of(ExportFormat format);
@@ -39,7 +41,8 @@ struct ExportRequest {
 
 // ---- cases ----
 
-/// A record as exports tell it: everything a test of a program in doubles needs, and nothing that is not a double but the exact square.
+/// A record as exports tell it: everything a test of a program in doubles needs, and nothing that
+/// is not a double but the exact square.
 struct ExportCase {
   std::string name, group;  ///< the record's id; the family, "catalogue" or "real"; of one's own cases "own"
   std::string status;
@@ -51,17 +54,21 @@ struct ExportCase {
   double size = 0;                    ///< the longest side of the bodies' boxes, correctly rounded
   double largest = 0;                 ///< the largest magnitude of a coordinate
   std::vector<std::array<double, 3>> a, b;
-  std::vector<std::array<double, 3>> directions;  ///< unit vectors, rounded: of all optima, or the one direction of the record
+  std::vector<std::array<double, 3>>
+      directions;  ///< unit vectors, rounded: of all optima, or the one direction of the record
 };
 
-/// Returns what exports tell of a record of polytopes. Returns nullopt if a coordinate is not binary64, or a number that exports write is
-/// beyond binary64. Throws NotARecord, also if a text holds what the writer of records never writes.
+/// Returns what exports tell of a record of polytopes. Returns nullopt if a coordinate is not
+/// binary64, or a number that exports write is beyond binary64. Throws NotARecord, also if a text
+/// holds what the writer of records never writes.
 std::optional<ExportCase> export_case(std::string_view line);
 
-/// Returns the words that say which cases are wanted: the flags, their first words ("flat"), and every status.
+/// Returns the words that say which cases are wanted: the flags, their first words ("flat"), and
+/// every status.
 std::vector<std::string> words_of_cases();
 
-/// Returns whether the word is the status, one of the flags, or the first word of one: "flat" is that of flat_a.
+/// Returns whether the word is the status, one of the flags, or the first word of one: "flat" is
+/// that of flat_a.
 bool has_word(std::string_view word, const ExportCase& entry);
 
 /// The names of the groups of a release: its families, "catalogue" and "real".
@@ -71,21 +78,25 @@ std::vector<std::string> groups_of_releases();
 std::string command_of(const ExportRequest& request);
 
 struct Exported {
-  std::string text, certificates;                            ///< the certificates of the chosen ones, one after another
-  std::size_t chosen = 0, fitting = 0, records = 0;          ///< of the records in the release, or of the cases in the file
-  std::size_t not_doubles = 0, excluded = 0, too_large = 0;  ///< why others do not fit; each is counted once, in this order
+  std::string text, certificates;                    ///< the certificates of the chosen ones, one after another
+  std::size_t chosen = 0, fitting = 0, records = 0;  ///< of the records in the release, or of the cases in the file
+  std::size_t not_doubles = 0, excluded = 0,
+              too_large = 0;  ///< why others do not fit; each is counted once, in this order
 };
 
-/// Reads the folder twice, so that memory is bounded by the export. Throws FolderError if the release is not one of polytopes or no record
-/// fits, FileError, also for what is no record or not what the release's pages say, Interrupted.
+/// Reads the folder twice, so that memory is bounded by the export. Throws FolderError if the
+/// release is not one of polytopes or no record fits, FileError, also for what is no record or not
+/// what the release's pages say, Interrupted.
 Exported export_release(const std::filesystem::path& folder, const ExportRequest& request, Monitor* monitor = nullptr);
 
-/// Answers the cases of a file, which are polytopes, each once, and proves the answers; `path` may be "-". Throws InputError if a case
-/// cannot be read, has a name that another one has or that is not of letters, digits and . _ - alone, or is not about polytopes;
-/// FolderError if none fits; Interrupted.
+/// Answers the cases of a file, which are polytopes, each once, and proves the answers; `path` may
+/// be "-". Throws InputError if a case cannot be read, has a name that another one has or that is
+/// not of letters, digits and . _ - alone, or is not about polytopes; FolderError if none fits;
+/// Interrupted.
 Exported export_own_cases(const std::string& path, const ExportRequest& request, Monitor* monitor = nullptr);
 
-// ---- texts: one file that needs nothing beside it, with decimals that every language reads back to the same doubles ----
+// ---- texts: one file that needs nothing beside it, with decimals that every language reads back
+// to the same doubles ----
 
 /// Where the cases come from.
 struct ExportSource {
@@ -94,11 +105,13 @@ struct ExportSource {
   std::string command;               ///< that made the export: "fathom golden export --format c --count 50"
 };
 
-/// Returns the file, with its last line feed, of at least one case. C: kit/fathom_golden.h, then flat arrays. Rust: kit/fathom_golden.rs,
-/// then an array. JSON: schemas/golden-export.schema.json. CSV: a line of names, then one for each case; it has no room for the source.
+/// Returns the file, with its last line feed, of at least one case. C: kit/fathom_golden.h, then
+/// flat arrays. Rust: kit/fathom_golden.rs, then an array. JSON: schemas/golden-export.schema.json.
+/// CSV: a line of names, then one for each case; it has no room for the source.
 std::string export_text(ExportFormat format, const ExportSource& source, const std::vector<ExportCase>& cases);
 
-/// Returns the shortest decimal that is read back as this finite double, with a point or an exponent: "0.1", "-0.0", "1e+300".
+/// Returns the shortest decimal that is read back as this finite double, with a point or an
+/// exponent: "0.1", "-0.0", "1e+300".
 std::string decimal_text(double value);
 
 }  // namespace fathom::golden

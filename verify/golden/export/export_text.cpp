@@ -37,7 +37,8 @@ double hexadecimal(const Json& value) {
   digits.remove_prefix(negative ? 1 : 0);
   if (digits.starts_with("0x")) digits.remove_prefix(2);
   double magnitude = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), magnitude, std::chars_format::hex);
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), magnitude, std::chars_format::hex);
   if (error != std::errc() || end != digits.data() + digits.size())
     throw NotARecord("expected a hexadecimal float, found " + kernels::shown(text));
   return negative ? -magnitude : magnitude;
@@ -62,7 +63,8 @@ std::array<double, 3> unit(const Json& holder) { return triple(holder.at("unit")
 double longest_side(const Triples& body) {
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] = std::ranges::minmax_element(body, {}, [axis](const std::array<double, 3>& point) { return point[axis]; });
+    const auto [low, high] =
+        std::ranges::minmax_element(body, {}, [axis](const std::array<double, 3>& point) { return point[axis]; });
     longest = std::max(longest, (*high)[axis] - (*low)[axis]);
   }
   return longest;
@@ -76,7 +78,9 @@ double largest_coordinate(const Triples& body) {
 }
 
 /// "edge-edge": A's feature first.
-std::string contact_in(const Json& holder) { return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-"); }
+std::string contact_in(const Json& holder) {
+  return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-");
+}
 
 void read_answer(const Json& expected, ExportCase& result) {
   constexpr std::string_view digits = "0123456789/";
@@ -147,7 +151,8 @@ using Triples = std::vector<std::array<double, 3>>;
 constexpr std::size_t longest_c_string = 509;  // that every C89 compiler takes
 
 std::string joined(const std::array<double, 3>& point, std::string_view separator) {
-  return fmt::format("{1}{0}{2}{0}{3}", separator, decimal_text(point[0]), decimal_text(point[1]), decimal_text(point[2]));
+  return fmt::format("{1}{0}{2}{0}{3}", separator, decimal_text(point[0]), decimal_text(point[1]),
+                     decimal_text(point[2]));
 }
 
 /// Each element as `text` has it, with separators between.
@@ -172,7 +177,8 @@ std::string quoted_list(const std::vector<std::string>& words) { return '[' + li
 /// What stands before the cases, in lines that begin with `margin`.
 std::string about(const ExportSource& source, std::size_t count, std::string_view margin) {
   if (!source.file.empty())
-    return fmt::format("{0}{1} cases of {2} with their exact answers. Made by\n{0}  {3}\n", margin, count, source.file, source.command);
+    return fmt::format("{0}{1} cases of {2} with their exact answers. Made by\n{0}  {3}\n", margin, count, source.file,
+                       source.command);
   return fmt::format(
       "{0}{1} golden cases from {2}, seed {3}, data version {4}. In the public domain (CC0-1.0). Made by\n"
       "{0}  {5}\n",
@@ -196,12 +202,14 @@ std::string c_text(const ExportSource& source, const std::vector<ExportCase>& ca
   };
   for (const ExportCase& entry : cases) {
     std::string status = "FATHOM_GOLDEN_" + entry.status;
-    std::ranges::transform(status, status.begin(), [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    std::ranges::transform(status, status.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
     numbers += "  /* " + entry.name + " */\n";
-    table += fmt::format("  {{\"{}\", {}, {}, {},\n   \"{}\", {}, {},\n   ", entry.name, status, decimal_text(entry.signed_depth),
+    table += fmt::format("  {{\"{}\", {}, {}, {},\n   \"{}\", {}, {},\n   ", entry.name, status,
+                         decimal_text(entry.signed_depth),
                          entry.squared.size() > longest_c_string ? "NULL" : quoted(entry.squared),
-                         listed(entry.flags, " ", [](const std::string& flag) { return flag; }), decimal_text(entry.size),
-                         decimal_text(entry.largest));
+                         listed(entry.flags, " ", [](const std::string& flag) { return flag; }),
+                         decimal_text(entry.size), decimal_text(entry.largest));
     for (const Triples* points : {&entry.a, &entry.b, &entry.directions}) {
       table += place(*points) + (points == &entry.directions ? "},\n" : ", ");
       at += 3 * points->size();
@@ -222,15 +230,18 @@ std::string rust_entry(const ExportCase& entry) {
   std::string status = entry.status;
   status[0] = static_cast<char>(status[0] - 'a' + 'A');
   return fmt::format(
-      "    Case {{\n        name: \"{}\",\n        status: Status::{},\n        signed_depth: {},\n        squared: \"{}\",\n"
-      "        flags: &{},\n        size: {},\n        largest: {},\n        a: &{},\n        b: &{},\n        directions: &{},\n    }},\n",
-      entry.name, status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags), decimal_text(entry.size),
-      decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions));
+      "    Case {{\n        name: \"{}\",\n        status: Status::{},\n        signed_depth: {},\n        squared: "
+      "\"{}\",\n"
+      "        flags: &{},\n        size: {},\n        largest: {},\n        a: &{},\n        b: &{},\n        "
+      "directions: &{},\n    }},\n",
+      entry.name, status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
+      decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
+      bracketed(entry.directions));
 }
 
 std::string rust_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
-  std::string text = fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case; {}] = [\n", kit_in_rust(),
-                                 about(source, cases.size(), "// "), cases.size());
+  std::string text = fmt::format("{}\n{}#[allow(clippy::excessive_precision)]\npub static CASES: [Case; {}] = [\n",
+                                 kit_in_rust(), about(source, cases.size(), "// "), cases.size());
   for (const ExportCase& entry : cases) text += rust_entry(entry);
   return text + "];\n";
 }
@@ -242,13 +253,14 @@ std::string json_text(const ExportSource& source, const std::vector<ExportCase>&
     return fmt::format(
         R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, )"
         R"("directions": {}, "family": "{}", "formats": {}, "contacts": {}}})",
-        entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags), decimal_text(entry.size),
-        decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b), bracketed(entry.directions), entry.group,
-        quoted_list(entry.formats), quoted_list(entry.contacts));
+        entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
+        decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
+        bracketed(entry.directions), entry.group, quoted_list(entry.formats), quoted_list(entry.contacts));
   };
   const bool own = !source.file.empty();  // and not ours to license
-  const std::string from = own ? fmt::format(R"("file": "{}")", source.file)
-                               : fmt::format(R"("level": "{}", "seed": "{}", "version": "{}")", source.level, source.seed, source.version);
+  const std::string from =
+      own ? fmt::format(R"("file": "{}")", source.file)
+          : fmt::format(R"("level": "{}", "seed": "{}", "version": "{}")", source.level, source.seed, source.version);
   return fmt::format(
       "{{\"schema\": \"fathom/golden-export/1\",{}\n"
       "\"source\": {{{}, \"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n",
@@ -256,13 +268,16 @@ std::string json_text(const ExportSource& source, const std::vector<ExportCase>&
 }
 
 std::string csv_text(const std::vector<ExportCase>& cases) {
-  const auto numbers = [](const Triples& points) { return listed(points, " ", [](const auto& point) { return joined(point, " "); }); };
+  const auto numbers = [](const Triples& points) {
+    return listed(points, " ", [](const auto& point) { return joined(point, " "); });
+  };
   const auto words = [](const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); };
   std::string text = "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts\n";
   for (const ExportCase& entry : cases)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status, decimal_text(entry.signed_depth),
-                        entry.squared, words(entry.flags), decimal_text(entry.size), decimal_text(entry.largest), numbers(entry.a),
-                        numbers(entry.b), numbers(entry.directions), entry.group, words(entry.formats), words(entry.contacts));
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status,
+                        decimal_text(entry.signed_depth), entry.squared, words(entry.flags), decimal_text(entry.size),
+                        decimal_text(entry.largest), numbers(entry.a), numbers(entry.b), numbers(entry.directions),
+                        entry.group, words(entry.formats), words(entry.contacts));
   return text;
 }
 

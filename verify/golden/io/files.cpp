@@ -2,16 +2,17 @@
 
 #include "verify/golden/io/files.hpp"
 
-#include <cerrno>
-#include <cstdio>
 #include <fcntl.h>
-#include <new>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
-#include <utility>
 #include <zstd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <new>
+#include <system_error>
+#include <utility>
 
 #include "reference/files/file_io.hpp"
 
@@ -68,7 +69,8 @@ digest::Digest digest_of_file(const std::filesystem::path& path) {
 
 namespace {
 
-/// Opens the hidden file and locks it, so that no two processes write it at once; the lock ends with the process, however that ends.
+/// Opens the hidden file and locks it, so that no two processes write it at once; the lock ends
+/// with the process, however that ends.
 int open_locked(const std::filesystem::path& path, const std::filesystem::path& final_path) {
   for (;;) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
@@ -78,7 +80,8 @@ int open_locked(const std::filesystem::path& path, const std::filesystem::path& 
       throw FileError("cannot write " + final_path.string() + ": another process is writing it");
     }
     struct stat ours = {}, named = {};  // the one who held the lock before may have renamed or removed the file
-    const bool same = ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
+    const bool same =
+        ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
     if (same && ::ftruncate(descriptor, 0) == 0) return descriptor;
     const int code = errno;
     ::close(descriptor);
@@ -174,7 +177,8 @@ void ZstdWriter::compress(std::string_view content, bool last) {
   ZSTD_inBuffer in{content.data(), content.size(), 0};
   for (bool done = false; !done;) {
     ZSTD_outBuffer out{frame_->out.data(), frame_->out.size(), 0};
-    const std::size_t left = checked(ZSTD_compressStream2(frame_->context, &out, &in, last ? ZSTD_e_end : ZSTD_e_continue));
+    const std::size_t left =
+        checked(ZSTD_compressStream2(frame_->context, &out, &in, last ? ZSTD_e_end : ZSTD_e_continue));
     const std::string_view made = std::string_view(frame_->out).substr(0, out.pos);
     file_sum_.add(made);
     file_.write(made);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a release, as the system has them: read block by block, or written so that they appear whole or not at all; and errors.
+// The files of a release, as the system has them: read block by block, or written so that they
+// appear whole or not at all; and errors.
 #pragma once
 
 #include <filesystem>
@@ -48,10 +49,12 @@ std::string read_small_file(const std::filesystem::path& path, std::size_t most 
 /// Returns the digest of a file. Throws FileError if it cannot be read.
 digest::Digest digest_of_file(const std::filesystem::path& path);
 
-/// How hidden names begin and end: ".new-" name. A killed process leaves such files behind; the next one overwrites them.
+/// How hidden names begin and end: ".new-" name. A killed process leaves such files behind; the
+/// next one overwrites them.
 inline constexpr std::string_view hidden_prefix = ".new-";
 
-/// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no other process can write it meanwhile.
+/// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no
+/// other process can write it meanwhile.
 class NewFile {
  public:
   /// Throws FileError, also if another living process is writing the same file.
@@ -85,8 +88,9 @@ void put_file(const std::filesystem::path& folder, const std::string& name, std:
 
 // ---- Zstandard ----
 
-// Files of one Zstandard frame, written and read as streams. The frame carries a checksum; compression runs on one thread at a fixed
-// level, so the bytes are a function of the content and of the version of libzstd.
+// Files of one Zstandard frame, written and read as streams. The frame carries a checksum;
+// compression runs on one thread at a fixed level, so the bytes are a function of the content and
+// of the version of libzstd.
 
 inline constexpr int compression_level = 6;
 
@@ -116,15 +120,16 @@ class ZstdWriter {
   digest::Sha256 file_sum_, content_sum_;
 };
 
-/// Reads the content line by line. Memory is bounded by the longest line, and its length by a limit.
+/// Reads the content line by line. Memory is bounded by the longest line, and its length by a
+/// limit.
 class ZstdReader {
  public:
   explicit ZstdReader(const std::filesystem::path& path);
   ~ZstdReader();
 
-  /// Returns the next line without its line feed, valid until the next call, or nullopt at the end. Throws FileError, with a sentence that
-  /// follows the file's name, if there is no frame, if it is cut off, damaged or followed by anything, or if the last line has no line
-  /// feed.
+  /// Returns the next line without its line feed, valid until the next call, or nullopt at the end.
+  /// Throws FileError, with a sentence that follows the file's name, if there is no frame, if it is
+  /// cut off, damaged or followed by anything, or if the last line has no line feed.
   std::optional<std::string_view> line();
   /// The number of the line that was returned last, from 1.
   [[nodiscard]] std::size_t number() const { return number_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A face lies in a plane with normal n. Dropping a coordinate in which n is not 0 maps it one-to-one into a coordinate plane, and there a
-// monotone chain finds the corners.
+// A face lies in a plane with normal n. Dropping a coordinate in which n is not 0 maps it
+// one-to-one into a coordinate plane, and there a monotone chain finds the corners.
 
 #include "verify/golden/records/faces.hpp"
 
@@ -38,7 +38,8 @@ template <class Iterator>
 void append_chain(Iterator first, Iterator last, std::span<const Vector> points, const Shadow& shadow, Ids& cycle) {
   const std::size_t begin = cycle.size();
   for (; first != last; ++first) {
-    while (cycle.size() >= begin + 2 && shadow.turn(points[cycle[cycle.size() - 2]], points[cycle.back()], points[*first]) <= 0)
+    while (cycle.size() >= begin + 2 &&
+           shadow.turn(points[cycle[cycle.size() - 2]], points[cycle.back()], points[*first]) <= 0)
       cycle.pop_back();
     cycle.push_back(*first);
   }
@@ -60,10 +61,14 @@ Ids corner_cycle(Ids ids, std::span<const Vector> points, const Shadow& shadow) 
   return cycle;
 }
 
-void take_denominator(const mpq_class& value, mpz_class& common) { mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), value.get_den_mpz_t()); }
+void take_denominator(const mpq_class& value, mpz_class& common) {
+  mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), value.get_den_mpz_t());
+}
 
 std::vector<Vector> scaled(std::span<const Point> points, const mpz_class& denominator) {
-  const auto times = [&denominator](const mpq_class& value) { return mpz_class(denominator / value.get_den() * value.get_num()); };
+  const auto times = [&denominator](const mpq_class& value) {
+    return mpz_class(denominator / value.get_den() * value.get_num());
+  };
   std::vector<Vector> result;
   result.reserve(points.size());
   for (const Point& p : points) result.push_back({times(p.x), times(p.y), times(p.z)});

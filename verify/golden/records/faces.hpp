@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces of bodies by their definition: exact integers, one pass over all points, no hull of a body and no filter. Contacts and witnesses of
-// records are proved by them, independently of the answer.
+// Faces of bodies by their definition: exact integers, one pass over all points, no hull of a body
+// and no filter. Contacts and witnesses of records are proved by them, independently of the answer.
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,8 @@ struct Look {
   const HullStatement& truth;
   Integers integers;
   BodyLook a, b;
-  mpz_class greatest, least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
+  mpz_class greatest,
+      least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
 
   Look(const HullPair& hulls, const HullStatement& found);
 
@@ -119,7 +120,9 @@ bool flat_difference(const Look& look) {
   return polytope::affine_rank(directions) < 3;
 }
 
-bool near_tie(const Look& look) { return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + power_of_two(-20)); }
+bool near_tie(const Look& look) {
+  return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + power_of_two(-20));
+}
 
 bool degenerate_contact(const Look& look) {
   return std::ranges::any_of(look.truth.answer.optima(), [](const Optimum& optimum) {
@@ -144,7 +147,8 @@ bool identical_bodies(const Look& look) {
 }
 
 bool polygonal(const polytope::Polytope& hull) {
-  return hull.rank == 3 && std::ranges::any_of(hull.facets, [](const polytope::Facet& facet) { return facet.end - facet.begin > 3; });
+  return hull.rank == 3 &&
+         std::ranges::any_of(hull.facets, [](const polytope::Facet& facet) { return facet.end - facet.begin > 3; });
 }
 
 bool opposite_normals(const Look& look) {
@@ -157,7 +161,9 @@ bool opposite_normals(const Look& look) {
 bool offset(const Look& look) { return magnitude(look.greatest, look) > power_of_two(20) * look.extent(); }
 
 /// Whether a squared length is below (2^-20 of the larger extent)^2.
-bool short_length(const mpq_class& squared, const Look& look) { return squared < look.extent() * look.extent() * power_of_two(-40); }
+bool short_length(const mpq_class& squared, const Look& look) {
+  return squared < look.extent() * look.extent() * power_of_two(-40);
+}
 
 bool deep(const Look& look) {
   const mpq_class& side = std::min(look.a.shortest, look.b.shortest);
@@ -166,8 +172,8 @@ bool deep(const Look& look) {
 
 using Modes = std::array<double, 3> Rounded::*;
 
-// On correctly rounded values: rd and ru agree exactly for numbers of the format, and rd tells on which side of one of its numbers the
-// exact value lies.
+// On correctly rounded values: rd and ru agree exactly for numbers of the format, and rd tells on
+// which side of one of its numbers the exact value lies.
 template <Modes Format>
 bool depth_in_format(const Look& look) {
   return penetrating(look) && (look.truth.depth.*Format)[1] == (look.truth.depth.*Format)[2];
@@ -175,13 +181,15 @@ bool depth_in_format(const Look& look) {
 
 template <Modes Format>
 bool depth_outside(const Look& look) {
-  const double normal = Format == &Rounded::binary64 ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
+  const double normal =
+      Format == &Rounded::binary64 ? std::numeric_limits<double>::min() : std::numeric_limits<float>::min();
   return penetrating(look) && ((look.truth.depth.*Format)[1] < normal || std::isinf((look.truth.depth.*Format)[0]));
 }
 
 /// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.
 mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
-  const long length = static_cast<long>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_den_mpz_t(), 2));
+  const long length =
+      static_cast<long>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_den_mpz_t(), 2));
   const long shift = bits + 1 - length / 2;
   const mpq_class scaled = q * power_of_two(2 * shift);
   const mpz_class square = scaled.get_num() / scaled.get_den();
@@ -190,7 +198,8 @@ mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
   return root;
 }
 
-/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of two, and is not a number of the format.
+/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of
+/// two, and is not a number of the format.
 template <Modes Format, long Precision>
 bool hard_rounding(const Look& look) {
   constexpr long beyond = 19;
@@ -224,13 +233,17 @@ const Flag table[] = {
     {"equal_normals", [](const Look& look) { return meet(look.a.normals, look.b.normals); }},
     {"opposite_normals", opposite_normals},
     {"huge_coordinates", [](const Look& look) { return magnitude(look.greatest, look) >= power_of_two(128); }},
-    {"tiny_coordinates", [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
+    {"tiny_coordinates",
+     [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
     {"uneven_coordinates", [](const Look& look) { return look.greatest > look.least * mpz_class(power_of_two(53)); }},
     {"offset_coordinates", offset},
-    {"thin_penetration", [](const Look& look) { return penetrating(look) && short_length(look.truth.answer.squared(), look); }},
+    {"thin_penetration",
+     [](const Look& look) { return penetrating(look) && short_length(look.truth.answer.squared(), look); }},
     {"deep_penetration", deep},
     {"thin_clearance",
-     [](const Look& look) { return look.truth.answer.distance() && short_length(look.truth.answer.distance()->squared, look); }},
+     [](const Look& look) {
+       return look.truth.answer.distance() && short_length(look.truth.answer.distance()->squared, look);
+     }},
     {"depth_in_binary64", depth_in_format<f64>},
     {"depth_in_binary32", depth_in_format<f32>},
     {"depth_outside_binary64", depth_outside<f64>},
@@ -332,15 +345,16 @@ HullStatement truth_of(const HullPair& hulls, Depth answer, Monitor* monitor, Wo
 }
 
 ShapeStatement truth_of(const SignedDepth& answer) {
-  return {answer.exact() ? std::variant<Surd, Bounds>(*answer.exact()) : *answer.bounds(), answer.direction(), answer.translations(),
-          answer.cone};
+  return {answer.exact() ? std::variant<Surd, Bounds>(*answer.exact()) : *answer.bounds(), answer.direction(),
+          answer.translations(), answer.cone};
 }
 
 UnionStatement truth_of(const UnionDepth& answer) {
   UnionStatement truth{answer.status, answer.squared(), {}, std::nullopt};
   if (answer.status == Status::penetrating)
     for (const UnionOptimum& optimum : answer.optima) truth.optima.push_back(optimum.translation);
-  if (answer.apart) truth.gap = {answer.apart->distance.squared, answer.apart->a, answer.apart->b, answer.apart->distance.translation};
+  if (answer.apart)
+    truth.gap = {answer.apart->distance.squared, answer.apart->a, answer.apart->b, answer.apart->distance.translation};
   return truth;
 }
 

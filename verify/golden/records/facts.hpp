@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a record says, as exact values and their roundings; and its texts. Serialization is canonical: equal facts give equal
-// bytes.
+// Everything that a record says, as exact values and their roundings; and its texts. Serialization
+// is canonical: equal facts give equal bytes.
 #pragma once
 
 #include <gmpxx.h>
@@ -23,7 +23,8 @@ namespace fathom::golden {
 
 // ---- numbers, correctly rounded in every mode  [proofs/number.md] ----
 
-/// A number in both formats and all modes; a binary32 value as its equal double. Modes in the order rn, rd, ru.
+/// A number in both formats and all modes; a binary32 value as its equal double. Modes in the order
+/// rn, rd, ru.
 struct Rounded {
   std::array<double, 3> binary64, binary32;
 };
@@ -36,7 +37,8 @@ Rounded rounded_surd(const Surd& value);
 /// The root of `squared` >= 0.
 Rounded rounded_root(const mpq_class& squared);
 
-/// n / |n|; n is not zero. A component is the root of n_i^2 / <n,n> with the sign of n_i, so rd and ru change places for a negative one.
+/// n / |n|; n is not zero. A component is the root of n_i^2 / <n,n> with the sign of n_i, so rd and
+/// ru change places for a negative one.
 RoundedVector rounded_unit(const Vector& n);
 
 RoundedVector rounded_point(const Point& p);
@@ -61,7 +63,8 @@ struct HullStatement {
 struct ShapeStatement {
   std::variant<Surd, Bounds> value;  ///< the signed depth, exact or enclosed
   Vector direction;
-  /// Exact values of cores that are polytopes, or one and a half-space: as SignedDepth::translations() says. Else empty.
+  /// Exact values of cores that are polytopes, or one and a half-space: as
+  /// SignedDepth::translations() says. Else empty.
   std::vector<AlongNormal> translations;
   std::optional<OptimalCone> cone;  ///< of such cores that touch
 };
@@ -83,16 +86,18 @@ struct UnionStatement {
 /// In the order of RecordBodies.
 using RecordStatement = std::variant<HullStatement, ShapeStatement, UnionStatement>;
 
-/// Returns what a record says of these points; `answer` is that of penetration_depth. Throws Interrupted.
+/// Returns what a record says of these points; `answer` is that of penetration_depth. Throws
+/// Interrupted.
 HullStatement truth_of(const HullPair& hulls, Depth answer, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 ShapeStatement truth_of(const SignedDepth& answer);
 UnionStatement truth_of(const UnionDepth& answer);
 
-/// The answer about shapes that records tell: with bounds as near as signed_depth makes them, and nearer where these leave the status
-/// open. Throws as that does.
+/// The answer about shapes that records tell: with bounds as near as signed_depth makes them, and
+/// nearer where these leave the status open. Throws as that does.
 SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options);
 
-/// The answer about unions that records tell, which is complete. Throws as union_depth does, and Interrupted.
+/// The answer about unions that records tell, which is complete. Throws as union_depth does, and
+/// Interrupted.
 UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor);
 
 // ---- records ----
@@ -114,13 +119,14 @@ std::string line_of(const Facts& facts);
 /// The names of the columns of the CSV, with a line feed. NOTES.md explains them.
 std::string csv_header();
 
-/// Returns the record as CSV with hex floats, for programs that read neither JSON nor rationals, with a line feed; empty unless it is of
-/// polytopes and all of its points are binary64.
+/// Returns the record as CSV with hex floats, for programs that read neither JSON nor rationals,
+/// with a line feed; empty unless it is of polytopes and all of its points are binary64.
 std::string csv_row(const Facts& facts);
 
 // ---- flags ----
 
-// Flags: words for what is special about a record of polytopes. NOTES.md says what each means; all are decided exactly.
+// Flags: words for what is special about a record of polytopes. NOTES.md says what each means; all
+// are decided exactly.
 
 /// Returns all flags, in the order in which a record lists them.
 std::vector<std::string_view> flag_names();

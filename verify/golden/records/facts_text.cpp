@@ -11,8 +11,8 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/rounding.hpp"
 #include "reference/files/shape_names.hpp"
-#include "verify/golden/records/facts.hpp"
 #include "reference/text/json.hpp"
+#include "verify/golden/records/facts.hpp"
 
 namespace fathom::golden {
 
@@ -25,7 +25,8 @@ using text::JsonStream;
 constexpr std::array<std::string_view, 3> mode_names{"rn", "rd", "ru"};
 constexpr std::size_t nearest = 0, down = 1, up = 2;
 
-/// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}. put(out, values of one format, mode) writes a value.
+/// "f64": {"rn": .., "rd": .., "ru": ..}, "f32": {..}. put(out, values of one format, mode) writes
+/// a value.
 template <class Put>
 void in_both_formats(JsonStream& out, Put put) {
   const auto in_every_mode = [&](std::string_view name, std::array<double, 3> Rounded::*format) {
@@ -249,7 +250,11 @@ void write_value(JsonStream& out, const ShapeStatement& truth) {
 
 void write_cone(JsonStream& out, const OptimalCone& cone) {
   constexpr std::array<std::string_view, 4> names{"none", "line", "plane", "all"};
-  out.key("optimal_cone").open('{').key("lineality").plain(names.at(static_cast<std::size_t>(cone.lineality))).key("axis");
+  out.key("optimal_cone")
+      .open('{')
+      .key("lineality")
+      .plain(names.at(static_cast<std::size_t>(cone.lineality)))
+      .key("axis");
   if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) out.exact(cone.axis);
   else out.null();
   out.key("rays").open('[');
@@ -293,10 +298,17 @@ void write_expected(JsonStream& out, const UnionStatement& truth, const RecordBo
 }  // namespace
 
 std::string line_of(const Facts& facts) {
-  constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"};
+  constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1",
+                                                    "fathom/golden-unions/1"};
   const auto& [recipe, made, in_binary64, in_binary32, truth, sha256] = facts;
   JsonStream out;
-  out.open('{').key("schema").plain("fathom/case/1").key("golden").plain(schemas.at(truth.index())).key("id").plain(made.id);
+  out.open('{')
+      .key("schema")
+      .plain("fathom/case/1")
+      .key("golden")
+      .plain(schemas.at(truth.index()))
+      .key("id")
+      .plain(made.id);
   out.key("source").open('{').key("kind").plain(name_of(recipe.source)).key("name").plain(recipe.name);
   if (from_family(recipe.source)) out.key("size").integer(recipe.size).key("seed").plain(std::to_string(recipe.seed));
   out.key("form").plain(name_of(made.form));
@@ -330,7 +342,9 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-Triple to_nearest(const RoundedVector& v) { return {v[0].binary64[nearest], v[1].binary64[nearest], v[2].binary64[nearest]}; }
+Triple to_nearest(const RoundedVector& v) {
+  return {v[0].binary64[nearest], v[1].binary64[nearest], v[2].binary64[nearest]};
+}
 
 void append_joined(const Triple& p, char separator, std::string& text) {
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -342,7 +356,8 @@ void append_joined(const Triple& p, char separator, std::string& text) {
 }  // namespace
 
 std::string csv_header() {
-  return "id,status,format,flags,depth_squared,depth_f64_rn,depth_f64_rd,depth_f64_ru,depth_f32_rn,depth_f32_rd,depth_f32_ru,"
+  return "id,status,format,flags,depth_squared,depth_f64_rn,depth_f64_rd,depth_f64_ru,depth_f32_rn,depth_f32_rd,depth_"
+         "f32_ru,"
          "direction_x,direction_y,direction_z,translation_x,translation_y,translation_z,optima,contact,distance,"
          "a_count,a_points,b_count,b_points\n";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves records: what is true of two bodies as far as a certificate proves it; records against that; and records computed again. The
-// checker's own parser reads certificates, and nothing in it is used before the checker has accepted it.
+// Proves records: what is true of two bodies as far as a certificate proves it; records against
+// that; and records computed again. The checker's own parser reads certificates, and nothing in it
+// is used before the checker has accepted it.
 
 #include "verify/golden/records/prove.hpp"
 
@@ -30,7 +31,8 @@ namespace {
 using fathom_check::Certificate;
 using fathom_check::Claim;
 
-/// The certificate of this id. Throws NotProved unless the checker accepts it, and `text` holds nothing else.
+/// The certificate of this id. Throws NotProved unless the checker accepts it, and `text` holds
+/// nothing else.
 Certificate accepted(std::string_view text, const std::string& id) {
   fathom_check::Lines lines(text, fathom_check::longest_line);
   fathom_check::Reader reader(lines);
@@ -38,7 +40,8 @@ Certificate accepted(std::string_view text, const std::string& id) {
   if (!found) throw NotProved("the certificate is not accepted: ");
   if (const fathom_check::Verdict verdict = judged(*found); !verdict.accepted())
     throw NotProved("the certificate is not accepted: " + fathom_check::verdict_line(verdict, id));
-  if (found->certificate.id != id) throw NotProved("the certificate is that of another record, '" + found->certificate.id + "'");
+  if (found->certificate.id != id)
+    throw NotProved("the certificate is that of another record, '" + found->certificate.id + "'");
   if (reader.read()) throw NotProved("expected one certificate, found more");
   return std::move(found->certificate);
 }
@@ -74,7 +77,8 @@ bool same(const Term& term, const fathom_check::Term& other) {
 }
 
 bool same(const std::vector<Point>& points, const std::vector<fathom_check::RationalPoint>& others) {
-  return std::equal(points.begin(), points.end(), others.begin(), others.end(), [](const auto& p, const auto& q) { return same(p, q); });
+  return std::equal(points.begin(), points.end(), others.begin(), others.end(),
+                    [](const auto& p, const auto& q) { return same(p, q); });
 }
 
 /// Whether the body of the certificate has these pieces, in this order.
@@ -93,7 +97,8 @@ bool same(const Pieces& pieces, const fathom_check::Body& body) {
 Point combined(const std::vector<Point>& points, const std::vector<fathom_check::Weight>& weights) {
   Point sum;
   for (const fathom_check::Weight& w : weights) {
-    if (w.index >= points.size()) throw NotProved("a weight of a point that there is not");  // the checker refuses it too
+    if (w.index >= points.size())
+      throw NotProved("a weight of a point that there is not");  // the checker refuses it too
     const mpq_class weight = value_of(w.weight);
     const Point& p = points[w.index];
     sum = {sum.x + weight * p.x, sum.y + weight * p.y, sum.z + weight * p.z};
@@ -130,7 +135,8 @@ Proved stated(const Certificate& certificate, const HullPair& hulls) {
     case Claim::apart: proved.distance_squared = value_of(certificate.low); break;
   }
   if (const int format = proved.status == Status::disjoint ? 2 : 1; certificate.format != format)
-    throw NotProved("the certificate has format " + std::to_string(certificate.format) + ", not " + std::to_string(format));
+    throw NotProved("the certificate has format " + std::to_string(certificate.format) + ", not " +
+                    std::to_string(format));
   proved.common = combined(hulls.a.points, certificate.weights_a.items);
   return proved;
 }
@@ -155,7 +161,8 @@ struct Sides {
   mpq_class factor;     ///< h(n) / <n,n>
   Point translation;
 
-  Sides(const Integers& bodies, const Vector& n) : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
+  Sides(const Integers& bodies, const Vector& n)
+      : a(face_in_direction(bodies.a, -n)), b(face_in_direction(bodies.b, n)) {
     support = kernels::ratio(a.height + b.height, bodies.denominator);
     factor = support / dot(n, n);
     translation = {factor * n.x, factor * n.y, factor * n.z};
@@ -183,12 +190,13 @@ Penetration proved_penetration(const Integers& bodies, const Proved& proved, con
 Distance proved_distance(const Integers& bodies, const Proved& proved, const Witness& witness) {
   const Vector& n = proved.directions.front();
   const Sides sides(bodies, n);
-  if (!sides.witnessed(witness, bodies, n)) throw NotProved("expected.distance.witness: the points do not prove the distance");
+  if (!sides.witnessed(witness, bodies, n))
+    throw NotProved("expected.distance.witness: the points do not prove the distance");
   return {proved.distance_squared, n, sides.translation, witness};
 }
 
-HullStatement truth_in(const HullPair& hulls, const FormedCase& made, const std::optional<Witness>& witness, std::string_view certificate,
-                       Workspace* workspace) {
+HullStatement truth_in(const HullPair& hulls, const FormedCase& made, const std::optional<Witness>& witness,
+                       std::string_view certificate, Workspace* workspace) {
   const Proved proved = stated(accepted(certificate, made.id), hulls);
   if (!witness) throw NotProved("expected.witness: there is none");
   const Integers bodies = integers_of(hulls.a.points, hulls.b.points);
@@ -205,13 +213,15 @@ HullStatement truth_in(const HullPair& hulls, const FormedCase& made, const std:
 
 // ---- shapes ----
 
-/// A body as certificates write it: as simple as it can be, and its points, if it is the hull of some.
+/// A body as certificates write it: as simple as it can be, and its points, if it is the hull of
+/// some.
 struct WrittenBody {
   Shape shape;
   std::optional<std::vector<Point>> points;
 
   explicit WrittenBody(const families::NamedBody& body)
-      : shape(shapes::simplified(families::shape_of(body))), points(shapes::polytope_points(shape, most_expanded_points)) {}
+      : shape(shapes::simplified(families::shape_of(body))),
+        points(shapes::polytope_points(shape, most_expanded_points)) {}
 
   [[nodiscard]] const HalfSpace* half_space() const { return std::get_if<HalfSpace>(&shape.core); }
 
@@ -229,11 +239,13 @@ struct WrittenBody {
                                [](const Term& term, const fathom_check::Term& found) { return same(term, found); });
   }
 
-  /// The greatest <n,x> of the core, which is no curved one; a half-space has one in the direction of its normal only.
+  /// The greatest <n,x> of the core, which is no curved one; a half-space has one in the direction
+  /// of its normal only.
   [[nodiscard]] mpq_class height(const Vector& n) const {
     if (const HalfSpace* const half = half_space()) {
       const mpq_class factor = dot(n, half->normal) / dot(half->normal, half->normal);
-      if (factor <= 0 || Point{factor * half->normal.x, factor * half->normal.y, factor * half->normal.z} != Point{n.x, n.y, n.z})
+      if (factor <= 0 ||
+          Point{factor * half->normal.x, factor * half->normal.y, factor * half->normal.z} != Point{n.x, n.y, n.z})
         throw NotProved("the direction is not that of the half-space");
       return factor * half->offset;
     }
@@ -243,11 +255,13 @@ struct WrittenBody {
   }
 };
 
-/// Of an accepted certificate about these bodies: then the lineality of its cone is independent, and the rays are the extreme ones.
+/// Of an accepted certificate about these bodies: then the lineality of its cone is independent,
+/// and the rays are the extreme ones.
 ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, const WrittenBody& b) {
   if (!a.is(certificate.a) || !b.is(certificate.b)) throw NotProved("the certificate is about other bodies");
   const bool plane = a.half_space() || b.half_space();
-  const mpq_class rho = a.shape.radius + b.shape.radius, low = value_of(certificate.low), high = value_of(certificate.high);
+  const mpq_class rho = a.shape.radius + b.shape.radius, low = value_of(certificate.low),
+                  high = value_of(certificate.high);
   std::vector<Vector> directions = values_of(certificate.directions.items);
   ShapeStatement truth{Surd{rho, 0}, directions.front(), {}, {}};
   switch (certificate.claim) {
@@ -257,8 +271,9 @@ ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, cons
       break;
     case Claim::touching:
       if (!certificate.has_cone && !plane) throw NotProved("the certificate does not claim to list all directions");
-      truth.cone = plane ? OptimalCone{Lineality::none, {}, {truth.direction}}
-                         : rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
+      truth.cone =
+          plane ? OptimalCone{Lineality::none, {}, {truth.direction}}
+                : rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
       truth.direction = truth.cone->direction();
       directions = {truth.direction};
       break;
@@ -285,7 +300,8 @@ ShapeStatement truth_in(const families::NamedPair& shapes, const FormedCase& mad
                         std::string_view certificate, Workspace*) {
   const WrittenBody a(shapes.a), b(shapes.b);
   ShapeStatement truth = stated(accepted(certificate, made.id), a, b);
-  if (shapes.known && denies(truth, *shapes.known)) throw NotProved("source.signed_depth: the certificate proves another one");
+  if (shapes.known && denies(truth, *shapes.known))
+    throw NotProved("source.signed_depth: the certificate proves another one");
   return truth;
 }
 
@@ -294,18 +310,21 @@ ShapeStatement truth_in(const families::NamedPair& shapes, const FormedCase& mad
 UnionGap gap_in(const Certificate& certificate, const Unions& unions) {
   const std::uint32_t a = certificate.of_unions.nearest_a, b = certificate.of_unions.nearest_b;
   if (a >= unions.a.size() || b >= unions.b.size()) throw NotProved("a nearest piece that there is not");
-  const Point of_a = combined(unions.a[a], certificate.weights_a.items), of_b = combined(unions.b[b], certificate.weights_b.items);
+  const Point of_a = combined(unions.a[a], certificate.weights_a.items),
+              of_b = combined(unions.b[b], certificate.weights_b.items);
   return {value_of(certificate.low), a, b, {of_b.x - of_a.x, of_b.y - of_a.y, of_b.z - of_a.z}};
 }
 
 UnionStatement stated(const Certificate& certificate, const Unions& unions) {
-  if (!same(unions.a, certificate.a) || !same(unions.b, certificate.b)) throw NotProved("the certificate is about other bodies");
+  if (!same(unions.a, certificate.a) || !same(unions.b, certificate.b))
+    throw NotProved("the certificate is about other bodies");
   UnionStatement truth;
   switch (certificate.claim) {
     case Claim::depth:
       truth.status = Status::penetrating;
       truth.squared = value_of(certificate.low);
-      for (const fathom_check::RationalPoint& t : certificate.of_unions.optima.items) truth.optima.push_back(value_of(t));
+      for (const fathom_check::RationalPoint& t : certificate.of_unions.optima.items)
+        truth.optima.push_back(value_of(t));
       return truth;
     case Claim::touching: truth.status = Status::touching; return truth;
     case Claim::apart: truth.gap = gap_in(certificate, unions); return truth;
@@ -316,28 +335,31 @@ UnionStatement stated(const Certificate& certificate, const Unions& unions) {
   throw NotProved("the certificate does not prove the depth of unions");
 }
 
-UnionStatement truth_in(const Unions& unions, const FormedCase& made, const std::optional<Witness>&, std::string_view certificate,
-                        Workspace*) {
+UnionStatement truth_in(const Unions& unions, const FormedCase& made, const std::optional<Witness>&,
+                        std::string_view certificate, Workspace*) {
   UnionStatement truth = stated(accepted(certificate, made.id), unions);
   if (!unions.known) return truth;
   const auto& [status, squared, optima] = *unions.known;
-  if (truth.status != status || (truth.gap ? truth.gap->squared : truth.squared) != squared || truth.optima.size() != optima)
+  if (truth.status != status || (truth.gap ? truth.gap->squared : truth.squared) != squared ||
+      truth.optima.size() != optima)
     throw NotProved("source.known: the certificate proves another answer");
   return truth;
 }
 
 }  // namespace
 
-RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness, std::string_view certificate,
-                             Workspace* workspace) {
-  return std::visit([&](const auto& bodies) { return RecordStatement(truth_in(bodies, made, witness, certificate, workspace)); },
-                    made.bodies);
+RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness,
+                             std::string_view certificate, Workspace* workspace) {
+  return std::visit(
+      [&](const auto& bodies) { return RecordStatement(truth_in(bodies, made, witness, certificate, workspace)); },
+      made.bodies);
 }
 
 // ---- records ----
 
-// The certificate proves status, depth and every optimal direction; all else follows from these and the bodies. Then the
-// record is written anew, and must be the same text: so no field can be wrong, missing, repeated or unknown.
+// The certificate proves status, depth and every optimal direction; all else follows from these and
+// the bodies. Then the record is written anew, and must be the same text: so no field can be wrong,
+// missing, repeated or unknown.
 
 const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form) {
   const auto made = std::ranges::find(cases, form, &FormedCase::form);
@@ -389,13 +411,16 @@ std::vector<std::string> Prover::ids() const {
   return ids;
 }
 
-std::optional<std::string> faults_of(std::string_view line, std::string_view certificate) { return Prover().faults_of(line, certificate); }
+std::optional<std::string> faults_of(std::string_view line, std::string_view certificate) {
+  return Prover().faults_of(line, certificate);
+}
 
 // ---- records computed again ----
 
 namespace {
 
-/// A rotation that takes no axis to an axis, and no face of a body that lies along the axes to a plane that is simple; then a translation.
+/// A rotation that takes no axis to an axis, and no face of a body that lies along the axes to a
+/// plane that is simple; then a translation.
 const Pose& other_frame() {
   static const Pose pose = rigid_pose({7, 2, -3, 5}, {mpq_class(1, 3), -2, mpq_class(3, 7)});
   return pose;
@@ -408,18 +433,21 @@ Options options_of(Method method, Monitor* monitor) {
   return options;
 }
 
-// What is true of the bodies when `method` answers; nullopt if that was compared with the line here.
+// What is true of the bodies when `method` answers; nullopt if that was compared with the line
+// here.
 
 std::optional<RecordStatement> truth_by(Method method, const HullPair& hulls, std::string_view, Monitor* monitor) {
   return truth_of(hulls, penetration_depth(hulls.a, hulls.b, options_of(method, monitor)), monitor);
 }
 
-std::optional<RecordStatement> truth_by(Method method, const families::NamedPair& shapes, std::string_view line, Monitor* monitor) {
+std::optional<RecordStatement> truth_by(Method method, const families::NamedPair& shapes, std::string_view line,
+                                        Monitor* monitor) {
   const Shape a = families::shape_of(shapes.a), b = families::shape_of(shapes.b);
   const Options options = options_of(method, monitor);
   const SignedDepth turned = answer_about(moved(b, other_frame()), moved(a, other_frame()), options);
   const Surd* const exact = turned.exact();
-  const Surd low = exact ? *exact : Surd{turned.bounds()->low, 0}, high = exact ? *exact : Surd{turned.bounds()->high, 0};
+  const Surd low = exact ? *exact : Surd{turned.bounds()->low, 0},
+             high = exact ? *exact : Surd{turned.bounds()->high, 0};
   const auto [stated_low, stated_high] = signed_depth_in(line);
   if (compare(stated_low, high) > 0 || compare(low, stated_high) > 0)
     throw NotProved("expected.signed_depth: the bodies, turned and exchanged, have another one");
@@ -429,13 +457,16 @@ std::optional<RecordStatement> truth_by(Method method, const families::NamedPair
 
 Pieces moved(Pieces pieces) {
   const Pose& m = other_frame();
-  const auto row = [&m](std::size_t i, const Point& p) { return mpq_class(m[i][0] * p.x + m[i][1] * p.y + m[i][2] * p.z + m[i][3]); };
+  const auto row = [&m](std::size_t i, const Point& p) {
+    return mpq_class(m[i][0] * p.x + m[i][1] * p.y + m[i][2] * p.z + m[i][3]);
+  };
   for (std::vector<Point>& piece : pieces)
     for (Point& p : piece) p = {row(0, p), row(1, p), row(2, p)};
   return pieces;
 }
 
-/// A translation of B in the other frame, as one of A in this one. The inverse of a rotation is its transpose.
+/// A translation of B in the other frame, as one of A in this one. The inverse of a rotation is its
+/// transpose.
 Point translation_of_a(const Point& t) {
   const Pose& m = other_frame();
   const auto column = [&](std::size_t i) { return mpq_class(-(m[0][i] * t.x + m[1][i] * t.y + m[2][i] * t.z)); };
@@ -445,7 +476,8 @@ Point translation_of_a(const Point& t) {
 /// The pieces that the line says are nearest, and how they are apart by the method.
 UnionGap stated_gap(Method method, std::string_view line, const Unions& unions, Monitor* monitor) {
   const auto [a, b] = nearest_pieces_in(line);
-  if (a >= unions.a.size() || b >= unions.b.size()) throw NotProved("expected.distance.pieces: there are no such pieces");
+  if (a >= unions.a.size() || b >= unions.b.size())
+    throw NotProved("expected.distance.pieces: there are no such pieces");
   const Depth answer = penetration_depth(unions.a[a], unions.b[b], options_of(method, monitor));
   if (!answer.distance()) throw NotProved("expected.distance.pieces: these pieces are not disjoint");
   return {answer.distance()->squared, a, b, answer.distance()->translation};
@@ -454,10 +486,12 @@ UnionGap stated_gap(Method method, std::string_view line, const Unions& unions, 
 std::optional<RecordStatement> truth_by(Method method, const Unions& unions, std::string_view line, Monitor* monitor) {
   UnionStatement truth = truth_of(answer_about(moved(unions.b), moved(unions.a), monitor));
   for (Point& t : truth.optima) t = translation_of_a(t);
-  std::ranges::sort(truth.optima, [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
+  std::ranges::sort(truth.optima,
+                    [](const Point& p, const Point& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); });
   if (truth.gap) {
     UnionGap gap = stated_gap(method, line, unions, monitor);
-    if (gap.squared != truth.gap->squared) throw NotProved("expected.distance.pieces: these pieces are not the nearest");
+    if (gap.squared != truth.gap->squared)
+      throw NotProved("expected.distance.pieces: these pieces are not the nearest");
     truth.gap = std::move(gap);
   }
   return truth;
@@ -466,7 +500,8 @@ std::optional<RecordStatement> truth_by(Method method, const Unions& unions, std
 /// The line as it is when `method` answers; nullopt if the line as it is was compared.
 std::optional<std::string> line_by(Method method, std::string_view line, Monitor* monitor) {
   const Claimed claimed = read_record(line);
-  FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls} : case_in(cases_of(claimed.recipe), claimed.form);
+  FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls}
+                                  : case_in(cases_of(claimed.recipe), claimed.form);
   std::optional<RecordStatement> truth =
       std::visit([&](const auto& bodies) { return truth_by(method, bodies, line, monitor); }, made.bodies);
   if (!truth) return std::nullopt;

@@ -44,7 +44,9 @@ std::string id_of(const Recipe& recipe, Form form) {
 
 namespace {
 
-HullPair hulls_of(const Case& points) { return {{in_simplest_form(points.a.points)}, {in_simplest_form(points.b.points)}}; }
+HullPair hulls_of(const Case& points) {
+  return {{in_simplest_form(points.a.points)}, {in_simplest_form(points.b.points)}};
+}
 
 Unions unions_of(const Case& unions, std::optional<KnownUnion> known = std::nullopt) {
   return {*unions.a.pieces, *unions.b.pieces, std::move(known)};
@@ -90,7 +92,8 @@ RecordBodies base_bodies(const Recipe& recipe) {
     case Source::union_catalogue:
       for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
         if (entry.pair.id == name)
-          return unions_of(entry.pair, KnownUnion{entry.status, entry.squared, entry.status == Status::penetrating ? entry.optima : 0});
+          return unions_of(entry.pair, KnownUnion{entry.status, entry.squared,
+                                                  entry.status == Status::penetrating ? entry.optima : 0});
       break;
   }
   constexpr std::array what{"a case", "shapes", "unions"};
@@ -103,7 +106,8 @@ GivenPoints in_simplest_form(const GivenPoints& points) {
   std::vector<std::array<double, 3>> same;
   same.reserve(points.size());
   for (const Point& p : points) {
-    const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x, z = y ? kernels::in_binary64(p.z) : y;
+    const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x,
+                                z = y ? kernels::in_binary64(p.z) : y;
     if (!z) return points;
     same.push_back({*x, *y, *z});
   }
@@ -116,7 +120,9 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-double nearest(double value, Form format) { return format == Form::binary32 ? kernels::nearest_binary32(value) : value; }
+double nearest(double value, Form format) {
+  return format == Form::binary32 ? kernels::nearest_binary32(value) : value;
+}
 
 double nearest(const mpq_class& value, Form format) {
   return format == Form::binary32 ? double{round_binary32(value)} : round_binary64(value);
@@ -149,7 +155,9 @@ bool round(GivenPoints& points, Form form) {
     result.push_back({nearest(x, form), nearest(y, form), nearest(z, form)});
     return std::ranges::all_of(result.back(), [](double c) { return std::isfinite(c); });
   };
-  const auto all_equal = [](const auto& all) { return std::ranges::all_of(all, [&](const auto& p) { return p == all.front(); }); };
+  const auto all_equal = [](const auto& all) {
+    return std::ranges::all_of(all, [&](const auto& p) { return p == all.front(); });
+  };
   const bool given = points.in_binary64();
   if (!(given ? std::ranges::all_of(points.binary64(), add) : std::ranges::all_of(points.exact(), add))) return false;
   const bool one_point = given ? all_equal(points.binary64()) : all_equal(points.exact());
@@ -223,7 +231,9 @@ bool round(Unions& unions, Form form) {
 }
 
 bool fits(const Unions& unions, Form format) {
-  const auto point_fits = [format](const Point& p) { return is_in(p.x, format) && is_in(p.y, format) && is_in(p.z, format); };
+  const auto point_fits = [format](const Point& p) {
+    return is_in(p.x, format) && is_in(p.y, format) && is_in(p.z, format);
+  };
   for (const Pieces* pieces : {&unions.a, &unions.b})
     for (const std::vector<Point>& piece : *pieces)
       if (!std::ranges::all_of(piece, point_fits)) return false;

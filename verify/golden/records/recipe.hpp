@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a base case of the golden data is made from, a name, and for families a size and a seed; and the bodies of its records: the same on
-// every machine.
+// What a base case of the golden data is made from, a name, and for families a size and a seed; and
+// the bodies of its records: the same on every machine.
 #pragma once
 
-#include <cstdint>
 #include <gmpxx.h>
+
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -63,13 +64,16 @@ enum class Form {
   binary32   ///< likewise to binary32, from the exact number
 };
 
-/// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family" or "union_catalogue".
+/// "family", "catalogue", "real", "shape_family", "shape_catalogue", "union_family" or
+/// "union_catalogue".
 std::string_view name_of(Source source);
 
-constexpr std::string_view name_of(Form form) { return form == Form::given ? "given" : form == Form::binary64 ? "binary64" : "binary32"; }
+constexpr std::string_view name_of(Form form) {
+  return form == Form::given ? "given" : form == Form::binary64 ? "binary64" : "binary32";
+}
 
-/// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share one, and no id is ever given to other
-/// bodies. With ".b64" or ".b32" after it for rounded ones.
+/// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share
+/// one, and no id is ever given to other bodies. With ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
 /// Two polytopes, the hulls of points.
@@ -87,7 +91,8 @@ struct KnownUnion {
 /// Two unions of convex pieces.
 struct Unions {
   Pieces a, b;
-  /// Beside given ones only. An entry of the catalogue states it; of convex bodies that were cut it is the answer about the hulls.
+  /// Beside given ones only. An entry of the catalogue states it; of convex bodies that were cut it
+  /// is the answer about the hulls.
   std::optional<KnownUnion> known = std::nullopt;
 };
 
@@ -104,9 +109,10 @@ struct FormedCase {
 /// Returns the bodies of the base case. Throws std::invalid_argument if nothing has that name.
 RecordBodies base_bodies(const Recipe& recipe);
 
-/// Returns the bodies with each number rounded to the nearest: coordinates, lengths, margins, the parts of quaternions and places. Returns
-/// nullopt if a number overflows; if the points of a body all become equal that were not, or a piece becomes flat; or if what results is
-/// no shape, where a length is rounded to 0, or a quaternion. Pieces that abutted may overlap then, or leave a gap.
+/// Returns the bodies with each number rounded to the nearest: coordinates, lengths, margins, the
+/// parts of quaternions and places. Returns nullopt if a number overflows; if the points of a body
+/// all become equal that were not, or a piece becomes flat; or if what results is no shape, where a
+/// length is rounded to 0, or a quaternion. Pieces that abutted may overlap then, or leave a gap.
 std::optional<RecordBodies> rounded(const RecordBodies& base, Form form);
 
 /// Returns whether every number of the bodies is one of that format.
@@ -115,8 +121,9 @@ bool in_format(const RecordBodies& bodies, Form format);
 /// The same points, of a body in binary64 if all of its coordinates are.
 GivenPoints in_simplest_form(const GivenPoints& points);
 
-/// Returns the bodies of all records of a recipe, in their order: the exact ones, then those rounded to binary64 if that moves a number,
-/// then those rounded to binary32 if that yields yet other ones. Omits rounded ones if rounded() returns nullopt. Throws as base_bodies.
+/// Returns the bodies of all records of a recipe, in their order: the exact ones, then those
+/// rounded to binary64 if that moves a number, then those rounded to binary32 if that yields yet
+/// other ones. Omits rounded ones if rounded() returns nullopt. Throws as base_bodies.
 std::vector<FormedCase> cases_of(const Recipe& recipe);
 
 }  // namespace fathom::golden

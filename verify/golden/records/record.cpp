@@ -26,20 +26,24 @@ struct Answered {
   std::string certificate;
 };
 
-/// The checker, which shares nothing with the engines, must accept. Of polytopes, most of the records, the verdict is compared with the
-/// answer; to prove the whole record takes as long as to make it.
+/// The checker, which shares nothing with the engines, must accept. Of polytopes, most of the
+/// records, the verdict is compared with the answer; to prove the whole record takes as long as to
+/// make it.
 void insist_on(const std::string& id, const std::string& text, const Depth& answer) {
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
-  if (!verdict.accepted()) refuse("the certificate is not accepted: line " + std::to_string(verdict.line) + ": " + verdict.reason);
+  if (!verdict.accepted())
+    refuse("the certificate is not accepted: line " + std::to_string(verdict.line) + ": " + verdict.reason);
   const Distance* const distance = answer.distance();
   const bool same_length = distance ? verdict.signed_depth == "-sqrt(" + exact_text(distance->squared) + ")+0"
                                     : verdict.depth_squared == exact_text(answer.squared());
-  if (verdict.id != id || verdict.status != name(answer.status()) || !same_length || verdict.optima != answer.optima().size())
+  if (verdict.id != id || verdict.status != name(answer.status()) || !same_length ||
+      verdict.optima != answer.optima().size())
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }
 
-/// The expanding polytope finds answer and proof in one run; if it gives up, the exact method answers and the proof is found afterwards.
+/// The expanding polytope finds answer and proof in one run; if it gives up, the exact method
+/// answers and the proof is found afterwards.
 Answered answered(const HullPair& hulls, const std::string& id, Monitor* monitor, Workspace* workspace) {
   Options options;
   options.monitor = monitor;
@@ -67,7 +71,8 @@ Answered answered(const Unions& unions, const std::string& id, Monitor* monitor,
 
 Record record_of(const Recipe& recipe, FormedCase made, Monitor* monitor, Workspace* workspace) {
   const std::string id = made.id;
-  auto [truth, certificate] = std::visit([&](const auto& bodies) { return answered(bodies, id, monitor, workspace); }, made.bodies);
+  auto [truth, certificate] =
+      std::visit([&](const auto& bodies) { return answered(bodies, id, monitor, workspace); }, made.bodies);
   const Facts facts = facts_of(recipe, std::move(made), std::move(truth), digest::digest_of(certificate).sha256);
   Record record{id, line_of(facts), std::move(certificate), csv_row(facts), facts.in_binary64, facts.in_binary32};
   if (!std::holds_alternative<HullPair>(facts.made.bodies))
@@ -119,7 +124,8 @@ template <class Unsigned>
 Unsigned unsigned_number(const std::string& digits) {
   Unsigned value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) throw NotARecord("expected a natural number, found '" + digits + "'");
+  if (error != std::errc() || end != digits.data() + digits.size())
+    throw NotARecord("expected a natural number, found '" + digits + "'");
   return value;
 }
 
@@ -133,8 +139,8 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
 
 void read_source(const Json& source, Claimed& claimed) {
   Recipe& recipe = claimed.recipe;
-  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family, Source::shape_catalogue,
-                                   Source::union_family, Source::union_catalogue},
+  recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
+                                   Source::shape_catalogue, Source::union_family, Source::union_catalogue},
                         text(source.at("kind"), "a kind"));
   recipe.name = text(source.at("name"), "a name");
   if (from_family(recipe.source)) {
@@ -211,10 +217,13 @@ std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line)
 std::string first_difference(std::string_view expected, std::string_view found) {
   const Json right = Json::parse(expected, nullptr, false), given = Json::parse(found, nullptr, false);
   const Json steps = Json::diff(right, given);
-  if (steps.empty()) return "expected each field once, in the order and form in which records are written, found another text";
+  if (steps.empty())
+    return "expected each field once, in the order and form in which records are written, found another text";
   const std::string pointer = steps[0].at("path").get<std::string>();
   const Json::json_pointer at(pointer);
-  const auto shown = [&at](const Json& record) { return record.contains(at) ? shortened(record.at(at).dump()) : std::string("nothing"); };
+  const auto shown = [&at](const Json& record) {
+    return record.contains(at) ? shortened(record.at(at).dump()) : std::string("nothing");
+  };
   return path_in_words(pointer) + ": expected " + shown(right) + ", found " + shown(given);
 }
 

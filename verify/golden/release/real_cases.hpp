@@ -9,7 +9,8 @@
 
 namespace fathom::golden {
 
-/// Pairs that made libraries fail, from their issue trackers and test suites, as binary64. Ids without their common prefix "real::".
+/// Pairs that made libraries fail, from their issue trackers and test suites, as binary64. Ids
+/// without their common prefix "real::".
 std::span<const Case> real_cases();
 
 /// Returns nullptr if none has that name.

@@ -2,25 +2,26 @@
 
 #include "verify/golden/release/release.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <system_error>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 #include <utility>
 
+#include "fathom/depth.hpp"
 #include "kernels/messages.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
-#include "fathom/depth.hpp"
 #include "verify/golden/shards/shard.hpp"
 
 namespace fathom::golden {
@@ -56,7 +57,8 @@ std::optional<std::vector<Sum>> parse_sums(std::string_view text) {
     rest.remove_prefix(line.size() + 1);
     sums.push_back({std::string(line.substr(digits + 2)), std::string(line.substr(0, digits))});
     const Sum& sum = sums.back();
-    if (!is_plain_name(sum.name) || sum.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) return std::nullopt;
+    if (!is_plain_name(sum.name) || sum.sha256.find_first_not_of("0123456789abcdef") != std::string::npos)
+      return std::nullopt;
     if (sums.size() > 1 && sums[sums.size() - 2].name >= sum.name) return std::nullopt;
   }
   if (sums_text(sums) != text) return std::nullopt;
@@ -79,7 +81,8 @@ std::size_t records_in(const Dataset& dataset) { return total(dataset, &Manifest
 std::string contents_text(const Dataset& dataset) {
   std::vector<Sum> sums;
   for (const Manifest& shard : dataset.shards)
-    for (const ShardFile& file : shard.files) sums.push_back({file.name.substr(0, file.name.rfind('.')), file.content.sha256});
+    for (const ShardFile& file : shard.files)
+      sums.push_back({file.name.substr(0, file.name.rfind('.')), file.content.sha256});
   return sums_text(std::move(sums));
 }
 
@@ -94,13 +97,16 @@ std::string dataset_text(const Dataset& dataset) {
       {"licence", "CC0-1.0"},
       {"generator", {{"name", "fathom"}, {"data_version", dataset.version}, {"seed", std::to_string(dataset.seed)}}},
       {"level", name_of(dataset.level)},
-      {"cite", fmt::format("The fathom developers: fathom golden data {}, version {}, seed {}. CC0-1.0. Content SHA-256: {}",
-                           name_of(dataset.level), dataset.version, dataset.seed, content)},
+      {"cite",
+       fmt::format("The fathom developers: fathom golden data {}, version {}, seed {}. CC0-1.0. Content SHA-256: {}",
+                   name_of(dataset.level), dataset.version, dataset.seed, content)},
       {"content_sha256", content},
       {"recipes", total(dataset, &Manifest::recipes)},
       {"records", records_in(dataset)},
       {"schemas",
-       {{"dataset.json", "dataset.schema.json"}, {"golden-*.json", "shard.schema.json"}, {"golden-*.jsonl.zst", "golden.schema.json"}}},
+       {{"dataset.json", "dataset.schema.json"},
+        {"golden-*.json", "shard.schema.json"},
+        {"golden-*.jsonl.zst", "golden.schema.json"}}},
       {"shards", shards}};
   return json.dump(2) + '\n';
 }
@@ -135,7 +141,8 @@ std::optional<Agreement> parse_agreement(std::string_view text) {
   try {
     const Json json = Json::parse(text);
     Agreement agreement{json.at("content_sha256").get<std::string>(), json.at("records").get<std::size_t>(), {}};
-    for (const Json& method : json.at("methods")) agreement.methods.push_back(solve::second_method(method.get<std::string>()).value());
+    for (const Json& method : json.at("methods"))
+      agreement.methods.push_back(solve::second_method(method.get<std::string>()).value());
     if (!agreement.methods.empty() && agreement_text(agreement) == text) return agreement;
   } catch (const std::exception&) {  // no JSON, or other fields than ours
   }
@@ -216,7 +223,8 @@ namespace {
 
 constexpr std::size_t recipes_in_flight = 32;  // for each thread; bounds the memory
 
-/// Recipe after recipe of several shards, made on all threads and written in order by one at a time.
+/// Recipe after recipe of several shards, made on all threads and written in order by one at a
+/// time.
 class Assembly {
  public:
   Assembly(const GenerateOptions& options, const std::vector<ShardPlan>& shards, std::span<const std::size_t> numbers)
@@ -228,9 +236,11 @@ class Assembly {
     using tbb::filter_mode;
     tbb::parallel_pipeline(
         threads * recipes_in_flight,
-        tbb::make_filter<void, Given>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
+        tbb::make_filter<void, Given>(filter_mode::serial_in_order,
+                                      [this](tbb::flow_control& control) { return next(control); }) &
             tbb::make_filter<Given, Records>(filter_mode::parallel, [this](Given given) { return made(*given); }) &
-            tbb::make_filter<Records, void>(filter_mode::serial_in_order, [this](const Records& records) { write(*records); }));
+            tbb::make_filter<Records, void>(filter_mode::serial_in_order,
+                                            [this](const Records& records) { write(*records); }));
   }
 
  private:
@@ -287,7 +297,8 @@ unsigned threads_of(const GenerateOptions& options) {
 
 }  // namespace
 
-Generation::Generation(GenerateOptions options) : options_(std::move(options)), shards_(plan(options_.level, options_.seed)) {
+Generation::Generation(GenerateOptions options)
+    : options_(std::move(options)), shards_(plan(options_.level, options_.seed)) {
   prepare_folder(options_.folder, shards_);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The folder of a release as a whole: which names belong in it, and the pages that complete it once all shards are there.
+// The folder of a release as a whole: which names belong in it, and the pages that complete it once
+// all shards are there.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +15,16 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "fathom/monitor.hpp"
 #include "verify/golden/shards/plan.hpp"
 #include "verify/golden/shards/shard.hpp"
-#include "fathom/monitor.hpp"
 
 namespace fathom::golden {
 
 // ---- SHA256SUMS ----
 
-/// A line "<64 digits>  <name>" for every other file of a flat folder, sorted by name, as `sha256sum -c` reads them. So is
-/// CONTENT_SHA256SUMS, of decompressed files.
+/// A line "<64 digits>  <name>" for every other file of a flat folder, sorted by name, as
+///                      `sha256sum -c` reads them. So is CONTENT_SHA256SUMS, of decompressed files.
 inline constexpr std::string_view sums_name = "SHA256SUMS";
 
 struct Sum {
@@ -51,8 +52,9 @@ struct Dataset {
 
 std::size_t records_in(const Dataset& dataset);
 
-/// CONTENT_SHA256SUMS: the sums of the decompressed files of all shards, as `sha256sum -c` reads them. The same for every version of
-/// libzstd, where SHA256SUMS, of the files as they are stored, is not.
+/// CONTENT_SHA256SUMS: the sums of the decompressed files of all shards, as `sha256sum -c` reads
+/// them. The same for every version of libzstd, where SHA256SUMS, of the files as they are stored,
+/// is not.
 std::string contents_text(const Dataset& dataset);
 
 /// JSON, schemas/dataset.schema.json; ends with a line feed.
@@ -63,8 +65,8 @@ std::optional<Dataset> parse_dataset(std::string_view text);
 
 // ---- agreement.json: which methods have given every record of a release ----
 
-/// Written after the release is complete, by who computed it again, and no part of the data: SHA256SUMS does not list it, and it says
-/// itself which contents it is about.
+/// Written after the release is complete, by who computed it again, and no part of the data:
+/// SHA256SUMS does not list it, and it says itself which contents it is about.
 inline constexpr std::string_view agreement_name = "agreement.json";
 
 struct Agreement {
@@ -84,23 +86,29 @@ std::optional<Agreement> parse_agreement(std::string_view text);
 /// The pages that are the same in every release of this version: name and content.
 std::vector<std::pair<std::string, std::string>> fixed_pages();
 
-/// The names of all files of a complete release with these shards, SHA256SUMS too; agreement.json may come on top.
+/// The names of all files of a complete release with these shards, SHA256SUMS too; agreement.json
+/// may come on top.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 
-/// Makes the folder if it is missing. Throws FolderError if it holds anything but files of this release, finished or not; FileError.
+/// Makes the folder if it is missing. Throws FolderError if it holds anything but files of this
+/// release, finished or not; FileError.
 void prepare_folder(const std::filesystem::path& folder, const std::vector<ShardPlan>& shards);
 
-/// Removes the pages that only a complete release has: dataset.json, both pages of sums, agreement.json. Throws FileError.
+/// Removes the pages that only a complete release has: dataset.json, both pages of sums,
+/// agreement.json. Throws FileError.
 void open_release(const std::filesystem::path& folder);
 
-/// Writes the fixed pages, dataset.json, CONTENT_SHA256SUMS and, last, SHA256SUMS. All shards must be there. Throws FileError.
-void close_release(const std::filesystem::path& folder, Level level, std::uint64_t seed, const std::vector<ShardPlan>& shards);
+/// Writes the fixed pages, dataset.json, CONTENT_SHA256SUMS and, last, SHA256SUMS. All shards must
+/// be there. Throws FileError.
+void close_release(const std::filesystem::path& folder, Level level, std::uint64_t seed,
+                   const std::vector<ShardPlan>& shards);
 
 // ---- generation ----
 
 // Input   a level, a seed, a folder.
-// Output  the release in that folder, or the requested part of its shards. Complete shards in it are kept, so a run
-//         that was interrupted or killed goes on where it stopped. The bytes do not depend on the number of threads or processes.
+// Output  the release in that folder, or the requested part of its shards. Complete shards in it
+//         are kept, so a run that was interrupted or killed goes on where it stopped. The bytes do
+//         not depend on the number of threads or processes.
 
 /// Progress, in base cases.
 struct Done {
@@ -119,16 +127,20 @@ struct GenerateOptions {
 
 class Generation {
  public:
-  /// Reads the folder, or makes it. Throws FolderError if it holds anything else than this release, FileError.
+  /// Reads the folder, or makes it. Throws FolderError if it holds anything else than this release,
+  /// FileError.
   explicit Generation(GenerateOptions options);
 
   [[nodiscard]] const std::vector<ShardPlan>& shards() const { return shards_; }
-  /// Returns the numbers of the shards that are absent or damaged, ascending. Reads the files. Throws as the constructor does.
+  /// Returns the numbers of the shards that are absent or damaged, ascending. Reads the files.
+  /// Throws as the constructor does.
   [[nodiscard]] std::vector<std::size_t> unfinished() const;
-  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record does not hold against its proof. Shards
-  /// that were finished before stay; of the others nothing does.
+  /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record
+  /// does not hold against its proof. Shards that were finished before stay; of the others nothing
+  /// does.
   void make(std::span<const std::size_t> numbers) const;
-  /// Writes the pages that complete the release. Throws FolderError if a shard is missing, FileError.
+  /// Writes the pages that complete the release. Throws FolderError if a shard is missing,
+  /// FileError.
   void close() const;
 
  private:
@@ -139,8 +151,9 @@ class Generation {
 // ---- verification ----
 
 // Input   the folder of a release, not trusted.
-// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every certificate and every value are checked, and by
-//         whom it is said to have been computed again.
+// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every
+//         certificate and every value are checked, and by whom it is said to have been computed
+//         again.
 
 /// What was found in one shard.
 struct ShardResult {
@@ -152,11 +165,12 @@ struct ShardResult {
 using TakeShard = std::function<bool(std::size_t shard, ShardResult result)>;
 
 struct VerifyOptions {
-  std::vector<Method> methods;                                      ///< compute every record again by each of these, beside its proof
-  unsigned jobs = 0;                                                ///< threads; 0: as many as there are cores
-  Monitor* monitor = nullptr;                                       ///< asked from all threads whether to stop
+  std::vector<Method> methods;  ///< compute every record again by each of these, beside its proof
+  unsigned jobs = 0;            ///< threads; 0: as many as there are cores
+  Monitor* monitor = nullptr;   ///< asked from all threads whether to stop
   std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
-  /// If set, it has the shards proved, by ShardVerifier, and passes on the results: all of `shards`, or those before the first refusal.
+  /// If set, it has the shards proved, by ShardVerifier, and passes on the results: all of
+  /// `shards`, or those before the first refusal.
   std::function<void(const std::vector<ShardPlan>& shards, const TakeShard& take)> elsewhere;
 };
 
@@ -165,7 +179,8 @@ struct Verified {
   std::string version;
   std::uint64_t seed = 0;
   std::size_t shards = 0, records = 0;
-  std::vector<Refusal> refusals;  ///< empty if accepted; otherwise every bad name, checksum and page, then the first bad record
+  std::vector<Refusal>
+      refusals;  ///< empty if accepted; otherwise every bad name, checksum and page, then the first bad record
 };
 
 /// Throws FileError if the folder itself cannot be read, Interrupted.
@@ -186,8 +201,8 @@ class ShardVerifier {
   std::vector<ShardPlan> shards_;
 };
 
-/// Writes the page that says by which methods the release was computed again. Call it after verify accepted the folder with these methods.
-/// Throws FileError.
+/// Writes the page that says by which methods the release was computed again. Call it after verify
+/// accepted the folder with these methods. Throws FileError.
 void state_agreement(const std::filesystem::path& folder, const Verified& verified, const std::vector<Method>& methods);
 
 }  // namespace fathom::golden

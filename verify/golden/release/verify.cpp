@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <optional>
 #include <set>
 #include <system_error>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #include <utility>
 
 #include "kernels/context.hpp"
@@ -18,7 +19,8 @@ namespace fathom::golden {
 namespace fs = std::filesystem;
 namespace {
 
-/// From the outside to the inside; each step believes what the ones before it have checked, so the first that refuses is the last.
+/// From the outside to the inside; each step believes what the ones before it have checked, so the
+/// first that refuses is the last.
 class Verifier {
  public:
   Verifier(fs::path folder, const VerifyOptions& options) : folder_(std::move(folder)), options_(&options) {}
@@ -52,16 +54,19 @@ class Verifier {
     const std::optional<std::string> text = text_of(name);
     if (!text) return false;
     std::optional<Dataset> dataset = parse_dataset(*text);
-    if (!dataset) return refuse(name, "this is not the page of a release as dataset.schema.json says and this program writes it");
+    if (!dataset)
+      return refuse(name, "this is not the page of a release as dataset.schema.json says and this program writes it");
     dataset_ = std::move(*dataset);
     if (dataset_.version != data_version)
-      return refuse(name,
-                    "data version " + kernels::printable(dataset_.version, 40) + ", and this program knows " + std::string(data_version));
+      return refuse(name, "data version " + kernels::printable(dataset_.version, 40) + ", and this program knows " +
+                              std::string(data_version));
     shards_ = plan(dataset_.level, dataset_.seed);
     if (shards_.size() != dataset_.shards.size())
-      return refuse(name, std::to_string(dataset_.shards.size()) + " shards, and the plan has " + std::to_string(shards_.size()));
+      return refuse(
+          name, std::to_string(dataset_.shards.size()) + " shards, and the plan has " + std::to_string(shards_.size()));
     for (std::size_t i = 0; i < shards_.size(); ++i)
-      if (auto fault = not_of_plan(dataset_.shards[i], shards_[i], dataset_.seed)) return refuse(name, shards_[i].name + ": " + *fault);
+      if (auto fault = not_of_plan(dataset_.shards[i], shards_[i], dataset_.seed))
+        return refuse(name, shards_[i].name + ": " + *fault);
     result_.level = dataset_.level;
     result_.version = dataset_.version;
     result_.seed = dataset_.seed;
@@ -72,7 +77,8 @@ class Verifier {
   void list_names() {
     std::error_code error;
     fs::directory_iterator entry(folder_, error);
-    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) names_.insert(entry->path().filename().string());
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+      names_.insert(entry->path().filename().string());
     if (error) throw FileError("read the folder", folder_, error.value());
   }
 
@@ -125,7 +131,8 @@ class Verifier {
     for (const Manifest& shard : dataset_.shards) {
       const std::string page = shard.name + std::string(manifest_suffix);
       const std::optional<std::string> text = text_of(page);
-      if (text && *text != manifest_text(shard)) refuse(page, "the page differs from the shard's entry in " + std::string(dataset_name));
+      if (text && *text != manifest_text(shard))
+        refuse(page, "the page differs from the shard's entry in " + std::string(dataset_name));
       for (const ShardFile& file : shard.files) check_listed(file);
     }
     if (stated_) check_agreement();
@@ -139,7 +146,8 @@ class Verifier {
     const std::optional<Agreement> agreement = parse_agreement(*text);
     if (!agreement) {
       refuse(name, "this is not a page as agreement.schema.json says and this program writes it");
-    } else if (agreement->content_sha256 != digest_of_file(folder_ / contents_name).sha256 || agreement->records != records_in(dataset_)) {
+    } else if (agreement->content_sha256 != digest_of_file(folder_ / contents_name).sha256 ||
+               agreement->records != records_in(dataset_)) {
       refuse(name, "the page is about another release");
     }
   }
@@ -190,7 +198,8 @@ namespace {
 /// Runs `work` in an arena of as many threads as the options say, and returns its result.
 template <class Work>
 auto on_threads(const VerifyOptions& options, Work work) {
-  const unsigned threads = options.jobs > 0 ? options.jobs : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
+  const unsigned threads =
+      options.jobs > 0 ? options.jobs : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
   return arena.execute(work);
@@ -202,7 +211,8 @@ Verified verify(const fs::path& folder, const VerifyOptions& options) {
   return on_threads(options, [&] { return Verifier(folder, options).run(); });
 }
 
-ShardVerifier::ShardVerifier(fs::path folder, VerifyOptions options) : folder_(std::move(folder)), options_(std::move(options)) {
+ShardVerifier::ShardVerifier(fs::path folder, VerifyOptions options)
+    : folder_(std::move(folder)), options_(std::move(options)) {
   std::optional<Dataset> dataset = parse_dataset(read_small_file(folder_ / dataset_name));
   if (!dataset) throw FileError((folder_ / dataset_name).string() + ": this is not the page of a release");
   dataset_ = *std::move(dataset);
@@ -219,7 +229,8 @@ ShardResult ShardVerifier::verify(std::size_t shard) const {
 }
 
 void state_agreement(const fs::path& folder, const Verified& verified, const std::vector<Method>& methods) {
-  put_file(folder, std::string(agreement_name), agreement_text({digest_of_file(folder / contents_name).sha256, verified.records, methods}));
+  put_file(folder, std::string(agreement_name),
+           agreement_text({digest_of_file(folder / contents_name).sha256, verified.records, methods}));
 }
 
 }  // namespace fathom::golden

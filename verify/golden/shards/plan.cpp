@@ -26,8 +26,11 @@ std::vector<Level> chain_to(Level level) {
   return chain;
 }
 
-// About 250 records; in L3 about 3000, so that one folder can hold all files; of U0, whose certificates are long, about 75.
-constexpr std::size_t recipes_in_a_shard(Level level) { return level == Level::L3 ? 1500 : level == Level::U0 ? 50 : 150; }
+// About 250 records; in L3 about 3000, so that one folder can hold all files; of U0, whose
+// certificates are long, about 75.
+constexpr std::size_t recipes_in_a_shard(Level level) {
+  return level == Level::L3 ? 1500 : level == Level::U0 ? 50 : 150;
+}
 
 constexpr unsigned least_size = 4;
 
@@ -51,9 +54,10 @@ constexpr Share share_of(Level level) {
   return {6, 6, 0};
 }
 
-// Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows with the square of the size.
-constexpr std::array<std::string_view, 5> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties", "crossed_vanishing_ties",
-                                                 "crossed_noisy_ties"};
+// Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows
+// with the square of the size.
+constexpr std::array<std::string_view, 5> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties",
+                                                 "crossed_vanishing_ties", "crossed_noisy_ties"};
 constexpr unsigned most_if_costly = 60;
 
 // A few very large cases, in L2.
@@ -72,14 +76,18 @@ struct Habit {
   bool seeded = true;  ///< whether the seed matters
 };
 
-bool same_pieces(const Body& p, const Body& q) { return p.pieces && q.pieces ? *p.pieces == *q.pieces : p.pieces == q.pieces; }
+bool same_pieces(const Body& p, const Body& q) {
+  return p.pieces && q.pieces ? *p.pieces == *q.pieces : p.pieces == q.pieces;
+}
 bool same_body(const Body& p, const Body& q) { return p.points == q.points && p.shape == q.shape && same_pieces(p, q); }
 bool same_bodies(const Case& p, const Case& q) { return same_body(p.a, q.a) && same_body(p.b, q.b); }
 
 Habit habit_of(Source source, const families::Family& family) {
   Habit habit{source, family.name, family.usual_size};
   const Case case_of_5 = family.make(1, 5);
-  const auto differs = [&](std::uint64_t seed, unsigned size) { return !same_bodies(case_of_5, family.make(seed, size)); };
+  const auto differs = [&](std::uint64_t seed, unsigned size) {
+    return !same_bodies(case_of_5, family.make(seed, size));
+  };
   habit.seeded = differs(2, 5) || differs(3, 5);
   habit.sized = differs(1, 23) && differs(1, 12);
   return habit;
@@ -96,8 +104,8 @@ Habits habits(Kind kind) {
   return result;
 }
 
-/// Whether there is a case number `index` of a family, counted through all levels, or its share is used up. Without a seed there is one of
-/// each size, or of the usual one.
+/// Whether there is a case number `index` of a family, counted through all levels, or its share is
+/// used up. Without a seed there is one of each size, or of the usual one.
 bool has_case(const Habit& habit, const Share& share, unsigned index) {
   if (habit.seeded) return true;
   return habit.sized ? least_size + index <= share.most : index == 0 && habit.usual_size <= share.most;
@@ -125,7 +133,8 @@ Recipe recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsign
 
 }  // namespace
 
-/// What a level adds, in order: what has a name, then case after case of all families, then the giants.
+/// What a level adds, in order: what has a name, then case after case of all families, then the
+/// giants.
 class Additions {
  public:
   Additions(Level level, std::uint64_t seed, std::shared_ptr<const Habits> families)
@@ -155,7 +164,8 @@ class Additions {
  private:
   void add_named() {
     for (const Case& real : real_cases()) head_.push_back({Source::real, real.id});
-    for (const families::CatalogueEntry& entry : families::catalogue()) head_.push_back({Source::catalogue, std::string(entry.name)});
+    for (const families::CatalogueEntry& entry : families::catalogue())
+      head_.push_back({Source::catalogue, std::string(entry.name)});
   }
   void add_named_shapes() {
     for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
@@ -175,7 +185,8 @@ class Additions {
     return static_cast<std::size_t>(
         std::ranges::count_if(*families_, [&](const Habit& habit) { return has_case(habit, share_, first_ + round); }));
   }
-  /// The cases of one round, in which each family takes its turn, as far as they are in [begin, end).
+  /// The cases of one round, in which each family takes its turn, as far as they are in [begin,
+  /// end).
   void add_round(unsigned round, std::size_t begin, std::size_t end, std::vector<Recipe>& result) const {
     std::size_t place = starts_[round];
     for (const Habit& habit : *families_) {
@@ -197,7 +208,8 @@ namespace {
 
 std::string shard_name(Level level, std::size_t number) {
   const std::string digits = std::to_string(number);
-  return "golden-" + std::string(name_of(level)) + "-" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits;
+  return "golden-" + std::string(name_of(level)) + "-" + std::string(4 - std::min<std::size_t>(4, digits.size()), '0') +
+         digits;
 }
 
 }  // namespace

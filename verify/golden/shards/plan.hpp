@@ -14,8 +14,9 @@
 
 namespace fathom::golden {
 
-/// Three chains, of polytopes, of shapes and of unions; in each a level's cases are among those of the next. Judging a fast library takes
-/// about a second for L0 and P0, seconds for U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
+/// Three chains, of polytopes, of shapes and of unions; in each a level's cases are among those of
+/// the next. Judging a fast library takes about a second for L0 and P0, seconds for U0, ten seconds
+/// for L1 and P1, minutes for L2, two hours for L3.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
@@ -28,12 +29,15 @@ enum class Level {
 
 /// "L0", "L1", "L2", "L3", "P0", "P1", "U0".
 std::string_view name_of(Level level);
-constexpr Kind kind_of(Level level) { return level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions; }
+constexpr Kind kind_of(Level level) {
+  return level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions;
+}
 std::optional<Level> find_level(std::string_view name);
 
 class Additions;
 
-/// One file of records. Its recipes are made when they are asked for: those of all files may be millions.
+/// One file of records. Its recipes are made when they are asked for: those of all files may be
+/// millions.
 struct ShardPlan {
   std::string name;  ///< "golden-L1-0007": the level that the shard is new in, and its number there
   Level level = Level::L0;
@@ -51,15 +55,15 @@ inline constexpr std::string_view data_version = "1.2.0";
 /// All shards of a level: first those of the levels below it, unchanged. No recipe occurs twice.
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed);
 
-/// The order of a shard's records: recipe by recipe as planned, of each the exact record, then the rounded ones. So no id occurs twice and
-/// none is missing. Checked in O(1) memory.
+/// The order of a shard's records: recipe by recipe as planned, of each the exact record, then the
+/// rounded ones. So no id occurs twice and none is missing. Checked in O(1) memory.
 class RecordOrder {
  public:
   /// `recipes` must outlive this.
   explicit RecordOrder(const std::vector<Recipe>& recipes) : recipes_(&recipes) {}
 
-  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe, `ids` must be those of all its
-  /// records: of cases_of(recipe).
+  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe,
+  /// `ids` must be those of all its records: of cases_of(recipe).
   std::optional<std::string> next(std::string_view id, const std::vector<std::string>& ids);
   /// Returns what is missing at the end, or nullopt.
   [[nodiscard]] std::optional<std::string> at_end() const;

@@ -2,13 +2,14 @@
 
 #include "verify/golden/shards/shard.hpp"
 
-#include <atomic>
 #include <fmt/format.h>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+
+#include <atomic>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,8 @@ Manifest manifest_of(const nlohmann::ordered_json& json) {
   manifest.recipes = json.at("recipes").get<std::size_t>();
   manifest.records = json.at("records").get<std::size_t>();
   manifest.zstd = json.at("zstd").get<std::string>();
-  for (std::size_t i = 0; i < suffixes_of(manifest.level).size(); ++i) manifest.files.push_back(file_of(json.at("files").at(i)));
+  for (std::size_t i = 0; i < suffixes_of(manifest.level).size(); ++i)
+    manifest.files.push_back(file_of(json.at("files").at(i)));
   return manifest;
 }
 
@@ -87,7 +89,8 @@ std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan
   if (manifest.seed != seed) return fmt::format("was made from seed {} instead of {}", manifest.seed, seed);
   const std::span<const std::string_view> suffixes = suffixes_of(shard.level);
   bool same = manifest.name == shard.name && manifest.level == shard.level && manifest.recipes == shard.count();
-  for (std::size_t i = 0; same && i < suffixes.size(); ++i) same = manifest.files[i].name == shard.name + std::string(suffixes[i]);
+  for (std::size_t i = 0; same && i < suffixes.size(); ++i)
+    same = manifest.files[i].name == shard.name + std::string(suffixes[i]);
   if (!same) return fmt::format("is not about {} as this version plans it", shard.name);
   return std::nullopt;
 }
@@ -107,7 +110,8 @@ ShardState state_of(const std::filesystem::path& folder, const ShardPlan& shard,
 
 // ---- writing ----
 
-ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed) : folder_(std::move(folder)) {
+ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed)
+    : folder_(std::move(folder)) {
   manifest_.name = shard.name;
   manifest_.level = shard.level;
   manifest_.version = data_version;
@@ -140,7 +144,9 @@ void ShardWriter::finish() {
     writer->finish();
     manifest_.files.push_back({writer->name(), writer->of_file(), writer->of_content()});
   }
-  NewFile page(folder_, manifest_.name + std::string(manifest_suffix));  // before the names appear: where the disk is full, none does
+  NewFile page(
+      folder_,
+      manifest_.name + std::string(manifest_suffix));  // before the names appear: where the disk is full, none does
   page.write(manifest_text(manifest_));
   page.sync();
   rename_all();
@@ -188,14 +194,16 @@ class Stream {
     while (!text.empty()) {
       const std::size_t length = text.find('\n');
       const std::optional<std::string_view> found = line();
-      if (!found || *found != text.substr(0, length)) throw refusal(fmt::format("{} {}", found ? "this is not" : "the file lacks", what));
+      if (!found || *found != text.substr(0, length))
+        throw refusal(fmt::format("{} {}", found ? "this is not" : "the file lacks", what));
       text.remove_prefix(length + 1);
     }
   }
   /// Nothing may follow, and the sum has to be that of the page.
   void expect_end() {
     if (line()) throw refusal("more than the records of the shard");
-    if (reader_->of_content() != expected_->content) throw Refusal{name_, "the content is not what the shard's page says"};
+    if (reader_->of_content() != expected_->content)
+      throw Refusal{name_, "the content is not what the shard's page says"};
   }
 
  private:
@@ -229,7 +237,8 @@ bool is_rounded(std::string_view id) { return id.ends_with(".b64") || id.ends_wi
 
 class Verification {
  public:
-  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest, const ShardOptions& options)
+  Verification(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
+               const ShardOptions& options)
       : manifest_(&manifest),
         options_(&options),
         planned_(shard.recipes()),
@@ -244,12 +253,17 @@ class Verification {
     if (csv_) csv_->expect(csv_header(), "the header");
     tbb::parallel_pipeline(
         static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) * groups_in_flight,
-        tbb::make_filter<void, Shared>(filter_mode::serial_in_order, [this](tbb::flow_control& control) { return next(control); }) &
-            tbb::make_filter<Shared, Shared>(filter_mode::parallel, [this](const Shared& group) { return prove(group); }) &
-            tbb::make_filter<Shared, void>(filter_mode::serial_in_order, [this](const Shared& group) { accept(*group); }));
+        tbb::make_filter<void, Shared>(filter_mode::serial_in_order, [this](tbb::flow_control& control) {
+          return next(control);
+        }) & tbb::make_filter<Shared, Shared>(filter_mode::parallel, [this](const Shared& group) {
+          return prove(group);
+        }) & tbb::make_filter<Shared, void>(filter_mode::serial_in_order, [this](const Shared& group) {
+          accept(*group);
+        }));
     if (refusal_) return refusal_;
     if (const auto fault = order_.at_end()) throw records_.refusal(*fault);
-    if (count_ != manifest_->records) throw records_.refusal(fmt::format("{} records, and the page says {}", count_, manifest_->records));
+    if (count_ != manifest_->records)
+      throw records_.refusal(fmt::format("{} records, and the page says {}", count_, manifest_->records));
     for (Stream* stream : {&records_, &certificates_}) stream->expect_end();
     if (csv_) csv_->expect_end();
     return std::nullopt;
@@ -353,8 +367,8 @@ class Verification {
 
 }  // namespace
 
-std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-                                        const ShardOptions& options) {
+std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard,
+                                        const Manifest& manifest, const ShardOptions& options) {
   try {
     return Verification(folder, shard, manifest, options).run();
   } catch (Refusal& refusal) {

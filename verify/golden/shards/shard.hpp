@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A shard of a release: its files, listed in its page; written, read again and proved.
 //
-// Manifests: the files of a shard, listed in the page golden-L0-0000.json beside it and in dataset.json. The page is written last, so a
-// shard is complete if its page is there.
+// Manifests: the files of a shard, listed in the page golden-L0-0000.json beside it and in
+// dataset.json. The page is written last, so a shard is complete if its page is there.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/digest/sha256.hpp"
 #include "verify/golden/shards/plan.hpp"
 
 namespace fathom::golden {
 
-/// The files of a shard, by the ends of their names: records, certificates one after another, and of polytopes CSV, as a
-/// row has two lists of points for the bodies.
+/// The files of a shard, by the ends of their names: records, certificates one after another, and
+/// of polytopes CSV, as a row has two lists of points for the bodies.
 inline constexpr std::array<std::string_view, 3> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst"};
 /// Those of a shard of this level: the first two, or all.
 std::span<const std::string_view> suffixes_of(Level level);
@@ -62,27 +62,31 @@ nlohmann::ordered_json manifest_json(const Manifest& manifest);
 /// Throws std::exception if a field is missing or of another kind; ignores unknown fields.
 Manifest manifest_of(const nlohmann::ordered_json& json);
 
-/// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a sentence, or nullopt.
+/// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a
+/// sentence, or nullopt.
 std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan& shard, std::uint64_t seed);
 
 enum class ShardState { absent, damaged, finished };
 
-/// Returns whether the shard is in the folder with its page, and its files are those that the page describes. Throws FolderError if the
-/// page is about another seed or version, FileError.
+/// Returns whether the shard is in the folder with its page, and its files are those that the page
+/// describes. Throws FolderError if the page is about another seed or version, FileError.
 ShardState state_of(const std::filesystem::path& folder, const ShardPlan& shard, std::uint64_t seed);
 
 // ---- the files of a shard ----
 
-// The files of one shard: written as its records arrive, in their order; and read again, not trusted.
+// The files of one shard: written as its records arrive, in their order; and read again, not
+// trusted.
 
 class ShardWriter {
  public:
-  /// Removes the shard's old page, if there is one: from then on the shard is unfinished. Throws FileError, here and below.
+  /// Removes the shard's old page, if there is one: from then on the shard is unfinished. Throws
+  /// FileError, here and below.
   ShardWriter(std::filesystem::path folder, const ShardPlan& shard, std::uint64_t seed);
 
   void add(const Record& record);
 
-  /// Syncs all files to disk, then renames them, then writes the page. Until the page is there, the shard is unfinished.
+  /// Syncs all files to disk, then renames them, then writes the page. Until the page is there, the
+  /// shard is unfinished.
   void finish();
 
  private:
@@ -108,10 +112,11 @@ struct ShardOptions {
   std::function<void()> proved;  ///< called after each record from one thread at a time; may be empty
 };
 
-/// Returns the first fault, in the order of the records, or nullopt if every record is proved, given again by each of the methods, and
-/// stands where the plan says, the certificates and the CSV belong to exactly these records, and counts and sums are those of the
-/// page. Runs on all threads of the caller's arena; memory is bounded by a few dozen records for each. Throws Interrupted.
-std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard, const Manifest& manifest,
-                                        const ShardOptions& options);
+/// Returns the first fault, in the order of the records, or nullopt if every record is proved,
+/// given again by each of the methods, and stands where the plan says, the certificates and the CSV
+/// belong to exactly these records, and counts and sums are those of the page. Runs on all threads
+/// of the caller's arena; memory is bounded by a few dozen records for each. Throws Interrupted.
+std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard,
+                                        const Manifest& manifest, const ShardOptions& options);
 
 }  // namespace fathom::golden

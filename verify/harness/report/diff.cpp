@@ -67,7 +67,8 @@ void add_changes(Lines& lines, const std::string& title, const std::vector<Chang
     lines.push_back(fmt::format("  {}: {}{}{}{}", ascii(shown_id(change.id, change.variant), longest_id), verdicts,
                                 errors.empty() ? "" : ", ", errors, change.other_points ? ", other points" : ""));
   }
-  if (changes.size() > most) lines.push_back(fmt::format("  {} more; --json and --html have all", changes.size() - most));
+  if (changes.size() > most)
+    lines.push_back(fmt::format("  {} more; --json and --html have all", changes.size() - most));
 }
 
 void add_header(Lines& lines, const ReportDiff& diff) {
@@ -76,7 +77,8 @@ void add_header(Lines& lines, const ReportDiff& diff) {
   lines.push_back("headers differ in");
   const auto shown = [](const std::string& value) { return value.empty() ? "nothing" : ascii(value); };
   for (const HeaderDifference& difference : diff.header)
-    lines.push_back(fmt::format("  {}: {} -> {}", ascii(difference.field), shown(difference.old_value), shown(difference.new_value)));
+    lines.push_back(fmt::format("  {}: {} -> {}", ascii(difference.field), shown(difference.old_value),
+                                shown(difference.new_value)));
 }
 
 void add_verdicts(Lines& lines, const ReportDiff& diff) {
@@ -92,7 +94,8 @@ void add_report(Lines& lines, const char* which, const ReportFile& report) {
   lines.push_back(fmt::format("{}  {}, {}", which, ascii(report.title()), ascii(report.path)));
   if (!report.whole) lines.push_back("     cut short: it has no summary");
   if (report.repeated > 0)
-    lines.push_back(fmt::format("     {} of an id that comes again; the last counts", count_text(report.repeated, "line", "lines")));
+    lines.push_back(fmt::format("     {} of an id that comes again; the last counts",
+                                count_text(report.repeated, "line", "lines")));
 }
 
 // ---- as JSON: schemas/diff.schema.json ----
@@ -133,10 +136,11 @@ std::string error_cell(const std::optional<double>& error) { return error ? erro
 
 std::string row(const Change& change) {
   return fmt::format(
-      "<tr><th scope=\"row\" class=\"id\">{}</th><td class=\"name\">{}</td><td class=\"name\">{}</td><td>{}</td><td>{}</td><td "
+      "<tr><th scope=\"row\" class=\"id\">{}</th><td class=\"name\">{}</td><td "
+      "class=\"name\">{}</td><td>{}</td><td>{}</td><td "
       "class=\"name\">{}</td></tr>\n",
-      markup(shown_id(change.id, change.variant)), name(change.old_verdict), name(change.new_verdict), error_cell(change.old_error),
-      error_cell(change.new_error), change.other_points ? "other points" : "");
+      markup(shown_id(change.id, change.variant)), name(change.old_verdict), name(change.new_verdict),
+      error_cell(change.old_error), error_cell(change.new_error), change.other_points ? "other points" : "");
 }
 
 std::string changes_section(const std::string& title, const std::vector<Change>& changes, const char* empty) {
@@ -145,54 +149,64 @@ std::string changes_section(const std::string& title, const std::vector<Change>&
   for (std::size_t i = 0; i < listed; ++i) rows += row(changes[i]);
   const std::string table = fmt::format(
       "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">old</th><th scope=\"col\" "
-      "class=\"text\">new</th><th scope=\"col\">old error / R</th><th scope=\"col\">new error / R</th><th scope=\"col\" "
+      "class=\"text\">new</th><th scope=\"col\">old error / R</th><th scope=\"col\">new error / R</th><th "
+      "scope=\"col\" "
       "class=\"text\"></th></tr></thead>\n<tbody>{}</tbody>",
       rows);
-  const std::string more = changes.size() > listed ? fmt::format("<p>{} more: --json has all.</p>\n", changes.size() - listed) : "";
+  const std::string more =
+      changes.size() > listed ? fmt::format("<p>{} more: --json has all.</p>\n", changes.size() - listed) : "";
   return fmt::format("<section><h2>{}</h2>\n{}{}</section>\n", title,
-                     changes.empty() ? fmt::format("<p>{}</p>\n", empty) : picture::table_box(title, table, true), more);
+                     changes.empty() ? fmt::format("<p>{}</p>\n", empty) : picture::table_box(title, table, true),
+                     more);
 }
 
 std::string header_section(const ReportDiff& diff) {
-  if (diff.header.empty()) return "<p>The headers are the same: subject, version, settings, tolerance, and fathom.</p>\n";
+  if (diff.header.empty())
+    return "<p>The headers are the same: subject, version, settings, tolerance, and fathom.</p>\n";
   std::string rows;
   for (const HeaderDifference& difference : diff.header)
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td></tr>\n",
                         markup(difference.field), markup(difference.old_value), markup(difference.new_value));
-  return picture::table_box("Headers",
-                            "<thead><tr><th scope=\"col\" class=\"text\">header</th><th scope=\"col\" class=\"text\">old</th><th "
-                            "scope=\"col\" class=\"text\">new</th></tr></thead>\n<tbody>" +
-                                rows + "</tbody>",
-                            false);
+  return picture::table_box(
+      "Headers",
+      "<thead><tr><th scope=\"col\" class=\"text\">header</th><th scope=\"col\" class=\"text\">old</th><th "
+      "scope=\"col\" class=\"text\">new</th></tr></thead>\n<tbody>" +
+          rows + "</tbody>",
+      false);
 }
 
 std::string verdict_table(const ReportDiff& diff) {
   std::string rows;
   for (std::size_t i = verdict_count; i-- > 0;) {
-    const auto then = static_cast<long long>(diff.old_row.verdicts[i]), now = static_cast<long long>(diff.new_row.verdicts[i]);
+    const auto then = static_cast<long long>(diff.old_row.verdicts[i]),
+               now = static_cast<long long>(diff.new_row.verdicts[i]);
     if (then + now > 0)
-      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n", name(static_cast<Verdict>(i)), then, now,
-                          now == then ? "" : fmt::format("{:+}", now - then));
+      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                          name(static_cast<Verdict>(i)), then, now, now == then ? "" : fmt::format("{:+}", now - then));
   }
-  return picture::table_box("Verdicts",
-                            "<thead><tr><th scope=\"col\" class=\"text\">cases of both</th><th scope=\"col\">old</th><th "
-                            "scope=\"col\">new</th><th scope=\"col\">change</th></tr></thead>\n<tbody>" +
-                                rows + "</tbody>",
-                            false);
+  return picture::table_box(
+      "Verdicts",
+      "<thead><tr><th scope=\"col\" class=\"text\">cases of both</th><th scope=\"col\">old</th><th "
+      "scope=\"col\">new</th><th scope=\"col\">change</th></tr></thead>\n<tbody>" +
+          rows + "</tbody>",
+      false);
 }
 
 std::string report_line(const char* which, const ReportFile& report) {
   const std::string short_of = report.whole ? "" : "; cut short: it has no summary";
   const std::string repeated =
-      report.repeated > 0 ? fmt::format("; {} lines of an id that comes again, whose last counts", report.repeated) : "";
-  return fmt::format("<dt>{}</dt><dd>{}, {}{}{}</dd>", which, markup(report.title()), markup(picture::without_folders(report.path)),
-                     short_of, repeated);
+      report.repeated > 0 ? fmt::format("; {} lines of an id that comes again, whose last counts", report.repeated)
+                          : "";
+  return fmt::format("<dt>{}</dt><dd>{}, {}{}{}</dd>", which, markup(report.title()),
+                     markup(picture::without_folders(report.path)), short_of, repeated);
 }
 
 }  // namespace
 
 double Change::error_change() const {
-  const auto magnitude = [](const std::optional<double>& error) { return error && std::isfinite(*error) ? std::abs(*error) : 0; };
+  const auto magnitude = [](const std::optional<double>& error) {
+    return error && std::isfinite(*error) ? std::abs(*error) : 0;
+  };
   return std::abs(magnitude(new_error) - magnitude(old_error));
 }
 
@@ -229,14 +243,16 @@ ReportDiff diff(const ReportFile& before, const ReportFile& after) {
     }
   }
   result.only_old = before.outcomes.size() - result.old_row.total;
-  for (auto* changes : {&result.newly_failing, &result.newly_passing, &result.otherwise, &result.errors}) sort_by_change(*changes);
+  for (auto* changes : {&result.newly_failing, &result.newly_passing, &result.otherwise, &result.errors})
+    sort_by_change(*changes);
   result.errors.resize(std::min(result.errors.size(), most_errors));
   return result;
 }
 
 std::string totals_text(const ReportDiff& diff) {
-  std::string result = fmt::format("{} newly failing, {} newly passing, {} with another verdict; {} in both", diff.newly_failing.size(),
-                                   diff.newly_passing.size(), diff.otherwise.size(), diff.new_row.total);
+  std::string result =
+      fmt::format("{} newly failing, {} newly passing, {} with another verdict; {} in both", diff.newly_failing.size(),
+                  diff.newly_passing.size(), diff.otherwise.size(), diff.new_row.total);
   if (diff.only_old > 0) result += fmt::format(", {} in the old report only", diff.only_old);
   if (diff.only_new > 0) result += fmt::format(", {} in the new report only", diff.only_new);
   return result;
@@ -281,16 +297,19 @@ std::string diff_json(const ReportFile& before, const ReportFile& after, const R
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff, const std::string& version,
-                      const std::string& command) {
-  std::string body = fmt::format("<header><h1>{} against {}</h1>\n<p class=\"answer\">{}</p>\n<dl>{}{}</dl>\n", markup(after.title()),
-                                 markup(before.title()), totals_text(diff), report_line("old", before), report_line("new", after));
+std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
+                      const std::string& version, const std::string& command) {
+  std::string body =
+      fmt::format("<header><h1>{} against {}</h1>\n<p class=\"answer\">{}</p>\n<dl>{}{}</dl>\n", markup(after.title()),
+                  markup(before.title()), totals_text(diff), report_line("old", before), report_line("new", after));
   if (diff.other_points > 0)
-    body += fmt::format("<p class=\"warning\" role=\"note\">{} on other points: of another precision, or another case.</p>\n",
-                        count_text(diff.other_points, "case was put", "cases were put"));
+    body += fmt::format(
+        "<p class=\"warning\" role=\"note\">{} on other points: of another precision, or another case.</p>\n",
+        count_text(diff.other_points, "case was put", "cases were put"));
   body += "</header>\n<main>\n<section><h2>Verdicts</h2>\n" +
           picture::share_bar(verdict_shares(diff.old_row, {}), "old", "The old report") +
-          picture::share_bar(verdict_shares(diff.new_row, {}), "new", "The new report") + verdict_table(diff) + "</section>\n";
+          picture::share_bar(verdict_shares(diff.new_row, {}), "new", "The new report") + verdict_table(diff) +
+          "</section>\n";
   body += "<section><h2>How they were made</h2>\n" + header_section(diff) + "</section>\n";
   body += changes_section("Newly failing", diff.newly_failing, "No case that did not fail fails now.");
   body += changes_section("Newly passing", diff.newly_passing, "No case that did not pass passes now.");

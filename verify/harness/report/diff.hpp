@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two reports, of two versions of one subject or of two subjects.
-// Output  which cases changed their verdict, and whose error changed most.                                        [docs/certify.md]
+// Output  which cases changed their verdict, and whose error changed most.        [docs/certify.md]
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,14 @@ namespace fathom::harness {
 struct Change {
   std::string id, variant;
   Verdict old_verdict, new_verdict;
-  /// The claimed depth less the true one in parts of R, the largest coordinate; nullopt without a claimed depth.
+  /// The claimed depth less the true one in parts of R, the largest coordinate; nullopt without a
+  /// claimed depth.
   std::optional<double> old_error, new_error;
-  bool other_points = false;  ///< the two subjects saw different points: another precision, or the case itself was changed
+  bool other_points =
+      false;  ///< the two subjects saw different points: another precision, or the case itself was changed
 
-  /// By how much one error is larger than the other, signs apart; an error that is missing, or no number, counts as 0.
+  /// By how much one error is larger than the other, signs apart; an error that is missing, or no
+  /// number, counts as 0.
   [[nodiscard]] double error_change() const;
 };
 
@@ -45,17 +48,19 @@ inline constexpr std::size_t most_errors = 20;
 
 ReportDiff diff(const ReportFile& before, const ReportFile& after);
 
-/// The cases of the three lists by name and by how many: "2 newly failing, 0 newly passing, 1 with another verdict; 63 in both".
+/// The cases of the three lists by name and by how many: "2 newly failing, 0 newly passing, 1 with
+/// another verdict; 63 in both".
 std::string totals_text(const ReportDiff& diff);
 
 /// Lines for people, each list up to `most` long. They are pure ASCII, whatever ids hold.
-std::vector<std::string> diff_text(const ReportFile& before, const ReportFile& after, const ReportDiff& diff, std::size_t most = 20);
+std::vector<std::string> diff_text(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
+                                   std::size_t most = 20);
 
 /// One line of schema fathom/diff/1, without the newline.
 std::string diff_json(const ReportFile& before, const ReportFile& after, const ReportDiff& diff);
 
 /// A page that needs nothing else.
-std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff, const std::string& version,
-                      const std::string& command);
+std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
+                      const std::string& version, const std::string& command);
 
 }  // namespace fathom::harness

@@ -2,18 +2,19 @@
 // The page from its head to its foot; each failure in full is in html_failure.cpp.
 #include "verify/harness/report/html.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 #include <tuple>
 
 #include "verify/harness/report/text.hpp"
-#include "view/picture/markup.hpp"
 #include "verify/harness/tally.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -32,10 +33,13 @@ const char* style_of(Verdict verdict) {
   return verdict < Verdict::nan ? "lost" : "wrong";
 }
 
-std::string settings_list(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from) {
+std::string settings_list(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance,
+                          const RunInfo& from) {
   const TallyRow& all = tally.all();
   std::string rows;
-  const auto add = [&](const char* what, const std::string& text) { rows += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text)); };
+  const auto add = [&](const char* what, const std::string& text) {
+    rows += fmt::format("<dt>{}</dt><dd>{}</dd>", what, markup(text));
+  };
   if (const std::vector<std::string> classes = accuracy_entries(all); !classes.empty())
     add("passes", fmt::format("{}", fmt::join(classes, "; ")));
   add("judged", fmt::format("{}", fmt::join(coverage_entries(all.judged), "; ")));
@@ -61,9 +65,11 @@ constexpr std::size_t few_families = 12;  // shown without being asked for
 
 std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
-/// Text that refers to the table of cases, and narrows it down to a family and a verdict where scripts run.
+/// Text that refers to the table of cases, and narrows it down to a family and a verdict where
+/// scripts run.
 std::string to_cases(const std::string& text, const std::string& find, const std::string& verdict) {
-  return fmt::format("<a href=\"#all-cases\" data-of=\"cases\" data-find=\"{}\" data-choice=\"{}\">{}</a>", find, verdict, text);
+  return fmt::format("<a href=\"#all-cases\" data-of=\"cases\" data-find=\"{}\" data-choice=\"{}\">{}</a>", find,
+                     verdict, text);
 }
 
 std::string error_cells(const Errors& errors) {
@@ -76,7 +82,8 @@ std::string row_element(const Tally::Line& line, const Tally& tally, const std::
   const bool one_family = style.empty() && !line.label.starts_with('(');
   const std::string find = one_family ? markup(line.label) : "";
   const std::string label = one_family ? to_cases(markup(line.label), find, "") : markup(line.label);
-  std::string result = fmt::format("<tr{}><th scope=\"row\">{}</th>{}", style, label, cell(fmt::format("{}", line.row.total)));
+  std::string result =
+      fmt::format("<tr{}><th scope=\"row\">{}</th>{}", style, label, cell(fmt::format("{}", line.row.total)));
   if (has_two_passes(tally)) result += cell(fmt::format("{}", line.row.passes()));
   for (const Verdict verdict : tally.verdicts()) {
     const std::string count = line.row[verdict] > 0 ? fmt::format("{}", line.row[verdict]) : "";
@@ -96,7 +103,8 @@ constexpr std::size_t most_listed = 5000;
 using Key = std::tuple<std::string, std::string, std::string, Verdict>;
 Key key_of(const Outcome& outcome) { return {outcome.id, outcome.variant, outcome.digest, outcome.verdict}; }
 
-/// Failures worst first, then what was declined and passes by name: an order that does not depend on which answer came first.
+/// Failures worst first, then what was declined and passes by name: an order that does not depend
+/// on which answer came first.
 std::vector<const Outcome*> in_order(std::span<const Outcome> outcomes) {
   std::vector<const Outcome*> result;
   for (const std::size_t i : worst_first(outcomes)) result.push_back(&outcomes[i]);
@@ -117,7 +125,8 @@ std::string row(const Outcome& outcome, const std::string& anchor) {
   return fmt::format(
       "<tr data-kind=\"{0}\"><th scope=\"row\" class=\"id\">{1}</th><td class=\"name\">{0}</td><td>{2}</td><td "
       "class=\"text\">{3}</td></tr>\n",
-      name(outcome.verdict), named, judged ? error_text(*outcome.judgement->error_relative) : "", markup(sentence_of(outcome)));
+      name(outcome.verdict), named, judged ? error_text(*outcome.judgement->error_relative) : "",
+      markup(sentence_of(outcome)));
 }
 
 std::vector<picture::Choice> choices(const std::vector<const Outcome*>& outcomes) {
@@ -178,14 +187,19 @@ struct Axis {
     if (first > last) first = last = 0;
   }
   [[nodiscard]] double slot_width() const { return (chart_width - left) / (last - first + 3); }
-  [[nodiscard]] double start(int decade) const { return left + slot_width() * (decade - first + 2); }  // a slot is free after the zeros
+  [[nodiscard]] double start(int decade) const {
+    return left + slot_width() * (decade - first + 2);
+  }  // a slot is free after the zeros
 };
 
-std::string bar(double x, double width, double ground, std::size_t count, std::size_t most, Verdict verdict, const std::string& what) {
+std::string bar(double x, double width, double ground, std::size_t count, std::size_t most, Verdict verdict,
+                const std::string& what) {
   const double height = std::max(2.0, bar_height * static_cast<double>(count) / static_cast<double>(most));
-  return fmt::format("<rect class=\"bar{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{}: {} {}</title></rect>",
-                     fails(verdict) ? " failing" : "", x, ground - height, width - gap, height, name(verdict),
-                     count_text(count, "case", "cases"), what);
+  return fmt::format(
+      "<rect class=\"bar{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{}: {} "
+      "{}</title></rect>",
+      fails(verdict) ? " failing" : "", x, ground - height, width - gap, height, name(verdict),
+      count_text(count, "case", "cases"), what);
 }
 
 std::string decade_text(int decade) {
@@ -196,13 +210,15 @@ std::string decade_text(int decade) {
 std::string row_elements(const Axis& axis, Verdict verdict, const Row& row, double ground) {
   std::size_t most = row.zeros;
   for (const auto& [decade, count] : row.decades) most = std::max(most, count);
-  std::string result =
-      fmt::format("<text x=\"0\" y=\"{0:.1f}\">{2}</text><text class=\"soft\" x=\"0\" y=\"{1:.1f}\">{3}, at most {4} in a bar</text>",
-                  ground - 16, ground - 2, name(verdict), row.total, most);
+  std::string result = fmt::format(
+      "<text x=\"0\" y=\"{0:.1f}\">{2}</text><text class=\"soft\" x=\"0\" y=\"{1:.1f}\">{3}, at most {4} in a "
+      "bar</text>",
+      ground - 16, ground - 2, name(verdict), row.total, most);
   if (row.zeros > 0) result += bar(left, axis.slot_width(), ground, row.zeros, most, verdict, "with no error at all");
   for (const auto& [decade, count] : row.decades)
     result += bar(axis.start(decade), axis.slot_width(), ground, count, most, verdict, decade_text(decade));
-  return result + fmt::format("<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>\n", left, chart_width, ground, ground);
+  return result +
+         fmt::format("<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\"/>\n", left, chart_width, ground, ground);
 }
 
 std::string axis_elements(const Axis& axis, double ground, double tolerance) {
@@ -211,16 +227,17 @@ std::string axis_elements(const Axis& axis, double ground, double tolerance) {
   for (int decade = axis.first; decade <= axis.last + 1; decade += step) {
     const double x = axis.start(decade) - gap / 2;
     result += fmt::format("<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/>", x, ground, ground + 4);
-    result += fmt::format("<text class=\"soft\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{}\">1e{}</text>", x, ground + 16, decade);
+    result += fmt::format("<text class=\"soft\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{}\">1e{}</text>", x,
+                          ground + 16, decade);
   }
   if (!(tolerance > 0)) return result;
   const double exponent = std::log10(tolerance);
   if (exponent < axis.first || exponent > axis.last + 1) return result;
   const double x = axis.start(axis.first) + (exponent - axis.first) * axis.slot_width() - gap / 2;
-  return result +
-         fmt::format(
-             "<line class=\"limit\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"><title>relative tolerance {3}</title></line>", x,
-             top, ground, error_text(tolerance));
+  return result + fmt::format(
+                      "<line class=\"limit\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"><title>relative "
+                      "tolerance {3}</title></line>",
+                      x, top, ground, error_text(tolerance));
 }
 
 /// The failures with their ids, of each verdict the worst first, in the order of the page.
@@ -229,7 +246,8 @@ std::vector<Anchored> chosen(std::span<const HtmlFailure> failures) {
   for (const HtmlFailure& failure : failures) outcomes.push_back(failure.outcome);
   std::vector<Anchored> result;
   for (const std::size_t i : failures_to_show(outcomes)) result.push_back({&failures[i], ""});
-  std::ranges::stable_sort(result, {}, [](const Anchored& each) { return place_on_page(each.failure->outcome.verdict); });
+  std::ranges::stable_sort(result, {},
+                           [](const Anchored& each) { return place_on_page(each.failure->outcome.verdict); });
   for (std::size_t i = 0; i < result.size(); ++i) result[i].anchor = fmt::format("f{}", i + 1);
   return result;
 }
@@ -237,10 +255,12 @@ std::vector<Anchored> chosen(std::span<const HtmlFailure> failures) {
 /// The worst of one verdict, and folded those that follow.
 std::string verdict_section(const SubjectInfo& subject, std::span<const Anchored> shown, std::size_t all) {
   const std::string_view verdict = name(shown.front().failure->outcome.verdict);
-  std::string result = fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-h\"><h3 id=\"{0}-h\">{0}: {1} of {2}</h3>\n{3}", verdict,
-                                   shown.size(), all, failure_article(subject, *shown.front().failure, shown.front().anchor));
+  std::string result =
+      fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-h\"><h3 id=\"{0}-h\">{0}: {1} of {2}</h3>\n{3}", verdict,
+                  shown.size(), all, failure_article(subject, *shown.front().failure, shown.front().anchor));
   if (shown.size() > 1) {
-    result += fmt::format("<details class=\"part\"><summary>{} more of {}, the worst first</summary>\n", shown.size() - 1, verdict);
+    result += fmt::format("<details class=\"part\"><summary>{} more of {}, the worst first</summary>\n",
+                          shown.size() - 1, verdict);
     for (const Anchored& each : shown.subspan(1)) result += failure_article(subject, *each.failure, each.anchor);
     result += "</details>\n";
   }
@@ -252,7 +272,8 @@ std::string shown_failures(const SubjectInfo& subject, const std::vector<Anchore
   std::string result;
   for (auto begin = shown.begin(); begin != shown.end();) {
     const Verdict verdict = begin->failure->outcome.verdict;
-    const auto end = std::find_if(begin, shown.end(), [&](const Anchored& each) { return each.failure->outcome.verdict != verdict; });
+    const auto end = std::find_if(begin, shown.end(),
+                                  [&](const Anchored& each) { return each.failure->outcome.verdict != verdict; });
     result += verdict_section(subject, {begin, end}, tally.all()[verdict]);
     begin = end;
   }
@@ -263,9 +284,11 @@ std::string shown_failures(const SubjectInfo& subject, const std::vector<Anchore
 std::string account(std::size_t failures, std::size_t shown) {
   if (failures == 0) return "<p>There are none.</p>\n";
   if (failures == 1 && shown == 1) return "<p>The only one is shown in full.</p>\n";
-  if (failures == shown) return fmt::format("<p>All {} are shown in full, the worst of each verdict first.</p>\n", failures);
+  if (failures == shown)
+    return fmt::format("<p>All {} are shown in full, the worst of each verdict first.</p>\n", failures);
   return fmt::format(
-      "<p>{} of {} are shown in full: the worst of each verdict and of each family, then the largest errors. The others are among the "
+      "<p>{} of {} are shown in full: the worst of each verdict and of each family, then the largest errors. The "
+      "others are among the "
       "<a href=\"#all-cases\">cases</a>.</p>\n",
       shown, failures);
 }
@@ -281,10 +304,12 @@ std::string unattributed_section(const UnattributedCounts& unattributed) {
 
 std::string footer(const RunInfo& from) {
   const std::string version = from.version.empty() ? "" : " " + from.version;
-  const std::string command =
-      from.command.empty() ? "" : fmt::format("\n<p class=\"soft\"><code>{}</code></p>", markup(picture::without_folders(from.command)));
-  return fmt::format("<footer><p class=\"soft\">Judged by fathom{}. Truths are exact; errors are correctly rounded.</p>{}</footer>\n",
-                     markup(version), command);
+  const std::string command = from.command.empty() ? ""
+                                                   : fmt::format("\n<p class=\"soft\"><code>{}</code></p>",
+                                                                 markup(picture::without_folders(from.command)));
+  return fmt::format(
+      "<footer><p class=\"soft\">Judged by fathom{}. Truths are exact; errors are correctly rounded.</p>{}</footer>\n",
+      markup(version), command);
 }
 
 }  // namespace
@@ -339,13 +364,15 @@ std::string html_header(const SubjectInfo& subject, const Tally& tally, const To
   const TallyRow& all = tally.all();
   const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
   const std::string bar = picture::share_bar(verdict_shares(all, shown), "shares", "Cases by verdict");
-  const std::string both = all[Verdict::touching_by_convention] == 0
-                               ? ""
-                               : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
-                                             all[Verdict::pass], all[Verdict::touching_by_convention]);
+  const std::string both =
+      all[Verdict::touching_by_convention] == 0
+          ? ""
+          : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
+                        all[Verdict::pass], all[Verdict::touching_by_convention]);
   return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}{}</header>\n", markup(title(subject)),
-                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)), warning(dwarfed_text(all)),
-                     warning(cut_short), warning(coverage_warning(all.judged)), bar, both, settings_list(subject, tally, tolerance, from));
+                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)),
+                     warning(dwarfed_text(all)), warning(cut_short), warning(coverage_warning(all.judged)), bar, both,
+                     settings_list(subject, tally, tolerance, from));
 }
 
 std::string tally_table(const Tally& tally) {
@@ -360,15 +387,18 @@ std::string tally_table(const Tally& tally) {
   std::string rows = row_element({"all", tally.all()}, tally, " class=\"all\"");
   for (const Tally::Line& part : shown_parts(tally)) rows += row_element({"(" + part.label + ")", part.row}, tally, "");
   for (const Tally::Line& line : lines) rows += row_element(line, tally, "");
-  const std::string table =
-      fmt::format("<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);
+  const std::string table = fmt::format(
+      "<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);
   return fmt::format(
-      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed depths, below 0 where "
+      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed "
+      "depths, below 0 where "
       "the "
-      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the largest coordinate of "
+      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the "
+      "largest coordinate of "
       "a "
       "case.</p>\n{}</details>\n",
-      lines.size() <= few_families ? " open=\"open\"" : "", lines.size(), picture::table_box("Verdicts by family", table, true));
+      lines.size() <= few_families ? " open=\"open\"" : "", lines.size(),
+      picture::table_box("Verdicts by family", table, true));
 }
 
 std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anchored>& shown) {
@@ -384,18 +414,22 @@ std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anc
     if (found != anchors.end()) anchors.erase(found);
   }
   const std::string table = fmt::format(
-      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th scope=\"col\">relative "
+      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th "
+      "scope=\"col\">relative "
       "error</th>"
       "<th scope=\"col\" class=\"text\">what the judge says</th></tr></thead>\n<tbody id=\"cases\">\n{}</tbody>",
       rows);
   const std::string more =
       all.size() > listed
-          ? fmt::format("<p>{} further cases are not listed here; --report FILE holds every verdict.</p>\n", all.size() - listed)
+          ? fmt::format("<p>{} further cases are not listed here; --report FILE holds every verdict.</p>\n",
+                        all.size() - listed)
           : "";
-  return fmt::format("<details class=\"part\" id=\"all-cases\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n",
-                     listed, all.size(),
-                     picture::filter_bar("cases", "verdict", choices({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed)})),
-                     picture::table_box("Cases", table, true), more);
+  return fmt::format(
+      "<details class=\"part\" id=\"all-cases\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n",
+      listed, all.size(),
+      picture::filter_bar("cases", "verdict",
+                          choices({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed)})),
+      picture::table_box("Cases", table, true), more);
 }
 
 std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tolerance) {
@@ -411,27 +445,32 @@ std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tol
     described += fmt::format("{}{} {}", described.empty() ? "" : ", ", row.total, name(verdict));
   }
   return fmt::format(
-      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg class=\"chart\" viewBox=\"0 0 {1} {2}\" "
+      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg class=\"chart\" "
+      "viewBox=\"0 0 {1} {2}\" "
       "width=\"{1}\" "
-      "height=\"{2}\" role=\"img\" aria-labelledby=\"{3}-t {3}-d\"><title id=\"{3}-t\">Errors of the claimed depths, {0}</title>"
+      "height=\"{2}\" role=\"img\" aria-labelledby=\"{3}-t {3}-d\"><title id=\"{3}-t\">Errors of the claimed depths, "
+      "{0}</title>"
       "<desc id=\"{3}-d\">Numbers of cases by verdict and by the decade of the error: {4}.</desc>\n{5}{6}</svg></div>"
-      "<figcaption>Magnitudes of the errors {0}, by decade; bars are as high as cases are many, in each row for itself{7}."
+      "<figcaption>Magnitudes of the errors {0}, by decade; bars are as high as cases are many, in each row for "
+      "itself{7}."
       "</figcaption></figure>\n",
       what, chart_width + 20, ground + 24, id, described, body, axis_elements(axis, ground, tolerance),
       tolerance > 0 ? "; dashed: the relative tolerance" : "");
 }
 
-std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes, std::span<const HtmlFailure> failures,
-                      const Tolerance& tolerance, const RunInfo& from) {
+std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes,
+                      std::span<const HtmlFailure> failures, const Tolerance& tolerance, const RunInfo& from) {
   Tally tally;
   for (const Outcome& outcome : outcomes) tally.add(outcome);
   const std::vector<Anchored> shown = chosen(failures);
   std::set<Verdict> with_section;
   for (const Anchored& each : shown) with_section.insert(each.failure->outcome.verdict);
-  std::string body = html_header(subject, tally, tolerance, from, with_section) + "<main>\n" + unattributed_section(from.unattributed);
+  std::string body =
+      html_header(subject, tally, tolerance, from, with_section) + "<main>\n" + unattributed_section(from.unattributed);
   body += "<section><h2>Failures</h2>\n" + account(tally.all().failures(), shown.size());
   body += shown_failures(subject, shown, tally) + "</section>\n";
-  if (!outcomes.empty()) body += "<section><h2>All cases</h2>\n" + tally_table(tally) + cases_table(outcomes, shown) + "</section>\n";
+  if (!outcomes.empty())
+    body += "<section><h2>All cases</h2>\n" + tally_table(tally) + cases_table(outcomes, shown) + "</section>\n";
   const std::string charts = histogram(outcomes, false, tolerance.relative.get_d()) + histogram(outcomes, true, 0);
   if (!charts.empty()) body += "<section><h2>Errors</h2>\n" + charts + "</section>\n";
   return picture::page(markup(title(subject)) + ": verdicts", body + "</main>\n" + footer(from));

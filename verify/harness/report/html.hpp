@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run as one page that needs nothing else: no script, no font, no picture from elsewhere. The table, error histograms, and of each
-// failure the pair, the claim and the truth.                                                                      [docs/certify.md]
+// A run as one page that needs nothing else: no script, no font, no picture from elsewhere. The
+// table, error histograms, and of each failure the pair, the claim and the truth.
+//                                                                                 [docs/certify.md]
 #pragma once
 
 #include <cstddef>
@@ -10,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "verify/harness/outcome.hpp"
-#include "verify/harness/tally.hpp"
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "kernels/vector.hpp"
+#include "verify/harness/outcome.hpp"
+#include "verify/harness/tally.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {
@@ -28,32 +29,38 @@ struct HtmlFailure {
 
 inline constexpr std::size_t most_shown_failures = 200;
 
-/// Which outcomes to show in full: indices of failures, worst first. Of each verdict and of each family at least one, as far as `most`
-/// reaches, then the largest errors.
+/// Which outcomes to show in full: indices of failures, worst first. Of each verdict and of each
+/// family at least one, as far as `most` reaches, then the largest errors.
 std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std::size_t most = most_shown_failures);
 
-/// The page. `outcomes` are all of the run; those of `failures` are shown in full, and the other failures of `outcomes` as a table. Solves
-/// each pair of `failures` once more, for the picture. Well-formed whatever ids and details hold.
-std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes, std::span<const HtmlFailure> failures,
-                      const Tolerance& tolerance, const RunInfo& from = {});
+/// The page. `outcomes` are all of the run; those of `failures` are shown in full, and the other
+/// failures of `outcomes` as a table. Solves each pair of `failures` once more, for the picture.
+/// Well-formed whatever ids and details hold.
+std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes,
+                      std::span<const HtmlFailure> failures, const Tolerance& tolerance, const RunInfo& from = {});
 
-// ---- the pieces of the page: each is a whole element or a few; texts of others are escaped in them ----
+// ---- the pieces of the page: each is a whole element or a few; texts of others are escaped in
+// them ----
 
-/// Verdicts in the order of the page: wrong answers by rank, then those where there is no answer, then what was declined, then passes.
+/// Verdicts in the order of the page: wrong answers by rank, then those where there is no answer,
+/// then what was declined, then passes.
 std::size_t place_on_page(Verdict verdict);
 
-/// The subject, the answer in one line, warnings, a bar of all verdicts, and how it was judged. `shown`: the verdicts that have a section.
+/// The subject, the answer in one line, warnings, a bar of all verdicts, and how it was judged.
+/// `shown`: the verdicts that have a section.
 std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
                         const std::set<Verdict>& shown);
 
-/// Passes first, then what is wrong, then what has no answer, then what was declined. Those in `shown` refer to their sections.
+/// Passes first, then what is wrong, then what has no answer, then what was declined. Those in
+/// `shown` refer to their sections.
 std::vector<picture::Share> verdict_shares(const TallyRow& all, const std::set<Verdict>& shown);
 
 /// The counts and errors of each family. `linked`: the cells refer to the cases.
 std::string tally_table(const Tally& tally);
 
-/// How often errors of each size came, one row for each verdict; empty if no depth was claimed at all. `in_u_r`: in units of uR, else
-/// relative. `tolerance`: a line at that size, if it is positive.
+/// How often errors of each size came, one row for each verdict; empty if no depth was claimed at
+/// all. `in_u_r`: in units of uR, else relative. `tolerance`: a line at that size, if it is
+/// positive.
 std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tolerance);
 
 /// All of one failure. `anchor` is its id in the page.
@@ -65,21 +72,23 @@ struct Anchored {
   std::string anchor;
 };
 
-/// Each case with its verdict, in the order of the page and worst first, as far as a page can hold them; those of `shown` refer to their
-/// pictures.
+/// Each case with its verdict, in the order of the page and worst first, as far as a page can hold
+/// them; those of `shown` refer to their pictures.
 std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anchored>& shown);
 
 // ---- the picture of a failure: what the truth and the reply say about the same pair ----
 
-/// The translation of A that a reply claims, to within a few roundings, for directions of any length. Returns nullopt if the reply has no
-/// direction, or one that is not finite.
+/// The translation of A that a reply claims, to within a few roundings, for directions of any
+/// length. Returns nullopt if the reply has no direction, or one that is not finite.
 std::optional<Point> claimed_translation(const Reply& reply, const Conventions& conventions);
 
 /// One or two SVG elements, as view/picture paints them.
-std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label);
+std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name,
+                         const std::string& label);
 
 /// The same for unions.
-std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label);
+std::string unions_picture(const UnionTruth& truth, const std::optional<Point>& claimed, const std::string& name,
+                           const std::string& label);
 
 /// The same for a case of shapes, without a claim; empty if its depth is not found.
 std::string shapes_picture(const Case& seen, const std::string& name, const std::string& label);

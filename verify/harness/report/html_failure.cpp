@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One failure of the page: pictures, the truth, the claim, and exact numbers.
-#include "verify/harness/report/html.hpp"
-
-#include <exception>
 #include <fmt/format.h>
 
+#include <exception>
+
 #include "fathom/numbers.hpp"
-#include "reference/files/case_json.hpp"
-#include "verify/harness/coordinates.hpp"
-#include "verify/harness/report/text.hpp"
-#include "verify/harness/seen_case.hpp"
-#include "verify/judge/fields.hpp"
-#include "view/picture/markup.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/report/html.hpp"
+#include "verify/harness/report/text.hpp"
+#include "verify/harness/seen_case.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/fields.hpp"
+#include "view/picture/markup.hpp"
 #include "view/picture/paint.hpp"
 #include "view/picture/view.hpp"
-#include "verify/harness/report/html.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -29,7 +28,9 @@ constexpr std::size_t longest_case = 200'000;  // characters of a case as JSON
 
 std::string exact(const mpq_class& value) {
   const std::string text = exact_text(value);
-  return text.size() <= longest_exact ? text : fmt::format("{}... ({} characters)", text.substr(0, longest_exact), text.size());
+  return text.size() <= longest_exact
+             ? text
+             : fmt::format("{}... ({} characters)", text.substr(0, longest_exact), text.size());
 }
 
 /// A signed square by its root: rounded, and the square exactly where that is short.
@@ -98,7 +99,8 @@ std::string truth_of_unions(const UnionTruth& truth, const std::string& certific
     facts.add("depth of the deepest pair",
               fmt::format("{}: piece {} of A, piece {} of B", length_text(bounds.deepest_pair), bounds.a, bounds.b));
     if (bounds.deepest_pair != depth.squared())
-      facts.add("the unions are deeper", fmt::format("{} times", root_binary64(depth.squared() / bounds.deepest_pair, Rounding::rn)));
+      facts.add("the unions are deeper",
+                fmt::format("{} times", root_binary64(depth.squared() / bounds.deepest_pair, Rounding::rn)));
     facts.add("depth of the hulls", length_text(bounds.hulls));
   }
   if (!certificate.empty()) facts.add("certificate", certificate);
@@ -112,14 +114,16 @@ std::string truth_list(const Outcome& outcome, const Known& known, const std::st
   if (outcome.judgement || truth) {
     const std::optional<Status> status = outcome.judgement ? outcome.judgement->status : truth->depth.status();
     facts.add("status", status_text(status));
-    if (outcome.judgement && outcome.judgement->signed_depth) facts.add("signed depth", between_text(*outcome.judgement->signed_depth));
+    if (outcome.judgement && outcome.judgement->signed_depth)
+      facts.add("signed depth", between_text(*outcome.judgement->signed_depth));
     else if (status == Status::penetrating)
       facts.add("depth", length_text(outcome.judgement ? outcome.judgement->depth_squared : truth->depth.squared()));
   }
   if (truth && truth->depth.distance()) facts.add("distance", length_text(truth->depth.distance()->squared));
   if (truth && truth->depth.status() == Status::penetrating) {
     facts.add("translation of A", rounded_text(truth->depth.translation()));
-    if (truth->depth.optima().size() > 1) facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima().size()));
+    if (truth->depth.optima().size() > 1)
+      facts.add("ties", fmt::format("{} translations are as short", truth->depth.optima().size()));
   }
   if (!certificate.empty()) facts.add("certificate", certificate);
   return facts.list("Truth");
@@ -129,7 +133,8 @@ std::string truth_list(const Outcome& outcome, const Known& known, const std::st
 std::string claim_list(const Reply& reply, const Conventions& conventions) {
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
-  facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap", reply.depth);
+  facts.add(conventions.depth == Conventions::Sign::positive ? "depth" : "depth, negative where they overlap",
+            reply.depth);
   facts.add("distance", reply.distance);
   facts.add(fmt::format("direction in which {} moves", moving_body(conventions)), reply.direction, triple_text);
   facts.add("point of A", reply.witness_a, triple_text);
@@ -158,7 +163,8 @@ std::string number_text(const std::optional<mpq_class>& squared, std::string_vie
 std::string residual_list(const Judgement& judgement) {
   Facts facts;
   std::string findings;
-  for (const Verdict verdict : judgement.findings) findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
+  for (const Verdict verdict : judgement.findings)
+    findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
   const bool has_price = judgement.price_squared || judgement.price;  // unions have none
   judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
@@ -183,36 +189,40 @@ std::string hulls_list(const AboutHulls& hulls) {
 std::string pieces_list(const AboutPieces& pieces) {
   Facts facts;
   facts.add("asked", fmt::format("{} pairs", pieces.pairs));
-  facts.add("the answer is that about", fmt::format("piece {} of A, piece {} of B", pieces.answer_of[0], pieces.answer_of[1]));
+  facts.add("the answer is that about",
+            fmt::format("piece {} of A, piece {} of B", pieces.answer_of[0], pieces.answer_of[1]));
   facts.add("the same answer about these two", std::string(name(pieces.query.verdict)) + ": " + pieces.query.sentence);
   return facts.list("Pairs of pieces");
 }
 
-/// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a page, or cannot be written.
+/// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a
+/// page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
   if (seen.a.points.empty() && !has_words(seen) && !has_union(seen)) return "";
   try {
-    const std::string line =
-        files::case_json(seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
+    const std::string line = files::case_json(
+        seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
     if (line.size() < longest_case)
       return picture::copied_text(anchor + "-case", "copy this case", "The case, as the subject saw it", line);
     std::size_t points = 0;
-    for (const Body* body : {&seen.a, &seen.b}) for_each_hull(*body, [&](const std::vector<Point>& hull) { points += hull.size(); });
+    for (const Body* body : {&seen.a, &seen.b})
+      for_each_hull(*body, [&](const std::vector<Point>& hull) { points += hull.size(); });
     return fmt::format("<p class=\"soft\">The case has {} points and is not on this page.</p>\n", points);
   } catch (const std::invalid_argument&) {
     return "";
   }
 }
 
-/// Lines of the exact numbers that the lists round: all of the judgement by their names in the report, "depth^2" for "depth_squared".
+/// Lines of the exact numbers that the lists round: all of the judgement by their names in the
+/// report, "depth^2" for "depth_squared".
 std::string exact_numbers(const Outcome& outcome, const Known& known) {
   std::string result;
   const auto add = [&](std::string_view what, const mpq_class& value) {
     const std::string_view squared = "_squared";
     const bool is_square = what.ends_with(squared);
-    result +=
-        fmt::format("{}{} = {}\n", what.substr(0, what.size() - (is_square ? squared.size() : 0)), is_square ? "^2" : "", exact(value));
+    result += fmt::format("{}{} = {}\n", what.substr(0, what.size() - (is_square ? squared.size() : 0)),
+                          is_square ? "^2" : "", exact(value));
   };
   const std::optional<Truth>& truth = known.truth;
   if (outcome.judgement) {
@@ -241,7 +251,8 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
   return result;
 }
 
-/// Solves the pair again. Neither is there if that fails, and for shapes: a page without one picture is better than none.
+/// Solves the pair again. Neither is there if that fails, and for shapes: a page without one
+/// picture is better than none.
 Known known_of(const Case& seen) {
   Known known;
   if (seen.a.shape || seen.b.shape) return known;
@@ -257,25 +268,33 @@ Known known_of(const Case& seen) {
 /// What the claim is in a picture.
 std::string of_claim(const SubjectInfo& subject) {
   const std::string result = "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
-  return subject.conventions.moves == Conventions::Body::b ? result + ", which is that of B turned round: the subject moves B" : result;
+  return subject.conventions.moves == Conventions::Body::b
+             ? result + ", which is that of B turned round: the subject moves B"
+             : result;
 }
 
 /// What the picture of two unions shows.
 std::string caption(const SubjectInfo& subject, const UnionTruth& truth, bool claimed) {
   std::string result =
-      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; deeper: the pieces in contact";
+      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; deeper: the pieces in "
+      "contact";
   if (truth.depth.status == Status::penetrating)
     result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed";
-  if (truth.depth.apart) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+  if (truth.depth.apart)
+    result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
   return claimed ? result + of_claim(subject) : result;
 }
 
 /// What the picture of two polytopes shows.
 std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed) {
-  std::string result = "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";
+  std::string result =
+      "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";
   if (truth.depth.status() == Status::penetrating)
-    result += "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces in contact";
-  if (truth.depth.distance()) result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
+    result +=
+        "; <span class=\"key true\">arrow</span>: the true translation of A, and A after it, dashed; thick: the faces "
+        "in contact";
+  if (truth.depth.distance())
+    result += "; <span class=\"key true\">arrow</span>: the gap from A to B, and A moved across it, dashed";
   if (truth.depth.touch()) result += "; <span class=\"key true\">dot</span>: where they touch";
   return claimed ? result + of_claim(subject) : result;
 }
@@ -294,7 +313,8 @@ std::string figure(const SubjectInfo& subject, const HtmlFailure& failure, const
     return figure_element(unions_picture(*known.unions, claimed, anchor, "Unions of " + of),
                           caption(subject, *known.unions, claimed.has_value()));
   if (const std::optional<Truth>& truth = known.truth) {
-    return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of), caption(subject, *truth, claimed.has_value()));
+    return figure_element(pair_picture(*truth, claimed, anchor, "Hulls of " + of),
+                          caption(subject, *truth, claimed.has_value()));
   }
   if (const std::string svg = shapes_picture(judged, anchor, "Shapes of " + of); !svg.empty())
     return figure_element(svg,
@@ -313,7 +333,8 @@ std::optional<Point> claimed_translation(const Reply& reply, const Conventions& 
                mpq_class(exact_value(u.z) * *claim.length)};
 }
 
-std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name, const std::string& label) {
+std::string pair_picture(const Truth& truth, const std::optional<Point>& claimed, const std::string& name,
+                         const std::string& label) {
   return picture::scene_panels(picture::scene_of({truth.a, truth.b, truth.depth}, claimed), name, label);
 }
 
@@ -336,9 +357,11 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   const Outcome& outcome = failure.outcome;
   const Case judged = judged_bodies(failure.seen, subject, outcome.fit);
   const Known known = known_of(judged);
-  std::string result = fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n", anchor,
-                                   markup(shown_id(outcome.id, outcome.variant)));
-  result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict), markup(sentence_of(outcome)));
+  std::string result =
+      fmt::format("<article id=\"{0}\" aria-labelledby=\"{0}-h\"><h4 id=\"{0}-h\"><a href=\"#{0}\">{1}</a></h4>\n",
+                  anchor, markup(shown_id(outcome.id, outcome.variant)));
+  result += fmt::format("<p><span class=\"verdict\">{}</span>: {}</p>\n", name(outcome.verdict),
+                        markup(sentence_of(outcome)));
   std::string said = "<div class=\"facts\">\n";
   if (outcome.reply) said += claim_list(in_unit(*outcome.reply, -outcome.fit), subject.conventions);
   said += truth_list(outcome, known, picture::without_folders(failure.certificate_name));

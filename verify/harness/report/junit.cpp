@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/report/junit.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 
-#include "fathom/numbers.hpp"
-#include "verify/harness/report/text.hpp"
 #include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
+#include "verify/harness/report/text.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -31,12 +32,14 @@ std::string escaped(std::string_view text) {
   if (text.empty()) return "%";
   std::string result;
   for (const char c : text)
-    result +=
-        speaks_for_itself(c) && !(c == '#' && result.empty()) ? std::string(1, c) : fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    result += speaks_for_itself(c) && !(c == '#' && result.empty())
+                  ? std::string(1, c)
+                  : fmt::format("%{:02x}", static_cast<unsigned char>(c));
   return result;
 }
 
-/// Returns nullopt if a '%' is not followed by two digits, or if a character is there that must be escaped.
+/// Returns nullopt if a '%' is not followed by two digits, or if a character is there that must be
+/// escaped.
 std::optional<std::string> unescaped(std::string_view text) {
   if (text == "%") return "";
   std::string result;
@@ -92,7 +95,9 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 constexpr std::string_view opening = "# Known failures of ", purpose = ", for fathom certify --expect-fail.";
 
 /// Whether we wrote it over a list.
-bool is_opening(std::string_view line) { return line.starts_with(opening) && line.find(purpose) != std::string_view::npos; }
+bool is_opening(std::string_view line) {
+  return line.starts_with(opening) && line.find(purpose) != std::string_view::npos;
+}
 
 struct Suite {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
@@ -108,11 +113,13 @@ struct Suite {
   }
 };
 
-std::string attribute(std::string_view name, std::string_view value) { return fmt::format(" {}=\"{}\"", name, markup(value)); }
+std::string attribute(std::string_view name, std::string_view value) {
+  return fmt::format(" {}=\"{}\"", name, markup(value));
+}
 
 std::string counts(const Suite& suite) {
-  return fmt::format(" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.6f}\"", suite.tests, suite.failures,
-                     suite.errors, suite.skipped, suite.seconds);
+  return fmt::format(" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.6f}\"", suite.tests,
+                     suite.failures, suite.errors, suite.skipped, suite.seconds);
 }
 
 bool is_error(Verdict verdict) { return verdict <= Verdict::failed; }
@@ -121,23 +128,27 @@ bool is_error(Verdict verdict) { return verdict <= Verdict::failed; }
 std::string child_of(const Outcome& outcome, const ExpectedFailures::Check& known, Suite& suite) {
   const std::string verdict(name(outcome.verdict)), sentence = sentence_of(outcome);
   if (known.allowed.contains(failure_line(outcome)))
-    return ++suite.skipped, fmt::format("<skipped{}/>", attribute("message", fmt::format("known failure: {}: {}", verdict, sentence)));
-  if (outcome.verdict == Verdict::unsupported) return ++suite.skipped, fmt::format("<skipped{}/>", attribute("message", sentence));
+    return ++suite.skipped,
+           fmt::format("<skipped{}/>", attribute("message", fmt::format("known failure: {}: {}", verdict, sentence)));
+  if (outcome.verdict == Verdict::unsupported)
+    return ++suite.skipped, fmt::format("<skipped{}/>", attribute("message", sentence));
   if (fails(outcome.verdict)) {
     const char* element = is_error(outcome.verdict) ? "error" : "failure";
     ++(is_error(outcome.verdict) ? suite.errors : suite.failures);
-    return fmt::format("<{0}{1}{2}>{3}</{0}>", element, attribute("message", sentence), attribute("type", verdict), markup(sentence));
+    return fmt::format("<{0}{1}{2}>{3}</{0}>", element, attribute("message", sentence), attribute("type", verdict),
+                       markup(sentence));
   }
   if (known.fixed_keys.contains(failure_key(outcome)))
     return ++suite.failures, R"(<failure message="listed as a known failure, but passes" type="unexpected-pass"/>)";
   return "";
 }
 
-void add_case(Suite& suite, const std::string& class_name, const std::string& case_name, double seconds, const std::string& child) {
+void add_case(Suite& suite, const std::string& class_name, const std::string& case_name, double seconds,
+              const std::string& child) {
   ++suite.tests;
   suite.seconds += seconds;
-  suite.cases += fmt::format("    <testcase{}{} time=\"{:.6f}\"{}\n", attribute("classname", class_name), attribute("name", case_name),
-                             seconds, child.empty() ? "/>" : ">" + child + "</testcase>");
+  suite.cases += fmt::format("    <testcase{}{} time=\"{:.6f}\"{}\n", attribute("classname", class_name),
+                             attribute("name", case_name), seconds, child.empty() ? "/>" : ">" + child + "</testcase>");
 }
 
 std::string properties(const SubjectInfo& subject, const RunInfo& from) {
@@ -145,7 +156,8 @@ std::string properties(const SubjectInfo& subject, const RunInfo& from) {
   const auto add = [&](const std::string& name, const std::string& value) {
     result += fmt::format("      <property{}{}/>\n", attribute("name", name), attribute("value", value));
   };
-  for (const auto& [name, value] : {std::pair("fathom", &from.version), {"command", &from.command}, {"cut short", &from.cut_short}})
+  for (const auto& [name, value] :
+       {std::pair("fathom", &from.version), {"command", &from.command}, {"cut short", &from.cut_short}})
     if (!value->empty()) add(name, *value);
   add("subject", title(subject));
   add("conventions", conventions_text(subject.conventions));
@@ -155,31 +167,39 @@ std::string properties(const SubjectInfo& subject, const RunInfo& from) {
 }
 
 std::string suite_xml(const std::string& name, const Suite& suite, const std::string& properties) {
-  return fmt::format("  <testsuite{}{}>\n{}{}  </testsuite>\n", attribute("name", name), counts(suite), properties, suite.cases);
+  return fmt::format("  <testsuite{}{}>\n{}{}  </testsuite>\n", attribute("name", name), counts(suite), properties,
+                     suite.cases);
 }
 
 }  // namespace
 
 std::string failure_key(const Outcome& outcome) { return key_of(outcome.id, outcome.variant); }
-std::string failure_line(const Outcome& outcome) { return fmt::format("{} {}", name(outcome.verdict), failure_key(outcome)); }
+std::string failure_line(const Outcome& outcome) {
+  return fmt::format("{} {}", name(outcome.verdict), failure_key(outcome));
+}
 
 ExpectedFailures ExpectedFailures::read(const std::string& path) { return parse(files::read_file(path), path); }
 
 std::string ExpectedFailures::Entry::text() const { return fmt::format("{} {}", fathom::name(verdict), key); }
 
-std::optional<ExpectedFailures::Entry> ExpectedFailures::entry_in(std::string_view words, const std::string& name, std::size_t line) {
+std::optional<ExpectedFailures::Entry> ExpectedFailures::entry_in(std::string_view words, const std::string& name,
+                                                                  std::size_t line) {
   const std::string_view first = next_word(words);
   if (first.empty()) return std::nullopt;
   const std::optional<Verdict> verdict = verdict_named(first);
-  if (!verdict) throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + kernels::shown(first));
+  if (!verdict)
+    throw InputError(name, line, "expected a verdict, as in 'too-deep case-7', found " + kernels::shown(first));
   if (!fails(*verdict)) throw InputError(name, line, kernels::shown(first) + " is no failure");
   const std::string_view second = next_word(words);
   if (second.empty()) throw InputError(name, line, "expected the id of a case after " + kernels::shown(first));
   const std::optional<std::string> key = canonical_key(second);
-  if (!key) throw InputError(name, line, "expected an id in which '%' begins an escape such as %20, found " + kernels::shown(second));
-  if (const std::string_view more = next_word(words); !more.empty())
+  if (!key)
     throw InputError(name, line,
-                     "expected nothing but a comment after the id, found " + kernels::shown(more) + "; a blank in an id is %20");
+                     "expected an id in which '%' begins an escape such as %20, found " + kernels::shown(second));
+  if (const std::string_view more = next_word(words); !more.empty())
+    throw InputError(
+        name, line,
+        "expected nothing but a comment after the id, found " + kernels::shown(more) + "; a blank in an id is %20");
   return Entry{*verdict, *key, line};
 }
 
@@ -220,7 +240,8 @@ ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcome
 void ExpectedFailures::settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got,
                               Check& result) const {
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    const std::string place = fmt::format("{}:{}: {} is listed as {}", name_, listed[i].line, key, fathom::name(listed[i].verdict));
+    const std::string place =
+        fmt::format("{}:{}: {} is listed as {}", name_, listed[i].line, key, fathom::name(listed[i].verdict));
     if (i >= got.size()) {
       ++result.unmet;
       result.unmet_lines.push_back(listed[i].text());
@@ -257,25 +278,27 @@ std::string ExpectedFailures::renewed(std::multiset<std::string>& failing) const
   return result;
 }
 
-std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures& before) {
+std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes,
+                                   const ExpectedFailures& before) {
   std::multiset<std::string> failing;
   for (const Outcome& outcome : outcomes)
     if (fails(outcome.verdict)) failing.insert(failure_line(outcome));
-  std::string result = fmt::format("{}{}{} A line: verdict, id, perhaps a comment.\n", opening, ascii(title(subject)), purpose);
+  std::string result =
+      fmt::format("{}{}{} A line: verdict, id, perhaps a comment.\n", opening, ascii(title(subject)), purpose);
   result += before.renewed(failing);
   for (const std::string& line : failing) result += line + "\n";
   return result;
 }
 
-std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes, const ExpectedFailures::Check& known,
-                      const RunInfo& from) {
+std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes,
+                      const ExpectedFailures::Check& known, const RunInfo& from) {
   std::map<std::string, Suite> suites;
   for (const Outcome& outcome : outcomes) {
     const std::string family = family_of(outcome.id);
     Suite& suite = suites[family];
     const std::string child = child_of(outcome, known, suite);
-    add_case(suite, family.empty() ? subject.name : subject.name + "." + family, shown_id(outcome.id, outcome.variant), outcome.seconds,
-             child);
+    add_case(suite, family.empty() ? subject.name : subject.name + "." + family, shown_id(outcome.id, outcome.variant),
+             outcome.seconds, child);
   }
   Suite all, unmet;
   const std::string common = properties(subject, from);
@@ -286,7 +309,8 @@ std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outco
   }
   for (const std::string& line : known.unmet_lines) {
     ++unmet.failures;
-    add_case(unmet, subject.name, line, 0, R"(<failure message="listed as a known failure, but no such case was run" type="not-met"/>)");
+    add_case(unmet, subject.name, line, 0,
+             R"(<failure message="listed as a known failure, but no such case was run" type="not-met"/>)");
   }
   all.add(unmet);
   if (unmet.tests > 0) body += suite_xml("known failures", unmet, common);

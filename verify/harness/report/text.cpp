@@ -23,7 +23,8 @@ constexpr std::size_t label_width = 13, verdict_width = 20;
 constexpr std::size_t most_named = 5;   // failing cases of a verdict
 constexpr std::size_t longest_id = 60;  // characters
 
-/// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The first is flush left.
+/// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The
+/// first is flush left.
 struct Column {
   Lines head, cells;
 
@@ -51,7 +52,8 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
   for (const Column* column : columns) deepest = std::max(deepest, column->head.size());
   const auto add_line = [&](const std::function<std::string(const Column&)>& text) {
     std::string line = fmt::format("{:<{}}", text(*columns.front()), columns.front()->width());
-    for (std::size_t i = 1; i < columns.size(); ++i) line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + gap);
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + gap);
     lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   };
   for (std::size_t i = 0; i < deepest; ++i) {  // heads stand on one ground
@@ -60,7 +62,8 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
       return i < empty ? "" : column.head[i - empty];
     });
   }
-  for (std::size_t i = 0; i < columns.front()->cells.size(); ++i) add_line([&](const Column& column) { return column.cells[i]; });
+  for (std::size_t i = 0; i < columns.front()->cells.size(); ++i)
+    add_line([&](const Column& column) { return column.cells[i]; });
 }
 
 /// Columns that stand in one block.
@@ -98,14 +101,20 @@ void add_table(Lines& lines, const Tally& tally, std::size_t widest, bool all_ro
   for (const Tally::Line& line : rows) labels.cells.push_back(line.label);
   std::vector<Group> groups{{column({"cases"}, [](const TallyRow& row) { return fmt::format("{}", row.total); })}};
   for (const Verdict verdict : tally.verdicts()) {
-    const auto cell = [verdict](const TallyRow& row) { return row[verdict] > 0 ? fmt::format("{}", row[verdict]) : "."; };
+    const auto cell = [verdict](const TallyRow& row) {
+      return row[verdict] > 0 ? fmt::format("{}", row[verdict]) : ".";
+    };
     groups.push_back({column(broken_name(name(verdict)), cell)});
   }
   groups.emplace_back();
   const auto add_errors = [&](const std::string& unit, Errors TallyRow::*errors) {
     if ((tally.all().*errors).empty()) return;
-    const auto worst = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).worst()); };
-    const auto median = [errors](const TallyRow& row) { return (row.*errors).empty() ? "." : error_text((row.*errors).median()); };
+    const auto worst = [errors](const TallyRow& row) {
+      return (row.*errors).empty() ? "." : error_text((row.*errors).worst());
+    };
+    const auto median = [errors](const TallyRow& row) {
+      return (row.*errors).empty() ? "." : error_text((row.*errors).median());
+    };
     if (widest < enough_for_errors && !groups.back().empty()) groups.emplace_back();
     groups.back().push_back(column({"worst", unit}, worst));
     groups.back().push_back(column({"median", unit}, median));
@@ -115,7 +124,8 @@ void add_table(Lines& lines, const Tally& tally, std::size_t widest, bool all_ro
   add_blocks(lines, labels, groups, widest);
 }
 
-/// The text behind the label, broken at spaces; a word that is too long for a line is broken where the line ends.
+/// The text behind the label, broken at spaces; a word that is too long for a line is broken where
+/// the line ends.
 void add_words(Lines& lines, std::size_t widest, std::string line, std::string_view text, std::size_t indent) {
   const std::size_t room = widest - indent;
   while (text.size() > room) {
@@ -128,8 +138,10 @@ void add_words(Lines& lines, std::size_t widest, std::string line, std::string_v
   lines.push_back(line.append(text));
 }
 
-/// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own, at spaces.
-void add_entries(Lines& lines, std::size_t widest, const std::string& label, const Lines& entries, std::size_t indent = label_width) {
+/// "settings     a = 1; b = 2", broken between entries; what is too long for a line of its own, at
+///               spaces.
+void add_entries(Lines& lines, std::size_t widest, const std::string& label, const Lines& entries,
+                 std::size_t indent = label_width) {
   const std::string margin(indent, ' ');
   std::string line = fmt::format("{:<{}}", label, indent), text;
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -149,7 +161,8 @@ Lines legend(const TallyRow& all) {
   Lines result;
   if (!all.relative.empty()) result.emplace_back("relative: the error of a depth or distance, over its true value");
   if (!all.u_r.empty())
-    result.emplace_back("uR: u, the unit roundoff of the subject's precision, times R, the largest coordinate of a case");
+    result.emplace_back(
+        "uR: u, the unit roundoff of the subject's precision, times R, the largest coordinate of a case");
   if (!all.dearer.empty()) result.emplace_back("price: the depth along the answered direction");
   if (!result.empty()) result.emplace_back("more in docs/glossary.md");
   return result;
@@ -185,7 +198,8 @@ std::string precision_text(const NumberFormat& format) {
 std::string title(const SubjectInfo& subject) {
   const std::string precision = precision_text(subject.format);
   const std::string library = subject.library.empty() ? "" : subject.library + ", ";
-  return fmt::format("{}{}{} ({}{})", subject.name, subject.version.empty() ? "" : " ", subject.version, library, precision);
+  return fmt::format("{}{}{} ({}{})", subject.name, subject.version.empty() ? "" : " ", subject.version, library,
+                     precision);
 }
 
 std::string conventions_text(const Conventions& conventions) {
@@ -194,12 +208,14 @@ std::string conventions_text(const Conventions& conventions) {
                          : conventions.touching == Touching::separate ? "bodies that touch are separate"
                                                                       : "bodies that touch are either";
   return fmt::format("{}; the depth is {}; {} moves; directions {}{}", touching,
-                     conventions.depth == Conventions::Sign::positive ? "positive" : "negative", moving_body(conventions),
-                     conventions.unit ? "have length 1" : "may have any length",
+                     conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
+                     moving_body(conventions), conventions.unit ? "have length 1" : "may have any length",
                      conventions.claims == Conventions::Claims::separating ? "; claims: separating" : "");
 }
 
-const char* moving_body(const Conventions& conventions) { return conventions.moves == Conventions::Body::a ? "A" : "B"; }
+const char* moving_body(const Conventions& conventions) {
+  return conventions.moves == Conventions::Body::a ? "A" : "B";
+}
 
 std::vector<std::string> settings_text(const SubjectInfo& subject) {
   std::vector<std::string> result;
@@ -215,14 +231,14 @@ std::vector<std::string> rounding_text(const SubjectInfo& subject) {
 }
 
 std::string dwarfed_text(const TallyRow& all) {
-  return all.dwarfed == 0
-             ? ""
-             : fmt::format("its own radii are larger than the bodies in {} of {}", all.dwarfed, count_text(all.total, "case", "cases"));
+  return all.dwarfed == 0 ? ""
+                          : fmt::format("its own radii are larger than the bodies in {} of {}", all.dwarfed,
+                                        count_text(all.total, "case", "cases"));
 }
 
 std::string tolerance_text(const Tolerance& tolerance) {
-  std::string result =
-      fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative), exact_text(tolerance.absolute));
+  std::string result = fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative),
+                                   exact_text(tolerance.absolute));
   if (tolerance.ulps > 0) result += fmt::format(", {} ulp", tolerance.ulps);
   result += "; the largest counts";
   return tolerance.policy == Policy() ? result : result + "; policy " + judging::policy_text(tolerance.policy);
@@ -232,8 +248,11 @@ std::vector<std::string> price_entries(const TallyRow& row) {
   std::vector<std::string> result;
   if (!row.dearer.empty())
     result.push_back(fmt::format("median {} above the depth, worst {}, of {}", error_text(row.dearer.median()),
-                                 error_text(row.dearer.worst()), count_text(row.dearer.size(), "direction", "directions")));
-  if (row.longer > 0) result.push_back(count_text(row.longer, "longer translation passes", "longer translations pass") + " by the policy");
+                                 error_text(row.dearer.worst()),
+                                 count_text(row.dearer.size(), "direction", "directions")));
+  if (row.longer > 0)
+    result.push_back(count_text(row.longer, "longer translation passes", "longer translations pass") +
+                     " by the policy");
   return result;
 }
 
@@ -248,7 +267,8 @@ std::vector<Tally::Line> shown_parts(const Tally& tally) {
 }
 
 std::string fit_text(const mpq_class& fit) {
-  return fmt::format("every case by a power of two: its longest side is less than {}, and at least half of that", exact_text(fit));
+  return fmt::format("every case by a power of two: its longest side is less than {}, and at least half of that",
+                     exact_text(fit));
 }
 
 std::string sentence_of(const Outcome& outcome) {
@@ -273,14 +293,16 @@ std::string totals_text(std::size_t total, std::size_t passes, std::size_t failu
 std::vector<std::string> accuracy_entries(const TallyRow& row) {
   std::vector<std::string> result;
   if (row[Verdict::touching_by_convention] > 0)
-    result.push_back(fmt::format("{} pass + {} touching-by-convention", row[Verdict::pass], row[Verdict::touching_by_convention]));
+    result.push_back(
+        fmt::format("{} pass + {} touching-by-convention", row[Verdict::pass], row[Verdict::touching_by_convention]));
   for (std::size_t i = 0; i < accuracy_count; ++i)
-    if (row.accuracies[i] > 0) result.push_back(fmt::format("{}: {}", name(static_cast<Accuracy>(i)), row.accuracies[i]));
+    if (row.accuracies[i] > 0)
+      result.push_back(fmt::format("{}: {}", name(static_cast<Accuracy>(i)), row.accuracies[i]));
   return result;
 }
 
-std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where, std::size_t columns,
-                           bool all_rows) const {
+std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> outcomes, const Lines& where,
+                           std::size_t columns, bool all_rows) const {
   const std::size_t widest = std::max(columns, narrowest);
   Lines lines;
   const std::string dwarfed = dwarfed_text(tally_.all());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs around a case, and how they come to disk. Their text is in templates/, one file for each library and call; its marks,
-// as @value@, are filled here.
+// Programs around a case, and how they come to disk. Their text is in templates/, one file for each
+// library and call; its marks, as @value@, are filled here.
 #include "verify/harness/shrink/reproducer.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +45,8 @@ namespace {
 /// In `text`, the words in the map's keys replaced by its values.
 std::string filled(std::string text, const std::map<std::string, std::string>& values) {
   for (const auto& [key, value] : values)
-    for (std::size_t at = 0; (at = text.find(key, at)) != std::string::npos; at += value.size()) text.replace(at, key.size(), value);
+    for (std::size_t at = 0; (at = text.find(key, at)) != std::string::npos; at += value.size())
+      text.replace(at, key.size(), value);
   return text;
 }
 
@@ -54,15 +55,19 @@ std::string setting(const SubjectInfo& info, const std::string& key, const std::
   const auto found = info.settings.find(key);
   if (found == info.settings.end() || found->second.empty()) return usual;
   const std::string& text = found->second;
-  return text.find_first_not_of("0123456789.eE+-") == std::string::npos && text.find_first_of("0123456789") == 0 ? text : usual;
+  return text.find_first_not_of("0123456789.eE+-") == std::string::npos && text.find_first_of("0123456789") == 0
+             ? text
+             : usual;
 }
 
-/// A program that asks a library: how to compile the file "case.cpp", and its text, with marks for the bodies and the calls.
+/// A program that asks a library: how to compile the file "case.cpp", and its text, with marks for
+/// the bodies and the calls.
 struct AskingProgram {
   std::string command, text;
 };
 
-/// The calls of this subject's adapter, with the settings of its hello. Returns nullopt for a library without a program here.
+/// The calls of this subject's adapter, with the settings of its hello. Returns nullopt for a
+/// library without a program here.
 std::optional<AskingProgram> program_for(const SubjectInfo& info) {
   const auto asks = [&info](const char* mode) { return info.name.find(mode) != std::string::npos; };
   const auto made = [](std::string command, std::string_view text, const std::map<std::string, std::string>& values) {
@@ -78,7 +83,8 @@ std::optional<AskingProgram> program_for(const SubjectInfo& info) {
   }
   if (info.library == "fcl") {
     const std::string command = "g++ case.cpp $(pkg-config --cflags --libs fcl eigen3) -std=c++17";
-    if (asks("signed")) return made(command, templates::fcl_distance, {{"@value@", setting(info, "distance_tolerance", "1e-6")}});
+    if (asks("signed"))
+      return made(command, templates::fcl_distance, {{"@value@", setting(info, "distance_tolerance", "1e-6")}});
     return made(command, templates::fcl_collide,
                 {{"@value@", setting(info, "gjk_tolerance", "1e-6")},
                  {"@contacts@", setting(info, "num_max_contacts", "1")},
@@ -87,14 +93,17 @@ std::optional<AskingProgram> program_for(const SubjectInfo& info) {
   if (info.library == "bullet") {
     const bool wide = info.format.points == Precision::binary64;
     return made(std::string("g++ case.cpp $(pkg-config --cflags --libs bullet") + (wide ? "-float64)" : ")"),
-                asks("pair") ? templates::bullet_pair : templates::bullet_epa, {{"@value@", setting(info, "margin", "0.04")}});
+                asks("pair") ? templates::bullet_pair : templates::bullet_epa,
+                {{"@value@", setting(info, "margin", "0.04")}});
   }
   if (info.library == "ode")
-    return made("g++ case.cpp $(pkg-config --cflags --libs ode)", templates::ode, {{"@contacts@", setting(info, "contacts", "32")}});
+    return made("g++ case.cpp $(pkg-config --cflags --libs ode)", templates::ode,
+                {{"@contacts@", setting(info, "contacts", "32")}});
   return std::nullopt;
 }
 
-// ---- bodies as C++: their points in braces, or the functions of fathom/shape.hpp that make them ----
+// ---- bodies as C++: their points in braces, or the functions of fathom/shape.hpp that make them
+// ----
 
 /// The binary64 number that it is, in its shortest text.
 std::string number(const mpq_class& value) { return fmt::format("{}", round_binary64(value)); }
@@ -110,7 +119,9 @@ std::string list(const std::vector<Point>& points) {
   return fmt::format("{{{}}}", fmt::join(texts, ", "));
 }
 
-std::string hull_text(const std::vector<Point>& points) { return "fathom::hull(std::vector<fathom::Point>" + list(points) + ")"; }
+std::string hull_text(const std::vector<Point>& points) {
+  return "fathom::hull(std::vector<fathom::Point>" + list(points) + ")";
+}
 
 std::string unmoved(const files::NamedBody& words);
 
@@ -140,7 +151,9 @@ std::string core_text(const files::NamedBody& words) {
 std::string unmoved(const files::NamedBody& words) {
   const auto margin = words.fields.numbers.find("margin");
   const std::string core = core_text(words);
-  return margin == words.fields.numbers.end() ? core : fmt::format("fathom::with_margin({}, {})", core, number(margin->second[0]));
+  return margin == words.fields.numbers.end()
+             ? core
+             : fmt::format("fathom::with_margin({}, {})", core, number(margin->second[0]));
 }
 
 // ---- programs ----
@@ -165,7 +178,8 @@ std::string literal(const mpq_class& value) { return literal(round_binary64(valu
 std::string points_text(const Body& body) {
   std::string text;
   for (const Point& p : body.points)
-    text += fmt::format("{}{{{}, {}, {}}}", text.empty() ? "" : ",\n        ", literal(p.x), literal(p.y), literal(p.z));
+    text +=
+        fmt::format("{}{{{}, {}, {}}}", text.empty() ? "" : ",\n        ", literal(p.x), literal(p.y), literal(p.z));
   return text;
 }
 
@@ -207,8 +221,9 @@ std::string claim_text(const Outcome& outcome) {
 std::string truth_text(const Judgement& judgement) {
   const Between& depth = *judgement.signed_depth;
   const std::string_view word = judgement.status ? name(*judgement.status) : "undecided";
-  return depth.low == depth.high ? fmt::format("{}, the signed depth is {}", word, depth.low)
-                                 : fmt::format("{}, the signed depth is between {} and {}", word, depth.low, depth.high);
+  return depth.low == depth.high
+             ? fmt::format("{}, the signed depth is {}", word, depth.low)
+             : fmt::format("{}, the signed depth is between {} and {}", word, depth.low, depth.high);
 }
 
 /// The truth that the outcome was judged by; of a variant that about the case.
@@ -216,7 +231,8 @@ std::string truth_text(const Case& pair, const Outcome& outcome) {
   if (outcome.radii != 0) return "of the bodies as the subject rounds them: " + truth_text(*outcome.judgement);
   if (pair.a.shape || pair.b.shape) {
     const bool same = outcome.judgement && outcome.variant.empty() && outcome.fit == 0;
-    return truth_text(same ? *outcome.judgement : judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), Reply{}));
+    return truth_text(same ? *outcome.judgement
+                           : judge(truth_about(files::shape_of(pair.a), files::shape_of(pair.b)), Reply{}));
   }
   Status status = Status::disjoint;
   mpq_class squared, apart;
@@ -231,8 +247,10 @@ std::string truth_text(const Case& pair, const Outcome& outcome) {
     if (truth.depth.distance()) apart = truth.depth.distance()->squared;
   }
   if (status == Status::disjoint)
-    return fmt::format("{}, distance^2 = {} exactly, distance = {}", name(status), exact_text(apart), root_binary64(apart, Rounding::rn));
-  return fmt::format("{}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared), root_binary64(squared, Rounding::rn));
+    return fmt::format("{}, distance^2 = {} exactly, distance = {}", name(status), exact_text(apart),
+                       root_binary64(apart, Rounding::rn));
+  return fmt::format("{}, depth^2 = {} exactly, depth = {}", name(status), exact_text(squared),
+                     root_binary64(squared, Rounding::rn));
 }
 
 std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const std::string& command) {
@@ -248,7 +266,8 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
   const std::string verdict(name(outcome.verdict));
   const bool said = sentence.empty() || sentence.starts_with(verdict);
   line("verdict: " + (sentence.empty() ? verdict : said ? sentence : verdict + ": " + sentence));
-  if (outcome.fit != 0) line(fmt::format("unit:    as the subject saw it, 2^{} of the case's; the verdict is in the case's", -outcome.fit));
+  if (outcome.fit != 0)
+    line(fmt::format("unit:    as the subject saw it, 2^{} of the case's; the verdict is in the case's", -outcome.fit));
   line("compile: " + command);
   return text;
 }
@@ -260,7 +279,8 @@ std::optional<Case> variant_of(const SubjectInfo& info, const Case& pair, const 
   return found.empty() ? std::nullopt : std::optional(found.front().seen);
 }
 
-std::string program_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome, const AskingProgram& program) {
+std::string program_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome,
+                         const AskingProgram& program) {
   std::string bodies = info.wants_faces ? "// Faces: corners counter-clockwise, seen from outside.\n" : "";
   bodies += "struct Body {\n  std::vector<std::vector<double>> points;\n";
   bodies += info.wants_faces ? "  std::vector<std::vector<int>> faces;\n};\n\n" : "};\n\n";
@@ -271,23 +291,28 @@ std::string program_text(const SubjectInfo& info, const Case& pair, const Outcom
               body_text("other_b", variant->b, info.wants_faces);
     calls += fmt::format("  answer(\"the variant {}\", other_a, other_b);\n", outcome.variant);
   }
-  return heading(info, pair, outcome, program.command) + filled(program.text, {{"@bodies@", bodies}, {"@calls@", calls}});
+  return heading(info, pair, outcome, program.command) +
+         filled(program.text, {{"@bodies@", bodies}, {"@calls@", calls}});
 }
 
 std::string reply_text(const Outcome& outcome) {
-  if (!outcome.reply) return "  // No answer was recorded: put the one of your own call here.\n  fathom::Reply reply;\n";
+  if (!outcome.reply)
+    return "  // No answer was recorded: put the one of your own call here.\n  fathom::Reply reply;\n";
   const auto triple = [](const char* field, const std::optional<Triple>& v) {
-    return v ? fmt::format("  reply.{} = {{{{{}, {}, {}}}}};\n", field, literal((*v)[0]), literal((*v)[1]), literal((*v)[2])) : "";
+    return v ? fmt::format("  reply.{} = {{{{{}, {}, {}}}}};\n", field, literal((*v)[0]), literal((*v)[1]),
+                           literal((*v)[2]))
+             : "";
   };
   const Reply& reply = *outcome.reply;
   std::string text = "  // The answer that was recorded; put your own call here.\n  fathom::Reply reply;\n";
   text += fmt::format("  reply.overlap = {};\n", reply.overlap);
   if (reply.depth) text += fmt::format("  reply.depth = {};\n", literal(*reply.depth));
   if (reply.distance) text += fmt::format("  reply.distance = {};\n", literal(*reply.distance));
-  text += triple("direction", reply.direction) + triple("witness_a", reply.witness_a) + triple("witness_b", reply.witness_b);
+  text += triple("direction", reply.direction) + triple("witness_a", reply.witness_a) +
+          triple("witness_b", reply.witness_b);
   for (const auto& [p, depth] : reply.contacts)
-    text += fmt::format("  reply.contacts.push_back({{{{{}, {}, {}}}, {}}});\n", literal(p[0]), literal(p[1]), literal(p[2]),
-                        depth ? literal(*depth) : "std::nullopt");
+    text += fmt::format("  reply.contacts.push_back({{{{{}, {}, {}}}, {}}});\n", literal(p[0]), literal(p[1]),
+                        literal(p[2]), depth ? literal(*depth) : "std::nullopt");
   return text;
 }
 
@@ -296,14 +321,16 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
   const bool shapes = has_words(pair);
   std::string bodies;
   for (const auto& [name, body] : {std::pair{"a", &pair.a}, {"b", &pair.b}})
-    bodies += shapes ? fmt::format("  const fathom::Shape {} = {};\n", name, as_shape_code(*body))
-                     : fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
+    bodies +=
+        shapes ? fmt::format("  const fathom::Shape {} = {};\n", name, as_shape_code(*body))
+               : fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
   // Of bodies that the subject rounds, the truth about the rounded ones.
   const mpq_class radius_a = rounding_radius(pair.a, info), radius_b = rounding_radius(pair.b, info);
   std::string rounded, judged = shapes ? "fathom::truth_about(a, b)" : "a, b";
   if (radius_a != 0 || radius_b != 0) {
     if (!shapes) rounded += templates::rounded;
-    rounded += fmt::format("  const mpq_class radius_a(\"{}\"), radius_b(\"{}\");\n", exact_text(radius_a), exact_text(radius_b));
+    rounded += fmt::format("  const mpq_class radius_a(\"{}\"), radius_b(\"{}\");\n", exact_text(radius_a),
+                           exact_text(radius_b));
     rounded += fmt::format("  fathom::ShapeTruth truth = fathom::truth_about({0}(a, radius_a), {0}(b, radius_b));\n",
                            shapes ? "fathom::with_margin" : "rounded");
     rounded += "  truth.added_a = radius_a;\n  truth.added_b = radius_b;\n";
@@ -319,13 +346,16 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
       {"@depth@", std::string(judging::word_of(conventions.depth))},
       {"@moves@", std::string(judging::word_of(conventions.moves))},
       {"@unit@", fmt::format("{}", conventions.unit)},
-      {"@claims@",
-       conventions.claims == Conventions::Claims::minimum ? "" : "  conventions.claims = fathom::Conventions::Claims::separating;\n"},
+      {"@claims@", conventions.claims == Conventions::Claims::minimum
+                       ? ""
+                       : "  conventions.claims = fathom::Conventions::Claims::separating;\n"},
       {"@rounded@", rounded},
       {"@judged@", judged},
       {"@format@", points == answers ? points : "{" + points + ", " + answers + "}"}};
-  return "// To ask your own engine, put your call where the recorded answer stands in the test below; or give certify --harness.\n" +
-         heading(info, pair, outcome, "link fathom::judge and GoogleTest's main") + filled(std::string(templates::judged), values);
+  return "// To ask your own engine, put your call where the recorded answer stands in the test below; or give certify "
+         "--harness.\n" +
+         heading(info, pair, outcome, "link fathom::judge and GoogleTest's main") +
+         filled(std::string(templates::judged), values);
 }
 
 // ---- files ----
@@ -356,8 +386,8 @@ std::string shape_code(const files::NamedBody& words) {
   const Quaternion& q = words.turn;
   const bool upright = q.x == 0 && q.y == 0 && q.z == 0;
   if (upright && words.place == Point{}) return unmoved(words);
-  return fmt::format("fathom::moved({}, fathom::rigid_pose({{{}, {}, {}, {}}}, {}))", unmoved(words), number(q.w), number(q.x), number(q.y),
-                     number(q.z), triple(words.place));
+  return fmt::format("fathom::moved({}, fathom::rigid_pose({{{}, {}, {}, {}}}, {}))", unmoved(words), number(q.w),
+                     number(q.x), number(q.y), number(q.z), triple(words.place));
 }
 
 std::string body_code(const Body& body) { return body.words ? shape_code(*body.words) : list(body.points); }
@@ -367,9 +397,11 @@ std::string as_shape_code(const Body& body) { return body.words ? shape_code(*bo
 std::string filled_harness(std::string text, const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const Case there = in_unit(pair, outcome.fit);
   for (const auto& [name, body] : {std::pair{"A", &there.a}, {"B", &there.b}})
-    for (const auto& [mark, value] : {std::pair{fmt::format("@{}@", name), body_code(*body)},
-                                      {fmt::format("@{}_JSON@", name), body_message(*body, info.format.points, info.wants_faces)}})
-      for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + value.size())) text.replace(at, mark.size(), value);
+    for (const auto& [mark, value] :
+         {std::pair{fmt::format("@{}@", name), body_code(*body)},
+          {fmt::format("@{}_JSON@", name), body_message(*body, info.format.points, info.wants_faces)}})
+      for (std::size_t at = text.find(mark); at != text.npos; at = text.find(mark, at + value.size()))
+        text.replace(at, mark.size(), value);
   return text;
 }
 
@@ -379,7 +411,8 @@ std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& ou
   return program ? program_text(info, there, outcome, *program) : test_text(info, there, outcome);
 }
 
-std::string write_case(const std::string& directory, const std::string& stem, const Case& pair, const std::string& comment) {
+std::string write_case(const std::string& directory, const std::string& stem, const Case& pair,
+                       const std::string& comment) {
   make_folder(directory);
   const std::string path = (std::filesystem::path(directory) / (stem + ".case.json")).string();
   write_whole(path, files::case_json(pair, comment) + '\n');
@@ -402,9 +435,10 @@ std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk
   if (!outcome.variant.empty()) stem += '~' + outcome.variant;
   const std::string comment = fmt::format("{} of {} {}", stem, info.name, info.version);
   const std::filesystem::path base = std::filesystem::path(directory) / stem;
-  const std::pair<std::string, std::string> files[] = {{".cert", shrunk.certificate},
-                                                       own ? std::pair(own->ending, filled_harness(own->text, info, shrunk.pair, outcome))
-                                                           : std::pair(".cpp", snippet(info, shrunk.pair, outcome))};
+  const std::pair<std::string, std::string> files[] = {
+      {".cert", shrunk.certificate},
+      own ? std::pair(own->ending, filled_harness(own->text, info, shrunk.pair, outcome))
+          : std::pair(".cpp", snippet(info, shrunk.pair, outcome))};
   std::vector<std::string> paths = {write_case(directory, stem, shrunk.pair, comment)};
   for (const auto& [ending, text] : files) {
     paths.push_back(base.string() + ending);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/harness/shrink/search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
-#include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
 
@@ -64,9 +65,11 @@ std::string proved(const Case& pair, const Outcome& outcome) {
   if (pair.a.shape || pair.b.shape) return accepted_certificate(pair, nullptr);
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
   std::string text = accepted_certificate(pair, depth);
-  // The truth of a variant is that of the case up to a power of 4; the harness judged it by a solution of its own.
-  const bool same = !outcome.judgement || !outcome.variant.empty() ||
-                    (outcome.judgement->status == depth.status() && outcome.judgement->depth_squared == depth.squared());
+  // The truth of a variant is that of the case up to a power of 4; the harness judged it by a
+  // solution of its own.
+  const bool same =
+      !outcome.judgement || !outcome.variant.empty() ||
+      (outcome.judgement->status == depth.status() && outcome.judgement->depth_squared == depth.squared());
   if (!same) throw std::logic_error(fmt::format("{} was judged by another depth than its certificate proves", pair.id));
   return text;
 }
@@ -77,7 +80,8 @@ std::size_t cost(const mpq_class& value) {
   if (value == 0) return 0;
   if (value.get_den() == 1 && bits(value.get_num()) <= small_bits) return bits(value.get_num());
   const std::size_t odd = bits(value.get_num()) - mpz_scan1(value.get_num_mpz_t(), 0);
-  return small_bits + odd + static_cast<std::size_t>(std::bit_width(static_cast<unsigned long>(std::labs(exponent_of(value)))));
+  return small_bits + odd +
+         static_cast<std::size_t>(std::bit_width(static_cast<unsigned long>(std::labs(exponent_of(value)))));
 }
 
 Size size_of(const Case& pair) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The passes that make a case smaller. Each offers candidates to the search, which rejects larger and invalid ones.
+// The passes that make a case smaller. Each offers candidates to the search, which rejects larger
+// and invalid ones.
 #include "verify/harness/shrink/shrink.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@
 namespace fathom::harness {
 namespace {
 
-// ---- delta debugging of the points (Zeller and Hildebrandt 2002: ddmin, its complements only) ----
+// ---- delta debugging of the points (Zeller and Hildebrandt 2002: ddmin, its complements only)
+// ----
 
 std::vector<Point> extreme(const std::vector<Point>& points) {
   const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
@@ -60,7 +62,8 @@ void drop_by_halves(Search& search, Body Case::*body) {
   }
 }
 
-/// All points that are not extreme, of both bodies or of one; then chunks of points, ever smaller, down to single ones (ddmin).
+/// All points that are not extreme, of both bodies or of one; then chunks of points, ever smaller,
+/// down to single ones (ddmin).
 void drop_points(Search& search) {
   drop_inner(search);
   drop_by_halves(search, &Case::a);
@@ -100,7 +103,8 @@ std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
   return pair;
 }
 
-/// Both bodies moved so that a vertex, or a centre, lies at the origin; what is not exact then is rounded.
+/// Both bodies moved so that a vertex, or a centre, lies at the origin; what is not exact then is
+/// rounded.
 void move_to_origin(Search& search) {
   const Case before = search.best();
   std::vector<Point> places = centres(before);
@@ -112,7 +116,8 @@ void move_to_origin(Search& search) {
     for (const auto axis : axes) {
       Point along;
       along.*axis = place.*axis;
-      if (std::optional<Case> candidate = moved(search.best(), along, search.precision())) search.offer(*std::move(candidate));
+      if (std::optional<Case> candidate = moved(search.best(), along, search.precision()))
+        search.offer(*std::move(candidate));
     }
   }
 }
@@ -134,7 +139,8 @@ void rescale(Search& search) {
 
 // ---- simpler coordinates ----
 
-// Rounding everything at once keeps shapes roughly as they are; replacing one value wherever it occurs keeps coplanar faces coplanar.
+// Rounding everything at once keeps shapes roughly as they are; replacing one value wherever it
+// occurs keeps coplanar faces coplanar.
 constexpr long integer_extents[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 50, 100, 200, 500, 1000};
 constexpr long grid_bits[] = {0, 1, 2, 3, 4, 6, 8, 11, 14, 18, 23, 30, 40};
 
@@ -214,7 +220,8 @@ void simplify_singly(Search& search, Body Case::*body, mpq_class Point::*axis) {
   }
 }
 
-/// All coordinates to small integers, to few bits in their own scale, or those of one body, or on one axis.
+/// All coordinates to small integers, to few bits in their own scale, or those of one body, or on
+/// one axis.
 void round_together(Search& search) {
   round_to_integers(search);
   round_to_grids(search, {&Case::a, &Case::b}, axes);
@@ -222,8 +229,8 @@ void round_together(Search& search) {
   for (mpq_class Point::*axis : axes) round_to_grids(search, {&Case::a, &Case::b}, {axis});
 }
 
-/// Value by value on each axis, wherever it occurs, then coordinate by coordinate: 0, a value that is there already, an integer, fewer
-/// bits, half as much.
+/// Value by value on each axis, wherever it occurs, then coordinate by coordinate: 0, a value that
+/// is there already, an integer, fewer bits, half as much.
 void simplify_values(Search& search) {
   for (mpq_class Point::*axis : axes) simplify_everywhere(search, axis);
   for (Body Case::*body : {&Case::a, &Case::b})
@@ -235,8 +242,10 @@ void simplify_values(Search& search) {
 constexpr Body Case::*bodies[] = {&Case::a, &Case::b};
 constexpr long integer_lengths[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128};
 
-/// The best case with other words for one body; nullopt where they make no body, or the body has none.
-std::optional<Case> with_words(const Case& best, Body Case::*body, const std::function<void(files::NamedBody&)>& change) {
+/// The best case with other words for one body; nullopt where they make no body, or the body has
+/// none.
+std::optional<Case> with_words(const Case& best, Body Case::*body,
+                               const std::function<void(files::NamedBody&)>& change) {
   if (!(best.*body).words) return std::nullopt;
   files::NamedBody words = *(best.*body).words;
   change(words);
@@ -266,7 +275,9 @@ std::optional<Case> with_numbers(const Case& best, const std::function<void(mpq_
 }
 
 /// The vertices of a hull by name, or of a body without one.
-std::size_t vertices_of(const Body& body) { return body.words ? body.words->fields.vertices.size() : body.points.size(); }
+std::size_t vertices_of(const Body& body) {
+  return body.words ? body.words->fields.vertices.size() : body.points.size();
+}
 
 void drop_vertices(Search& search, Body Case::*body) {
   for (std::size_t length = (vertices_of(search.best().*body) + 1) / 2; length > 0; length /= 2)
@@ -290,8 +301,9 @@ void drop_vertices(Search& search, Body Case::*body) {
 void drop_parts(Search& search, Body Case::*body) {
   offer_words(search, body, [](files::NamedBody& words) { words.fields.numbers.erase("margin"); });
   for (std::size_t i = 0; (search.best().*body).words && i < (search.best().*body).words->terms.size();) {
-    const bool dropped = offer_words(
-        search, body, [i](files::NamedBody& words) { words.terms.erase(words.terms.begin() + static_cast<std::ptrdiff_t>(i)); });
+    const bool dropped = offer_words(search, body, [i](files::NamedBody& words) {
+      words.terms.erase(words.terms.begin() + static_cast<std::ptrdiff_t>(i));
+    });
     if (!dropped) ++i;
   }
   drop_vertices(search, body);
@@ -310,13 +322,15 @@ void put_upright(Search& search, Body Case::*body) {
       const auto parts = {&words.turn.w, &words.turn.x, &words.turn.y, &words.turn.z};
       mpq_class largest = 0;
       for (const mpq_class* part : parts) largest = std::max(largest, mpq_class(abs(*part)));
-      for (mpq_class* part : parts) *part = nearest_integer(*part * most / largest);  // a turn is no quaternion of zeros
+      for (mpq_class* part : parts)
+        *part = nearest_integer(*part * most / largest);  // a turn is no quaternion of zeros
     });
     if (simpler || search.over()) return;
   }
 }
 
-/// Both bodies moved so that one of them has its place, or its first point, at the origin; along one axis at a time as well.
+/// Both bodies moved so that one of them has its place, or its first point, at the origin; along
+/// one axis at a time as well.
 void move_shapes(Search& search) {
   for (Body Case::*body : bodies)
     for (const unsigned axes : {7U, 1U, 2U, 4U}) {
@@ -339,7 +353,9 @@ void move_shapes(Search& search) {
         for (Body Case::*moved : bodies) along(candidate.*moved, axis, by);
       }
       // What is not exact is rounded.
-      offer(search, with_numbers(candidate, [&](mpq_class& value) { value = rounded(value, search.precision()).value_or(value); }));
+      offer(search, with_numbers(candidate, [&](mpq_class& value) {
+              value = rounded(value, search.precision()).value_or(value);
+            }));
     }
 }
 
@@ -378,8 +394,8 @@ void simplify_numbers(Search& search) {
     }
 }
 
-/// Of cases with bodies by name, in the place of all others: margins, terms and vertices dropped, turns and places taken back, lengths to
-/// small integers, and then number by number.
+/// Of cases with bodies by name, in the place of all others: margins, terms and vertices dropped,
+/// turns and places taken back, lengths to small integers, and then number by number.
 void simplify_shapes(Search& search) {
   for (Body Case::*body : bodies) drop_parts(search, body);
   for (Body Case::*body : bodies) put_upright(search, body);
@@ -390,8 +406,9 @@ void simplify_shapes(Search& search) {
 
 }  // namespace
 
-Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine, const std::function<void(const Shrunk&)>& on_better,
-              const std::function<bool()>& stop, const ShrinkSettings& settings) {
+Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine,
+              const std::function<void(const Shrunk&)>& on_better, const std::function<bool()>& stop,
+              const ShrinkSettings& settings) {
   const bool of_shapes = has_words(pair);
   for (const Body* body : {&pair.a, &pair.b})
     if (!body->words && body->points.empty()) throw std::invalid_argument("shrink: a body without points or words");

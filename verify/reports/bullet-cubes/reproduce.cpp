@@ -14,12 +14,13 @@ btConvexHullShape cube(btScalar margin) {
 }
 
 void show(const char* what, btScalar distance, const btVector3& normal) {
-  std::printf("  %-31s depth %.4f along (%.4f %.4f %.4f)\n", what, -distance, normal.x() + 0, normal.y() + 0, normal.z() + 0);
+  std::printf("  %-31s depth %.4f along (%.4f %.4f %.4f)\n", what, -distance, normal.x() + 0, normal.y() + 0,
+              normal.z() + 0);
 }
 
 struct Deepest : btCollisionWorld::ContactResultCallback {
-  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
-                           int) override {
+  btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                           const btCollisionObjectWrapper*, int, int) override {
     if (point.getDistance() < distance) distance = point.getDistance(), normal = point.m_normalWorldOnB;
     return 0;
   }

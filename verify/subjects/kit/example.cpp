@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A subject on fathom_subject.hpp: the boxes around two bodies, which are right about boxes along the axes.
+// A subject on fathom_subject.hpp: the boxes around two bodies, which are right about boxes along
+// the axes.
 #include <algorithm>
 #include <fathom_subject.hpp>
 

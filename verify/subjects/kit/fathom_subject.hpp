@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets `fathom certify` put cases to your code: one function that answers a pair of bodies. Copy this file; it needs C++17 and POSIX alone.
+// Lets `fathom certify` put cases to your code: one function that answers a pair of bodies. Copy
+// this file; it needs C++17 and POSIX alone.
 //
-//   int main() {
-//     return fathom_subject::run({"my library", "1.0"}, [](const fathom_subject::Body& a, const fathom_subject::Body& b) {
-//       const Hit hit = my_library::collide(a.vertices, b.vertices);
-//       return fathom_subject::Reply{hit.overlap, hit.depth, hit.normal};
-//     });
-//   }
+//   int main() { return fathom_subject::run({"my library", "1.0"}, [](const fathom_subject::Body&
+//   a, const fathom_subject::Body& b) { const Hit hit = my_library::collide(a.vertices,
+//   b.vertices); return fathom_subject::Reply{hit.overlap, hit.depth, hit.normal}; }); }
 //
-// and then `fathom certify --subject ./my_subject cases.jsonl`. It speaks the protocol fathom/subject/1 (verify/PROTOCOL.md): lines are
-// flushed, NaN and infinities are written so that they are judged, whatever your code prints goes to standard error, its exceptions become
-// the answer `failed`, and each answer says how many microseconds it took. Any compiler of C++17 to C++23 and any standard library will do.
+// and then `fathom certify --subject ./my_subject cases.jsonl`. It speaks the protocol
+// fathom/subject/1 (verify/PROTOCOL.md): lines are flushed, NaN and infinities are written so that
+// they are judged, whatever your code prints goes to standard error, its exceptions become the
+// answer `failed`, and each answer says how many microseconds it took. Any compiler of C++17 to
+// C++23 and any standard library will do.
 #pragma once
 
 #include <unistd.h>
@@ -41,22 +41,26 @@ namespace fathom_subject {
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;  ///< rows
 
-/// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. docs/shapes.md says what its fields mean.
+/// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some.
+/// docs/shapes.md says what its fields mean.
 struct Body {
-  std::vector<Vector> vertices;             ///< of a shape, only hulls and triangles have them
-  std::vector<std::vector<int>> faces;      ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
+  std::vector<Vector> vertices;  ///< of a shape, only hulls and triangles have them
+  std::vector<std::vector<int>>
+      faces;  ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
   std::vector<std::vector<Vector>> pieces;  ///< of a union, if the subject declared "pieces"; it has no vertices then
   std::string shape;                        ///< "sphere", "cylinder", ...; empty for a body of vertices
   std::map<std::string, double> number;     ///< of a shape: "radius", "half_length", "offset", ...
   std::map<std::string, Vector> triple;     ///< of a shape: "half", "radii", "normal"
-  char axis = 'z';                          ///< along which a shape lies before it is placed; the declared one, if one was declared
-  double margin = 0;                        ///< the radius of the ball that is added around a shape
-  std::optional<std::array<double, 4>> quaternion;     ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
+  char axis = 'z';    ///< along which a shape lies before it is placed; the declared one, if one was declared
+  double margin = 0;  ///< the radius of the ball that is added around a shape
+  std::optional<std::array<double, 4>>
+      quaternion;  ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
   Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
   Vector translation{};
 };
 
-/// One point of a contact manifold, in both bodies, and maybe how deep they overlap there along the reply's direction.
+/// One point of a contact manifold, in both bodies, and maybe how deep they overlap there along the
+/// reply's direction.
 struct Contact {
   Vector position{};
   std::optional<double> depth = {};
@@ -65,16 +69,20 @@ struct Contact {
 /// What the code under test answers. Only `overlap` is needed, and what is there is judged.
 struct Reply {
   bool overlap = false;
-  std::optional<double> depth = {};                   ///< with the sign that is declared
-  std::optional<Vector> direction = {};               ///< moving the declared body by |depth| * direction takes the bodies apart
-  std::optional<std::array<Vector, 2>> witness = {};  ///< a point of A and one of B, which differ by that translation of A
-  std::optional<double> distance = {};  ///< of bodies that are apart; direction and witness then lead farther apart, and are nearest points
-  std::vector<Contact> contacts = {};   ///< of a depth, which is the largest of theirs
-  std::array<std::vector<Vector>, 2> hull = {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
-  std::optional<double> microseconds = {};       ///< how long it took, if you timed a part of your function yourself
+  std::optional<double> depth = {};      ///< with the sign that is declared
+  std::optional<Vector> direction = {};  ///< moving the declared body by |depth| * direction takes the bodies apart
+  std::optional<std::array<Vector, 2>> witness =
+      {};  ///< a point of A and one of B, which differ by that translation of A
+  std::optional<double> distance =
+      {};  ///< of bodies that are apart; direction and witness then lead farther apart, and are nearest points
+  std::vector<Contact> contacts = {};  ///< of a depth, which is the largest of theirs
+  std::array<std::vector<Vector>, 2> hull =
+      {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
+  std::optional<double> microseconds = {};  ///< how long it took, if you timed a part of your function yourself
 };
 
-/// Throw it for a pair that your code does not take: the case is not judged then. Any other exception is a failure to answer.
+/// Throw it for a pair that your code does not take: the case is not judged then. Any other
+/// exception is a failure to answer.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -84,28 +92,35 @@ using Solve = std::function<Reply(const Body& a, const Body& b)>;
 
 /// What the subject declares of itself.
 struct Subject {
-  std::string name, version;             ///< of what is tested
-  std::string precision = "binary64";    ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
-  std::string touching = "either";       ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
-  std::string depth = "positive";        ///< or "negative": the sign of the depth of bodies that overlap
-  std::string moves = "a";               ///< or "b": which body |depth| * direction moves apart
-  bool unit = true;                      ///< whether directions are promised to have length 1
-  bool faces = false;                    ///< whether bodies of vertices need faces
-  std::vector<std::string> shapes = {};  ///< that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
+  std::string name, version;  ///< of what is tested
+  std::string precision =
+      "binary64";  ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
+  std::string touching =
+      "either";  ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
+  std::string depth = "positive";  ///< or "negative": the sign of the depth of bodies that overlap
+  std::string moves = "a";         ///< or "b": which body |depth| * direction moves apart
+  bool unit = true;                ///< whether directions are promised to have length 1
+  bool faces = false;              ///< whether bodies of vertices need faces
+  std::vector<std::string> shapes =
+      {};  ///< that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
   std::vector<std::string> promises =
       {};  ///< of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
   std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
-  std::string answers = {};                          ///< the precision of answers, if `precision` is that of points alone
-  std::map<std::string, double> rounding = {};       ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
-  std::string claims = "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
-  char axis = 0;      ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as the case has them
+  std::string answers = {};  ///< the precision of answers, if `precision` is that of points alone
+  std::map<std::string, double> rounding =
+      {};  ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
+  std::string claims =
+      "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
+  char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as
+                  ///< the case has them
   bool timed = true;  ///< whether answers say how many microseconds they took
 };
 
 namespace details {
 
-/// A value of JSON. Of true, false and null no more is known: no message to a subject has them where it matters.
+/// A value of JSON. Of true, false and null no more is known: no message to a subject has them
+/// where it matters.
 struct Json {
   struct Member;
   std::optional<double> number;
@@ -185,12 +200,14 @@ class JsonReader {
     if (!take(']')) fail();
   }
 
-  // Not by a stream: libc++'s fail on subnormal numbers. strtod takes the decimal point of the program's locale.
+  // Not by a stream: libc++'s fail on subnormal numbers. strtod takes the decimal point of the
+  // program's locale.
   double number() {
     const char* const begin = at_;
     while (at_ != end_ && std::strchr("+-.0123456789eE", *at_) && *at_ != '\0') ++at_;
     std::string text(begin, at_);
-    if (const std::size_t point = text.find('.'); point != std::string::npos) text.replace(point, 1, std::localeconv()->decimal_point);
+    if (const std::size_t point = text.find('.'); point != std::string::npos)
+      text.replace(point, 1, std::localeconv()->decimal_point);
     char* rest = nullptr;
     const double value = std::strtod(text.c_str(), &rest);
     if (text.empty() || *rest != '\0') fail();
@@ -223,7 +240,8 @@ inline std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// The fewest digits that read back as the number. JSON has no NaN and no infinities: they go as texts.
+/// The fewest digits that read back as the number. JSON has no NaN and no infinities: they go as
+/// texts.
 inline std::string number(double x) {
   if (std::isnan(x)) return "\"nan\"";
   if (std::isinf(x)) return x < 0 ? "\"-inf\"" : "\"inf\"";
@@ -237,7 +255,9 @@ inline std::string number(double x) {
   }
 }
 
-inline std::string vector(const Vector& v) { return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']'; }
+inline std::string vector(const Vector& v) {
+  return '[' + number(v[0]) + ',' + number(v[1]) + ',' + number(v[2]) + ']';
+}
 
 /// What `text` makes of each item, with commas.
 template <class Items, class Text>
@@ -265,7 +285,8 @@ inline Matrix rotation_of(const std::array<double, 4>& q) {
   double largest = 0;
   for (const double c : q) largest = std::fmax(largest, std::fabs(c));
   if (!(largest > 0)) throw std::invalid_argument("a quaternion of zeros");
-  const double w = q[0] / largest, x = q[1] / largest, y = q[2] / largest, z = q[3] / largest, s = 2 / (w * w + x * x + y * y + z * z);
+  const double w = q[0] / largest, x = q[1] / largest, y = q[2] / largest, z = q[3] / largest,
+               s = 2 / (w * w + x * x + y * y + z * z);
   return {{{1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)},
            {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)},
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
@@ -285,7 +306,8 @@ inline void place(const Json& pose, Body& body) {
   }
 }
 
-/// A shape that lies along body.axis, as the library's own that lies along `axis`: a cyclic exchange of axes goes before its rotation.
+/// A shape that lies along body.axis, as the library's own that lies along `axis`: a cyclic
+/// exchange of axes goes before its rotation.
 inline void turn(Body& body, char axis) {
   const std::size_t by = static_cast<std::size_t>(3 + body.axis - axis) % 3;
   body.axis = axis;
@@ -294,10 +316,12 @@ inline void turn(Body& body, char axis) {
   if (!body.quaternion) return;
   const auto [w, x, y, z] = *body.quaternion;
   const double s = by == 1 ? 0.5 : -0.5;  // times the quaternion (0.5, s, s, s)
-  body.quaternion = {0.5 * w - s * (x + y + z), 0.5 * x + s * (w + y - z), 0.5 * y + s * (w + z - x), 0.5 * z + s * (w + x - y)};
+  body.quaternion = {0.5 * w - s * (x + y + z), 0.5 * x + s * (w + y - z), 0.5 * y + s * (w + z - x),
+                     0.5 * z + s * (w + x - y)};
 }
 
-/// Throws for a shape that lacks its fields, or has others than it can have. Of shapes that are not listed here nothing is known.
+/// Throws for a shape that lacks its fields, or has others than it can have. Of shapes that are not
+/// listed here nothing is known.
 inline void check_shape(const Body& body, bool has_pose) {
   static const std::map<std::string, std::vector<std::string>> fields{{"sphere", {"radius"}},
                                                                       {"capsule", {"radius", "half_length"}},
@@ -351,7 +375,8 @@ inline Body body_of(const Json& from, char axis = 0) {
     } else if (name == "shape") {
       body.shape = value.text;
     } else if (name == "axis") {
-      if (value.text != "x" && value.text != "y" && value.text != "z") throw std::invalid_argument("an axis is x, y or z");
+      if (value.text != "x" && value.text != "y" && value.text != "z")
+        throw std::invalid_argument("an axis is x, y or z");
       body.axis = value.text[0];
       has_axis = true;
     } else if (name == "margin") {
@@ -366,7 +391,8 @@ inline Body body_of(const Json& from, char axis = 0) {
       body.triple[name] = numbers<3>(value);
     }
   }
-  if (body.shape.empty() && body.vertices.empty() && body.pieces.empty()) throw std::invalid_argument("a body without vertices");
+  if (body.shape.empty() && body.vertices.empty() && body.pieces.empty())
+    throw std::invalid_argument("a body without vertices");
   check_faces(body);
   check_shape(body, has_pose);
   if (has_axis && axis) turn(body, axis);
@@ -381,28 +407,34 @@ inline std::string precision(const Subject& subject) {
 inline std::string rounding(const std::map<std::string, double>& radii) {
   if (radii.empty()) return "";
   if (const auto of_all = radii.find(""); of_all != radii.end()) return ",\"rounding\":" + number(of_all->second);
-  return ",\"rounding\":{" + joined(radii, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) + '}';
+  return ",\"rounding\":{" +
+         joined(radii, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) + '}';
 }
 
 inline std::string hello(const Subject& subject) {
-  const std::string settings = joined(subject.settings, [](const auto& each) { return quoted(each.first) + ':' + quoted(each.second); });
-  return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) + ",\"version\":" + quoted(subject.version) +
-         ",\"precision\":" + precision(subject) + ",\"conventions\":{\"touching\":" + quoted(subject.touching) +
-         ",\"depth\":" + quoted(subject.depth) + ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
-         ",\"claims\":" + quoted(subject.claims) + "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") +
-         ",\"shapes\":" + list(subject.shapes) + '}' + (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
+  const std::string settings =
+      joined(subject.settings, [](const auto& each) { return quoted(each.first) + ':' + quoted(each.second); });
+  return R"({"type":"hello","protocol":"fathom/subject/1","name":)" + quoted(subject.name) +
+         ",\"version\":" + quoted(subject.version) + ",\"precision\":" + precision(subject) +
+         ",\"conventions\":{\"touching\":" + quoted(subject.touching) + ",\"depth\":" + quoted(subject.depth) +
+         ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
+         ",\"claims\":" + quoted(subject.claims) +
+         "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) +
+         '}' + (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
          ",\"promises\":" + list(subject.promises) + rounding(subject.rounding) + ",\"settings\":{" + settings + "}}";
 }
 
 inline std::string contact(const Contact& contact) {
-  return "{\"position\":" + vector(contact.position) + (contact.depth ? ",\"depth\":" + number(*contact.depth) : "") + '}';
+  return "{\"position\":" + vector(contact.position) + (contact.depth ? ",\"depth\":" + number(*contact.depth) : "") +
+         '}';
 }
 
 inline std::string answer(const Reply& reply) {
   std::string result = std::string("\"overlap\":") + (reply.overlap ? "true" : "false");
   if (reply.depth) result += ",\"depth\":" + number(*reply.depth);
   if (reply.direction) result += ",\"direction\":" + vector(*reply.direction);
-  if (reply.witness) result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
+  if (reply.witness)
+    result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
   if (reply.distance) result += ",\"distance\":" + number(*reply.distance);
   if (!reply.contacts.empty()) result += ",\"contacts\":[" + joined(reply.contacts, contact) + ']';
   std::string hulls;
@@ -432,7 +464,8 @@ inline std::string reply_to(const Json& message, const Subject& subject, const S
   return R"({"type":"reply","id":")" + message.at("id").text + "\"," + said + '}';
 }
 
-/// Answers go to what is the standard output now; what is printed there later, or is still held back, goes to the standard error.
+/// Answers go to what is the standard output now; what is printed there later, or is still held
+/// back, goes to the standard error.
 inline void serve(const Subject& subject, const Solve& solve) {
   std::FILE* const out = fdopen(dup(STDOUT_FILENO), "w");
   if (!out || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("the standard output cannot be used");
@@ -460,8 +493,8 @@ inline void serve(const Subject& subject, const Solve& solve) {
 
 }  // namespace details
 
-/// Answers cases until there are no more. Returns the exit code of the program: 0, or 2 for a line that is not of the protocol, which is
-/// reported on standard error.
+/// Answers cases until there are no more. Returns the exit code of the program: 0, or 2 for a line
+/// that is not of the protocol, which is reported on standard error.
 inline int run(const Subject& subject, const Solve& solve) {
   try {
     details::serve(subject, solve);
