@@ -53,9 +53,9 @@ void expect_laws(const NearRays& rays, const polytope::Polytope& p, const mpq_cl
   EXPECT_GE(rays.rays + rays.skipped, grid.size());
 }
 
-class EveryFamily : public ::testing::TestWithParam<families::Family> {};
+class RaysOfEveryFamily : public ::testing::TestWithParam<families::Family> {};
 
-TEST_P(EveryFamily, SkipsNoRayWithinReach) {
+TEST_P(RaysOfEveryFamily, SkipsNoRayWithinReach) {
   kernels::Context context;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
@@ -72,7 +72,7 @@ TEST_P(EveryFamily, SkipsNoRayWithinReach) {
 
 // The bound against the gauge itself. It is never below it, and it is the gauge where the axes and
 // the nearest ray meet one facet.
-TEST_P(EveryFamily, TheBoundIsNeverBelowTheGauge) {
+TEST_P(RaysOfEveryFamily, TheBoundIsNeverBelowTheGauge) {
   std::mt19937_64 random(3);
   for (unsigned seed = 1; seed <= 2; ++seed) {
     const Case input = GetParam().make(seed, 5);
@@ -94,7 +94,7 @@ TEST_P(EveryFamily, TheBoundIsNeverBelowTheGauge) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ShallowRays, EveryFamily,
+INSTANTIATE_TEST_SUITE_P(ShallowRays, RaysOfEveryFamily,
                          ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -105,9 +105,9 @@ void expect_facet(const SumSurface& surface, const polytope::Polytope& p, const 
   EXPECT_EQ(dot(facet.normal, surface.point(facet)), testing::height(p, *same));
 }
 
-class EveryFamily : public ::testing::TestWithParam<families::Family> {};
+class WalksOfEveryFamily : public ::testing::TestWithParam<families::Family> {};
 
-TEST_P(EveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
+TEST_P(WalksOfEveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
   for (const unsigned size : {4U, 7U}) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const Case input = GetParam().make(seed, size);
@@ -121,7 +121,7 @@ TEST_P(EveryFamily, TheImplicitSurfaceIsTheBoundaryOfP) {
   }
 }
 
-TEST_P(EveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
+TEST_P(WalksOfEveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
   std::mt19937_64 random(5);
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 6);
@@ -142,7 +142,7 @@ TEST_P(EveryFamily, AWalkInABallFindsWhatAWalkOverPFinds) {
   }
 }
 
-TEST_P(EveryFamily, ALargeBallHoldsAllOfP) {
+TEST_P(WalksOfEveryFamily, ALargeBallHoldsAllOfP) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Case input = GetParam().make(seed, 8);
     SCOPED_TRACE(input.id);
@@ -156,7 +156,7 @@ TEST_P(EveryFamily, ALargeBallHoldsAllOfP) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ShallowWalk, EveryFamily,
+INSTANTIATE_TEST_SUITE_P(ShallowWalk, WalksOfEveryFamily,
                          ::testing::ValuesIn(families::families().begin(), families::families().end()),
                          [](const auto& info) { return std::string(info.param.name); });
 

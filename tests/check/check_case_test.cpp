@@ -6,10 +6,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
+#include "tests/support/property.hpp"
 #include "verify/check/cases.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/number.hpp"
@@ -20,9 +20,8 @@ namespace fathom_check {
 namespace {
 
 [[maybe_unused]] const int configured =
-    setenv("RC_PARAMS", "seed=11 max_success=2000", 0);  // the same numbers in every run
 
-std::string exact(std::string_view text) {
+    std::string exact(std::string_view text) {
   const std::optional<mpq_class> value = exact_number(text);
   return value ? value->get_str() : "none";
 }
@@ -90,7 +89,7 @@ TEST(CheckNumber, NearestBinary64) {
 
 // The standard library's conversion is the twin.
 TEST(CheckNumber, AgreesWithTheStandardLibrary) {
-  EXPECT_TRUE(rc::check("nearest_binary64 is from_chars", [] {
+  EXPECT_TRUE(fathom::holds({.seed = 11, .runs = 2000}, [] {
     const auto digits = *rc::gen::inRange<std::int64_t>(-4'000'000'000'000'000'000, 4'000'000'000'000'000'000);
     const std::string text = std::to_string(digits) + "." + std::to_string(*rc::gen::inRange(0, 1000)) + "e" +
                              std::to_string(*rc::gen::inRange(-345, 292));
@@ -102,7 +101,7 @@ TEST(CheckNumber, AgreesWithTheStandardLibrary) {
     RC_ASSERT(found.has_value());
     RC_ASSERT(*found == mpq_class(result.ec == std::errc() ? value : 0.0));
   }));
-  EXPECT_TRUE(rc::check("every binary64 stays", [] {
+  EXPECT_TRUE(fathom::holds({.seed = 11, .runs = 2000}, [] {
     const auto bits = *rc::gen::arbitrary<std::uint64_t>();
     double value = 0;
     std::memcpy(&value, &bits, sizeof value);

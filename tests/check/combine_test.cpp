@@ -7,18 +7,18 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "tests/support/property.hpp"
 
 namespace fathom_check {
 namespace {
 
 [[maybe_unused]] const int configured =
-    setenv("RC_PARAMS", "seed=7 max_success=1000", 0);  // the same numbers in every run
 
-using Numbers = std::vector<mpq_class>;
+    using Numbers = std::vector<mpq_class>;
 
 /// Brings [m | right] to its reduced form, in place; returns the columns of m that have a leading
 /// one.
@@ -112,14 +112,14 @@ rc::Gen<std::vector<Constraint>> constraints(int size, int largest) {
 TEST(Combine, AgreesWithElimination) {
   for (const int size : {1, 2, 3, 4})
     for (const int largest : {1, 3, 1'000'000})
-      EXPECT_TRUE(rc::check("of random constraints", [=] { compare(*constraints(size, largest)); }))
+      EXPECT_TRUE(fathom::holds({.seed = 7, .runs = 1000}, [=] { compare(*constraints(size, largest)); }))
           << size << " of up to " << largest;
 }
 
 // Normals in a plane, or with one constraint repeated: the Gram matrix is singular.
 TEST(Combine, AgreesWhereNormalsDepend) {
   for (const int size : {2, 3, 4})
-    EXPECT_TRUE(rc::check("of dependent constraints", [=] {
+    EXPECT_TRUE(fathom::holds({.seed = 7, .runs = 1000}, [=] {
       std::vector<Constraint> flat = *constraints(size, 2);
       for (Constraint& c : flat) c.n.z = c.n.x + c.n.y;
       compare(flat);
@@ -134,7 +134,7 @@ TEST(Combine, AgreesWhereNormalsDepend) {
 }
 
 TEST(Combine, PositiveMultiplesSayTheSame) {
-  EXPECT_TRUE(rc::check("scaled", [] {
+  EXPECT_TRUE(fathom::holds({.seed = 7, .runs = 1000}, [] {
     const int size = *rc::gen::inRange(1, 5);
     std::vector<Constraint> some = *constraints(size, 3);
     const std::optional<Constraint> before = combined(some);

@@ -5,18 +5,16 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 #include "reference/depth/naive.hpp"
 #include "tests/oracles/brute_oracle.hpp"
+#include "tests/support/property.hpp"
 
 namespace {
 
 using namespace fathom;
 using Points = std::vector<Vector>;
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=41 max_success=1000", 0);
 
 /// 1 to 8 points of a box of integers around O with half extents 0 to 3; half extent 0 makes a flat
 /// body.
@@ -59,7 +57,7 @@ TEST(NaiveDepth, RefusesEmptyBodies) {
 }
 
 TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
-  EXPECT_TRUE(rc::check("hull of differences = all candidate directions", [] {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
     const Points a = *lattice_points(), b = *lattice_points();
     const depth::NaiveDepth naive = depth::naive_depth(a, b);
     const oracles::OracleAnswer brute = oracles::brute_oracle(rational_points(a), rational_points(b));
@@ -72,7 +70,7 @@ TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
 }
 
 TEST(NaiveDepth, SwappedBodiesReverseTheDirections) {
-  EXPECT_TRUE(rc::check("depth(B, A) = depth(A, B), directions reversed", [] {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
     const Points a = *lattice_points(), b = *lattice_points();
     depth::NaiveDepth expected = depth::naive_depth(a, b);
     expected.directions = sorted(mapped(expected.directions, [](const Vector& v) { return -v; }));
@@ -81,7 +79,7 @@ TEST(NaiveDepth, SwappedBodiesReverseTheDirections) {
 }
 
 TEST(NaiveDepth, SimilarityScalesTheDepth) {
-  EXPECT_TRUE(rc::check("3 times as large, moved, axes permuted with a sign", [] {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
     const Points a = *lattice_points(), b = *lattice_points();
     const auto turned = [](const Vector& v) { return Vector{v.y, -v.z, v.x}; };
     const auto placed = [&](const Vector& v) { return turned({3 * v.x + 10, 3 * v.y - 7, 3 * v.z + 1000}); };
@@ -93,7 +91,7 @@ TEST(NaiveDepth, SimilarityScalesTheDepth) {
 }
 
 TEST(NaiveDepth, OrderAndRepetitionOfPointsDoNotMatter) {
-  EXPECT_TRUE(rc::check("reversed, each point twice", [] {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
     const Points a = *lattice_points(), b = *lattice_points();
     Points again(a.rbegin(), a.rend());
     again.insert(again.end(), a.begin(), a.end());

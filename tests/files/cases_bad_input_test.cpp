@@ -4,16 +4,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
 #include "fathom/files.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::files {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=13 max_success=5000 max_size=200", 0);
 
 const std::string good_b = R"("b":{"vertices":[[0,0,0]]})";
 
@@ -271,7 +269,7 @@ void expect_sound(const std::string& text) {
 }
 
 TEST(Noise, BytesChanged) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 13, .runs = 5000, .max_size = 200}, [] {
     std::string text = rich;
     for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
       text[*rc::gen::inRange<std::size_t>(0, text.size())] = static_cast<char>(*rc::gen::inRange(0, 256));
@@ -308,7 +306,7 @@ TEST(Noise, TokensThatNearlyFit) {
                                         "{\n",
                                         "{\"a\":",
                                         "\xff"};
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 8, .runs = 3000, .max_size = 300}, [&] {
     std::string text;
     for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens)))
       text += token;

@@ -5,15 +5,13 @@
 #include <rapidcheck.h>
 
 #include <array>
-#include <cstdlib>
 
 #include "fathom/files.hpp"
 #include "reference/files/file_io.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::files {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=8 max_success=3000 max_size=300", 0);
 
 const std::string data = FATHOM_TEST_DATA "/";
 constexpr std::array whole_files{"wedge.off",        "wedge_colours.off", "wedge.obj",      "wedge_text.ply",
@@ -83,7 +81,8 @@ TEST(Noise, BytesAfterEveryHeader) {
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty char y\nproperty "
       "double z\nelement face 4\nproperty list uchar ushort vertex_index\nend_header\n",
       std::string(80, '\0') + std::string("\1\0\0\0", 4)};
-  EXPECT_TRUE(rc::check([&] { is_body(*rc::gen::elementOf(headers) + noise(), *rc::gen::elementOf(names)); }));
+  EXPECT_TRUE(holds({.seed = 8, .runs = 3000, .max_size = 300},
+                    [&] { is_body(*rc::gen::elementOf(headers) + noise(), *rc::gen::elementOf(names)); }));
 }
 
 TEST(Noise, TokensThatNearlyFit) {
@@ -131,7 +130,7 @@ TEST(Noise, TokensThatNearlyFit) {
                                         "\\",
                                         "18446744073709551615",
                                         "COFF"};
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 8, .runs = 3000, .max_size = 300}, [&] {
     std::string text;
     for (const std::string& token : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(tokens)))
       text += token + " ";
@@ -140,7 +139,7 @@ TEST(Noise, TokensThatNearlyFit) {
 }
 
 TEST(Noise, AByteChanged) {
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 8, .runs = 3000, .max_size = 300}, [&] {
     const std::string name = *rc::gen::elementOf(whole_files);
     std::string bytes = read_file(data + name);
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = static_cast<char>(*rc::gen::inRange(0, 256));

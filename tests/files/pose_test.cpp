@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -15,10 +14,10 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/property.hpp"
+
 namespace fathom::files {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=5 max_success=1000", 0);
 
 mpq_class random_rational() {
   mpq_class value(*rc::gen::inRange(-1000, 1000), *rc::gen::inRange(1, 50));
@@ -35,7 +34,7 @@ Pose random_pose() {
 std::array<mpq_class, 3> coordinates(const Point& p) { return {p.x, p.y, p.z}; }
 
 TEST(Pose, IsMatrixTimesPointPlusTranslation) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 5, .runs = 1000}, [] {
     const Pose pose = random_pose();
     const Point p = random_point();
     const auto in = coordinates(p), out = coordinates(placed(p, pose));
@@ -54,7 +53,7 @@ TEST(Pose, NeedNotBeARotation) {
 }
 
 TEST(Pose, PlacesEachPointOfEachPiece) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 5, .runs = 1000}, [] {
     const Pieces pieces{{random_point(), random_point()}, {random_point()}};
     const GivenPose given{random_pose()};
     Body body;

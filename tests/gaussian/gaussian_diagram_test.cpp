@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "kernels/filters/support.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -437,16 +438,20 @@ Case related_arc(const Case& e, Size size) {
 template <class Property>
 void for_all_pairs(const Property& property) {
   for (const Size size : {Size::small, Size::word, Size::mixed}) {
-    EXPECT_TRUE(rc::check("independent arcs, " + name(size), [&] {
-      const Case e = any_arc(size), f = any_arc(size);
-      RC_LOG() << e << "\n" << f << "\n";
-      property(e, f);
-    }));
-    EXPECT_TRUE(rc::check("related arcs, " + name(size), [&] {
-      const Case e = any_arc(size), f = related_arc(e, size);
-      RC_LOG() << e << "\n" << f << "\n";
-      property(e, f);
-    }));
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400},
+                      [&] {
+                        const Case e = any_arc(size), f = any_arc(size);
+                        RC_LOG() << e << "\n" << f << "\n";
+                        property(e, f);
+                      }))
+        << "independent arcs, " << name(size);
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400},
+                      [&] {
+                        const Case e = any_arc(size), f = related_arc(e, size);
+                        RC_LOG() << e << "\n" << f << "\n";
+                        property(e, f);
+                      }))
+        << "related arcs, " << name(size);
   }
 }
 
@@ -507,7 +512,7 @@ TEST(Touch, IsACommonPointOfTheClosedArcs) {
 
 TEST(Contains, AsksForThePointOnTheArc) {
   for (const Size size : {Size::small, Size::word, Size::mixed}) {
-    EXPECT_TRUE(rc::check("on the great circle, " + name(size), [&] {
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] {
       const Case e = any_arc(size);
       const std::vector<Vector> joints = chain(e);
       Vector u =

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "tests/support/line_scenes.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -62,11 +63,12 @@ void expect_enclosed(const Vector& v) {
 }
 
 TEST(Enclose, HoldsTheVectorTimesOnePowerOfTwo) {
-  for (const Size size : all_sizes) EXPECT_TRUE(rc::check(name(size), [&] { expect_enclosed(*directions(size)); }));
+  for (const Size size : all_sizes)
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { expect_enclosed(*directions(size)); })) << name(size);
 }
 
 TEST(Enclose, IsSymmetricAboutZero) {
-  EXPECT_TRUE(rc::check("enclose(-v) = -enclose(v)", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Vector v = *directions(Size::mixed);
     const Vec3<DoubleInterval> e = enclose(v), m = enclose(-v);
     RC_ASSERT(e.x.low == -m.x.high && e.x.high == -m.x.low && e.z.low == -m.z.high);

@@ -12,7 +12,6 @@
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "tests/support/property.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::kernels {
@@ -264,9 +264,6 @@ TEST(EncloseSurd, ToAHundredThousandDigits) {
 
 // Enclosures of roots against a twin in integers: the whole part of 10^s sqrt(q), cut to N digits.
 
-// Deterministic, and many cases; the environment may ask for others.
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=22 max_success=4000", 0);
-
 mpq_class power_of_ten(long exponent) {
   mpz_class result;
   mpz_ui_pow_ui(result.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
@@ -338,7 +335,7 @@ TEST(EncloseRoot, InPrint) {
 }
 
 TEST(EncloseRoot, AsTheNaiveTwin) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 22, .runs = 4000}, [] {
     mpq_class q(mpz_class(std::to_string(random_word())) + 1, mpz_class(std::to_string(random_word())) + 1);
     q.canonicalize();
     q *= power_of_ten(random_in(-40, 41));
@@ -350,7 +347,7 @@ TEST(EncloseRoot, AsTheNaiveTwin) {
 // Roots that are decimals, and squares off by far less than any working precision, at every digit
 // count around the decimal's own.
 TEST(EncloseRoot, DecimalsAndHairsBesideThem) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 22, .runs = 4000}, [] {
     const mpz_class digits = mpz_class(std::to_string(random_word() >> random_in(0, 64))) + 1;
     const mpq_class root = digits * power_of_ten(random_in(-30, 31));
     const mpq_class hair = square(root) * power_of_ten(-500);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {
@@ -76,7 +77,7 @@ void expect_as_naive(const std::vector<Plane>& planes) {
 
 TEST(NearestPlanes, IsTheMinimumOfAllOffers) {
   for (const Size size : all_sizes) {
-    EXPECT_TRUE(rc::check("as naive, " + name(size), [&] {
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] {
       std::vector<Plane> planes;
       const int count = *rc::gen::inRange(0, 12);
       for (int i = 0; i < count; ++i) planes.push_back({*directions(size), *integers(size)});
@@ -87,7 +88,7 @@ TEST(NearestPlanes, IsTheMinimumOfAllOffers) {
 
 // The same distance in many directions: permuted components, multiples, and neighbours by one unit.
 TEST(NearestPlanes, KeepsTiesOfLargeNumbers) {
-  EXPECT_TRUE(rc::check("ties", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Size size = *rc::gen::element(Size::word, Size::long_);
     const Vector n = *directions(size);
     const mpz_class h = abs(*integers(size)) + 1;

@@ -9,19 +9,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <vector>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rounding.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::kernels {
 namespace {
-
-// Deterministic, and many cases; the environment may ask for others.
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=20 max_success=2000", 0);
 
 mpq_class power_of_two(long exponent) {
   mpq_class one = 1;
@@ -175,7 +172,7 @@ mpz_class random_integer() {
 }
 
 TEST(Rounding, NumbersTiesAndHairsOfBinary64) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     for (const mpq_class& x : hard_points(random_neighbours<double>(random_word()))) {
       RC_ASSERT(at_once(x) && at_once(square(x)));
       RC_ASSERT(same(rounded_value<double>(x), naive<double>(x, side_of_value)));
@@ -185,7 +182,7 @@ TEST(Rounding, NumbersTiesAndHairsOfBinary64) {
 }
 
 TEST(Rounding, NumbersTiesAndHairsOfBinary32) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     for (const mpq_class& x : hard_points(random_neighbours<float>(random_word()))) {
       RC_ASSERT(at_once(x) && at_once(square(x)));
       RC_ASSERT(same(rounded_value<float>(x), naive<float>(x, side_of_value)));
@@ -195,7 +192,7 @@ TEST(Rounding, NumbersTiesAndHairsOfBinary32) {
 }
 
 TEST(Rounding, RandomRationals) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-2300, 2300));
     expect_as_naive(q);
     RC_ASSERT(!testing::Test::HasFailure());
@@ -205,7 +202,7 @@ TEST(Rounding, RandomRationals) {
 // The three results stated directly: rd <= root <= ru by squares, they are neighbours or equal, and
 // rn is the nearer one.
 TEST(Rounding, TheRootLiesBetweenNeighboursBySquaring) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1));
     const auto [rd, ru, rn] = rounded_root<double>(q);
     const mpq_class low = exact_value(rd), high = exact_value(ru), middle = (low + high) / 2;
@@ -287,7 +284,7 @@ TEST(Rounding, FarBeyondBothEnds) {
 }
 
 TEST(Rounding, NegativeValuesMirrorAndNegativeSquaresThrow) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-1200, 1100));
     const mpq_class minus = -q;
     RC_ASSERT(round_binary64(minus, Rounding::rn) == -round_binary64(q, Rounding::rn));
@@ -325,7 +322,7 @@ TEST(HexText, AsPercentAPrintsIt) {
   EXPECT_EQ(hex_text(std::numeric_limits<double>::denorm_min()), "0x0.0000000000001p-1022");
   EXPECT_EQ(hex_text(std::numeric_limits<float>::denorm_min()), "0x1p-149");
   EXPECT_EQ(hex_text(0.1f), "0x1.99999ap-4");
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
     const std::uint64_t word = random_word();
     for (const std::uint64_t bits : {word, word >> 1, word >> 12, word & ~std::uint64_t{0} << 40}) {
       const double x = std::bit_cast<double>(bits);

@@ -23,12 +23,10 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::kernels {
 namespace {
-
-// Deterministic, and many cases; the environment may ask for others.
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=21 max_success=4000", 0);
 
 mpq_class exact(std::string_view token) {
   const ParsedNumber parsed = parse_number(token, Decimals::exact);
@@ -187,7 +185,7 @@ TEST(ParseNumber, AsTheGrammarOnNoise) {
                        {"fF", ".5", "/0"}, {"e", "p", "e+-2", "p+", "e1.", "x", " ", "/3", "f", "e1e1"}};
   // clang-format on
   int accepted = 0, refused = 0;
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [&] {
     std::string token;
     for (std::size_t i = 0; i < std::size(fitting); ++i) {
       token += *rc::gen::elementOf(random_in(0, 12) == 0 ? odd[i] : fitting[i]);
@@ -202,7 +200,7 @@ TEST(ParseNumber, AsTheGrammarOnNoise) {
 }
 
 TEST(ParseNumber, DecimalsAsTheNaiveTwin) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [] {
     const std::string whole = std::to_string(random_word() >> random_in(0, 64));
     const std::string fraction = std::to_string(random_word()) + std::string(random_in(0, 4), '0');
     const std::string token = whole + "." + fraction + "e" + std::to_string(random_in(-99, 100));
@@ -234,7 +232,7 @@ void expect_as_standard(const std::string& token) {
 }
 
 TEST(ParseNumber, Binary64AsTheStandardLibraryReads) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [] {
     const std::string digits = std::to_string(random_word() >> random_in(0, 64));
     expect_as_standard(digits + ".e" + std::to_string(random_in(-360, 330)));
     expect_as_standard("0." + digits + std::to_string(random_word()));
@@ -248,7 +246,7 @@ TEST(ParseNumber, Binary64AsTheStandardLibraryReads) {
 // The middle of two neighbouring doubles, written out in full (up to 768 digits), and the decimals
 // next to it.
 TEST(ParseNumber, Binary64OnTiesWrittenOut) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [] {
     const double x = random_in(0, 4) == 0 ? std::bit_cast<double>(random_word() >> 12) : random_double();
     const double next = std::nextafter(x, HUGE_VAL);
     const mpq_class high = std::isinf(next) ? mpq_class(power(2, 1024)) : exact_value(next);
@@ -264,7 +262,7 @@ TEST(ParseNumber, Binary64OnTiesWrittenOut) {
 }
 
 TEST(ParseNumber, HexFloatsAndRatiosComeBack) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [] {
     const double x = random_double();
     const float y = std::bit_cast<float>(static_cast<std::uint32_t>(random_word()));
     for (const Decimals decimals : {Decimals::exact, Decimals::binary64}) {
@@ -279,7 +277,7 @@ TEST(ParseNumber, HexFloatsAndRatiosComeBack) {
 
 /// The twin takes the bit pattern apart.
 TEST(ExactValue, IsTheBitPattern) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 21, .runs = 4000}, [] {
     for (const std::uint64_t bits : {random_word(), random_word() >> 12, random_word() & ~std::uint64_t{0} << 45}) {
       const double x = std::bit_cast<double>(bits);
       if (!std::isfinite(x)) continue;
@@ -331,8 +329,6 @@ TEST(ParseNumber, NeitherLocaleNorRoundingModeMatter) {
 }
 
 // The quick reader against its naive twin: it leaves a token alone, or agrees exactly.
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=34 max_success=20000", 0);
 
 /// Whether the quick reader took the token; if so it must agree.
 bool quick(const std::string& token, Decimals decimals) {
@@ -392,14 +388,14 @@ TEST(QuickNumber, AgreesOnWhateverIsWritten) {
   const std::vector<std::string> pieces{
       "0", "1", "9",   "5",   "17976931348623157", "99999999999", ".", "-", "+", "e", "E", "e-", "e3", "308", "/",
       "x", "p", "inf", "nan", "49406564584124654"};
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 34, .runs = 20000}, [&] {
     std::string token;
     for (const std::string& piece : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces)))
       token += piece;
     quick(token, Decimals::binary64);
     quick(token, Decimals::exact);
   }));
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 34, .runs = 20000}, [&] {
     const auto digits = *rc::gen::container<std::string>(rc::gen::inRange<char>('0', '9' + 1));
     const int exponent = *rc::gen::inRange(-330, 315);
     quick("0." + digits + "e" + std::to_string(exponent), Decimals::binary64);

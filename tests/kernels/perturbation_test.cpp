@@ -11,6 +11,7 @@
 
 #include "tests/support/plain_predicates.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -71,7 +72,7 @@ constexpr Role all_roles[] = {Role::fixed, Role::node_of_a, Role::circle_of_a, R
 Vector generic(Role role) { return role == Role::vertical ? up : role == Role::pole ? pole(false) : Vector{2, 3, 5}; }
 
 TEST(Moved, NormalsAndCirclesOfAFollowOneLinearMap) {
-  EXPECT_TRUE(rc::check("(Mn) x (Mm) = cof(M) (n x m), <Mn, cof(M) d> = det(M) <n,d>", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Perturbation p = any_perturbation();
     const unsigned level = *rc::gen::inRange(0U, infinitesimals + 1);
     const Vector n = *tiny_directions(), m = *tiny_directions(), d = *tiny_directions();
@@ -212,7 +213,7 @@ Operands any_operands() {
 // Letting in one infinitesimal after another ends with the sign of the whole polynomial, on random
 // operands with components up to 2.
 TEST(PerturbedKernel, TheFirstLevelThatDecidesIsTheWhole) {
-  EXPECT_TRUE(rc::check("level by level", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Perturbation p = any_perturbation();
     const Operands o = any_operands();
     const auto whole = ask_all(o, [&](const auto& functor, const auto&... w) {
@@ -273,7 +274,7 @@ Vec3<mpq_class> moved_by_numbers(const std::array<mpq_class, infinitesimals>& t,
 // in one of them exceeds 3, so different monomials differ by a factor r at least; and on components
 // up to 2 the absolute values of all coefficients add up to less than 2^14.
 TEST(PerturbedKernel, SignsAreThoseOfAnHonestPerturbation) {
-  EXPECT_TRUE(rc::check("three small numbers", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Perturbation p = any_perturbation();
     constexpr unsigned level = 3;
     std::array<mpq_class, infinitesimals> t;

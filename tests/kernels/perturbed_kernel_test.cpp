@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "tests/support/plain_predicates.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -22,7 +23,8 @@ using namespace fathom::testing;
 
 template <class Property>
 void for_all_sizes(const std::string& law, const Property& property) {
-  for (const Size size : all_sizes) EXPECT_TRUE(rc::check(law + ", " + name(size), [&] { property(size); }));
+  for (const Size size : all_sizes)
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
 }
 
 // Plain formulas, written out once more.
@@ -253,7 +255,7 @@ void expect_counts(const Counted& c, std::uint64_t calls, std::uint64_t exact, s
 
 // In small integers the intervals are points, so even an exact zero is seen by the first tier.
 TEST(Tiers, IntervalsDecideSmallIntegers) {
-  EXPECT_TRUE(rc::check("interval only", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Vector a = *directions(Size::small), b = *directions(Size::small), c = *directions(Size::small),
                  d = *directions(Size::small);
     const auto check = [](Predicate id, const std::function<int()>& call) {
@@ -272,7 +274,7 @@ TEST(Tiers, IntervalsDecideSmallIntegers) {
 }
 
 TEST(Tiers, IntervalsDecideLargeIntegersInGeneralPosition) {
-  EXPECT_TRUE(rc::check("a component of 2000 bits has an enclosure of one unit in the last place", [] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     std::mt19937_64 random(*rc::gen::inRange(0, 1 << 30));
     const Vector a = random_direction(random, 2000), b = random_direction(random, 2000),
                  c = random_direction(random, 2000);

@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
 #include <vector>
+
+#include "tests/support/property.hpp"
 
 namespace fathom::kernels {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=35 max_success=3000", 0);
 
 using Points = std::vector<Vector>;
 
@@ -39,7 +38,7 @@ Points five_points() {
 
 TEST(Plane, EveryAnswerIsTheSignOfTheDeterminant) {
   int on_plane = 0, off_plane = 0;
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 35, .runs = 3000}, [&] {
     const Points p = five_points();
     const BoxedPoints boxed(p);
     const Plane plane(boxed, 0, 1, 2);
@@ -59,7 +58,7 @@ TEST(Plane, EveryAnswerIsTheSignOfTheDeterminant) {
 
 TEST(Plane, TurnIsTheNormalsComponentAlongTheAxis) {
   int straight = 0;
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 35, .runs = 3000}, [&] {
     const Points p = five_points();
     const BoxedPoints boxed(p);
     for (int axis = 0; axis < 3; ++axis) {

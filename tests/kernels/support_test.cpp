@@ -15,22 +15,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {
 namespace {
-
-// Like rc::check, with a fixed seed and a number of cases.
-template <class Property>
-bool holds(int cases, Property&& property) {
-  rc::detail::TestParams params;
-  params.seed = 20240229;
-  params.maxSuccess = cases;
-  const auto result = rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata(), params);
-  rc::detail::printResultMessage(result, std::cerr << '\n');
-  std::cerr << '\n';
-  return result.template is<rc::detail::SuccessResult>();
-}
 
 mpz_class power_of_two(unsigned long e) {
   mpz_class r = 1;
@@ -166,7 +155,7 @@ TEST(ExtremePoints, DifferencesBelowEveryImageDecide) {
 }
 
 TEST(ExtremePoints, AgreeWithTheNaiveTwinOnLattices) {
-  EXPECT_TRUE(holds(3000, [] {
+  EXPECT_TRUE(holds({.seed = 20240229, .runs = 3000}, [] {
     const auto coordinate = rc::gen::map(rc::gen::element(-2, -1, 0, 1, 2), [](int x) { return mpz_class(x); });
     const auto vector = rc::gen::map(rc::gen::tuple(coordinate, coordinate, coordinate), [](const auto& t) {
       return Vector{std::get<0>(t), std::get<1>(t), std::get<2>(t)};
@@ -275,10 +264,10 @@ void check_view(const Vector& u, std::vector<Vector> points) {
 TEST(PlanarView, EveryAnswerIsExact) {
   for (const testing::Size size : testing::all_sizes) {
     SCOPED_TRACE(testing::name(size));
-    EXPECT_TRUE(rc::check("points of any place", [size] {
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [size] {
       check_view(*directions(size), {*vectors(size), *vectors(size), *vectors(size), *vectors(size)});
     }));
-    EXPECT_TRUE(rc::check("level and parallel ones, or one unit off", [size] {
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [size] {
       const Vector u = *directions(size), o = *vectors(size), v = *vectors(size), level = cross(u, v);
       check_view(u, {o, o + level + *smallest_steps(), o + v, o + v + v + *smallest_steps(),
                      o + v + u + *smallest_steps(), o + mpz_class(3) * v + mpz_class(3) * u});
@@ -287,7 +276,7 @@ TEST(PlanarView, EveryAnswerIsExact) {
 }
 
 TEST(PlanarView, ZeroTurnsMeanParallelOrLevel) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [] {
     const Vector u = *directions(testing::Size::small), p = *directions(testing::Size::small),
                  q = *directions(testing::Size::small);
     const PointCloud cloud({Vector{0, 0, 0}, p, q});

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "kernels/number/rational.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {
@@ -17,7 +18,8 @@ using namespace fathom::testing;
 
 template <class Property>
 void for_all_sizes(const std::string& law, const Property& property) {
-  for (const Size size : all_sizes) EXPECT_TRUE(rc::check(law + ", " + name(size), [&] { property(size); }));
+  for (const Size size : all_sizes)
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
 }
 
 TEST(Vector, ProductsOfTheAxes) {

@@ -6,15 +6,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
-
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::picture {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=71 max_success=1000", 0);
 
 using harness::testing::read_xml;
 
@@ -43,9 +40,9 @@ TEST(Markup, WhatNoDocumentMayHoldIsShown) {
 
 TEST(Markup, AnyBytes) {
   EXPECT_FALSE(there_and_back(harness::testing::hostile()).empty());
-  EXPECT_TRUE(
-      rc::check("well-formed", [](const std::string& text) { RC_ASSERT(there_and_back(text).size() >= text.size()); }));
-  EXPECT_TRUE(rc::check("well-formed, of high bytes", [] {
+  EXPECT_TRUE(holds({.seed = 71, .runs = 1000},
+                    [](const std::string& text) { RC_ASSERT(there_and_back(text).size() >= text.size()); }));
+  EXPECT_TRUE(holds({.seed = 71, .runs = 1000}, [] {
     const auto bytes = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0x7e, 0x100));
     std::string text;
     for (const int byte : bytes) text += static_cast<char>(byte);
@@ -67,7 +64,7 @@ TEST(Ascii, IsCutAndPrintable) {
   EXPECT_EQ(ascii("plain", 5), "plain");
   EXPECT_EQ(ascii("plainer", 5), "pl...");
   EXPECT_EQ(ascii("a\nb\xff"), "a\\x0ab\\xff");
-  EXPECT_TRUE(rc::check("printable and no wider", [](const std::string& text) {
+  EXPECT_TRUE(holds({.seed = 71, .runs = 1000}, [](const std::string& text) {
     const std::string shown = ascii(text, 10);
     RC_ASSERT(shown.size() <= 10U);
     for (const char c : shown) RC_ASSERT(c >= 0x20 && c < 0x7f);

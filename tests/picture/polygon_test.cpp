@@ -7,12 +7,11 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <cstdlib>
+
+#include "tests/support/property.hpp"
 
 namespace fathom::picture {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=75 max_success=1000", 0);
 
 TEST(Clipped, Segments) {
   const auto cut = [](Dot from, Dot to) { return clipped(std::vector<Dot>{from, to}, false, {-1, -2}, {1, 2}); };
@@ -28,7 +27,7 @@ TEST(Clipped, Segments) {
 }
 
 TEST(Clipped, PolygonsStayInTheBox) {
-  EXPECT_TRUE(rc::check("inside", [] {
+  EXPECT_TRUE(holds({.seed = 75, .runs = 1000}, [] {
     const auto coordinate = rc::gen::inRange(-30, 31);
     std::vector<Dot> dots;
     for (int i = 0; i < 8; ++i) dots.push_back({*coordinate / 10.0, *coordinate / 10.0});

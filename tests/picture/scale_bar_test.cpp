@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
-
 #include "fathom/numbers.hpp"
+#include "tests/support/property.hpp"
 #include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=76 max_success=1000", 0);
 
 mpq_class read(const std::string& text) { return parse_number(text, Decimals::exact).value.value(); }
 
@@ -34,7 +31,7 @@ TEST(RoundLength, OfEachDigit) {
 }
 
 TEST(RoundLength, IsTheGreatestAndSaysSo) {
-  EXPECT_TRUE(rc::check("fits, and the next does not", [] {
+  EXPECT_TRUE(holds({.seed = 76, .runs = 1000}, [] {
     mpq_class most(*rc::gen::inRange(1, 1'000'000), *rc::gen::inRange(1, 1'000'000));
     most.canonicalize();
     const mpq_class power = read("1e" + std::to_string(*rc::gen::inRange(-310, 310)));

@@ -8,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
+
+#include "tests/support/property.hpp"
 
 namespace fathom::picture {
 namespace {
 
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=74 max_success=1000", 0);
-
 double length(const Dot& d) { return std::hypot(d.x, d.y); }
 
 TEST(View, BothTranslationsKeepTheirLength) {
-  EXPECT_TRUE(rc::check("true lengths", [] {
+  EXPECT_TRUE(holds({.seed = 74, .runs = 1000}, [] {
     const auto coordinate = rc::gen::inRange(-50, 51);
     const Point along{*coordinate, *coordinate, *coordinate}, second{*coordinate, *coordinate, *coordinate},
         at{*coordinate, 1, -7};
@@ -71,7 +70,7 @@ TEST(View, LooksFromALittleAbove) {
 }
 
 TEST(View, ShowsTheEdgesInContact) {
-  EXPECT_TRUE(rc::check("none end on", [] {
+  EXPECT_TRUE(holds({.seed = 74, .runs = 1000}, [] {
     const auto coordinate = rc::gen::inRange(-50, 51);
     const Point along{*coordinate, *coordinate, *coordinate};
     std::vector<Point> edges;

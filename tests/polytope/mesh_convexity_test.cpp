@@ -3,16 +3,14 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <numeric>
 
 #include "reference/polytope/convexity.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::polytope {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=5 max_success=300", 0);
 
 struct Mesh {
   std::vector<Point> points;
@@ -118,7 +116,7 @@ Mesh together(const Mesh& one, const Mesh& other) {
 }
 
 TEST(MeshConvexity, OfHullsIsSeenInLinearTime) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 5, .runs = 300}, [] {
     std::vector<Point> points;
     for (int i = *rc::gen::inRange(4, 30); i > 0; --i) points.push_back(random_point(*rc::gen::element(2, 10, 1000)));
     const Mesh m = boundary(points);
@@ -133,7 +131,7 @@ TEST(MeshConvexity, OfHullsIsSeenInLinearTime) {
 // A corner of a hull goes elsewhere: the surface stays closed.
 TEST(MeshConvexity, AgreesWithItsTwin) {
   int dented = 0, found_convex = 0;
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 5, .runs = 300}, [&] {
     std::vector<Point> points;
     for (int i = *rc::gen::inRange(4, 12); i > 0; --i) points.push_back(random_point(4));
     Mesh m = boundary(points);

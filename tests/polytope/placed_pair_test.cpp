@@ -3,7 +3,6 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -11,11 +10,10 @@
 
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::polytope {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=37 max_success=1000", 0);
 
 Point integers(long x, long y, long z) { return {x, y, z}; }
 
@@ -47,7 +45,7 @@ void expect_same_positions(const PlacedPair& placed, std::span<const Point> a, s
 }
 
 TEST(PlacedPair, KeepsEveryPositionInTheLeastDenominator) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 37, .runs = 1000}, [] {
     const std::vector<Point> a = random_points(5), b = random_points(5);
     const PlacedPair placed = place(a, b);
     expect_same_positions(placed, a, b);

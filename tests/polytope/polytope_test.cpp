@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -16,11 +15,10 @@
 #include <tuple>
 
 #include "reference/polytope/hull_naive.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::polytope {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=36 max_success=1000", 0);
 
 using Points = std::vector<Vector>;
 
@@ -144,7 +142,7 @@ Points degenerate_points() {
 
 TEST(ConvexHull, EqualsTheNaiveTwinOnDegenerateInput) {
   std::array<int, 4> met{};
-  EXPECT_TRUE(rc::check([&] {
+  EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [&] {
     const Points points = degenerate_points();
     const Polytope p = convex_hull(points);
     ++met[p.rank];
@@ -259,7 +257,7 @@ bool same(const Polytope& p, const Polytope& q) {
 }
 
 TEST(ConvexHull, IsWrittenInOneWayOnly) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [] {
     const Points points = degenerate_points();
     const Polytope p = convex_hull(points);
     // More points that are not vertices change the hull's construction, not its result.
@@ -281,7 +279,7 @@ TEST(ConvexHull, IsWrittenInOneWayOnly) {
 }
 
 TEST(ConvexHull, ReorderedInputGivesTheSameHullUnderNewIds) {
-  EXPECT_TRUE(rc::check([] {
+  EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [] {
     const Points points = degenerate_points();
     const Polytope p = convex_hull(points);
     std::vector<std::uint32_t> old_id(points.size());

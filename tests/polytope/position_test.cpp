@@ -12,13 +12,14 @@
 #include <string>
 
 #include "tests/polytope/position_twin.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::polytope::position_test {
 namespace {
 
 TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSmallLattices) {
   std::array<int, 3> seen{};
-  EXPECT_TRUE(holds(6000, [&seen] {
+  EXPECT_TRUE(holds({.seed = 20240229, .runs = 6000}, [&seen] {
     const SmallSet a = *lattice_set(), b = *lattice_set();
     const Position expected = position_naive(a, b);
     ++seen[static_cast<std::size_t>(expected)];
@@ -30,7 +31,7 @@ TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSmallLattices) {
 // Bodies shifted so that a random pair of points coincides: O is never outside, and on the boundary
 // in every dimension of face.
 TEST(PositionOfOrigin, AgreesWithTheNaiveTwinOnSharedPoints) {
-  EXPECT_TRUE(holds(3000, [] {
+  EXPECT_TRUE(holds({.seed = 20240229, .runs = 3000}, [] {
     SmallSet a = *lattice_set();
     const SmallSet b = *lattice_set();
     const Small shift = b[*rc::gen::inRange<std::size_t>(0, b.size())] - a[*rc::gen::inRange<std::size_t>(0, a.size())];
@@ -60,7 +61,7 @@ mpz_class wild(std::mt19937_64& random, unsigned long bits) {
 TEST(PositionOfOrigin, IsInvariantUnderExactAffineMaps) {
   std::mt19937_64 random(1);
   int repeat = 0;
-  EXPECT_TRUE(holds(600, [&] {
+  EXPECT_TRUE(holds({.seed = 20240229, .runs = 600}, [&] {
     const SmallSet a = *lattice_set(), b = *lattice_set();
     const unsigned long bits = ++repeat % 10 == 0 ? 3000 : 60;
     Affine map;

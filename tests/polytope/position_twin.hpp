@@ -17,18 +17,6 @@
 
 namespace fathom::polytope::position_test {
 
-// Like rc::check, with a fixed seed and a number of cases.
-template <class Property>
-bool holds(int cases, Property&& property) {
-  rc::detail::TestParams params;
-  params.seed = 20240229;
-  params.maxSuccess = cases;
-  const auto result = rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata(), params);
-  rc::detail::printResultMessage(result, std::cerr << '\n');
-  std::cerr << '\n';
-  return result.template is<rc::detail::SuccessResult>();
-}
-
 using Small = Vec3<long>;
 using SmallSet = std::vector<Small>;
 

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <ostream>
 #include <random>
 #include <string>
@@ -23,9 +22,6 @@ inline std::ostream& operator<<(std::ostream& out, const Vector& v) {
 }  // namespace fathom
 
 namespace fathom::testing {
-
-// Deterministic; the environment may ask for other runs.
-[[maybe_unused]] inline const int configured = setenv("RC_PARAMS", "seed=11 max_success=400", 0);
 
 inline mpz_class power_of_two(unsigned long exponent) {
   mpz_class r = 1;

@@ -6,16 +6,14 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
 #include <set>
 
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom::harness {
 namespace {
-
-[[maybe_unused]] const int configured = setenv("RC_PARAMS", "seed=73 max_success=1000", 0);
 
 using testing::Element;
 using testing::judged;
@@ -141,7 +139,7 @@ TEST(Junit, WellFormedWhateverOthersSay) {
   EXPECT_EQ(read_junit(junit_xml(info, Outcomes{bad, outcome(testing::hostile() + "::", Verdict::crash)}, known))
                 .children.size(),
             3u);
-  EXPECT_TRUE(rc::check("well-formed", [](const std::string& id, const std::string& detail) {
+  EXPECT_TRUE(holds({.seed = 73, .runs = 1000}, [](const std::string& id, const std::string& detail) {
     Outcome any = outcome(id, Verdict::garbage);
     any.detail = detail;
     const Element root = testing::read_xml(junit_xml(subject(), Outcomes{any}));
