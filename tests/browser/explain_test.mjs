@@ -64,7 +64,6 @@ for (const [name, page] of Object.entries(looks))
     for (const each of await open.locator('main > section:not(#what):not(#left-out), nav').all())
       assert.equal(await each.isVisible(), false, 'law: what only scripts fill is not seen, and not referred to');
     await fits(open);
-    await accessible(open);
   });
 
 onPage('explain: all facets of P can be listed', plain, {}, async (page) => {
