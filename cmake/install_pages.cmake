@@ -8,11 +8,16 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   # Where what lies in the tree is installed; the last that fits counts. Pages that are not named here lie below the first as in the tree.
   set(places LICENSES=${doc}/LICENSES docs=${doc}/docs examples=${doc}/examples
     verify/examples=${doc}/examples/verify verify/check/FORMAT.md=${doc}/FORMAT.md verify/judge/VERDICTS.md=${doc}/VERDICTS.md
-    verify/check/check.py=${data}/check.py verify/subjects/kit=${data}/kit verify/golden/kit=${data}/golden schemas=${data}/schemas
-    include=${CMAKE_INSTALL_FULL_INCLUDEDIR})
+    verify/check/check.py=${data}/check.py verify/subjects/kit=${data}/kit verify/golden/kit=${data}/golden
+    docs/CHANGELOG.md=${doc}/CHANGELOG.md include=${CMAKE_INSTALL_FULL_INCLUDEDIR})
+  file(GLOB schemas CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} */*/*.schema.json)
+  foreach(schema IN LISTS schemas)
+    cmake_path(GET schema FILENAME name)
+    list(APPEND places ${schema}=${data}/schemas/${name})
+  endforeach()
   file(GLOB_RECURSE pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} docs/*.md examples/*.md proofs/*.md verify/*.md)
-  list(FILTER pages EXCLUDE REGEX "^docs/api/")
-  list(APPEND pages README.md CHANGELOG.md)
+  list(FILTER pages EXCLUDE REGEX "^docs/(api/|CHANGELOG|CONTRIBUTING)")
+  list(APPEND pages README.md docs/CHANGELOG.md)
   file(CONFIGURE OUTPUT pages.cmake @ONLY
     CONTENT "set(source \"@PROJECT_SOURCE_DIR@\")\nset(doc \"@doc@\")\nset(data \"@data@\")\nset(places \"@places@\")\nset(pages \"@pages@\")\n")
   list(TRANSFORM pages PREPEND ${PROJECT_SOURCE_DIR}/)

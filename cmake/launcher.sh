@@ -20,7 +20,7 @@ die() {
 
 # Everything that the program is built from, one line each. Any edit, addition or removal changes it.
 inputs() {
-  local from=(include kernels reference verify view cli bindings/c schemas cmake CMakeLists.txt CMakePresets.json)
+  local from=(include kernels reference verify view cli bindings/c cmake CMakeLists.txt CMakePresets.json)
   (cd "$root" && find "${from[@]}" -type f -printf '%p %s %T@\n' 2>/dev/null) | LC_ALL=C sort
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B --along X,Y,Z --steps N | CASES.jsonl --case ID --along X,Y,Z The signed depth
-// along a path: for people (a table), for programs (JSON, schemas/along.schema.json), for
+// along a path: for people (a table), for programs (JSON, along.schema.json), for
 // spreadsheets (CSV), and as a chart.
 
 #include <fmt/format.h>

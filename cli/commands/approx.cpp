@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom approx --delta D A B | CASES.jsonl | -
 // fathom width [--delta D] A | CASES.jsonl | -
-// Depths within a factor, for people and for programs (JSON, schemas/result.schema.json).
+// Depths within a factor, for people and for programs (JSON, result.schema.json).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

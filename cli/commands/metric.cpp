@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom metric --ball Q A B | CASES.jsonl | - Depths in a polyhedral norm or gauge, for people and
-// for programs (JSON, schemas/metric.schema.json).
+// for programs (JSON, metric.schema.json).
 
 #include "reference/approximate/metric.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
-// Depths in one direction, for people and for programs (JSON, schemas/ray.schema.json).
+// Depths in one direction, for people and for programs (JSON, ray.schema.json).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

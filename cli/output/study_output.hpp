@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies for people (tables), for programs (JSON, schemas/study.schema.json) and for spreadsheets
+// Studies for people (tables), for programs (JSON, study.schema.json) and for spreadsheets
 // (CSV, RFC 4180 with "\n").
 #pragma once
 

@@ -61,7 +61,7 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 
 // ---- cases ----
 //
-// A case is a JSON object of the schema fathom/case/1 (schemas/case.schema.json). A JSON number
+// A case is a JSON object of the schema fathom/case/1 (case.schema.json). A JSON number
 // means the nearest binary64 of its decimal text, as in any other program, integers too; 1e400 is
 // an error. A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as
 // an affine map: a matrix of 3 or 4 rows, a quaternion or angles and a translation, or text as on

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases and their bodies as JSON, with every number exact for every reader.
-//                                                                        [schemas/case.schema.json]
+//                                                                        [case.schema.json]
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a case, of bodies of any kinds, as JSON: schemas/result.schema.json, of
-// unions schemas/union.schema.json.
+// The exact answer to a case, of bodies of any kinds, as JSON: result.schema.json, of
+// unions union.schema.json.
 #pragma once
 
 #include <cstddef>

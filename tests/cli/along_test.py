@@ -14,7 +14,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest, box, case, changed
 
-SCHEMA = json.loads((ROOT / "schemas" / "along.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "cli/output/along.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 NAME = "{http://www.w3.org/2000/svg}"

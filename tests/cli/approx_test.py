@@ -10,7 +10,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest, box, case
 
-VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "reference/output/result.schema.json").read_text()))
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])

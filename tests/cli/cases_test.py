@@ -9,7 +9,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, EXECUTABLE, PATIENCE, ROOT, UNIT, CliTest
 
-VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "case.schema.json").read_text()))
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "reference/files/case.schema.json").read_text()))
 A, B = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 
 

@@ -131,7 +131,7 @@ class Reports(CliTest):
         self.assertIn(header["command"].replace(f"{self.folder}/", ""), texts)
         properties = {p.get("name"): p.get("value") for p in self.junit(junit).iter("property")}
         self.assertEqual((properties["fathom"], properties["command"]), (VERSION, header["command"]))
-        schema = json.loads((ROOT / "schemas" / "verdict.schema.json").read_text())
+        schema = json.loads((ROOT / "verify/harness/verdict.schema.json").read_text())
         # Not there: what --method and --fit put there, and what this subject does not tell.
         for line, name in ((header, "header"), (summary, "summary")):
             left_out = {"methods", "fit", "microseconds", "hulls", "unions", "dearer"}

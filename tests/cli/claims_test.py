@@ -9,7 +9,7 @@ from harness import ROOT, CliTest
 
 FOLDER = ROOT / "verify" / "claims"
 FILES = {FOLDER / "claims.jsonl": {"right": 89, "wrong": 7, "not-judgeable": 4}, FOLDER / "reports.jsonl": {"right": 33, "wrong": 9}}
-SCHEMAS = {f"{name}.schema.json": json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text()) for name in ("claim", "result")}
+SCHEMAS = {f"{name}.schema.json": json.loads(next(ROOT.glob(f"*/*/{name}.schema.json")).read_text()) for name in ("claim", "result")}
 VALIDATOR = jsonschema.Draft202012Validator(
     SCHEMAS["claim.schema.json"],
     resolver=jsonschema.RefResolver("claim.schema.json", SCHEMAS["claim.schema.json"], store=SCHEMAS))

@@ -7,7 +7,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, UNIT, CliTest, box, case
 
-SCHEMA = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "diff.schema.json").read_text()))
+SCHEMA = jsonschema.Draft202012Validator(json.loads((ROOT / "verify/harness/diff.schema.json").read_text()))
 RIGHT, DEEP, DEEPER, SHALLOW, NONE, DECLINED = 0.5, 0.75, 1, 0.25, None, "declined"
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case
 
-VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "reference/output/result.schema.json").read_text()))
 
 
 def numbers(point):

@@ -10,7 +10,7 @@ from explain_test import Page, numbers
 from harness import DATA, ROOT, CliTest, changed
 from pieces_test import PLATE, SLOT, obj
 
-SCHEMA = json.loads((ROOT / "schemas" / "union_stages.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "view/stages/union_stages.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
 CUBE = obj([[-1, -1, -1], [1, 1, 1]])

@@ -11,7 +11,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, VERSION, CliTest, box, case
 
-SCHEMA = json.loads((ROOT / "schemas" / "stages.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "view/stages/stages.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]

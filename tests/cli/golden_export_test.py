@@ -124,7 +124,7 @@ class Export(CliTest):
             self.assertEqual(case.largest, max(abs(x) for p in case.a + case.b for x in p), case.name)
 
     def test_json_obeys_its_schema_and_says_the_same_as_csv(self):
-        schema = json.loads((ROOT / "schemas" / "golden-export.schema.json").read_text())
+        schema = json.loads((ROOT / "verify/golden/golden-export.schema.json").read_text())
         jsonschema.Draft202012Validator.check_schema(schema)
         path = self.export("--exclude", "ties,disjoint")
         jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text()))
@@ -272,7 +272,7 @@ class Export(CliTest):
         self.assertEqual((code, err), (0, "fathom: 2 of 2 fitting records; of all 3, 1 are beyond binary64, 0 are excluded, 0 have more "
                                           "points\n"))
         export = json.loads(out)
-        schema = json.loads((ROOT / "schemas" / "golden-export.schema.json").read_text())
+        schema = json.loads((ROOT / "verify/golden/golden-export.schema.json").read_text())
         jsonschema.Draft202012Validator(schema).validate(export)
         self.assertEqual(export["source"], {"file": "my cases.jsonl", "command": "fathom golden export --format json"})
         self.assertNotIn("licence", export)

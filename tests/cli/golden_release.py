@@ -122,7 +122,7 @@ class LevelTests:
             return jsonschema.Draft202012Validator(schema)
 
         dataset, shard, record = (validator(self.release / f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
-        case = validator(ROOT / "schemas" / "case.schema.json")
+        case = validator(ROOT / "reference/files/case.schema.json")
         value = json.loads((self.release / "dataset.json").read_text())
         dataset.validate(value)
         for entry in value["shards"]:

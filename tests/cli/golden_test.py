@@ -78,7 +78,7 @@ class Release(GoldenTest):
             return jsonschema.Draft202012Validator(schema)
 
         dataset, shard, record = (validator(f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
-        case = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "case.schema.json").read_text()))
+        case = jsonschema.Draft202012Validator(json.loads((ROOT / "reference/files/case.schema.json").read_text()))
         value = json.loads((self.release / "dataset.json").read_text())
         dataset.validate(value)
         for name, entry in zip(self.shards, value["shards"]):

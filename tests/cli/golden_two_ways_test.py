@@ -43,7 +43,7 @@ class TwoWays(GoldenTest):
         records = json.loads((folder / "dataset.json").read_text())["records"]
         self.assertEqual(value, {"schema": "fathom/golden-agreement/2", "content_sha256": sha256((folder / CONTENTS).read_bytes()),
                                  "records": records, "methods": ["exact", "naive"]})
-        schema = json.loads((ROOT / "schemas" / "agreement.schema.json").read_text())
+        schema = json.loads((ROOT / "verify/golden/agreement.schema.json").read_text())
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         validator.validate(value)

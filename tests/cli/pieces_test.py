@@ -11,7 +11,7 @@ import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, CliTest, box, changed
 from terminals import run_on_terminal
 
-SCHEMA = json.loads((ROOT / "schemas" / "union.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "reference/output/union.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 SVG = "{http://www.w3.org/2000/svg}"
 COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")

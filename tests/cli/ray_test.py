@@ -7,7 +7,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case
 
-SCHEMA = json.loads((ROOT / "schemas" / "ray.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "cli/output/ray.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])

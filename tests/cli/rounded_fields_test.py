@@ -9,7 +9,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case
 
-VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "result.schema.json").read_text()))
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "reference/output/result.schema.json").read_text()))
 TETRAHEDRON = [["1/3", 0, 0], [0, "2/7", 0], [0, 0, "1/9"], ["-1/5", "-1/3", "-1/4"]]
 PAIRS = [(UNIT, box(["3/4", "1/4", "1/8"], ["7/4", "5/4", "9/8"])), (TETRAHEDRON, UNIT),
          (TETRAHEDRON, [["1/10", "1/7", "1/30"], [3, 2, 1]]),

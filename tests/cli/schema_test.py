@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Everything that --json prints obeys schemas/result.schema.json, and the schema has teeth."""
+"""Everything that --json prints obeys reference/output/result.schema.json, and the schema has teeth."""
 import copy
 import json
 import unittest
@@ -7,7 +7,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case
 
-SCHEMA = json.loads((ROOT / "schemas" / "result.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "reference/output/result.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 STREAM = "".join([

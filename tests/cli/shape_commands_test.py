@@ -7,7 +7,7 @@ from fractions import Fraction
 import jsonschema  # Debian: python3-jsonschema
 from harness import ROOT, UNIT, CliTest, case
 
-RESULT, STUDY = (jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / f"{name}.schema.json").read_text()))
+RESULT, STUDY = (jsonschema.Draft202012Validator(json.loads(next(ROOT.glob(f"*/*/{name}.schema.json")).read_text()))
                  for name in ("result", "study"))
 CURVED = ("cylinder:r=1,h=2", "cone:r=1,h=1,quaternion=2:1:0:0,at=0.5:0.25:2.5")
 OCTAHEDRON = [[2, 0, 0], [-2, 0, 0], [0, 2, 0], [0, -2, 0], [0, 0, 2], [0, 0, -2]]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fathom stages: JSON under schemas/stages.schema.json for every kind of input, its numbers those of depth; a summary for people."""
+"""fathom stages: JSON under view/stages/stages.schema.json for every kind of input, its numbers those of depth; a summary for people."""
 import copy
 import json
 import math
@@ -8,7 +8,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case
 
-VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "schemas" / "stages.schema.json").read_text()))
+VALIDATOR = jsonschema.Draft202012Validator(json.loads((ROOT / "view/stages/stages.schema.json").read_text()))
 CUBE, ICOSAHEDRON = DATA / "cube.off", DATA / "icosahedron.off"
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 BAD = '{"schema": "fathom/case/1", "id": "cut", "a":\n'

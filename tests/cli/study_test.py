@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fathom study: tables, JSON under schemas/study.schema.json, a row of CSV for every case."""
+"""fathom study: tables, JSON under cli/output/study.schema.json, a row of CSV for every case."""
 import csv
 import io
 import json
@@ -8,7 +8,7 @@ import unittest
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case, changed
 
-SCHEMA = json.loads((ROOT / "schemas" / "study.schema.json").read_text())
+SCHEMA = json.loads((ROOT / "cli/output/study.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]

@@ -210,7 +210,7 @@ void expect_described(const Json& object, const Names& first = {}) {
 }
 
 TEST(Fields, AreInTheSchemas) {
-  const Json schema = Json::parse(file_of("schemas/verdict.schema.json"))["$defs"];
+  const Json schema = Json::parse(file_of("verify/harness/verdict.schema.json"))["$defs"];
   const Names head{"schema", "type"};
   expect_described<Judgement>(schema["judgement"]);
   expect_described<Reply>(schema["reply"]);
@@ -219,13 +219,13 @@ TEST(Fields, AreInTheSchemas) {
   expect_described<AboutPieces>(schema["case"]["properties"]["pieces"]);
   expect_described<Outcome>(schema["case"], head);
   expect_described<Unattributed>(schema["unattributed"], head);
-  const Json protocol = Json::parse(file_of("schemas/subject.schema.json"))["$defs"]["reply"]["properties"];
+  const Json protocol = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["reply"]["properties"];
   for (const std::string& name : names_in(filled<Reply>()))
     EXPECT_TRUE(protocol.contains(name)) << "law: the protocol has " << name;
 }
 
 TEST(Fields, OfTheSummaryAreInTheSchema) {
-  const Json defs = Json::parse(file_of("schemas/verdict.schema.json"))["$defs"];
+  const Json defs = Json::parse(file_of("verify/harness/verdict.schema.json"))["$defs"];
   const auto expect_names = [](const auto& table, const Json& object, const Names& first = {}) {
     Names expected = first;
     for_each_field(table, [&](const auto& field) { expected.emplace_back(field.name); });
@@ -247,7 +247,7 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   auto all = filled<SubjectInfo>();
   all.shapes = {"sphere"};
   const std::string text = hello_text(all);
-  const Json json = Json::parse(text), schema = Json::parse(file_of("schemas/subject.schema.json"))["$defs"]["hello"];
+  const Json json = Json::parse(text), schema = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["hello"];
   Names expected{"type", "protocol"};
   for (const std::string_view name : judging::names_of(hello_fields)) expected.emplace_back(name);
   EXPECT_EQ(keys_of(json), expected);

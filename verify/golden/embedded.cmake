@@ -4,8 +4,8 @@
 function(fathom_embed target)
   set(folder ${PROJECT_SOURCE_DIR}/verify/golden)
   set(files ${PROJECT_SOURCE_DIR}/tests/data/real_cases.jsonl ${folder}/NOTES.md ${PROJECT_SOURCE_DIR}/LICENSES/CC0-1.0.txt
-    ${PROJECT_SOURCE_DIR}/schemas/golden.schema.json ${PROJECT_SOURCE_DIR}/schemas/dataset.schema.json
-    ${PROJECT_SOURCE_DIR}/schemas/shard.schema.json ${folder}/kit/fathom_golden.h ${folder}/kit/fathom_golden.rs)
+    ${PROJECT_SOURCE_DIR}/verify/golden/golden.schema.json ${PROJECT_SOURCE_DIR}/verify/golden/dataset.schema.json
+    ${PROJECT_SOURCE_DIR}/verify/golden/shard.schema.json ${folder}/kit/fathom_golden.h ${folder}/kit/fathom_golden.rs)
   set(names REAL_CASES NOTES LICENCE RECORD_SCHEMA DATASET_SCHEMA SHARD_SCHEMA KIT_C KIT_RUST)
   foreach(file name IN ZIP_LISTS files names)
     file(READ ${file} ${name})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outcomes on disk, each written as one whole line as soon as it is found, so that a run that was
 // cut short can go on.
-//                                                 [schemas/verdict.schema.json; verify/PROTOCOL.md]
+//                                                 [verdict.schema.json; verify/PROTOCOL.md]
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fields of the lines of a report, once: name, meaning, unit, since. Lines are written and read
 // by these tables (report_lines.cpp).
-//                                            [verify/judge/fields.hpp; schemas/verdict.schema.json]
+//                                            [verify/judge/fields.hpp; verdict.schema.json]
 #pragma once
 
 #include <optional>

@@ -2,7 +2,7 @@
 // The fields of a judgement, once: name, meaning, unit, since. The JSON of reports, out and in, the
 // struct of C, the dict of Python and the pages of failures are made from this table.
 // tests/harness/fields_test.cpp compares with it what cannot be: schema, header of C, class of
-// Python, pages of text.                                 [VERDICTS.md; schemas/verdict.schema.json]
+// Python, pages of text.                                 [VERDICTS.md; verdict.schema.json]
 #pragma once
 
 #include <gmpxx.h>

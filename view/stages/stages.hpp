@@ -247,7 +247,7 @@ struct StageOptions {
 /// signed_depth do.
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options = {});
 
-/// One line of JSON without its newline, pure ASCII: schemas/stages.schema.json.
+/// One line of JSON without its newline, pure ASCII: stages.schema.json.
 std::string to_json(const Stages& stages);
 
 }  // namespace fathom::stages

@@ -66,7 +66,7 @@ struct UnionStages {
 /// the monitor stops it.
 UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor = nullptr);
 
-/// One line of JSON without its newline, pure ASCII: schemas/union_stages.schema.json.
+/// One line of JSON without its newline, pure ASCII: union_stages.schema.json.
 std::string to_json(const UnionStages& stages);
 
 }  // namespace fathom::stages

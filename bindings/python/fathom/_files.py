@@ -22,7 +22,7 @@ class Case(NamedTuple):
 
 
 def cases(path: str | os.PathLike[str]) -> Iterator[Case]:
-    """Reads a file of cases, one after another: JSON Lines, or one case as a document (schemas/case.schema.json).
+    """Reads a file of cases, one after another: JSON Lines, or one case as a document (reference/files/case.schema.json).
 
     A body may be a union of convex pieces, which `union_depth` takes: then its `pieces` are not None. A case that cannot be read raises
     ValueError with file and line when its turn comes; who goes on with `next` gets the one behind it.

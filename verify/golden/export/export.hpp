@@ -106,7 +106,7 @@ struct ExportSource {
 };
 
 /// Returns the file, with its last line feed, of at least one case. C: kit/fathom_golden.h, then
-/// flat arrays. Rust: kit/fathom_golden.rs, then an array. JSON: schemas/golden-export.schema.json.
+/// flat arrays. Rust: kit/fathom_golden.rs, then an array. JSON: golden-export.schema.json.
 /// CSV: a line of names, then one for each case; it has no room for the source.
 std::string export_text(ExportFormat format, const ExportSource& source, const std::vector<ExportCase>& cases);
 

@@ -22,7 +22,7 @@ namespace fathom::golden {
 
 struct Record {
   std::string id;
-  std::string line;         ///< schemas/golden.schema.json, also a case of schema fathom/case/1; without a line feed
+  std::string line;         ///< golden.schema.json, also a case of schema fathom/case/1; without a line feed
   std::string certificate;  ///< verify/check/FORMAT.md, with its last line feed; accepted by the checker
   std::string csv_row;      ///< with its line feed; empty unless of polytopes in binary64
   bool in_binary64 = false, in_binary32 = false;  ///< whether every number is one of that format

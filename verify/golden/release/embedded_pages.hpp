@@ -11,16 +11,16 @@ namespace fathom::golden {
 /// with a line feed.
 std::string_view notes();
 
-/// schemas/golden.schema.json: of one record.
+/// golden.schema.json: of one record.
 std::string_view record_schema();
 
 /// LICENSES/CC0-1.0.txt.
 std::string_view licence();
 
-/// schemas/dataset.schema.json: of dataset.json.
+/// dataset.schema.json: of dataset.json.
 std::string_view dataset_schema();
 
-/// schemas/shard.schema.json: of the page of each shard.
+/// shard.schema.json: of the page of each shard.
 std::string_view shard_schema();
 
 /// kit/fathom_golden.h and kit/fathom_golden.rs: what a case is, and whether an answer to it is

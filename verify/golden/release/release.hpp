@@ -57,7 +57,7 @@ std::size_t records_in(const Dataset& dataset);
 /// is not.
 std::string contents_text(const Dataset& dataset);
 
-/// JSON, schemas/dataset.schema.json; ends with a line feed.
+/// JSON, dataset.schema.json; ends with a line feed.
 std::string dataset_text(const Dataset& dataset);
 
 /// Returns nullopt unless `text` is, byte for byte, what dataset_text makes of it.
@@ -75,7 +75,7 @@ struct Agreement {
   std::vector<Method> methods;  ///< each of them gave every field of every record, beside the certificates; not empty
 };
 
-/// JSON, schemas/agreement.schema.json; ends with a line feed.
+/// JSON, agreement.schema.json; ends with a line feed.
 std::string agreement_text(const Agreement& agreement);
 
 /// Returns nullopt unless `text` is, byte for byte, what agreement_text makes of it.

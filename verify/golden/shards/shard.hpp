@@ -50,7 +50,7 @@ struct Manifest {
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
-/// JSON, schemas/shard.schema.json; ends with a line feed.
+/// JSON, shard.schema.json; ends with a line feed.
 std::string manifest_text(const Manifest& manifest);
 
 /// Returns nullopt unless `text` is, byte for byte, what manifest_text makes of it.

@@ -98,7 +98,7 @@ void add_report(Lines& lines, const char* which, const ReportFile& report) {
                                 count_text(report.repeated, "line", "lines")));
 }
 
-// ---- as JSON: schemas/diff.schema.json ----
+// ---- as JSON: diff.schema.json ----
 
 using Json = nlohmann::ordered_json;
 
