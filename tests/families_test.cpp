@@ -38,7 +38,6 @@ polytope::Polytope hull(const Body& body) {
 }
 
 // --- Building blocks
-// -------------------------------------------------------------------------------------------------------------------
 
 TEST(Random, IsSplitmix64) {
   Random random(1234567);
@@ -109,7 +108,6 @@ TEST(Solids, HaveTheirVerticesAndFacets) {
 }
 
 // --- All families
-// ----------------------------------------------------------------------------------------------------------------------
 
 TEST(Families, NamesAreUniqueAndPlain) {
   std::set<std::string_view> names;

@@ -21,7 +21,6 @@ using namespace fathom::oracles;
 using families::Family;
 
 // --- Known answers
-// -------------------------------------------------------------------------------------------------------------------
 
 struct Known {
   std::string name;
@@ -112,7 +111,6 @@ TEST(Oracles, NearestHalfSpaces) {
 }
 
 // --- Each other, over all families
-// -----------------------------------------------------------------------------------------------------
 
 class EveryFamily : public ::testing::TestWithParam<Family> {};
 

@@ -33,8 +33,8 @@ enum class Repeats {
 
 /// Which values are good.
 struct Values {
-  std::string (*wrong)(const std::string& value) =
-      nullptr;                          ///< a sentence, or ""; null: any text, or one of `words` if there are some
+  /// a sentence, or ""; null: any text, or one of `words` if there are some
+  std::string (*wrong)(const std::string& value) = nullptr;
   std::vector<std::string> words = {};  ///< that help and completion show
 };
 
@@ -42,8 +42,9 @@ struct Values {
 struct Option {
   std::string commands;  ///< those that have it, with commas between them: "depth,golden verify"
   std::string names;     ///< with commas between them: "-o,--output"
-  std::string
-      value;  ///< "NAME"; "" of a flag; "[=LIST]" of a flag whose value, here in braces behind the name, may be another
+  /// "NAME"; "" of a flag; "[=LIST]" of a flag whose value, here in braces behind the name, may be
+  /// another
+  std::string value;
   std::string meaning;  ///< white space is no more than that
   Values values = {};
   FileUse use = FileUse::none;

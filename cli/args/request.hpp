@@ -91,8 +91,8 @@ struct Request {
   bool times = false;        ///< stages, explain, study --sweep: with the seconds that each took
   bool counters = false;
   std::optional<unsigned> threads;  ///< for a stream; as many as there are cores unless given
-  std::string
-      certificate;  ///< depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  /// depth, width: the file for the certificate, or the folder for those of a stream; empty: none
+  std::string certificate;
   std::string svg;  ///< depth: the file for the picture, or the folder for those of a stream; study --sweep, depth
                     ///< --along, stages: the file for charts; empty: none
   bool embed_certificate = false;             ///< as a field of each JSON result

@@ -26,8 +26,8 @@ struct AskedCase {
 /// An answer to a case.
 struct CaseReply {
   std::string text;  ///< to be printed, without the last newline
-  std::function<void()> keep =
-      {};                ///< if set: called first, in the order of the cases; may throw InputError and OutputError
+  /// if set: called first, in the order of the cases; may throw InputError and OutputError
+  std::function<void()> keep = {};
   ExitCode code = fine;  ///< of a single case that was interrupted and has part of an answer
 };
 

@@ -164,8 +164,8 @@ class BodyPair;
 /// name, which builds them anew. Many threads may ask one object at once.
 class Hierarchies {
  public:
-  Hierarchies(std::span<const Point> a, std::span<const Point> b,
-              Monitor* monitor = nullptr);         ///< throws as penetration_depth does
+  /// throws as penetration_depth does
+  Hierarchies(std::span<const Point> a, std::span<const Point> b, Monitor* monitor = nullptr);
   Hierarchies(Hierarchies&&) noexcept;             ///< the other one may only be assigned to, or destroyed
   Hierarchies& operator=(Hierarchies&&) noexcept;  ///< in the same way
   ~Hierarchies();

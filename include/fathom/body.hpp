@@ -71,8 +71,8 @@ class GivenPoints {
 
 /// The faces of a mesh, each by its corners in order.
 struct MeshFaces {
-  std::vector<std::uint32_t>
-      corners;  ///< indices of points, face after face. Empty, and so are `ends`: each three points are a triangle
+  /// indices of points, face after face. Empty, and so are `ends`: each three points are a triangle
+  std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> ends;  ///< for each face, where its corners end. Empty: triangles
   friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };

@@ -36,13 +36,13 @@ struct Certificate {
   std::vector<Point> a, b;             ///< all points of the bodies
   ClaimKind claim = ClaimKind::depth;  ///< what is proved
   mpq_class low, high;                 ///< of the claim; 0 if touching
-  std::vector<Vector>
-      directions;        ///< depth: optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
-                         ///< touching: one with h(n) = 0. apart: one with h(n)^2 = low <n,n>, h(n) < 0.
+  /// depth: optimal ones, h(n)^2 = low <n,n>. bounds: one with h(n)^2 <= high <n,n>, h(n) > 0.
+  /// touching: one with h(n) = 0. apart: one with h(n)^2 = low <n,n>, h(n) < 0.
+  std::vector<Vector> directions;
   bool complete = true;  ///< depth: the directions are all optimal ones
   InnerPolytope inner;   ///< depth and bounds: inside P, and holds the ball of squared radius low around O
-  std::vector<Weight> weights_a,
-      weights_b;  ///< touching: convex weights of one common point of A and B. apart: of nearest points
+  /// touching: convex weights of one common point of A and B. apart: of nearest points.
+  std::vector<Weight> weights_a, weights_b;
 };
 
 /// Returns the certificate of an answer, whatever method found it. There always is one: it takes
@@ -76,8 +76,8 @@ std::string certificate_text(const Body& a, const Body& b, const Depth& answer, 
 /// is that of a difference.
 struct ConeProof {
   OptimalCone cone;  ///< of all optimal directions
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      differences;  ///< indices of a point a of A and a point b of B, for b - a
+  /// indices of a point a of A and a point b of B, for b - a
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;
 };
 
 /// What a certificate of shapes proves, about the cores or about the bodies with their radii.
@@ -96,8 +96,8 @@ struct ShapeCertificate {
   mpq_class low, high;                   ///< of the claim
   std::vector<Vector> directions;        ///< optimal ones of the cores; signed_bounds: one that shows the upper bound
   bool complete = false;                 ///< depth of points: the directions are all optimal ones
-  std::vector<mpq_class>
-      heights_a;  ///< signed_bounds: for each term of A, at least its support in the direction -n; likewise B, n
+  /// signed_bounds: for each term of A, at least its support in the direction -n; likewise B, n
+  std::vector<mpq_class> heights_a;
   std::vector<mpq_class> heights_b;          ///< the same of B
   std::vector<InnerPoint> inner_a, inner_b;  ///< signed_bounds: points of the cores
   /// depth and signed_bounds: inside the P of the cores, and around O; its indices are those of

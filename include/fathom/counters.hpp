@@ -33,16 +33,16 @@ struct TierCounts {
   std::map<std::uint64_t, std::uint64_t> decided;
 };
 
-using PredicateCounts =
-    std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;  ///< in the order of Predicate
+/// in the order of Predicate
+using PredicateCounts = std::array<TierCounts, static_cast<std::size_t>(Predicate::count)>;
 
 /// Counters of one run; those of stages that did not run are 0. A crossing of arcs is an edge-edge
 /// facet of P before coplanar ones merge.
 struct Counters {
   std::uint64_t vertices_a = 0, vertices_b = 0, edges_a = 0, edges_b = 0, facets_a = 0, facets_b = 0;  ///< of the hulls
   std::uint64_t scans = 0;  ///< linear scans of the position test
-  std::uint64_t expansions =
-      0;  ///< points that an expanding polytope took; of bounds, those that are its corners in the end
+  /// points that an expanding polytope took; of bounds, those that are its corners in the end
+  std::uint64_t expansions = 0;
   std::uint64_t inner_facets = 0;                           ///< facets that it had in the end
   std::uint64_t support_calls = 0;                          ///< how often bounds of shapes asked for the support of P
   std::uint64_t vertex_facet_pairs = 0;                     ///< found
@@ -55,8 +55,8 @@ struct Counters {
   std::uint64_t block_tests = 0;    ///< blocks (cell x run, or cell x line) put to the vertex test
   std::uint64_t vertex_clears = 0;  ///< of these, cleared by it
   std::uint64_t frame_tests = 0, frame_clears = 0;  ///< blocks put to the frame test, and cleared by it
-  std::uint64_t wide_tests = 0,
-                wide_clears = 0;        ///< of those not cleared: put to it in wide floats, and cleared by that
+  /// of those not cleared: put to it in wide floats, and cleared by that
+  std::uint64_t wide_tests = 0, wide_clears = 0;
   std::uint64_t offset_blocks = 0;      ///< of those still not cleared: done by the offset test
   std::uint64_t offset_pairs = 0;       ///< pairs of these that it left to be looked at
   std::uint64_t quota_checks = 0;       ///< conflict lists that were counted

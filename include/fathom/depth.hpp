@@ -94,16 +94,16 @@ struct CrossingEdges {
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary
 /// of P. Each corner is a corner of at least three facets, and no two facets lie in one plane.
 struct InnerPolytope {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      vertices;  ///< indices of a point a of A and a point b of B, for the difference b - a
-  std::vector<std::vector<std::uint32_t>>
-      facets;  ///< corners, counter-clockwise seen from outside, none on a line with its neighbours
+  /// indices of a point a of A and a point b of B, for the difference b - a
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> vertices;
+  /// corners, counter-clockwise seen from outside, none on a line with its neighbours
+  std::vector<std::vector<std::uint32_t>> facets;
 };
 
 /// What is known of bodies that penetrate.
 struct Penetration {
-  std::vector<Optimum>
-      optima;  ///< one per direction, sorted lexicographically on it; at least one, at most Options::optima
+  /// one per direction, sorted lexicographically on it; at least one, at most Options::optima
+  std::vector<Optimum> optima;
   std::size_t unlisted = 0;  ///< further optima, whose directions follow those of `optima`
   /// What the witness follows from: the faces of the first optimum's contact where they are simple,
   /// else the witness itself.

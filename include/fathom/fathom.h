@@ -1,18 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file
- * fathom for C, and for every language that can call C: the exact penetration depth of two bodies, convex ones or unions of convex pieces,
- * certificates and their checker, and the judge of other implementations. C99 and C++; the library is libfathom-c.so.1.
+ * fathom for C, and for every language that can call C: the exact penetration depth of two bodies,
+ * convex ones or unions of convex pieces, certificates and their checker, and the judge of other
+ * implementations. C99 and C++; the library is libfathom-c.so.1.
  *
- * Bodies and answers are handles: they are made by one function, never change after that, may be used by many threads at once, and end with
- * fathom_body_free or fathom_answer_free. An answer does not need the bodies that it is about.
+ * Bodies and answers are handles: they are made by one function, never change after that, may be
+ * used by many threads at once, and end with fathom_body_free or fathom_answer_free. An answer does
+ * not need the bodies that it is about.
  *
- * A function that can fail returns FATHOM_OK or another of these codes, and then fathom_last_error says why. What it was to make is NULL
- * after a failure, numbers are left as they were. A null pointer where something is needed is answered with FATHOM_BAD_INPUT. No exception
- * leaves the library, it prints nothing, and it may be called in any floating-point environment, which is the caller's again afterwards.
- * Texts are UTF-8 and end with a zero; those that a function makes end with fathom_text_free.
+ * A function that can fail returns FATHOM_OK or another of these codes, and then fathom_last_error
+ * says why. What it was to make is NULL after a failure, numbers are left as they were. A null
+ * pointer where something is needed is answered with FATHOM_BAD_INPUT. No exception leaves the
+ * library, it prints nothing, and it may be called in any floating-point environment, which is the
+ * caller's again afterwards. Texts are UTF-8 and end with a zero; those that a function makes end
+ * with fathom_text_free.
  *
- * Every symbol has the version FATHOM_1, within which no function and no struct changes. New functions may join them.
+ * Every symbol has the version FATHOM_1, within which no function and no struct changes. New
+ * functions may join them.
  *
  * All doubles that come out are correctly rounded to nearest, unless something else is said.
  */
@@ -46,8 +51,9 @@ enum {
 /** The version of the library, as "0.1.0". */
 FATHOM_API const char* fathom_version(void);
 
-/** Why the last function that this thread called failed, as one sentence: "cube.off:12: expected a vertex index below 8, found '9'". Empty
- * after FATHOM_OK. It stands until this thread calls the next function that returns a code. Never NULL; at most 1023 bytes. */
+/** Why the last function that this thread called failed, as one sentence: "cube.off:12: expected a
+ * vertex index below 8, found '9'". Empty after FATHOM_OK. It stands until this thread calls the
+ * next function that returns a code. Never NULL; at most 1023 bytes. */
 FATHOM_API const char* fathom_last_error(void);
 
 /** Ends a text that a function has made. NULL is allowed. */
@@ -55,49 +61,58 @@ FATHOM_API void fathom_text_free(char* text);
 
 /* ---- bodies ---- */
 
-/** A convex body: the hull of points, or a shape that is none, as a capsule; or a union of convex pieces, which need not be convex. */
+/** A convex body: the hull of points, or a shape that is none, as a capsule; or a union of convex
+ * pieces, which need not be convex. */
 typedef struct fathom_body fathom_body;
 
-/** What a decimal in a text stands for. Integers, ratios "22/7" and hexadecimal floats are exact in any case. */
+/** What a decimal in a text stands for. Integers, ratios "22/7" and hexadecimal floats are exact in
+ * any case. */
 enum {
   FATHOM_BINARY64_DECIMALS = 0, /**< the nearest binary64, which is what other programs read */
   FATHOM_EXACT_DECIMALS = 1     /**< its own value: 0.1 is 1/10 */
 };
 
-/** Makes the hull of `count` points, x y z x y z ..., from 1 to 2^31 of them. The doubles are taken exactly, and have to be finite. */
+/** Makes the hull of `count` points, x y z x y z ..., from 1 to 2^31 of them. The doubles are taken
+ * exactly, and have to be finite. */
 FATHOM_API int fathom_body_from_points(const double* xyz, size_t count, fathom_body** body);
 
-/** The same of exact numbers: 3 * count texts, each an integer, a ratio "1/3", a decimal "0.1", which is 1/10, or a hexadecimal float. */
+/** The same of exact numbers: 3 * count texts, each an integer, a ratio "1/3", a decimal "0.1",
+ * which is 1/10, or a hexadecimal float. */
 FATHOM_API int fathom_body_from_numbers(const char* const* xyz, size_t count, fathom_body** body);
 
-/** Makes a shape of its short form, as the command line takes it: "sphere:r=1", "capsule:r=0.1,h=0.5,at=1:2:3",
- * "box:half=1:2:3,margin=1/10"; tapered_capsule, cylinder, cone, frustum, ellipsoid and halfspace too. docs/shapes.md lists their
- * fields. */
+/** Makes a shape of its short form, as the command line takes it: "sphere:r=1",
+ * "capsule:r=0.1,h=0.5,at=1:2:3", "box:half=1:2:3,margin=1/10"; tapered_capsule, cylinder, cone,
+ * frustum, ellipsoid and halfspace too. docs/shapes.md lists their fields. */
 FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body);
 
 /** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
 
-/** Makes the union of `count` convex pieces, from 1 to 2^31, each a body that is the hull of points. They may overlap, abut and repeat:
- * where two meet in a common face there is no gap. A piece without interior is refused by fathom_depth, with its number, from 0. The
- * handles of the pieces stay as they are, and may end before the union does. */
+/** Makes the union of `count` convex pieces, from 1 to 2^31, each a body: the hull of points.
+ * They may overlap, abut and repeat: where two meet in a common face there is no gap. A piece
+ * without interior is refused by fathom_depth, with its number, from 0. The handles of the pieces
+ * stay as they are, and may end before the union does. */
 FATHOM_API int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_body** body);
 
-/** Reads the union of the pieces in an OBJ file, one for each object or group with faces; or in a folder, one for each mesh file there, in
- * the natural order of names. So tools for convex decomposition write them. */
+/** Reads the union of the pieces in an OBJ file, one for each object or group with faces; or in a
+ * folder, one for each mesh file there, in the natural order of names. So tools for convex
+ * decomposition write them. */
 FATHOM_API int fathom_body_from_piece_files(const char* path, int decimals, fathom_body** body);
 
-/** Makes both bodies of a case as JSON, schema fathom/case/1: {"a": {"vertices": [[0, 0, 0], ...]}, "b": {"shape": "sphere", "radius": 1}}.
- * JSON numbers are binary64, texts exact; hulls with margins, sums and triangles are given in this way, and "pieces" make a union. Both are
- * made, or none. */
+/** Makes both bodies of a case as JSON, schema fathom/case/1: {"a": {"vertices": [[0, 0, 0], ...]},
+ * "b": {"shape": "sphere", "radius": 1}}. JSON numbers are binary64, texts exact; hulls with
+ * margins, sums and triangles are given in this way, and "pieces" make a union. Both are made, or
+ * none. */
 FATHOM_API int fathom_bodies_from_case(const char* json, fathom_body** a, fathom_body** b);
 
-/** Makes the body where a pose puts it, exactly: x goes to M x + t for the three rows of four numbers (M | t). M need not be a rotation,
- * but regular for shapes. The radius of a shape is a length in the world, and stays. A union is moved as a whole. */
+/** Makes the body where a pose puts it, exactly: x goes to M x + t for the three rows of four
+ * numbers (M | t). M need not be a rotation, but regular for shapes. The radius of a shape is a
+ * length in the world, and stays. A union is moved as a whole. */
 FATHOM_API int fathom_body_moved(const fathom_body* body, const double pose[12], fathom_body** moved);
 
-/** The same of a pose as text, as the option --pose-a takes it: twelve or sixteen numbers, or "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W
- * or rpy=0,0,90deg instead of quat. The rotation of a quaternion is exact, whatever its length. */
+/** The same of a pose as text, as the option --pose-a takes it: twelve or sixteen numbers, or
+ * "xyz=1,2,3 quat=W,X,Y,Z", with xyzw=X,Y,Z,W or rpy=0,0,90deg instead of quat. The rotation of a
+ * quaternion is exact, whatever its length. */
 FATHOM_API int fathom_body_posed(const fathom_body* body, const char* pose, int decimals, fathom_body** moved);
 
 /** Ends a body. NULL is allowed. */
@@ -116,7 +131,8 @@ enum {
 /** "penetrating", "touching", "disjoint", "undecided"; NULL for other numbers. */
 FATHOM_API const char* fathom_status_name(int status);
 
-/** Asked now and then, on the thread that called the library, whether the work is to end: anything but 0 ends it. It has to return. */
+/** Asked now and then, on the thread that called the library, whether the work is to end: anything
+ * but 0 ends it. It has to return. */
 typedef int fathom_stop(void* caller);
 
 /** How to find an answer. fathom_options_init sets all of it. */
@@ -130,14 +146,16 @@ typedef struct fathom_options {
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_options_init(fathom_options* options);
 
-/** The answer about two bodies. The signed depth is their depth if they penetrate, 0 if they touch, minus their distance if they are
- * disjoint. It is exact for polytopes, unions of them, spheres and capsules, everything rounded among them, and half-spaces; bounds are
- * proved for curved shapes. */
+/** The answer about two bodies. The signed depth is their depth if they penetrate, 0 if they touch,
+ * minus their distance if they are disjoint. It is exact for polytopes, unions of them, spheres and
+ * capsules, everything rounded among them, and half-spaces; bounds are proved for curved shapes. */
 typedef struct fathom_answer fathom_answer;
 
-/** Finds the answer about A and B. `options` may be NULL. If a body is a union of pieces, the other is one too, or the hull of points,
- * which is one piece: A moved by t and B overlap if their interiors have a common point, and a path to the shortest t for which they do not
- * is not asked for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone, once these are known. */
+/** Finds the answer about A and B. `options` may be NULL. If a body is a union of pieces, the other
+ * is one too, or the hull of points, which is one piece: A moved by t and B overlap if their
+ * interiors have a common point, and a path to the shortest t for which they do not is not asked
+ * for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone,
+ * once these are known. */
 FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
 
 /** Ends an answer. NULL is allowed. */
@@ -146,33 +164,39 @@ FATHOM_API void fathom_answer_free(fathom_answer* answer);
 /** FATHOM_PENETRATING and so on; -1 for NULL. */
 FATHOM_API int fathom_answer_status(const fathom_answer* answer);
 
-/** Sets the signed depth: to nearest, NaN if bounds leave that open; and bounds, rounded outward, which are equal if and only if it is
- * known and a double. Each pointer may be NULL. */
+/** Sets the signed depth: to nearest, NaN if bounds leave that open; and bounds, rounded outward,
+ * which are equal if and only if it is known and a double. Each pointer may be NULL. */
 FATHOM_API int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high);
 
-/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest away. FATHOM_ABSENT of unions that touch.
+/** Sets the unit vector of the direction in which A leaves B soonest, or in which B is farthest
+ * away. FATHOM_ABSENT of unions that touch.
  * */
 FATHOM_API int fathom_answer_direction(const fathom_answer* answer, double direction[3]);
 
-/** Sets the shortest translation of A after which the bodies touch: out of B if they penetrate, towards it if they are disjoint. */
+/** Sets the shortest translation of A after which the bodies touch: out of B if they penetrate,
+ * towards it if they are disjoint. */
 FATHOM_API int fathom_answer_translation(const fathom_answer* answer, double translation[3]);
 
-/** Sets a point of A and a point of B with b - a = the translation: a pair of nearest points if the bodies are disjoint. FATHOM_ABSENT of
- * unions that are not. */
+/** Sets a point of A and a point of B with b - a = the translation: a pair of nearest points if the
+ * bodies are disjoint. FATHOM_ABSENT of unions that are not. */
 FATHOM_API int fathom_answer_witness(const fathom_answer* answer, double a[3], double b[3]);
 
-/** How many shortest ways out are listed: 0 unless the bodies penetrate, and where only bounds are known. */
+/** How many shortest ways out are listed: 0 unless the bodies penetrate, and where only bounds are
+ * known. */
 FATHOM_API size_t fathom_answer_optima(const fathom_answer* answer);
 
-/** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of the functions above. */
+/** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of
+ * the functions above. */
 FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]);
 
-/** Sets whether translations as near as one likes to one of these ways out leave a gap between the bodies: 1, or 0 for an exact fit, as
- * that of a key in a slot of its own width. Always 1 of convex bodies. */
+/** Sets whether translations as near as one likes to one of these ways out leave a gap between the
+ * bodies: 1, or 0 for an exact fit, as that of a key in a slot of its own width. Always 1 of convex
+ * bodies. */
 FATHOM_API int fathom_answer_clearance(const fathom_answer* answer, size_t index, int* clearance);
 
-/** Of unions, sets the depth of the deepest pair of a piece of A and a piece of B, which is at most that of the unions, and the numbers of
- * the two, the first of several; 0 if no two overlap. Of a search that was stopped, of those that it came to. Each pointer may be NULL. */
+/** Of unions, sets the depth of the deepest pair of a piece of A and a piece of B, which is at most
+ * that of the unions, and the numbers of the two, the first of several; 0 if no two overlap. Of a
+ * search that was stopped, of those that it came to. Each pointer may be NULL. */
 FATHOM_API int fathom_answer_deepest_pair(const fathom_answer* answer, double* depth, size_t pieces[2]);
 
 /** Of unions, sets the depth of their convex hulls, which is at least that of the unions. */
@@ -189,17 +213,19 @@ enum {
   FATHOM_HULLS = 6         /**< of unions: the depth of their hulls */
 };
 
-/** Makes the text of an exact quantity: numbers in lowest terms, joined by blanks, each "3/5", or "sqrt(2)", "-sqrt(1/3)", or a sum of
- * both, "sqrt(2)-1/2". */
+/** Makes the text of an exact quantity: numbers in lowest terms, joined by blanks, each "3/5", or
+ * "sqrt(2)", "-sqrt(1/3)", or a sum of both, "sqrt(2)-1/2". */
 FATHOM_API int fathom_answer_exact(const fathom_answer* answer, int quantity, char** text);
 
-/** Makes one line of JSON with everything that is known, schema fathom/result/2, as `fathom depth --json` prints it. `id` names the case,
- * and may be NULL. Of unions the schema is fathom/union/1. */
+/** Makes one line of JSON with everything that is known, schema fathom/result/2, as `fathom depth
+ * --json` prints it. `id` names the case, and may be NULL. Of unions the schema is fathom/union/1.
+ */
 FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, char** text);
 
-/** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other checkers. `id` and `options` may be NULL;
- * of the options it reads `stop`. FATHOM_ABSENT of a text beyond the limits of FORMAT.md, as with numbers of more than 100,000 digits,
- * which every checker would refuse to read. */
+/** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other
+ * checkers. `id` and `options` may be NULL; of the options it reads `stop`. FATHOM_ABSENT of a text
+ * beyond the limits of FORMAT.md, as with numbers of more than 100,000 digits, which every checker
+ * would refuse to read. */
 FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options, char** text);
 
 /* ---- certificates ---- */
@@ -211,18 +237,20 @@ enum {
   FATHOM_MALFORMED = 2 /**< no certificate */
 };
 
-/** Checks whether a text of `length` bytes, at most 2^31, is a proof, by a checker that shares nothing with what makes certificates. What
- * acceptance proves is written in FORMAT.md. With both bodies, hulls of points or unions of them, it is refused too unless it is about the
- * same points in the same order; without them, NULL, it is taken on its own. `line` gets what the checker prints, "s VERIFIED penetrating
- * depth_squared=9/25 certificate", or the line and the reason; it may be NULL. FATHOM_OK says that the text was checked, not that it is
- * a proof. */
+/** Checks whether a text of `length` bytes, at most 2^31, is a proof, by a checker that shares
+ * nothing with what makes certificates. What acceptance proves is written in FORMAT.md. With both
+ * bodies, hulls of points or unions of them, it is refused too unless it is about the same points
+ * in the same order; without them, NULL, it is taken on its own. `line` gets what the checker
+ * prints, "s VERIFIED penetrating depth_squared=9/25 certificate", or the line and the reason; it
+ * may be NULL. FATHOM_OK says that the text was checked, not that it is a proof. */
 FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
                                         char** line);
 
 /* ---- the judge ---- */
 
-/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW; their numbers never change. The first
- * five, and FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED, come from harnesses only. VERDICTS.md defines them. */
+/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW;
+ * their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and
+ * FATHOM_VERDICT_UNSUPPORTED, come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,
   FATHOM_VERDICT_TIME_OUT = 1,
@@ -260,12 +288,14 @@ enum {
 enum { FATHOM_SAME_PRECISION = -1, FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
 enum { FATHOM_TOUCHING_EITHER = 0, FATHOM_TOUCHING_IS_OVERLAP = 1, FATHOM_TOUCHING_IS_APART = 2 };
 
-/** Depths that are too deep pass if they are the price of their direction, and the policy allows it: "the claim class and the policy" in
- * VERDICTS.md. */
+/** Depths that are too deep pass if they are the price of their direction, where the policy allows
+ * it:
+ * "the claim class and the policy" in VERDICTS.md. */
 enum { FATHOM_POLICY_DECLARED = 0, FATHOM_POLICY_MINIMUM = 1, FATHOM_POLICY_SEPARATING = 2, FATHOM_POLICY_WITHIN = 3 };
 
-/** An implementation's conventions, how wrong it may be, and its answer. fathom_claim_init sets all of it: the conventions and the
- * tolerance of the members' comments, and the answer that the bodies are apart. */
+/** An implementation's conventions, how wrong it may be, and its answer. fathom_claim_init sets all
+ * of it: the conventions and the tolerance of the members' comments, and the answer that the bodies
+ * are apart. */
 typedef struct fathom_claim {
   size_t size; /**< sizeof(fathom_claim), set by fathom_claim_init */
 
@@ -275,7 +305,8 @@ typedef struct fathom_claim {
   int moves_b;        /**< 0: whether |depth| * direction moves B away, not A */
   int not_unit;       /**< 0: whether directions need not have length 1 */
 
-  /* What rounding costs is allowed besides, see "the slack" in VERDICTS.md: of correctly rounded numbers, or of numbers off by tol_ulps. */
+  /* What rounding costs is allowed besides, see "the slack" in VERDICTS.md: of correctly rounded
+   * numbers, or of numbers off by tol_ulps. */
   double tol_relative; /**< 1e-3, of the depth. Each of the three is taken as the exact value of its double; none may be negative */
   double tol_absolute; /**< 1e-6, of the longest side of the bodies' boxes */
   double tol_ulps;     /**< 0; a whole number up to 1e9 */
@@ -297,8 +328,9 @@ typedef struct fathom_claim {
   const double* contact_depths;    /**< of each, or NULL; the largest is the depth of the answer */
 } fathom_claim;
 
-/** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond binary64 infinite. Pairs `low`,
- * `high` are rounded outward: equal if and only if the number is known and a double. */
+/** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond
+ * binary64 infinite. Pairs `low`, `high` are rounded outward: equal if and only if the number is
+ * known and a double. */
 typedef struct fathom_judgement {
   size_t size; /**< sizeof(fathom_judgement), set by fathom_judgement_init */
 
@@ -321,7 +353,8 @@ typedef struct fathom_judgement {
   double contact_a_low, contact_a_high, contact_b_low, contact_b_high; /**< distances of the farthest contacts; 0 inside */
   double deepest; /**< the largest depth of a contact less the claimed depth */
 
-  /* Of unions that overlap. They have no price and no travel: overlap_left is the depth after the claimed translation. */
+  /* Of unions that overlap. They have no price and no travel: overlap_left is the depth after the
+   * claimed translation. */
   double deepest_pair;      /**< the depth of the deepest pair of pieces */
   size_t deepest_pieces[2]; /**< a piece of A and one of B, from 0: the first pair that has it */
   double hulls;             /**< the depth of the unions' hulls */
@@ -332,8 +365,9 @@ typedef struct fathom_judgement {
 FATHOM_API void fathom_claim_init(fathom_claim* claim);
 FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 
-/** Judges an answer about A and B, bodies of any kind that fathom_depth takes. `sentence` gets what is wrong, for people: "too deep by
- * 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL. After a failure the judgement is as fathom_judgement_init leaves it. */
+/** Judges an answer about A and B, bodies of any kind that fathom_depth takes. `sentence` gets what
+ * is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL.
+ * After a failure the judgement is as fathom_judgement_init leaves it. */
 FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
                             char** sentence);
 

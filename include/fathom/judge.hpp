@@ -79,11 +79,11 @@ struct Reply {
   std::optional<double> depth;  ///< of the overlap; read only if overlap
   // Read beside a depth or a distance:
   std::optional<Triple> direction;  ///< in which a body moves apart, or farther apart
-  std::optional<Triple> witness_a,
-      witness_b;  ///< a point of each body, with b - a = the translation of A that makes the bodies touch
+  /// a point of each body, with b - a = the translation of A that makes the bodies touch
+  std::optional<Triple> witness_a, witness_b;
   std::optional<double> distance;  ///< of the bodies, at least 0; read only if they are said to be apart
-  std::vector<ContactPoint>
-      contacts;  ///< one or more; the largest of their depths is `depth`. Read only beside a depth
+  /// one or more; the largest of their depths is `depth`. Read only beside a depth
+  std::vector<ContactPoint> contacts;
 };
 
 /// Which translations pass that are longer than need be, with a depth that is the price of their
@@ -188,17 +188,17 @@ struct Judgement {
   // bounds of the truth allow, rounded towards 0: at least so much is wrong. Of a claimed depth, or
   // distance: how much larger it is than the true one, correctly rounded to nearest; negative if it
   // is smaller.
-  std::optional<double> error, error_ulps, error_relative,
-      error_u_r;  ///< no relative error and no ulps of one that is 0
+  /// no relative error and no ulps of one that is 0
+  std::optional<double> error, error_ulps, error_relative, error_u_r;
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the
   // bodies are apart. Of polytopes.
   std::optional<mpq_class> price_squared;  ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
-  std::optional<mpq_class>
-      travel_squared;  ///< squared length of the shortest way along u after which the interiors are disjoint
+  /// squared length of the shortest way along u after which the interiors are disjoint
+  std::optional<mpq_class> travel_squared;
   std::optional<double> inconsistency;  ///< the claimed depth, or minus the claimed distance, less the price
   std::optional<double> overlap_left;   ///< travel less the claimed depth, if that is positive
-  std::optional<double>
-      dearer;  ///< price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
+  /// price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
+  std::optional<double> dearer;
   // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead
   // out of it.
   std::optional<Between> price, witness_a_distance, witness_b_distance;  ///< lengths
@@ -213,10 +213,10 @@ struct Judgement {
   // Of unions there is no price and no travel; `overlap_left` is the depth after the claimed
   // translation, and `inconsistency` its negative, or the distance then. These two are the least
   // that the way from a root to a rational allows, if that matters to their rounding.
-  std::optional<UnionBounds>
-      bounds;  ///< of unions that overlap: what the deepest pair of pieces, and the hulls, would say
-  std::optional<mpq_class>
-      deeper_squared;  ///< (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
+  /// of unions that overlap: what the deepest pair of pieces, and the hulls, would say
+  std::optional<UnionBounds> bounds;
+  /// (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
+  std::optional<mpq_class> deeper_squared;
 
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };

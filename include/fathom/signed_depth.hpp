@@ -96,8 +96,8 @@ struct Bracket {
   std::vector<mpq_class> heights_b;          ///< for each term of B, at least the greatest <n,x>
   std::vector<InnerPoint> inner_a, inner_b;  ///< points of the cores, to which the indices of what follows point
   InnerPolytope polytope;                    ///< inside P, with O in its interior; or empty, and then there are
-  std::vector<Weight> weights_a,
-      weights_b;                  ///< convex combinations of inner points, whose distance bounds that of the cores
+  /// convex combinations of inner points, whose distance bounds that of the cores
+  std::vector<Weight> weights_a, weights_b;
   std::size_t support_calls = 0;  ///< no part of the proof: how often the search asked for the support of P
 };
 
@@ -113,8 +113,8 @@ struct Bounds {
 struct SignedDepth {
   std::variant<Surd, Bounds> value;  ///< see exact() and bounds()
   mpq_class radius_a, radius_b;      ///< of the two shapes
-  std::variant<Depth, PlaneSupport, Bracket>
-      core;                           ///< of two polytopes; of a half-space and a polytope; of other shapes
+  /// of two polytopes; of a half-space and a polytope; of other shapes
+  std::variant<Depth, PlaneSupport, Bracket> core;
   std::optional<OptimalCone> cone;    ///< if the cores are polytopes, or a half-space and a polytope, and touch
   std::optional<Contact> touching{};  ///< if the cores are polytopes and touch: see contact()
 
@@ -154,8 +154,9 @@ struct SignedDepthOptions {
   Options cores;       ///< of the cores if both are polytopes; its monitor serves in any case
   unsigned bits = 40;  ///< bounds: to 2^-bits of the value or of the bodies' extent, <= most_bound_bits; to 2^-160 if
                        ///< the sign is open
-  std::size_t support_calls =
-      5000;  ///< bounds: how often the cores' supports may be asked for; the bounds found until then are the answer
+  /// bounds: how often the cores' supports may be asked for; the bounds found until then are the
+  /// answer
+  std::size_t support_calls = 5000;
 };
 
 /// A sum of terms that are hulls of points is a polytope, and expanded, if it has at most so many

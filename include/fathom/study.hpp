@@ -200,8 +200,8 @@ struct ShapeSize {
 struct ShapeStudy {
   SignedDepth depth;  ///< as signed_depth finds it
   ShapeSize a, b;     ///< of the two shapes
-  std::array<ShapeCoincidences, static_cast<std::size_t>(ShapeCoincidence::count)>
-      coincidences;  ///< in the order of ShapeCoincidence
+  /// in the order of ShapeCoincidence
+  std::array<ShapeCoincidences, static_cast<std::size_t>(ShapeCoincidence::count)> coincidences;
   /// The features that face each other in an optimal direction: of cores that touch, in one inside
   /// the cone of all. nullopt if the depth is not known exactly.
   std::optional<ShapeInvolved> contact;

@@ -22,16 +22,17 @@ namespace fathom {
 
 /// How to compute the depth of unions. The answer does not depend on it.
 struct UnionOptions {
-  Monitor* monitor =
-      nullptr;         ///< hears of progress and may stop the work, which then ends with an enclosure; may be null
+  /// hears of progress and may stop the work, which then ends with an enclosure; may be null
+  Monitor* monitor = nullptr;
   bool bounds = true;  ///< whether UnionDepth::bounds is found
 };
 
 /// A piece of A and a piece of B that touch.
 struct PieceContact {
   std::uint32_t a, b;  ///< the pieces' indices
-  Vector
-      direction;    ///< primitive, in the interior of the cone of all planes between the two pieces: points from B to A
+  /// primitive, in the interior of the cone of all planes between the two pieces: points from B to
+  /// A
+  Vector direction;
   Contact contact;  ///< the faces of the two pieces that meet, by the indices of points in the pieces
 };
 
@@ -71,8 +72,9 @@ struct UnionDepth {
   Status status = Status::disjoint;  ///< touching if interiors are disjoint but pieces meet
   bool complete = true;  ///< false if the monitor stopped the search: then `low` and `high` enclose the answer
   mpq_class low, high;   ///< low <= depth^2 <= high, equal if complete; 0 unless penetrating
-  std::vector<UnionOptimum>
-      optima;  ///< in lexicographic order of translations, all if complete; if touching the one with translation 0
+  /// in lexicographic order of translations, all if complete; if touching the one with translation
+  /// 0
+  std::vector<UnionOptimum> optima;
   std::optional<UnionDistance> apart;  ///< if disjoint
   std::optional<UnionBounds> bounds;   ///< if asked for
   UnionCounters counters;              ///< what the search did

@@ -26,32 +26,32 @@ inline constexpr double height_over_line_of = 96 * unit_of<Number>;  ///< of <p 
 template <class Number>
 inline constexpr double squared_length_of = 112 * unit_of<Number>;  ///< of |d x e|^2
 inline constexpr double height_over_line = height_over_line_of<double>, squared_length = squared_length_of<double>;
-inline constexpr double difference_of_heights =
-    0x1p-46;  ///< of <u,p> - <u,q>, for exact u and images of rational points
+/// of <u,p> - <u,q>, for exact u and images of rational points
+inline constexpr double difference_of_heights = 0x1p-46;
 
 // Factors that make up for the roundings of a few operations.
 
 inline constexpr double raised_bound = 1 + 16 * unit;   ///< of a squared distance that a computed one must exceed
 inline constexpr double lowered_bound = 1 - 16 * unit;  ///< of a squared distance that a computed one must stay below
-inline constexpr double raised_quotient =
-    1 + 8 * unit;                                    ///< of a quotient of numbers truncated to 53 bits: an upper bound
+/// of a quotient of numbers truncated to 53 bits: an upper bound
+inline constexpr double raised_quotient = 1 + 8 * unit;
 inline constexpr double below_raised = 1 - 0x1p-47;  ///< of that upper bound: a lower bound
 inline constexpr double raised_root = 1 + 0x1p-40;   ///< of the root of a quotient, and of a product with it
+/// more than 1: of a root, where lengths are measured in a nearly orthonormal frame
 template <class Number>
-inline constexpr double frame_length =
-    512 * unit_of<Number>;  ///< more than 1: of a root, where lengths are measured in a nearly orthonormal frame
+inline constexpr double frame_length = 512 * unit_of<Number>;
+/// absolute: of that frame's determinant, which is nearly 1
 template <class Number>
-inline constexpr double frame_volume =
-    256 * unit_of<Number>;  ///< absolute: of that frame's determinant, which is nearly 1
+inline constexpr double frame_volume = 256 * unit_of<Number>;
+/// absolute: of the computed products of that frame's directions
 template <class Number>
-inline constexpr double orthonormal =
-    16 * unit_of<Number>;  ///< absolute: of the computed products of that frame's directions
+inline constexpr double orthonormal = 16 * unit_of<Number>;
 
 // Of Taylor models, and of the parabolas that lines are fitted with.
 
+/// of a product's coefficients together, relative to the product of the norms
 template <class Number>
-inline constexpr double taylor_product =
-    8 * unit_of<Number>;  ///< of a product's coefficients together, relative to the product of the norms
+inline constexpr double taylor_product = 8 * unit_of<Number>;
 template <class Number>
 inline constexpr double taylor_sum = 4 * unit_of<Number>;  ///< of a combination's, relative to the norms
 template <class Number>
@@ -63,8 +63,8 @@ template <class Number>
 inline double tuple(double t) {
   return unit_of<Number> * (16 + 32 * (t < 0 ? -t : t));
 }
-inline constexpr double raised_radius =
-    1 + 64 * unit;  ///< factor of a sum of fewer than 30 products, none of them negative; besides it
+/// factor of a sum of fewer than 30 products, none of them negative; besides it
+inline constexpr double raised_radius = 1 + 64 * unit;
 inline constexpr double underflow = 0x1p-1000;  ///< what all underflow of such a sum may add up to, by far
 
 // Of (q - p) x (r - p), and of its product with a step t - s, for points p, q, r, s, t. These

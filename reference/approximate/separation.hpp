@@ -22,9 +22,9 @@ struct ApproxSeparation {
   bool inside = false;      ///< whether O is in P, its boundary included. If not, no other field is set.
   std::uint64_t rays = 0;   ///< shot
   std::uint64_t steps = 0;  ///< that they took
-  Vector normal{
-      0, 0,
-      0};  ///< primitive outward normal of the nearest facet that was hit; of several, the least lexicographically
+  Vector normal{            /// primitive outward normal of the nearest facet that was hit; of several, the least
+                /// lexicographically
+                0, 0, 0};
   mpz_class height;  ///< of its plane above the viewpoint: the translation (height / <normal,normal>) normal separates
   Vector ray{0, 0, 0};      ///< the direction of the grid in which the boundary of P is nearest
   mpq_class reach_squared;  ///< squared distance of the boundary along that ray: |t|^2 <= reach_squared <= (1 +

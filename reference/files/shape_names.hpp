@@ -46,8 +46,8 @@ struct ShapeName {
   std::string_view name;
   std::vector<NumberField> numbers;
   ShapePart part;
-  Shape (*made)(
-      const ShapeFields&);  ///< of complete fields. Throws std::invalid_argument with a sentence about their values
+  /// of complete fields. Throws std::invalid_argument with a sentence about their values
+  Shape (*made)(const ShapeFields&);
 };
 
 /// All of them.

@@ -187,8 +187,8 @@ struct Cell {
   CellNode cell;
   std::vector<CellNode> conflicts;
   std::uint64_t lines = 0;  ///< number of lines in the conflict list
-  bool quota_reached =
-      false;  ///< lines <= quota; otherwise the cell is too small to be refined, or the blocks are exhausted
+  /// lines <= quota; otherwise the cell is too small to be refined, or the blocks are exhausted
+  bool quota_reached = false;
 };
 
 /// A (1/r)-cutting of `cell` against the runs `list` of the other chain: halves cells, filters and

@@ -36,10 +36,10 @@ struct DeepestPoint {
 
 /// A mesh whose hull is another body.
 struct Dents {
-  std::optional<mpq_class>
-      volume_ratio;  ///< the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
-  std::optional<DeepestPoint>
-      deepest;  ///< the point deepest inside the hull, of several the first; nullopt if it takes too long to find
+  /// the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
+  std::optional<mpq_class> volume_ratio;
+  /// the point deepest inside the hull, of several the first; nullopt if it takes too long to find
+  std::optional<DeepestPoint> deepest;
 };
 
 /// What is known of a mesh.

@@ -31,9 +31,9 @@ struct PiecePolytope {
 struct ProofNode {
   bool split = false;          ///< else a leaf
   std::uint32_t polytope = 0;  ///< of a split: which one
-  std::vector<std::uint32_t>
-      numbers;  ///< of a split: the facets of its children, each once. Of a leaf: at most four constraints of the
-                ///< path that alone keep its cell at distance sqrt(q), or that have no common point; none can go
+  /// of a split: the facets of its children, each once. Of a leaf: at most four constraints of the
+  /// path that alone keep its cell at distance sqrt(q), or that have no common point; none can go
+  std::vector<std::uint32_t> numbers;
 };
 
 /// A place of O outside all interiors of P_ij at the depth, and for each pair of pieces a direction

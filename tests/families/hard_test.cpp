@@ -41,7 +41,6 @@ bool in_binary64(const Case& input) {
 }
 
 // --- Rounding boundaries
-// ---------------------------------------------------------------------------------------------------------------
 
 /// What a format rounds a depth to. Numbers beyond the greatest are taken as one ulp more.
 template <class T>
@@ -114,7 +113,6 @@ TEST(RoundingBoundary, Binary32) { expect_hard_to_round<float>("rounding_binary3
 TEST(RoundingBoundary, Binary64) { expect_hard_to_round<double>("rounding_binary64"); }
 
 // --- Extremes
-// --------------------------------------------------------------------------------------------------------------------------
 
 TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
   std::set<ContactKind> kinds;

@@ -247,7 +247,8 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   auto all = filled<SubjectInfo>();
   all.shapes = {"sphere"};
   const std::string text = hello_text(all);
-  const Json json = Json::parse(text), schema = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["hello"];
+  const Json json = Json::parse(text),
+             schema = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["hello"];
   Names expected{"type", "protocol"};
   for (const std::string_view name : judging::names_of(hello_fields)) expected.emplace_back(name);
   EXPECT_EQ(keys_of(json), expected);

@@ -90,8 +90,9 @@ struct Body {
   Rational offset;
   Rational radius;
   Part<std::vector<Rational>> heights;  ///< of a shape
-  Part<std::vector<Place>>
-      inner;  ///< of a shape: for each inner point as many places as there are terms; `lines` has one for each point
+  /// of a shape: for each inner point as many places as there are terms; `lines` has one for each
+  /// point
+  Part<std::vector<Place>> inner;
 };
 
 /// How the lower side is proved.

@@ -19,16 +19,19 @@ struct Verdict {
 
   // If verified:
   std::string status;  ///< "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open
-  int format =
-      1;  ///< of the certificate: 1 sets depth_squared, 2 signed_depth, unless it claims bounds; 3 one of the squares
+  /// of the certificate: 1 sets depth_squared, 2 signed_depth, unless it claims bounds; 3 one of
+  /// the squares
+  int format = 1;
   std::string depth_squared;      ///< exact, in lowest terms: "1/4"
   std::string distance_squared;   ///< exact, of unions that are apart
   std::string signed_depth;       ///< exact: "sqrt(2)+1/2", "-sqrt(3)+0"; the numbers in lowest terms
   std::string at_least, at_most;  ///< bounds: of depth^2 in format 1, of the signed depth in format 2
-  std::size_t optima =
-      0;  ///< number of nearest facets, if the certificate claims to list them all, or of shortest ways out of unions
-  std::string
-      cone;  ///< of touching cores: "1+2" for a lineality of one dimension and two rays; empty if it is not claimed
+  /// number of nearest facets, if the certificate claims to list them all, or of shortest ways out
+  /// of unions
+  std::size_t optima = 0;
+  /// of touching cores: "1+2" for a lineality of one dimension and two rays; empty if it is not
+  /// claimed
+  std::string cone;
 
   std::string pieces;  ///< of unions: "2x5", of a and of b
 

@@ -56,8 +56,8 @@ struct Options {
   bool width = false;                ///< the certificates are about the width of a body: b repeats a
   bool echo = false;
   SecondChecker* second = nullptr;  ///< may be absent
-  Workers* workers =
-      nullptr;  ///< if absent, one piece is done after the other; so they are if there is a second checker
+  /// if absent, one piece is done after the other; so they are if there is a second checker
+  Workers* workers = nullptr;
 };
 
 /// Prints verdicts to `out`, complaints about the case file to `err`. Returns the exit code.

@@ -33,8 +33,8 @@ struct PublishedClaim {
   std::optional<mpq_class> tolerance;  ///< absolute, of the lengths above and of a direction's price
   std::vector<Point> lines;            ///< directions without a sense; one of them is claimed to be optimal
   std::string line_text;               ///< the claimed direction as it was written
-  std::optional<double>
-      numeric;  ///< the signed depth that was found in doubles by whoever collected the claim; shown, never used
+  /// the signed depth that was found in doubles by whoever collected the claim; shown, never used
+  std::optional<double> numeric;
 };
 
 /// Reads one line of JSON: a case of convex bodies, one half-space at most, with fields source,

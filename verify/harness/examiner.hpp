@@ -35,8 +35,8 @@ struct Settings {
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
   std::vector<Solver> second;         ///< ways to find every truth and judgement again
   std::function<bool()> stop;         ///< asked now and then: true ends the work with Interrupted
-  std::function<void(const Unattributed&)>
-      unattributed;  ///< hears of failures that no case caused; called from any thread
+  /// hears of failures that no case caused; called from any thread
+  std::function<void(const Unattributed&)> unattributed;
 };
 
 /// The subject cannot be started, or its hello is missing or wrong. No case caused this.

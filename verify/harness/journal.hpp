@@ -81,8 +81,8 @@ class Journal {
 
 struct ReportFile {
   std::string path;
-  std::map<std::string, std::string>
-      header;  ///< every field but the command, by its path: "subject.settings.margin", "tolerance.relative"
+  /// every field but the command, by its path: "subject.settings.margin", "tolerance.relative"
+  std::map<std::string, std::string> header;
   double unit_roundoff = 0;       ///< of the subject's numbers
   std::vector<Outcome> outcomes;  ///< in the order of the file; of an id that stands in several lines, the last
   std::size_t repeated = 0;       ///< lines whose id stands in a later line again

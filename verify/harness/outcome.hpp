@@ -46,8 +46,8 @@ struct SubjectInfo {
 /// asked bodies.
 struct AboutHulls {
   Judgement query;  ///< of the answer, by the used hulls
-  mpq_class lost_squared,
-      grown_squared;  ///< the largest distance of an asked vertex from the used hull; of a used one from the asked body
+  /// the largest distance of an asked vertex from the used hull; of a used one from the asked body
+  mpq_class lost_squared, grown_squared;
 };
 
 /// An answer about unions that is the deepest, or nearest, of those about their pieces.
@@ -70,8 +70,9 @@ struct Outcome {
                        ///< misspelt field
   std::optional<Reply> reply;  ///< if one was understood: in the subject's unit; see in_unit
   long fit = 0;                ///< the subject saw all lengths times 2^fit
-  mpq_class radii =
-      0;  ///< by which the subject rounds the two bodies itself, in sum, in the unit of the case; 0 if not judged
+  /// by which the subject rounds the two bodies itself, in sum, in the unit of the case; 0 if not
+  /// judged
+  mpq_class radii = 0;
   std::optional<Judgement> judgement;  ///< if the reply was judged
   std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
   std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs

@@ -53,8 +53,8 @@ struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
   std::optional<double> microseconds = std::nullopt;  ///< how long the answer took, as it says
-  std::optional<std::vector<Triple>> hull_a = std::nullopt,
-                                     hull_b = std::nullopt;  ///< the vertices of the hulls that it used
+  /// the vertices of the hulls that it used
+  std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;
   std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 

@@ -26,8 +26,8 @@ struct Coverage {
   std::size_t cases = 0;        ///< outcomes of any kind
   std::size_t overlap = 0;      ///< cases with an answer, whose classification was judged
   std::size_t overlapping = 0;  ///< answers that say that the bodies overlap
-  std::size_t depth = 0, direction = 0,
-              witness = 0;        ///< answers with the field; without a depth the others are not judged
+  /// answers with the field; without a depth the others are not judged
+  std::size_t depth = 0, direction = 0, witness = 0;
   std::size_t contacts = 0;       ///< the same
   std::size_t distance = 0;       ///< answers that say that they are apart, with a distance
   std::size_t without_depth = 0;  ///< answers whose direction, witness points or contacts came without one

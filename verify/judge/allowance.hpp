@@ -44,8 +44,8 @@ class Allowance {
   [[nodiscard]] const mpq_class& squared() const { return squared_; }
 
  private:
-  mpq_class fixed_, proportional_,
-      squared_;  ///< proportional_ = (relative * depth)^2; squared_ is the square of the larger one
+  /// proportional_ = (relative * depth)^2; squared_ is the square of the larger one
+  mpq_class fixed_, proportional_, squared_;
 };
 
 /// `classification` is the tolerance alone; for each residual it is the tolerance or the slack,

@@ -34,8 +34,8 @@ struct Field {
   std::string_view meaning;  ///< one sentence; the schema's description
   std::string_view since;    ///< the first version of fathom that has it
   std::string_view label;    ///< what stands before it among the residuals of a page; empty if it is none
-  bool (*there)(
-      const Struct&);  ///< whether a struct has it; null of optional members, and of those that are always there
+  /// whether a struct has it; null of optional members, and of those that are always there
+  bool (*there)(const Struct&);
   static constexpr bool stored = true;
 };
 

@@ -63,8 +63,8 @@ enum class Corner { vertex, apex, rim, smooth };
 
 struct SupportFace {
   RootSum height;  ///< the support: the greatest <n,x>
-  std::vector<RootVector>
-      spanning;  ///< independent vectors of differences of its points: as many as its dimension, at most two
+  /// independent vectors of differences of its points: as many as its dimension, at most two
+  std::vector<RootVector> spanning;
   Corner corner = Corner::vertex;  ///< of dimension 0: what it is
   bool of_points = true;           ///< only atoms that are points reach it
 };

@@ -44,8 +44,9 @@ Vector plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 /// make them.
 struct Making {
   btScalar margin = 0;
-  bool inside =
-      false;  ///< boxes and cylinders as in a world: with the margin that Bullet gives them, inside their lengths
+  /// boxes and cylinders as in a world: with the margin that Bullet gives them, inside their
+  /// lengths
+  bool inside = false;
   bool early = false;  ///< subtract the centre before it is rounded to binary32: then the placed hull is off by half an
                        ///< ulp of the centre
 };

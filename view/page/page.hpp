@@ -20,10 +20,11 @@ struct Sheet {
   std::string depth;             ///< a line of `fathom depth --json`
   const stages::Stages& stages;  ///< of the same pair
   std::string pair;              ///< a line of fathom/case/1
-  std::vector<std::string>
-      notes;  ///< what a reader must know before any number: bodies that are not convex, sizes that look wrong
-  std::string
-      picture;  ///< both bodies as SVG, ready to stand in HTML with the style of picture_style; empty: there is none
+  /// what a reader must know before any number: bodies that are not convex, sizes that look wrong
+  std::vector<std::string> notes;
+  /// both bodies as SVG, ready to stand in HTML with the style of picture_style; empty: there is
+  /// none
+  std::string picture;
 };
 
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON

@@ -25,8 +25,8 @@ struct PairScene {
   Point way;     ///< of A: the shortest until the interiors are disjoint, or until the bodies touch; may be zero
   std::optional<Point> claimed;  ///< the way that was claimed; cut where it is out of all proportion
   bool cut = false;              ///< whether it was
-  std::vector<std::vector<Point>> touch_a,
-      touch_b;            ///< the faces in contact: of each the points that span it, or one point
+  /// the faces in contact: of each the points that span it, or one point
+  std::vector<std::vector<Point>> touch_a, touch_b;
   bool enclosed = false;  ///< whether the way is known by bounds only
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled

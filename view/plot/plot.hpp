@@ -48,8 +48,8 @@ struct Datum {
 
 struct Series {
   std::string name;  ///< in the legend
-  std::vector<Datum>
-      places;         ///< ascending in x; none: it is not shown, but those after it have the looks that they would have
+  /// ascending in x; none: it is not shown, but those after it have the looks that they would have
+  std::vector<Datum> places;
   bool line = true;   ///< whether neighbours are joined
   bool marks = true;  ///< whether places have markers: of very many, only some
 };

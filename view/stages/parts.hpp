@@ -88,8 +88,9 @@ struct ExactSumFacet {
   mpz_class height;                      ///< h(normal) in the unit of the lattice
   std::vector<SumCorner> corners;        ///< counter-clockwise from outside, none on a line with its neighbours
   std::vector<polytope::VertexId> a, b;  ///< the faces of A and B: extreme points, ascending
-  Indices
-      pairs;  ///< canonical pairs with a crossing in this direction, ascending; the lower chart's behind the upper's
+  /// canonical pairs with a crossing in this direction, ascending; the lower chart's behind the
+  /// upper's
+  Indices pairs;
 };
 
 /// Returns all facets in the order of their normals, or nullopt if there are more than `most`, or

@@ -159,8 +159,8 @@ struct StagedFeature {
 /// Which step found the first optimum.
 struct StagedWinner {
   WinnerKind kind;
-  std::optional<Index>
-      pair;  ///< of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
+  /// of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
+  std::optional<Index> pair;
   StagedFeature a, b;
 };
 

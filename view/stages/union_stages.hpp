@@ -48,8 +48,8 @@ struct PieceSum {
   std::vector<Place> vertices;  ///< none if it is not drawn; O is at 0
   std::vector<Indices> facets;  ///< counter-clockwise from outside
   std::vector<Place> normals;   ///< of the facets: unit vectors
-  std::vector<std::array<Index, 2>>
-      through;  ///< a facet, and a way whose end lies in its plane; of those at whose ends the pieces touch
+  /// a facet, and a way whose end lies in its plane; of those at whose ends the pieces touch
+  std::vector<std::array<Index, 2>> through;
 };
 
 struct UnionStages {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies over many kernels of CGAL, straight into fathom. Prints what differs from the expected answer; 0 if nothing
-// does.
+// Bodies over many kernels of CGAL, straight into fathom. Prints what differs from the expected
+// answer; 0 if nothing does.
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
@@ -52,8 +52,8 @@ const std::vector<fathom::Point> cube = [] {
   return corners;
 }();
 
-/// The cube against the tetrahedron of size s = 1/2 + 1: across the diagonal plane they are s / sqrt(3) deep, along an
-/// axis 1.
+/// The cube against the tetrahedron of size s = 1/2 + 1: across the diagonal plane they are s /
+/// sqrt(3) deep, along an axis 1.
 template <class K>
 void expect_right(const typename K::FT& size, std::string_view kernel) {
   const auto points = tetrahedron<K>(size);

@@ -54,8 +54,8 @@ struct ExportCase {
   double size = 0;                    ///< the longest side of the bodies' boxes, correctly rounded
   double largest = 0;                 ///< the largest magnitude of a coordinate
   std::vector<std::array<double, 3>> a, b;
-  std::vector<std::array<double, 3>>
-      directions;  ///< unit vectors, rounded: of all optima, or the one direction of the record
+  /// unit vectors, rounded: of all optima, or the one direction of the record
+  std::vector<std::array<double, 3>> directions;
 };
 
 /// Returns what exports tell of a record of polytopes. Returns nullopt if a coordinate is not
@@ -80,8 +80,8 @@ std::string command_of(const ExportRequest& request);
 struct Exported {
   std::string text, certificates;                    ///< the certificates of the chosen ones, one after another
   std::size_t chosen = 0, fitting = 0, records = 0;  ///< of the records in the release, or of the cases in the file
-  std::size_t not_doubles = 0, excluded = 0,
-              too_large = 0;  ///< why others do not fit; each is counted once, in this order
+  /// why others do not fit; each is counted once, in this order
+  std::size_t not_doubles = 0, excluded = 0, too_large = 0;
 };
 
 /// Reads the folder twice, so that memory is bounded by the export. Throws FolderError if the

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: CC0-1.0 */
-/* A golden case of fathom, and whether an answer to it is right. C89 and C++. It stands at the head of each file that
- * `fathom golden export --format c` writes.
+/* A golden case of fathom, and whether an answer to it is right. C89 and C++. It stands at the head
+ * of each file that `fathom golden export --format c` writes.
  *
- * For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its price is h(u)/|u|. Moved
- * that far along u, A lies behind a plane across u and B before it. The least price of all directions is the signed depth: of bodies
- * that overlap the penetration depth, of bodies that touch 0, of bodies that are apart minus their distance. */
+ * For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of
+ * A; its price is h(u)/|u|. Moved that far along u, A lies behind a plane across u and B before it.
+ * The least price of all directions is the signed depth: of bodies that overlap the penetration
+ * depth, of bodies that touch 0, of bodies that are apart minus their distance. */
 #ifndef FATHOM_GOLDEN_H
 #define FATHOM_GOLDEN_H
 
@@ -26,7 +27,8 @@ typedef enum fathom_golden_status {
   FATHOM_GOLDEN_DISJOINT
 } fathom_golden_status;
 
-/* The bodies are the convex hulls of the points. Points and directions lie one behind the other: x y z x y z ... */
+/* The bodies are the convex hulls of the points. Points and directions lie one behind the other: x
+ * y z x y z ... */
 typedef struct fathom_golden_case {
   const char *name;
   fathom_golden_status status;
@@ -44,7 +46,8 @@ typedef struct fathom_golden_case {
   size_t direction_count;
 } fathom_golden_case;
 
-/* How wrong an answer may be: by the larger of relative * depth (or distance) and absolute * size. */
+/* How wrong an answer may be: by the larger of relative * depth (or distance) and absolute * size.
+ */
 typedef struct fathom_golden_tolerance {
   double relative, absolute;
 } fathom_golden_tolerance;
@@ -62,8 +65,8 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t
   return greatest;
 }
 
-/* The price of a direction of any length; HUGE_VAL if it is zero, infinite or NaN. It is off by less than 2^-47 of the largest
- * coordinate (and 2^-1068). */
+/* The price of a direction of any length; HUGE_VAL if it is zero, infinite or NaN. It is off by
+ * less than 2^-47 of the largest coordinate (and 2^-1068). */
 FATHOM_GOLDEN_FUNCTION double fathom_golden_price(const fathom_golden_case *golden, const double direction[3])
 {
   double u[3], minus_u[3], longest = 0;
@@ -88,9 +91,10 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_allowance(const fathom_golden_case *
   return (relative > absolute ? relative : absolute) + 32 * DBL_EPSILON * golden->largest + 64 * DBL_EPSILON * DBL_MIN;
 }
 
-/* Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth nor the price of the direction is off
- * by more than the allowance. Any direction that is good enough is right, not only the best. A distance is a depth below 0. The
- * direction may have any length; it may be NULL if none is claimed. */
+/* Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth
+ * nor the price of the direction is off by more than the allowance. Any direction that is good
+ * enough is right, not only the best. A distance is a depth below 0. The direction may have any
+ * length; it may be NULL if none is claimed. */
 FATHOM_GOLDEN_FUNCTION int fathom_golden_accept(const fathom_golden_case *golden, const double *direction, double depth,
                                                 fathom_golden_tolerance tolerance)
 {

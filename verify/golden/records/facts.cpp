@@ -35,8 +35,8 @@ struct Look {
   const HullStatement& truth;
   Integers integers;
   BodyLook a, b;
-  mpz_class greatest,
-      least;  ///< magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
+  /// magnitudes of coordinates other than 0, in the unit of `integers`; 0 if there are none
+  mpz_class greatest, least;
 
   Look(const HullPair& hulls, const HullStatement& found);
 

@@ -179,8 +179,8 @@ struct Verified {
   std::string version;
   std::uint64_t seed = 0;
   std::size_t shards = 0, records = 0;
-  std::vector<Refusal>
-      refusals;  ///< empty if accepted; otherwise every bad name, checksum and page, then the first bad record
+  /// empty if accepted; otherwise every bad name, checksum and page, then the first bad record
+  std::vector<Refusal> refusals;
 };
 
 /// Throws FileError if the folder itself cannot be read, Interrupted.

@@ -20,8 +20,8 @@ struct Change {
   /// The claimed depth less the true one in parts of R, the largest coordinate; nullopt without a
   /// claimed depth.
   std::optional<double> old_error, new_error;
-  bool other_points =
-      false;  ///< the two subjects saw different points: another precision, or the case itself was changed
+  /// the two subjects saw different points: another precision, or the case itself was changed
+  bool other_points = false;
 
   /// By how much one error is larger than the other, signs apart; an error that is missing, or no
   /// number, counts as 0.

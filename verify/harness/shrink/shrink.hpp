@@ -18,8 +18,9 @@ struct Shrunk {
   std::string certificate;  ///< proof of the truth about it: the text that checkers read, and the checker has accepted
   std::size_t tried = 0;    ///< cases put to the subject, the first one included
   std::size_t kept = 0;     ///< of them, smaller ones with the same verdict; each was certified and checked
-  bool reproduced =
-      false;  ///< whether the subject gave the verdict again on the first case; if not, nothing was tried further
+  /// whether the subject gave the verdict again on the first case; if not, nothing was tried
+  /// further
+  bool reproduced = false;
 };
 
 struct ShrinkSettings {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: CC0-1.0
-// g++ reproduce.cpp $(pkg-config --cflags --libs fcl eigen3 ccd) -std=c++17 -o reproduce && ./reproduce
+// g++ reproduce.cpp $(pkg-config --cflags --libs fcl eigen3 ccd) -std=c++17 -o reproduce &&
+// ./reproduce
 #include <fcl/fcl.h>
 #include <sys/wait.h>
 #include <unistd.h>

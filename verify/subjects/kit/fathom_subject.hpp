@@ -45,16 +45,16 @@ using Matrix = std::array<Vector, 3>;  ///< rows
 /// docs/shapes.md says what its fields mean.
 struct Body {
   std::vector<Vector> vertices;  ///< of a shape, only hulls and triangles have them
-  std::vector<std::vector<int>>
-      faces;  ///< facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
+  /// facets of the hull, counter-clockwise from outside; none unless asked for, or if it is flat
+  std::vector<std::vector<int>> faces;
   std::vector<std::vector<Vector>> pieces;  ///< of a union, if the subject declared "pieces"; it has no vertices then
   std::string shape;                        ///< "sphere", "cylinder", ...; empty for a body of vertices
   std::map<std::string, double> number;     ///< of a shape: "radius", "half_length", "offset", ...
   std::map<std::string, Vector> triple;     ///< of a shape: "half", "radii", "normal"
   char axis = 'z';    ///< along which a shape lies before it is placed; the declared one, if one was declared
   double margin = 0;  ///< the radius of the ball that is added around a shape
-  std::optional<std::array<double, 4>>
-      quaternion;  ///< w, x, y, z, of any length but 0; not there if the case gave a matrix
+  /// w, x, y, z, of any length but 0; not there if the case gave a matrix
+  std::optional<std::array<double, 4>> quaternion;
   Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
   Vector translation{};
 };
@@ -71,13 +71,14 @@ struct Reply {
   bool overlap = false;
   std::optional<double> depth = {};      ///< with the sign that is declared
   std::optional<Vector> direction = {};  ///< moving the declared body by |depth| * direction takes the bodies apart
-  std::optional<std::array<Vector, 2>> witness =
-      {};  ///< a point of A and one of B, which differ by that translation of A
-  std::optional<double> distance =
-      {};  ///< of bodies that are apart; direction and witness then lead farther apart, and are nearest points
+  /// a point of A and one of B, which differ by that translation of A
+  std::optional<std::array<Vector, 2>> witness = {};
+  /// of bodies that are apart; direction and witness then lead farther apart, and are nearest
+  /// points
+  std::optional<double> distance = {};
   std::vector<Contact> contacts = {};  ///< of a depth, which is the largest of theirs
-  std::array<std::vector<Vector>, 2> hull =
-      {};  ///< the vertices of A's and B's hull that were really used, if they may be others; or none
+  /// the vertices of A's and B's hull that were really used, if they may be others; or none
+  std::array<std::vector<Vector>, 2> hull = {};
   std::optional<double> microseconds = {};  ///< how long it took, if you timed a part of your function yourself
 };
 
@@ -93,25 +94,25 @@ using Solve = std::function<Reply(const Body& a, const Body& b)>;
 /// What the subject declares of itself.
 struct Subject {
   std::string name, version;  ///< of what is tested
-  std::string precision =
-      "binary64";  ///< or "binary32": in which it computes. Bodies are rounded to it before they are sent
-  std::string touching =
-      "either";  ///< what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
+  /// or "binary32": in which it computes. Bodies are rounded to it before they are sent
+  std::string precision = "binary64";
+  /// what it says of bodies that touch: "overlap", "separate"; "either" makes no promise
+  std::string touching = "either";
   std::string depth = "positive";  ///< or "negative": the sign of the depth of bodies that overlap
   std::string moves = "a";         ///< or "b": which body |depth| * direction moves apart
   bool unit = true;                ///< whether directions are promised to have length 1
   bool faces = false;              ///< whether bodies of vertices need faces
-  std::vector<std::string> shapes =
-      {};  ///< that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
-  std::vector<std::string> promises =
-      {};  ///< of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
+  /// that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
+  std::vector<std::string> shapes = {};
+  /// of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
+  std::vector<std::string> promises = {};
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
   std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
   std::string answers = {};  ///< the precision of answers, if `precision` is that of points alone
-  std::map<std::string, double> rounding =
-      {};  ///< radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
-  std::string claims =
-      "minimum";  ///< or "separating": a depth with a direction claims no more than that this translation separates
+  /// radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
+  std::map<std::string, double> rounding = {};
+  /// or "separating": a depth with a direction claims no more than that this translation separates
+  std::string claims = "minimum";
   char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as
                   ///< the case has them
   bool timed = true;  ///< whether answers say how many microseconds they took
