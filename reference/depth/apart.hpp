@@ -40,10 +40,10 @@ struct Hulls {
 /// What every method begins with.
 struct Beginning {
   const polytope::PlacedPair* pair = nullptr;  ///< the bodies, which must outlive it
-  Depth depth;                                 ///< of bodies that do not penetrate the answer, except for the counters
-  polytope::PositionOfOrigin origin;
-  std::optional<polytope::NearestPoints> nearest;  ///< of bodies that are apart
-  Hulls hulls;                                     ///< of bodies that penetrate
+  Depth depth = {};                            ///< of bodies that do not penetrate the answer, except for the counters
+  polytope::PositionOfOrigin origin = {};
+  std::optional<polytope::NearestPoints> nearest = {};  ///< of bodies that are apart
+  Hulls hulls = {};                                     ///< of bodies that penetrate
 };
 
 /// Fills in all but `pair` and `depth.method`. Returns whether the bodies penetrate: then

@@ -19,9 +19,7 @@
 namespace fathom_check {
 namespace {
 
-[[maybe_unused]] const int configured =
-
-    std::string exact(std::string_view text) {
+std::string exact(std::string_view text) {
   const std::optional<mpq_class> value = exact_number(text);
   return value ? value->get_str() : "none";
 }

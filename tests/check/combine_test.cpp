@@ -16,9 +16,7 @@
 namespace fathom_check {
 namespace {
 
-[[maybe_unused]] const int configured =
-
-    using Numbers = std::vector<mpq_class>;
+using Numbers = std::vector<mpq_class>;
 
 /// Brings [m | right] to its reduced form, in place; returns the columns of m that have a leading
 /// one.
