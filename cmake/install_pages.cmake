@@ -16,7 +16,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     list(APPEND places ${schema}=${data}/schemas/${name})
   endforeach()
   file(GLOB_RECURSE pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} docs/*.md examples/*.md proofs/*.md verify/*.md)
-  list(FILTER pages EXCLUDE REGEX "^docs/(api/|CHANGELOG|CONTRIBUTING)")
+  list(FILTER pages EXCLUDE REGEX "^docs/(api/|CHANGELOG)")
   list(APPEND pages README.md docs/CHANGELOG.md)
   file(CONFIGURE OUTPUT pages.cmake @ONLY
     CONTENT "set(source \"@PROJECT_SOURCE_DIR@\")\nset(doc \"@doc@\")\nset(data \"@data@\")\nset(places \"@places@\")\nset(pages \"@pages@\")\n")

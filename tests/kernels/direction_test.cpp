@@ -34,7 +34,7 @@ mpq_class scaled(const mpz_class& c, std::size_t shift) {
   return r;
 }
 
-bool holds(const DoubleInterval& e, const mpq_class& value) {
+bool encloses(const DoubleInterval& e, const mpq_class& value) {
   return mpq_class(e.low) <= value && value <= mpq_class(e.high);
 }
 
@@ -52,7 +52,7 @@ void expect_enclosed(const Vector& v) {
   double largest = 0;
   for (const auto& [c, x] : {std::pair(v.x, e.x), std::pair(v.y, e.y), std::pair(v.z, e.z)}) {
     const mpq_class value = scaled(c, shift);
-    ASSERT_TRUE(holds(x, value)) << v << ": " << x.low << " to " << x.high;
+    ASSERT_TRUE(encloses(x, value)) << v << ": " << x.low << " to " << x.high;
     const bool normal = abs(value) >= mpq_class(std::numeric_limits<double>::min());
     const bool exact = c == 0 || (normal && significant_bits(c) <= 53);
     ASSERT_EQ(width(x), exact ? 1 : normal ? 2 : 3) << v << ": " << x.low << " to " << x.high;

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "kernels/context.hpp"
 #include "tests/support/plain_predicates.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/signs.hpp"
