@@ -80,9 +80,11 @@ class Parser {
     std::string command;
     const Option* option;
     CLI::Option* parsed;
-    const bool* flag = nullptr;  ///< its value, if it is one
+    const bool* flag = nullptr;                           ///< its value, if it is one
+    const std::vector<std::string>* values_of = nullptr;  ///< of one that is given each time anew
 
     [[nodiscard]] std::vector<std::string> values() const {
+      if (values_of) return *values_of;
       if (!flag || parsed->count() == 0) return parsed->results();
       return {*flag ? "true" : "false"};
     }
@@ -112,16 +114,19 @@ class Parser {
     }
     // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
     const auto one = [](const std::string&) {};
+    std::vector<std::string>* each = nullptr;
     const auto several = [](const std::vector<std::string>&) {};
     CLI::Option* added = nullptr;
     if (option.repeats == Repeats::lists || (option.is_input() && option.repeats == Repeats::each))
       added = app.add_option_function<std::vector<std::string>>(option.names, several);
-    else added = app.add_option_function<std::string>(option.names, one);
+    else if (option.repeats == Repeats::each) {
+      each = &lists_.emplace_back();
+      added = app.add_option_function<std::string>(option.names, [each](const std::string& v) { each->push_back(v); });
+      added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->trigger_on_parse();  // it forgets what came before
+    } else added = app.add_option_function<std::string>(option.names, one);
     if (option.repeats == Repeats::lists) added->allow_extra_args(false);  // the next word is an input
-    if (option.repeats == Repeats::each && !option.is_input())
-      added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->trigger_on_parse();
     added->check(CLI::Validator([&option](const std::string& value) { return wrong_value(option, value); }, "", ""));
-    places_.push_back({command, &option, added->required(option.required)});
+    places_.push_back({command, &option, added->required(option.required), nullptr, each});
   }
 
   /// The command that was parsed, or "".
@@ -177,6 +182,7 @@ class Parser {
   std::vector<Place> places_;
   std::deque<bool> flags_;
   std::deque<std::string> texts_;
+  std::deque<std::vector<std::string>> lists_;
 };
 
 }  // namespace
