@@ -214,7 +214,7 @@ def lines(pair):
 
 def rays(pair):
     def measure(build):
-        text = run([build / "tests/ray_test", "--gtest_filter=Ray.QueriesGrow*"])
+        text = run([build / "tests/approximate_tests", "--gtest_filter=Ray.QueriesGrow*"])
         return {(family, int(n)): float(queries)
                 for family, n, queries in re.findall(r"^(\w+) vertices (\d+) queries (\d+)", text, re.MULTILINE)}
     p = pair(measure)
