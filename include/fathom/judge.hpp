@@ -51,10 +51,8 @@ struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
   enum class Sign { positive, negative };             ///< of a depth
   enum class Body { a, b };                           ///< which of the two
-  enum class Claims {
-    minimum,
-    separating
-  };  ///< of a translation: that none is shorter; or that it separates, at its own price
+  /// of a translation: that none is shorter; or that it separates, at its own price
+  enum class Claims { minimum, separating };
   Touching touching = Touching::either;  ///< of bodies that touch
   Sign depth = Sign::positive;           ///< of the depth of bodies that overlap
   Body moves = Body::a;                  ///< the body that |depth| * direction moves apart
@@ -89,12 +87,8 @@ struct Reply {
 /// Which translations pass that are longer than need be, with a depth that is the price of their
 /// own direction.
 struct Policy {
-  enum class Kind {
-    declared,
-    minimum,
-    separating,
-    within
-  };                           ///< what the conventions claim; none; all; prices up to (1 + most) depths
+  /// what the conventions claim; none; all; prices up to (1 + most) depths
+  enum class Kind { declared, minimum, separating, within };
   Kind kind = Kind::declared;  ///< what is asked
   mpq_class most = 0;          ///< of `within`
   friend bool operator==(const Policy&, const Policy&) = default;

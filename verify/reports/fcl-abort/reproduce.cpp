@@ -23,7 +23,8 @@ fcl::Convexd tetrahedron(const Corners& p) {
 }
 
 /// fcl::distance, signed, in a process of its own, as it may end that.
-void signed_distance(const char* name, const fcl::CollisionGeometryd& a, const fcl::CollisionGeometryd& b, double tolerance) {
+void signed_distance(const char* name, const fcl::CollisionGeometryd& a, const fcl::CollisionGeometryd& b,
+                     double tolerance) {
   std::printf("fcl::distance, signed, %s, tolerance %g: ", name, tolerance);
   std::fflush(stdout);
   const pid_t child = fork();
@@ -45,8 +46,10 @@ void signed_distance(const char* name, const fcl::CollisionGeometryd& a, const f
 
 int main() {
   const fcl::Convexd a = tetrahedron({{0, 0, 0}, {1, 0, 0}, {-1, 0, 1}, {3, 0.15625, -0.8421052694320679}});
-  const fcl::Convexd b = tetrahedron({{4, 1.46875, -1.526315689086914}, {4.5, -0.421875, -1.4210524559020996}, {0, 0, 0}, {-1, 0, 1}});
-  std::printf("FCL %s: two tetrahedra; right is %.6f\n", FCL_VERSION, -std::sqrt(558050281477472161. / 3891353261181445025.));
+  const fcl::Convexd b =
+      tetrahedron({{4, 1.46875, -1.526315689086914}, {4.5, -0.421875, -1.4210524559020996}, {0, 0, 0}, {-1, 0, 1}});
+  std::printf("FCL %s: two tetrahedra; right is %.6f\n", FCL_VERSION,
+              -std::sqrt(558050281477472161. / 3891353261181445025.));
   for (const double tolerance : {1e-6, 1e-4}) {
     signed_distance("A, B", a, b, tolerance);
     signed_distance("B, A", b, a, tolerance);
