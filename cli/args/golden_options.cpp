@@ -16,10 +16,6 @@
 namespace fathom::cli {
 namespace {
 
-std::string unless(bool good, std::string_view expected, const std::string& text) {
-  return good ? "" : fmt::format("expected {}, found {}", expected, kernels::shown(text));
-}
-
 std::string wrong_level(const std::string& text) {
   return unless(golden::find_level(text).has_value(), "L0, L1, L2, L3, P0, P1 or U0", text);
 }

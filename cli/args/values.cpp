@@ -17,10 +17,6 @@ namespace {
 
 constexpr unsigned largest_size = 1'000'000, most_threads = 1024;
 
-std::string unless(bool good, std::string_view expected, const std::string& text) {
-  return good ? "" : fmt::format("expected {}, found {}", expected, kernels::shown(text));
-}
-
 std::optional<unsigned> typed_size(std::string_view text) {
   const std::optional<std::uint64_t> size = typed_integer(text, 1, largest_size);
   return size ? std::optional(static_cast<unsigned>(*size)) : std::nullopt;
@@ -89,6 +85,10 @@ std::vector<std::string> words_of(std::string_view list) {
     begin = end + 1;
   }
   return words;
+}
+
+std::string unless(bool good, std::string_view expected, const std::string& text) {
+  return good ? "" : fmt::format("expected {}, found {}", expected, kernels::shown(text));
 }
 
 std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high) {

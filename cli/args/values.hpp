@@ -36,6 +36,7 @@ std::vector<std::string> words_of(std::string_view list);
 
 // What is wrong with a value, as a sentence, or "".
 
+std::string unless(bool good, std::string_view expected, const std::string& text);
 template <std::uint64_t low, std::uint64_t high>
 std::string wrong_integer(const std::string& text);
 std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high);

@@ -78,23 +78,24 @@ std::string points_text(const Involved& involved) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void add_coincidences(Lines& lines, const Study& study, bool all) {
+/// A row for each coincidence that occurs, with the features of the first, or of all that are
+/// listed; and one row with the names of the others. `head` says what the last column shows.
+template <class Names, class Coincidences, class Text>
+void add_coincidences(Lines& lines, const Names& names, const Coincidences& coincidences, bool all,
+                      std::string_view head, const Text& text) {
   Lines absent;
-  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count",
-                                     all ? "points of the features" : "points of the first's features"),
-                         features_column));
-  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
-    const auto& [count, listed] = study.coincidences[i];
+  lines.push_back(fitted(fmt::format("{:<22}{:>8}  {}", "coincidence", "count", head), features_column));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& [count, listed] = coincidences[i];
     if (count == 0) {
-      absent.push_back(spoken(coincidence_names[i]));
+      absent.push_back(spoken(names[i]));
       continue;
     }
-    lines.push_back(fitted(fmt::format("{:<22}{:>8}{}", spoken(coincidence_names[i]), count,
-                                       listed.empty() ? "" : "  " + points_text(listed.front())),
-                           features_column));
-    if (!all) continue;
-    for (std::size_t k = 1; k < listed.size(); ++k)
-      lines.push_back(fitted(fmt::format("{:{}}{}", "", features_column, points_text(listed[k])), features_column));
+    lines.push_back(
+        fitted(fmt::format("{:<22}{:>8}{}", spoken(names[i]), count, listed.empty() ? "" : "  " + text(listed.front())),
+               features_column));
+    for (std::size_t k = 1; all && k < listed.size(); ++k)
+      lines.push_back(fitted(fmt::format("{:{}}{}", "", features_column, text(listed[k])), features_column));
   }
   if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
 }
@@ -164,8 +165,6 @@ std::vector<std::string> columns() {
 
 // Studies of shapes, for people and as JSON.
 
-using Lines = std::vector<std::string>;
-
 // ---- text ----
 
 std::string present_text(const ShapeStudy& study) {
@@ -174,26 +173,6 @@ std::string present_text(const ShapeStudy& study) {
     if (const std::uint64_t count = study.coincidences[i].count)
       parts.push_back(fmt::format("{} {}", spoken(shape_coincidence_names[i]), count));
   return fmt::format("{}", fmt::join(parts, "; "));
-}
-
-void add_coincidences(Lines& lines, const ShapeStudy& study, bool all) {
-  Lines absent;
-  constexpr std::size_t column = 32;
-  lines.push_back(fitted(
-      fmt::format("{:<22}{:>8}  {}", "coincidence", "count", all ? "features" : "features of the first"), column));
-  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
-    const auto& [count, listed] = study.coincidences[i];
-    if (count == 0) {
-      absent.push_back(spoken(shape_coincidence_names[i]));
-      continue;
-    }
-    lines.push_back(fitted(fmt::format("{:<22}{:>8}{}", spoken(shape_coincidence_names[i]), count,
-                                       listed.empty() ? "" : "  " + involved_text(listed.front())),
-                           column));
-    for (std::size_t k = 1; all && k < listed.size(); ++k)
-      lines.push_back(fitted(fmt::format("{:{}}{}", "", column, involved_text(listed[k])), column));
-  }
-  if (!absent.empty()) lines.push_back(fitted(fmt::format("none: {}", fmt::join(absent, ", ")), none_column));
 }
 
 // ---- JSON ----
@@ -258,7 +237,8 @@ std::string study_block(const Study& study, bool all) {
               fitted("B  " + size_text(study.b), body_column), ""};
   add_predicates(lines, study.predicates);
   lines.emplace_back();
-  add_coincidences(lines, study, all);
+  add_coincidences(lines, coincidence_names, study.coincidences, all,
+                   all ? "points of the features" : "points of the first's features", points_text);
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -358,7 +338,8 @@ std::string study_block(const ShapeStudy& study, bool all) {
               fitted("B  " + size_text(study.b), body_column)};
   if (study.contact) lines.push_back(fitted("contact  " + involved_text(*study.contact), 9));
   lines.emplace_back();
-  add_coincidences(lines, study, all);
+  add_coincidences(lines, shape_coincidence_names, study.coincidences, all, all ? "features" : "features of the first",
+                   involved_text);
   if (study.cores) {
     lines.insert(lines.end(), {"", "cores"});
     lines.push_back(study_block(*study.cores, all));

@@ -21,26 +21,13 @@
 namespace fathom::kernels {
 namespace {
 
-mpz_class power_of_two(unsigned long e) {
-  mpz_class r = 1;
-  r <<= e;
-  return r;
-}
+using testing::power_of_two;
+using testing::random_integer;
+using testing::random_vector;
 
 using Random = std::mt19937_64;
 
 long below(Random& random, long n) { return static_cast<long>(random() % static_cast<std::uint64_t>(n)); }
-
-mpz_class random_integer(Random& random, unsigned long bits) {
-  mpz_class r;
-  for (unsigned long have = 0; have < bits; have += 32) r = (r << 32) + static_cast<unsigned long>(random() >> 32);
-  r >>= (32 - bits % 32) % 32;
-  return random() & 1 ? r : mpz_class(-r);
-}
-
-Vector random_vector(Random& random, unsigned long bits) {
-  return {random_integer(random, bits), random_integer(random, bits), random_integer(random, bits)};
-}
 
 void expect_scans_agree(const PointCloud& cloud, const Vector& u, Random& random) {
   ASSERT_EQ(extreme_points(cloud, u), extreme_points_naive(cloud.points(), u));
