@@ -61,8 +61,11 @@ int main() {
   std::cout << fathom::name(apart.status()) << ": normal (" << apart.separation()->normal.x << ", 0, 0)\n";
 }
 
-// > along (-1, -1, 0): 5/4 times, length^2 = 25/8, normal (-1, -1, 0), contact edge-edge, y moves
-// by -5/4 > in the norm: 3/2, 1 optimum, across (-1, 0, 0) > no ball: the unit ball has O on its
-// boundary, which must lie inside it > within a tenth: 1, separates by (-3/2, 0, 0), a multiple of
-// (-1, 0, 0) > exact: depth^2 = 9/4 > width of the octahedron: width^2 <= 16/3 > 3/2 5/2 5/2 3/2 1
-// > disjoint: normal (-1, 0, 0)
+//> along (-1, -1, 0): 5/4 times, length^2 = 25/8, normal (-1, -1, 0), contact edge-edge, y moves by -5/4
+//> in the norm: 3/2, 1 optimum, across (-1, 0, 0)
+//> no ball: the unit ball has O on its boundary, which must lie inside it
+//> within a tenth: 1, separates by (-3/2, 0, 0), a multiple of (-1, 0, 0)
+//> exact: depth^2 = 9/4
+//> width of the octahedron: width^2 <= 16/3
+//> 3/2 5/2 5/2 3/2 1
+//> disjoint: normal (-1, 0, 0)

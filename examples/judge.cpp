@@ -69,16 +69,13 @@ int main() {
   about_cylinders();
 }
 
-// > too-deep: too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane
-// across its direction is at 0.6, not at 1.0392 > pass: right: 0.6 is claimed, the depth is
-// 0.5999999940395355 (correctly rounded)
-// >   correctly rounded
-// >   passes 1, fails 0, too shallow 0; in binary32 > too-shallow: too shallow by 0.01: 0.59 is
-//     claimed, the depth is 0.5999999940395355; not separating: 0.01 of overlap is left along its
-//     direction; inconsistent: the plane across its direction is at 0.5999999940395355, not at 0.59
-// >   passes 0, fails 1, too shallow 1; in binary32
-// > pass: right: 0.2 is claimed, the depth is 0.2 (correctly rounded)
-// >   the truth is known to within 2.77556e-17, the price of the direction is 0.2 > too-deep: too
-//     deep by 0.05: 0.25 is claimed, the depth is 0.2; inconsistent: the plane across its direction
-//     is at 0.2, not at 0.25
-// >   the truth is known to within 9.66338e-13, the price of the direction is 0.2
+//> too-deep: too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at 0.6, not at 1.0392
+//> pass: right: 0.6 is claimed, the depth is 0.5999999940395355 (correctly rounded)
+//>   correctly rounded
+//>   passes 1, fails 0, too shallow 0; in binary32
+//> too-shallow: too shallow by 0.01: 0.59 is claimed, the depth is 0.5999999940395355; not separating: 0.01 of overlap is left along its direction; inconsistent: the plane across its direction is at 0.5999999940395355, not at 0.59
+//>   passes 0, fails 1, too shallow 1; in binary32
+//> pass: right: 0.2 is claimed, the depth is 0.2 (correctly rounded)
+//>   the truth is known to within 2.77556e-17, the price of the direction is 0.2
+//> too-deep: too deep by 0.05: 0.25 is claimed, the depth is 0.2; inconsistent: the plane across its direction is at 0.2, not at 0.25
+//>   the truth is known to within 9.66338e-13, the price of the direction is 0.2

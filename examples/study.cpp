@@ -51,11 +51,18 @@ int main() {
   about_shapes();
 }
 
-// > parallel_edges: 48 > parallel_edges_of_a: 18 > parallel_edges_of_b: 18 > coincident_normals: 6
-// > equal_normals: 6 > coplanar_facets: 4 > nodes_on_equator: 8 > arcs_on_equator: 8 >
-// nodes_on_one_vertical: 2 > arcs_on_verticals: 16 > the first coplanar facets have 4 and 4 corners
-// > x_order: 7 zeros decided by a; 2 zeros decided by b; 4 zeros decided by E12 b; 4 zeros decided
-// by E13; 4 zeros decided by E21 b; 21 in all > touching, apex and face: centre_on_axis
-// parallel_faces supporting_faces apex_on_face touching_features > touching, generator and
-// generator: parallel_axes equal_radii parallel_generators tangent_generators distance_of_radii
-// touching_features > their axes: 1 pair of parallel edges
+//> parallel_edges: 48
+//> parallel_edges_of_a: 18
+//> parallel_edges_of_b: 18
+//> coincident_normals: 6
+//> equal_normals: 6
+//> coplanar_facets: 4
+//> nodes_on_equator: 8
+//> arcs_on_equator: 8
+//> nodes_on_one_vertical: 2
+//> arcs_on_verticals: 16
+//> the first coplanar facets have 4 and 4 corners
+//> x_order: 7 zeros decided by a; 2 zeros decided by b; 4 zeros decided by E12 b; 4 zeros decided by E13; 4 zeros decided by E21 b; 21 in all
+//> touching, apex and face: centre_on_axis parallel_faces supporting_faces apex_on_face touching_features
+//> touching, generator and generator: parallel_axes equal_radii parallel_generators tangent_generators distance_of_radii touching_features
+//> their axes: 1 pair of parallel edges

@@ -122,14 +122,13 @@ class Mpi(GoldenTest):
             self.assertEqual(len(list(folder.iterdir())), 60)
 
     def killed(self, under_way, *words):
-        """Kills one of three ranks once under_way() says that the work has begun. Returns (exit code, all of stderr)."""
+        """Kills the last of three ranks once under_way() says that the work has begun. Returns (exit code, all of stderr)."""
         with subprocess.Popen(command(3, *words), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-            ranks = []
-            while process.poll() is None and len(ranks) < 3:
-                ranks = [number for number, name in descendants(process.pid) if name.startswith("fathom-mpi")]
             while process.poll() is None and not under_way():
                 time.sleep(0.01)
-            os.kill(max(ranks), signal.SIGKILL)
+            last = [number for number, name in descendants(process.pid)
+                    if b"OMPI_COMM_WORLD_RANK=2" in pathlib.Path(f"/proc/{number}/environ").read_bytes().split(b"\0")]
+            os.kill(min(last), signal.SIGKILL)  # what it started came after it
             _, err = process.communicate(timeout=PATIENCE)
             return process.returncode, err
 
