@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Breaks the code in one small way after another, and shows that the tests see it.
+
+    tests/mutants/mutants.py                 all of them; it takes an hour or two
+    tests/mutants/mutants.py 7 12            these numbers
+    tests/mutants/mutants.py reference       those in files whose path holds this word
+    tests/mutants/mutants.py --list          prints them; --check demands that the text of each stands in its file once
+    --build FOLDER                           a configured build of the release preset with tests (build/release)
+
+Each mutant is put into the file, the tests that may catch it are built and run, at least one of them must fail, and the
+file becomes what it was. A mutant that does not compile is caught too, but counted apart. The tree must be clean before.
+
+Exit codes: 0 all caught; 1 some survived, or their text is gone; 2 wrong words, or a tree that is not clean."""
+import argparse
+import pathlib
+import subprocess
+import sys
+import time
+from typing import NamedTuple
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Mutant(NamedTuple):
+    path: str
+    text: str
+    by: str
+    tests: str  # names in CTest; one that fails is enough
+
+
+MUTANTS = [Mutant(*fields) for fields in [
+    # numbers, filters, predicates, the perturbation
+    ("kernels/number/rounding.cpp", "half && (below || odd)", "half && (below || !odd)", "kernels_tests"),
+    ("kernels/number/rounding.cpp", "{-positive.rn, -positive.ru, -positive.rd}", "{-positive.rn, -positive.rd, -positive.ru}",
+     "kernels_tests"),
+    ("kernels/filters/support.cpp", "if (near.size() == 1 || v.slack == 0) return std::move(near);",
+     "if (!near.empty()) return std::move(near);", "kernels_tests"),
+    ("kernels/filters/support.cpp", "if (value <= bar) return;", "if (value < bar) return;", "kernels_tests"),
+    ("kernels/filters/line_filter.cpp", "if (least[0] > 0 && least[1] > 0) continue;", "if (least[0] > 0) continue;",
+     "kernels_tests"),
+    ("kernels/predicates/perturbation.cpp", "(-(e(tilt_a) * e(tilt_c)) - e(tilt_b))", "(-(e(tilt_a) * e(tilt_c)) + e(tilt_b))",
+     "kernels_tests"),
+    ("kernels/predicates/perturbation.cpp", "cross(m[2], m[0]), cross(m[0], m[1])", "cross(m[0], m[2]), cross(m[0], m[1])",
+     "kernels_tests"),
+    # the lattice, distances, the expander, contacts
+    ("reference/polytope/lattice.cpp", "static_cast<unsigned>(-low), extent.trailing_zeros());",
+     "static_cast<unsigned>(-low), extent.trailing_zeros() + 1);", "polytope_tests"),
+    ("reference/polytope/lattice.cpp", "n *= q.get_num();", "n *= abs(q.get_num());", "polytope_tests"),
+    ("reference/polytope/distance.cpp", "if (w <= 0 || w >= square) return std::nullopt;", "if (w <= 0) return std::nullopt;",
+     "polytope_tests"),
+    ("reference/expanding/expander.hpp", "if (order > 0) return true;", "if (order >= 0) return true;", "expanding_tests"),
+    ("reference/expanding/expander.hpp", "return or_equal ? order >= 0 : order > 0;", "return order >= 0;", "expanding_tests"),
+    ("reference/depth/contact.cpp", "corners_of_a == 1 ? ContactKind::vertex_facet : ContactKind::edge_facet",
+     "corners_of_a == 2 ? ContactKind::vertex_facet : ContactKind::edge_facet", "depth_tests"),
+    # unions, curved shapes, what is rounded
+    ("reference/unions/union_search.cpp", "kernels::compare(cell.nearest, *best_) <= 0) split(cell)",
+     "kernels::compare(cell.nearest, *best_) < 0) split(cell)", "unions_tests"),
+    ("reference/unions/least_norm.cpp", "if (to == 0 || to == -way) return CellEnd::infeasible;",
+     "if (to == 0) return CellEnd::infeasible;", "unions_tests"),
+    ("reference/curved/goal.cpp", "if (up && rest != 0) ++result;", "if (rest != 0) ++result;", "curved_tests"),
+    ("reference/curved/growth.cpp", "if (plane.height <= 0) return std::nullopt;", "if (plane.height == 0) return std::nullopt;",
+     "curved_tests"),
+    ("reference/rounded/optimal_cone.cpp", "if (size == 2 && next == 0) break;", "if (size == 3 && next == 0) break;",
+     "rounded_tests"),
+    ("reference/rounded/optimal_cone.cpp", "if (below < 0) (below = -below, ray = -ray);",
+     "if (below > 0) (below = -below, ray = -ray);", "rounded_tests"),
+    # readers and writers
+    ("reference/files/stl.cpp", "facet + normal_size + 12 * corner", "facet + 12 * corner", "files_tests"),
+    ("reference/files/case_fields.cpp", "if (fields.fault.empty()) fields.fault = sentence;", "fields.fault = sentence;",
+     "files_tests"),
+    ("reference/files/pose.cpp", "result[i % 3][i / 3] = pose[i / 4][i % 4];", "result[i / 3][i % 3] = pose[i / 4][i % 4];",
+     "files_tests"),
+    ("reference/output/answer_json.cpp", "if (low == high) return length(low * low, digits);",
+     "if (low == high) return length(low, digits);", "cli_shapes_test"),
+    # certificates: the writer, and the checkers, which share nothing with it
+    ("reference/certificate/certificate.cpp", "certificate.weights_b = std::move(origin.b);",
+     "certificate.weights_b = certificate.weights_a;", "certificate_tests"),
+    ("reference/certificate/cone_proof.cpp", "for (const Vector& side : {w, -w})", "for (const Vector& side : {w, w})",
+     "certificate_tests"),
+    ("verify/check/check_inner.cpp", "if (height_ != c_of_plane_) throw", "if (height_ > c_of_plane_) throw", "check_tests"),
+    ("verify/check/check_cone.cpp", "if (ends[r] < 2) throw", "if (ends[r] < 1) throw", "check_tests"),
+    ("verify/check/check_tree.cpp", "if (listed != open_[s]) throw", "if (listed > open_[s]) throw", "check_tests"),
+    ("verify/check/check.py", "demand(sum(p * p for p in y) <= 1,", "demand(sum(p * p for p in y) <= 2,",
+     "check_forgeries_of_format_2"),
+    # the judge and the harness
+    ("verify/judge/judge.cpp", "if (claim_.overlap && conventions_.touching == Touching::separate)",
+     "if (claim_.overlap && conventions_.touching == Touching::either)", "judge_tests"),
+    ("verify/judge/allowance.cpp", "exponent_of_root(squared) - digits.bits + 1,", "exponent_of_root(squared) - digits.bits + 2,",
+     "judge_tests"),
+    ("verify/harness/seen_case.cpp", "(most && *other <= *most)", "(most && *other >= *most)", "harness_tests"),
+    ("verify/harness/journal.cpp", "seen.emplace(outcome->id, outcome->variant)", 'seen.emplace(outcome->id, "")', "harness_tests"),
+    # golden data
+    ("verify/golden/records/prove.cpp", "if (found->certificate.id != id)", "if (found->certificate.id.empty())", "golden_tests"),
+    ("verify/golden/shards/plan.cpp", "case Level::L0: return {3, 12, 0};", "case Level::L0: return {3, 11, 0};", "golden_tests"),
+    # the bindings and the command line
+    ("bindings/c/answers.cpp", "if (index < count) return;", "if (index <= count) return;", "c_tests"),
+    ("bindings/c/answers.cpp", "std::erase(text, ' ');", "std::erase(text, '+');", "c_tests"),
+    ("bindings/python/src/questions.cpp", "root_binary64(found.bound_squared(), Rounding::rd)",
+     "root_binary64(found.bound_squared(), Rounding::ru)", "python"),
+    ("cli/commands/depth.cpp", "*request.digits * 3322UL / 1000 + 4;", "*request.digits * 332UL / 1000 + 4;",
+     "cli_shapes_test"),
+    ("cli/io/certificate_file.cpp", "if (!names_.insert(name).second) refuse", "if (names_.count(name) > 2) refuse",
+     "cli_certificate_test cli_stream_test"),
+]]
+
+
+def problems():
+    """The mutants whose text does not stand in its file exactly once, as sentences."""
+    for number, mutant in enumerate(MUTANTS, 1):
+        path = ROOT / mutant.path
+        count = path.read_text().count(mutant.text) if path.is_file() else 0
+        if count != 1:
+            yield f"mutant {number}: {mutant.path} has {count} times: {mutant.text}"
+
+
+def targets(test):
+    """What a test needs built: programs of C++ tests are called as their tests."""
+    if test.endswith("_tests"):
+        return [test]
+    if test == "python":
+        return ["fathom", "fathom_python"]
+    return ["fathom", "fathom-check"]
+
+
+def fate(mutant, build):
+    """Of the mutant, which is in the tree: `caught` by a test, `does not compile`, or `SURVIVED`."""
+    for test in mutant.tests.split():
+        made = subprocess.run(["cmake", "--build", build, "--target", *targets(test)], capture_output=True, text=True)
+        if made.returncode:
+            return "does not compile"
+        ran = subprocess.run(["ctest", "--test-dir", build, "-R", f"^{test}$", "--no-tests=error", "--timeout", "1500"],
+                             capture_output=True, text=True)
+        if ran.returncode:
+            return f"caught by {test}"
+    return "SURVIVED"
+
+
+def try_out(number, mutant, build):
+    path = ROOT / mutant.path
+    whole = path.read_text()
+    began = time.monotonic()
+    print(f"{number:>3}  {mutant.path}: {mutant.by}", end="", flush=True)
+    try:
+        path.write_text(whole.replace(mutant.text, mutant.by))
+        found = fate(mutant, build)
+    finally:
+        path.write_text(whole)
+    print(f"\n     {found}, {time.monotonic() - began:.0f} s", flush=True)
+    return found
+
+
+def chosen(words):
+    for number, mutant in enumerate(MUTANTS, 1):
+        if not words or any(word == str(number) or (not word.isdigit() and word in mutant.path) for word in words):
+            yield number, mutant
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("which", nargs="*")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
+    given = parser.parse_args()
+    found = list(problems())
+    if found:
+        print(*found, sep="\n")
+        return 1
+    if given.check:
+        return 0
+    mutants = list(chosen(given.which))
+    if given.list:
+        for number, mutant in mutants:
+            print(f"{number:>3}  {mutant.path}: {mutant.text}  ->  {mutant.by}  [{mutant.tests}]")
+        return 0
+    dirty = subprocess.run(["git", "status", "--porcelain", "--untracked-files=no"], cwd=ROOT, capture_output=True, text=True)
+    if not mutants or dirty.returncode or dirty.stdout:
+        print("mutants.py: " + ("the tree is not clean" if mutants else "no mutant is called so"), file=sys.stderr)
+        return 2
+    fates = {number: try_out(number, mutant, given.build) for number, mutant in mutants}
+    survivors = [number for number, found in fates.items() if found == "SURVIVED"]
+    caught = sum(found.startswith("caught") for found in fates.values())
+    print(f"{caught} of {len(fates)} caught" + (f"; survivors: {', '.join(map(str, survivors))}" if survivors else ""))
+    return 1 if caught < len(fates) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
