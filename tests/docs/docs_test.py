@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The pages tell the truth: their commands run and print what is shown, their links lead somewhere, their C++ is that of an example.
 
-A block of ```console holds commands ("$ ", continued by "> ") and their output. Each is run by bash from a copy of the root; it must exit
-with 0 and, where output is shown, print that: "..." stands for any text in a line, and alone for any lines. A comment before the block
-says that it is run otherwise:
+Each command of a console block (see console.py) is run by bash from a copy of the root; it must exit with 0 and, where output is shown,
+print that. A comment before the block says that it is run otherwise:
     <!-- heavy -->            with FATHOM_HEAVY=1 only
     <!-- needs PROGRAM -->    only where this program has been built, by its path in the build folder
     <!-- run by TEST -->      by another test, the path of which this is
@@ -19,6 +18,8 @@ import sys
 import tempfile
 import unittest
 
+from console import BLOCK, agrees, blocks, commands
+
 EXECUTABLE = pathlib.Path(os.environ["FATHOM_EXECUTABLE"])
 ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
 HEAVY = os.environ.get("FATHOM_HEAVY") == "1"
@@ -26,7 +27,6 @@ PATIENCE = 1800  # seconds until a hung process is given up; no test depends on 
 COLUMNS = 100
 FRONT = 120  # lines of README.md
 
-BLOCK = re.compile(r"(?:<!-- ([^>]*) -->\n+)?^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 LOOSE_COMMAND = re.compile(r"^(?:    |\$ )(?:\./(?:fathom|check)|build/|cmake |ctest )")
 
@@ -43,29 +43,6 @@ def all_pages():
 
 def name(page):
     return page.relative_to(ROOT).as_posix()
-
-
-def blocks(text):
-    """Each fenced block: (the comment before it or "", its language, its lines)."""
-    return [(match[1] or "", match[2], match[3].splitlines()) for match in BLOCK.finditer(text)]
-
-
-def commands(lines):
-    """Each command of a console block, with the lines of output that are shown."""
-    found = []
-    for line in lines:
-        if line.startswith("$ "):
-            found.append((line[2:], []))
-        elif line.startswith("> ") and not found[-1][1]:
-            found[-1] = (found[-1][0] + "\n" + line[2:], [])
-        else:
-            found[-1][1].append(line)
-    return found
-
-
-def agrees(shown, printed):
-    pattern = "".join(r"(?:.*\n)*" if line == "..." else ".*".join(map(re.escape, line.split("..."))) + r"\n" for line in shown)
-    return re.fullmatch(pattern, "".join(line + "\n" for line in printed.splitlines())) is not None
 
 
 def anchor(heading):

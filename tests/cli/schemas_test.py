@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every line of JSON that a transcript shows obeys the schema that it names; and each schema refuses what is wrong."""
+import collections
+import functools
+import json
+import sys
+import unittest
+
+import jsonschema  # Debian: python3-jsonschema
+from harness import DATA, ROOT, UNIT, CliTest, box, case, changed
+
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+from console import blocks, commands  # noqa: E402
+
+FILES = [path for path in sorted(ROOT.glob("*/*/*.schema.json")) if "data" not in path.parts]
+SCHEMAS = {path.name: json.loads(path.read_text()) for path in FILES}
+PREFIX = "https://schemas.invalid/"  # nothing is fetched
+NAMES = {"fathom/result/2": "result", "fathom/case/1": "case", "fathom/ray/1": "ray", "fathom/metric/1": "metric",
+         "fathom/study/1": "study", "fathom/along/1": "along", "fathom/union/1": "union", "fathom/diff/1": "diff",
+         "fathom/stages/1": "stages", "fathom/verdict/1": "verdict", "fathom/claim/1": "claim"}
+PRESENT = object()  # in place of a value: any
+
+
+@functools.cache
+def validator(name):
+    schema = SCHEMAS[f"{name}.schema.json"]
+    store = {where + file: each for where in (PREFIX, "") for file, each in SCHEMAS.items()}
+    return jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver(PREFIX, schema, store=store))
+
+
+def shown():
+    """(page, value) of each whole line of JSON with a schema that is expected of a command."""
+    for page in sorted((ROOT / "tests/cli/transcripts").glob("*.md")):
+        for _, _, lines in blocks(page.read_text()):
+            for _, output in commands(lines):
+                for line in output:
+                    if line.startswith('{"schema":') and line.endswith("}") and "..." not in line:
+                        yield page.name, json.loads(line)
+
+
+# By schema: what the line that is changed has, the fields that need not be there, and each wrong change, as path and value.
+TEETH = {
+    "result": [
+        ({"status": "penetrating", "method": "certificate"}, {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull", "width"}, [
+            (["more"], 1), (["certificate"], "trust me"), (["status"], "inside"), (["depth", "squared"], 1),
+            (["depth", "squared"], "-1"), (["depth", "value"], "1"), (["depth", "rounded", "f64", "rn"], "1.0"),
+            (["depth", "enclosure"], ["1"]), (["translation"], [0, 0, 0]), (["translation"], ["1", "0"]),
+            (["direction"], ["1/2", "0", "0"]), (["contact", "kind"], "edge-vertex"), (["contact", "a"], [-1]),
+            (["optima"], []), (["flat"], ["c"]), (["method"], "auto"), (["counters"], {"crossings": -1}),
+            (["status"], "touching")]),
+        ({"status": "disjoint", "distance": PRESENT}, {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull", "distance"}, [
+            (["distance", "squared"], "0"), (["distance", "squared"], "-4"), (["distance", "witness"], None),
+            (["distance", "direction"], None), (["distance", "more"], 1), (["status"], "touching")]),
+        ({"method": "approx"}, {"unit_f64", "translation_f64", "witness_f64", "sizes", "hull"}, [
+            (["delta"], "0"), (["delta"], 1), (["rays"], -1), (["bound"], None), (["method"], "exact"), (["optima"], [{}]),
+            (["witness"], 1), (["counters"], {}), (["distance"], None)]),
+        ({"line": PRESENT}, set(), [(["line"], 0), (["status"], "disjoint")])],
+    "metric": [({"status": "penetrating"}, set(), [
+        (["depth"], {"exact": "1"}), (["ball"], {"kind": "ball", "vertices": 4}), (["optima"], []),
+        (["status"], "touching"), (["rays"], -1), (["more"], 1), (["optima", 0, "vertex"], "0")])],
+    "ray": [({"status": "penetrating"}, set(), [
+        (["factor"], "0"), (["factor"], "-1"), (["normal"], None), (["status"], "disjoint"), (["ray"], ["1", "0"]),
+        (["more"], 1), (["witness"], None), (["steps"], -1)])],
+}
+
+
+SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
+STREAM = "".join([
+    case(UNIT, UNIT, id="ties"), case(UNIT, box([1, 0, 0], [2, 1, 1])), case(UNIT, box([2, 0, 0], [3, 1, 1])),
+    case(SQUARE, UNIT), case(SQUARE, SQUARE), case(UNIT, box([0.3, 0.1, 0.2], [1, 1.5, 9])), "noise\n", '{"id": "cut"\n',
+    case([["0", "0", "0"], ["1e400", "0", "0"], ["0", "1e400", "0"], ["0", "0", "1e400"]], [["1e399", "1e399", "1e399"]]),
+    case([["0", "0", "0"], ["1e-400", "0", "0"], ["0", "1e-400", "0"], ["0", "0", "1e-400"]],
+         [["1e-401", "1e-401", "1e-401"]])])
+
+
+class Schemas(CliTest):
+    lines = list(shown())
+
+    def test_every_line_obeys_its_schema(self):
+        seen = collections.Counter()
+        for page, value in self.lines:
+            with self.subTest(page=page, id=value.get("id")):
+                validator(NAMES[value["schema"]]).validate(value)
+                seen[value["schema"]] += 1
+        self.assertLessEqual(set(TEETH), {NAMES[schema] for schema in seen}, seen)
+
+    def test_results_of_every_method(self):
+        """Too many and too long to be shown."""
+        count = 0
+        runs = [(command, *options, "-") for command in ("depth", "width") for options in (
+            [], ["--counters", "--digits", "25"], ["--method", "naive"], ["--method", "shallow", "--counters"],
+            ["--method", "certificate", "--embed-certificate"], ["--method", "exact", "--counters"])]
+        for run in [*runs, ("depth", DATA / "real_cases.jsonl")]:
+            lines = self.run_cli(*run, "--json", stdin=STREAM)[1].splitlines()
+            self.assertEqual(len(lines), STREAM.count("\n") if run[-1] == "-" else 63)
+            for line in lines:
+                validator("result").validate(json.loads(line))
+            count += len(lines)
+        self.assertGreater(count, 120)
+
+    def test_they_are_schemas(self):
+        for schema in SCHEMAS.values():
+            jsonschema.Draft202012Validator.check_schema(schema)
+
+    def test_they_have_teeth(self):
+        for name, cases in TEETH.items():
+            check = validator(name)
+            for wanted, optional, changes in cases:
+                good = next(value for _, value in self.lines if NAMES[value["schema"]] == name and all(
+                    field in value if want is PRESENT else value.get(field) == want for field, want in wanted.items()))
+                for field in good.keys() - optional:
+                    less = {key: good[key] for key in good if key != field}
+                    self.assertFalse(check.is_valid(less), (name, wanted, field))
+                for path, value in changes:
+                    self.assertFalse(check.is_valid(changed(good, path, value)), (name, path, value))
+
+
+if __name__ == "__main__":
+    unittest.main()
