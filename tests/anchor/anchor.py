@@ -4,10 +4,10 @@
 anchor.txt.
 
 It runs every command over all families, the catalogues, shapes, unions and the files in tests/data: as text, as JSON,
-with each option that changes what is printed; it makes the golden data L0, P0 and U0, reads the help pages, is refused
-(refusals.jsonl), and has subjects judged that lie. A row of the record is a command and what it was asked: its name, how
-many lines came out, and their SHA-256, shortened. What came out is the exit code, stdout, stderr and all files that were
-written.
+with each option that changes what is printed; it makes the golden data L0, P0 and U0, reads the help pages, and has
+subjects judged that lie. (What is refused stands in tests/cli/refusals.jsonl.) A row of the record is a command and what
+it was asked: its name, how many lines came out, and their SHA-256, shortened. What came out is the exit code, stdout,
+stderr and all files that were written.
 
     anchor.py --fathom PROGRAM                 prints each row that differs; exit code 1 if there is one
     anchor.py --fathom PROGRAM --keep FOLDER   and keeps what came out, a file for each row: two programs are compared
@@ -30,7 +30,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-RECORD, REFUSALS = HERE / "anchor.txt", HERE / "refusals.jsonl"
+RECORD = HERE / "anchor.txt"
 KINDS = {"": "polytopes", "--shapes": "shapes", "--unions": "unions"}
 SEEDS = 2  # of each family
 
@@ -293,31 +293,13 @@ class Anchor:
         for shell in ("bash", "zsh", "fish"):
             self.ran(f"completion {shell}", ["completion", shell])
 
-    def refusals(self):
-        """Wrong command lines, with the files that they name; TMP is a folder of theirs."""
-        told = {}
-        for line in REFUSALS.read_text().splitlines():
-            wrong = json.loads(line)
-            command = wrong["words"][0] if wrong["words"] and re.fullmatch("[a-z]+", wrong["words"][0]) else "no command"
-            if not self.asked(f"refused {command}"):
-                continue
-            with tempfile.TemporaryDirectory() as folder:
-                for name, content in wrong["files"].items():
-                    (pathlib.Path(folder) / name).write_text(content)
-                words = [word.replace("TMP", folder).replace("ROOT", str(ROOT)) for word in wrong["words"]]
-                code, stdout, stderr = self.run(words, wrong["stdin"].encode(), folder)
-            shown = b"$ %s\n%s%sexit code %d\n" % (json.dumps(wrong["words"]).encode(), stdout, stderr, code)
-            told.setdefault(command, []).append(shown.replace(folder.encode(), b"TMP").replace(str(ROOT).encode(), b"ROOT"))
-        for command, texts in told.items():
-            self.row(f"refused {command}", b"".join(texts))
-
     def whole(self):
         for path in (ROOT / "examples" / "data").iterdir():
             shutil.copy(path, self.folder / path.name)
         shutil.copytree(ROOT / "tests" / "data", self.folder / "data")
         shutil.copy(ROOT / "verify" / "claims" / "claims.jsonl", self.folder / "data")
         shutil.copy(ROOT / "tests" / "harness" / "liar.py", self.folder)
-        for part in (self.pages, self.refusals, self.singles, self.answers, self.lies, self.golden):
+        for part in (self.pages, self.singles, self.answers, self.lies, self.golden):
             part()
 
 

@@ -37,12 +37,6 @@ def vector(text):
 
 
 class Along(CliTest):
-    def test_unions_are_refused(self):
-        cases = self.file("m.json", '{"id":"m","a":{"pieces":[{"shape":"box","half":[1,1,1]}]},"b":{"shape":"box","half":[1,1,1]}}')
-        for option in ([], ["--json"], ["--csv"], ["--method", "exact"], ["--bits", "50"]):
-            self.assertIn("a: expected a convex body, found a union of pieces, which 'depth' takes",
-                          self.refused("depth", "--along", "1,0,0", *option, cases))
-
     def curve(self, a, b, path, steps, *options):
         return self.result("depth", f"--along={path}", "--steps", steps, *options, a, b)
 
@@ -202,7 +196,6 @@ class Cases(CliTest):
         self.assertIn("--case ID", err)
         self.assertIn("'none'", self.refused("depth", "--along", "2,0,0", "--case", "none", path))
 
-
     def test_depth_of_one_case(self):
         path = self.file("cases.jsonl", case(UNIT, box([3, 0, 0], [4, 1, 1]), id="far") + case(UNIT, UNIT, id="same") + "{}\n")
         self.assertEqual(self.result("depth", "--case", "same", path)["depth"]["squared"], "1")
@@ -211,30 +204,6 @@ class Cases(CliTest):
         self.answer("depth", "--case", "same", "--svg", picture, path)
         self.assertIn("<svg", picture.read_text())
         self.assertIn("found two bodies", self.refused("depth", "--case", "same", CUBE, CUBE))
-
-
-class Misuse(CliTest):
-    def test_vectors_and_steps(self):
-        for vector_text in ("1,0", "1,0,0,0", "0,0,0", "a,b,c", "1;0;0", "1,0,1/0", ""):
-            self.assertIn("--along", self.refused("depth", f"--along={vector_text}", CUBE, CUBE))
-        self.assertIn("expected three numbers such as 1,0,-1/2, not all zero, found '0,0,0'",
-                      self.refused("depth", "--along", "0,0,0", CUBE, CUBE))
-        for steps in ("0", "-1", "x", "1.5", "1000001"):
-            self.assertIn("--steps: expected an integer from 1 to 1000000", self.refused("depth", "--along=1,0,0", f"--steps={steps}", CUBE,
-                                                                                         CUBE))
-
-    def test_what_does_not_go_together(self):
-        for options in (["--steps", "3"], ["--csv"]):
-            self.assertIn("goes with --along", self.refused("depth", *options, CUBE, CUBE))
-        for options in (["--optima", "1"], ["--certificate", "x.cert"], ["--exact"], ["--counters"], ["--digits", "5"], ["--threads", "1"]):
-            self.assertIn("--along answers with a curve", self.refused("depth", "--along=1,0,0", *options, CUBE, CUBE))
-        self.assertIn("choose one", self.refused("depth", "--along=1,0,0", "--csv", "--json", CUBE, CUBE))
-        self.assertIn("--method shallow", self.refused("depth", "--along=1,0,0", "--method", "shallow", CUBE, CUBE))
-        self.assertIn("found two bodies", self.refused("depth", "--along=1,0,0", "--case", "x", CUBE, CUBE))
-        self.assertIn("standard output", self.refused("depth", "--along=1,0,0", "--svg", "-", CUBE, CUBE))
-        self.assertIn("cannot write a picture", self.refused("depth", "--along=1,0,0", "--svg", self.folder / "no" / "x.svg", CUBE, CUBE))
-        self.assertIn("half-space", self.refused("depth", "--along=1,0,0", "halfspace:normal=0:0:1,offset=0",
-                                                 "halfspace:normal=0:0:1,offset=0"))
 
 
 if __name__ == "__main__":

@@ -140,7 +140,6 @@ class Shapes(CasesTest):
         self.assertEqual(ulp_deep["source"]["signed_depth"], f"{5 * 2**51 + 1}/{2**51} - sqrt(25)")
 
 
-
 class Unions(CasesTest):
     def test_families_are_a_kind_of_their_own(self):
         names = self.families("--unions")
@@ -179,9 +178,6 @@ class Unions(CasesTest):
                                 stdout=subprocess.PIPE, timeout=PATIENCE, check=True)
         self.assertEqual(reader.stdout.count(b"s VERIFIED "), len(cases))
 
-    def test_no_family_for_those_who_take_polytopes(self):
-        self.assertIn("expected a family of polytopes, found 'combs', whose unions are not", self.refused("study", "--sweep", "combs"))
-        self.assertIn("(nearest: combs", self.refused("cases", "--family", "comb"))
 
 class Catalogue(CasesTest):
     def test_all_entries(self):
@@ -238,56 +234,8 @@ class FromMeshes(CasesTest):
         self.assertEqual(self.cases("--from", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], 0.1)
         self.assertEqual(self.cases("--from", "--exact-decimals", unit, unit, "--pose-a", tenth)[0]["a"]["pose"][0][3], "1/10")
 
-    def test_bad_poses(self):
-        for pose in (" ", "1 0 0 0", "1 0 0; 0 1 0; 0 0 1", "[1,2,3]", "[[1,0,0,0],[0,1,0,0]]", "{}",
-                     "1 0 0 0; 0 1 0 0; 0 0 1; 0 0 0 1"):
-            self.assertIn("--pose-a: expected three rows of four numbers", self.refused("cases", "--from", A, B, f"--pose-a={pose}"))
-        for pose in ("1 0 0 0; 0 1 0 x; 0 0 1 0", "1 0 0 0; 0 1 0 nan; 0 0 1 0", "[[1,0,0,0],[0,1,0,null],[0,0,1,0]]",
-                     "[[1,0,0,0],[0,1,0,1e100001],[0,0,1,0]]", '[[1,0,0,0],[0,1,0,"1/0"],[0,0,1,0]]'):
-            self.assertIn("--pose-b: row 2, number 4: expected a number", self.refused("cases", "--from", A, B, "--pose-b", pose))
-
-    def test_bad_meshes(self):
-        self.assertIn("found none of this name", self.refused("cases", "--from", A, self.folder / "missing.off"))
-        self.assertIn("empty.off:", self.refused("cases", "--from", A, self.file("empty.off", "")))
-
 
 class Misuse(CasesTest):
-    def test_unknown_families(self):
-        err = self.refused("cases", "--family", "near_tie")
-        self.assertIn("--family: 'near_tie' is unknown (nearest: near_ties, near_tie_boxes, ", err)
-        self.assertIn("nearest: touching_edge_edge, ", self.refused("cases", "--family", "toching_edge_egde"))
-        self.assertNotIn("\x1b", self.refused("cases", "--family", "\x1b[2J"))
-        self.assertIn("'capsulle*' is unknown", self.refused("cases", "--family", "spheres,capsulle*"))
-        for name in ("", "x" * 5000, "RANDOM_BALL"):
-            self.assertIn("is unknown" if name else "--family", self.refused("cases", "--family", name))
-
-    def test_bad_numbers(self):
-        for option, low, high in (("--count", 1, 10**9), ("--seed", 0, 2**64 - 1), ("--size", 1, 10**6)):
-            shown = "2^64 - 1" if option == "--seed" else high
-            for value in ("-1", "1.5", "many", "1e3", str(high + 1), str(low - 1), " 1", "+1", "0x2"):
-                self.assertIn(f"{option}: expected an integer from {low} to {shown}",
-                              self.refused("cases", "--family", "cube", f"{option}={value}"))
-
-    def test_what_does_not_go_together(self):
-        one_of = "cases expects one of --family, --catalogue, --list, --from and --from-fcl"
-        self.assertIn(one_of + ", found none", self.refused("cases"))
-        self.assertIn(one_of + ", found none", self.refused("cases", A, B))
-        self.assertIn(one_of + ", found several", self.refused("cases", "--list", "--catalogue"))
-        self.assertIn(one_of + ", found several", self.refused("cases", "--family", "near_ties", "--from", A, B))
-        for option in ("--count", "--seed", "--size"):
-            self.assertIn(f"{option} goes with --family", self.refused("cases", "--catalogue", option, 3))
-        for other in (["--family", "near_ties"], ["--from", A, B]):
-            for kind in ("--shapes", "--unions"):
-                self.assertIn(f"{kind} goes with --list, --catalogue and --family all", self.refused("cases", kind, *other))
-        self.assertIn("--shapes and --unions are two kinds of bodies", self.refused("cases", "--list", "--shapes", "--unions"))
-        self.assertIn("--pose-a goes with --from", self.refused("cases", "--list", "--pose-a", "x"))
-        self.assertIn("--exact-decimals goes with --from", self.refused("cases", "--list", "--exact-decimals"))
-        for inputs in ([], [A]):
-            self.assertIn(f"two meshes after --from and no input otherwise, found {len(inputs)} argument",
-                          self.refused("cases", "--from", *inputs))
-        self.assertIn("found 1 argument", self.refused("cases", "--list", A))
-        self.assertIn("not expected: ", self.refused("cases", "--from", A, B, A))
-
     def test_help(self):
         out = self.answer("cases", "--help")
         self.assertTrue(out.startswith("Examples\n  fathom cases "), out)

@@ -67,7 +67,6 @@ class Liars(CertifyTest):
         self.assertEqual((code, self.verdicts(lines)), (1, {"box::0": "time-out", "box::1": "time-out"}))
         self.assertRegex(lines[2]["detail"], r"no answer within 0.5 s; it has not read the last \d+ of the case's \d+ bytes")
 
-
     def test_unsupported_is_not_judged(self):
         code, lines, _ = self.certify("--subject", liar("unsupported"), "-", stdin=STREAM)
         self.assertEqual((code, self.verdicts(lines)["box::1"]), (0, "unsupported"))

@@ -151,7 +151,6 @@ class Killed(CertifyTest):
         self.assertEqual((code, err), (1, ""))
         self.check_complete()
 
-
     def test_interrupted_while_it_waits(self):
         """For a case that does not come, and for a subject that does not answer."""
         junit, html = self.folder / "junit.xml", self.folder / "page.html"

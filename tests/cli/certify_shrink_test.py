@@ -95,7 +95,6 @@ class Shrink(CliTest):
         self.assertIn("differ by ", (folder / "not-invariant~swap.cpp").read_text())
         self.assertIn(f"\n  {folder}/not-invariant~swap.cert\n", out)
 
-
     def test_no_control_character_of_an_id_reaches_a_terminal(self):
         evil = "x\x1b[2J\x9b31m\nfathom: fine"
         stream = self.boxes().replace('"boxes"', json.dumps(evil))
@@ -119,13 +118,6 @@ class FromFcl(CliTest):
         answers = [json.loads(line) for line in self.answer("depth", "--json", "-", stdin="\n".join(lines) + "\n").splitlines()]
         self.assertEqual(answers[0]["depth"]["value"], 1.1 - 0.5)
         self.assertEqual(self.answer("cases", "--from-fcl", "-", stdin=BOX).count("\n"), 1)
-
-    def test_what_is_wrong_is_said(self):
-        self.assertIn("error.log:4: expected number 3 of a 4 x 4 matrix, found 'x'",
-                      self.refused("cases", "--from-fcl", self.file("error.log", BOX.replace("1 0 0 0", "1 0 x 0", 1))))
-        self.assertIn("expected the text of an exception of FCL", self.refused("cases", "--from-fcl", self.file("none.log", "fine\n")))
-        self.assertIn("missing.log", self.refused("cases", "--from-fcl", self.folder / "missing.log"))
-        self.assertIn("--count goes with --family", self.refused("cases", "--from-fcl", "x", "--count", 2))
 
 
 if __name__ == "__main__":

@@ -148,19 +148,6 @@ class Bar(CertifyTest):
 
 
 class Usage(CertifyTest):
-    def test_refusals(self):
-        for words in ([], ["x.jsonl"], ["--subject", "x"], ["--subject", "x", "--replay", "y", "z"], ["--subject", "x", "a", "b"],
-                      ["--subject", "x", "--resume", "z"], ["--subject", "x", "--jobs", "0", "z"],
-                      ["--subject", "x", "--time-out", "0", "z"],
-                      ["--subject", "x", "--tol-rel", "-1", "z"], ["--subject", "x", "--tol-ulps", "1.5", "z"],
-                      ["--subject", "x", "--metamorphic=turn", "z"], ["--replay", "x", "--metamorphic", "z"],
-                      ["--replay", "x", "--shrink", "d", "z"],
-                      ["--list-adapters", "z"], ["--subject", "x", "--max-errors", "-1", "z"],
-                      ["--subject", "true", "/nowhere/cases.jsonl"],
-                      ["--subject", "true", "--expect-fail", "/nowhere/list", "-"]):
-            with self.subTest(words):
-                self.refused("certify", *words)
-
     def test_help(self):
         out = self.answer("certify", "--help")
         for option in ("--subject", "--adapter", "--replay", "--jobs", "--time-out", "--tol-rel", "--report", "--resume", "--json",

@@ -54,9 +54,6 @@ class TwoWays(CertifyTest):
         self.assertIn(code, (0, 1), err)
         self.assertEqual(len(self.verdicts(lines)), 63)
 
-    def test_words(self):
-        self.assertIn("expected exact or naive, found 'auto'", self.refused("certify", "--subject", "x", "--method", "auto", "-"))
-
 
 if __name__ == "__main__":
     unittest.main()

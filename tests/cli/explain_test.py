@@ -4,7 +4,6 @@ import base64
 import hashlib
 import html.parser
 import json
-import os
 import re
 import unittest
 
@@ -286,27 +285,9 @@ class Input(ExplainTest):
             self.assertIn(said, self.refused("explain", *words))
             self.assertFalse(self.out.exists())
 
-    def test_ids_are_listed(self):
-        for words in ([self.cases], [self.cases, "--case", "none"]):
-            self.assertIn("found 3 cases: 'shifted', 'same', 'shifted'\n", self.refused("explain", *words, "-o", self.out))
-        many = self.file("many.jsonl", "".join(case(UNIT, UNIT, id=f"case {i}") for i in range(40)))
-        self.assertIn("'case 11' and 28 more\n", self.refused("explain", many, "-o", self.out))
-
     def test_one_case_needs_no_id(self):
         self.assertEqual(json.loads(self.page("-", stdin=POLYTOPES["shifted"]).block("depth"))["id"], "shifted")
         self.assertEqual(json.loads(self.page(self.cases, "--case", "same").block("depth"))["id"], "same")
-
-    def test_a_place_that_cannot_be_written(self):
-        self.assertIn("cannot write a page", self.refused("explain", CUBE, "nowhere.off", "-o", self.folder / "no" / "page.html"))
-        self.assertIn("is a directory", self.refused("explain", CUBE, CUBE, "-o", self.folder))
-        if os.path.exists("/dev/full"):
-            self.assertIn("cannot write the page", self.refused("explain", CUBE, CUBE, "-o", "/dev/full", code=3))
-
-    def test_an_older_page_stays_if_there_is_no_new_one(self):
-        self.out.write_text("old")
-        self.refused("explain", CUBE, "nowhere.off", "-o", self.out)
-        self.assertEqual(self.out.read_text(), "old")
-        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["cases.jsonl", "page.html"])
 
     def test_version(self):
         self.assertIn(f"fathom {VERSION}", self.page_text(CUBE, CUBE))

@@ -3,7 +3,6 @@
 promises."""
 import decimal
 import json
-import pathlib
 import random
 import shutil
 import subprocess
@@ -299,27 +298,6 @@ class Export(CliTest):
         self.assertEqual(code, 0)
         self.assertRegex(err, rf"^fathom: 50 of \d+ fitting records; of all {len(self.records)}, {rounded} are beyond binary64, "
                               r"\d+ are excluded, \d+ have more points\n$")
-
-    def test_wrong_words(self):
-        for words, sentence in (
-                ([COMMITTED], "--format"), (["--format", "c"], "export expects a folder"),
-                (["--format", "xml", COMMITTED], "expected c, csv, json or rust, found 'xml'"),
-                (["--format", "c", "--exclude", "flat,huge_cordinates", COMMITTED],
-                 "found 'huge_cordinates' (did you mean huge_coordinates?)"),
-                (["--format", "c", "--exclude", "blue", COMMITTED], "found 'blue' (there are all, all_tie"),
-                (["--format", "c", "--exclude", "blue", COMMITTED], ", uneven, uneven_coordinates)"),
-                (["--format", "c", "--only", "blue", COMMITTED], "expected flags of golden data, or a status, found 'blue'"),
-                (["--format", "c", "--family", "boxes", COMMITTED], "expected families, catalogue or real, found 'boxes'"),
-                (["--format", "c", "--family", "x*", COMMITTED], "expected families, catalogue or real, found 'x*'"),
-                (["--format", "c", "--contact", "edge-egde", COMMITTED], "found 'edge-egde' (did you mean edge-edge?)"),
-                (["--format", "c", "--contact", "vertex-vertex", COMMITTED], "expected kinds of contact, found 'vertex-vertex'"),
-                (["--format", "c", "--exact-in", "float", COMMITTED], "expected binary32 or binary64, found 'float'"),
-                (["--format", "c", "--exclude", "flat,", COMMITTED], "--exclude"),
-                (["--format", "c", "--count", "0", COMMITTED], "expected a positive integer, found '0'"),
-                (["--format", "c", "--max-points", "many", COMMITTED], "expected a positive integer, found 'many'"),
-                (["--format", "c", "--max-points", "1", "--exclude", "flat", COMMITTED], f"none of the {len(self.records)} records of"),
-                (["--format", "c", self.folder], "dataset.json"), (["--format", "c", self.folder / "nowhere"], "nowhere/dataset.json")):
-            self.assertIn(sentence, self.refused("golden", "export", *words), words)
 
     def test_wrong_folders(self):
         def changed(change, all_sums_right=False):

@@ -41,16 +41,6 @@ class Manual(CliTest):
             self.assertEqual(text.stderr, b"", path)
             self.assertIn(b"EXIT STATUS", re.sub(rb".\x08", b"", done.stdout))
 
-    def test_misuse(self):
-        self.assertIn("unknown command 'dept' (expected depth, ", self.refused("man", "dept"))
-        self.assertIn("did you mean 'depth'?", self.refused("man", "dept"))
-        self.assertIn("did you mean 'golden verify'?", self.refused("help", "golden", "verfy"))
-        self.assertIn("--all expects a folder", self.refused("man", "--all"))
-        self.assertIn("completion expects a shell: bash, zsh, fish; found nothing", self.refused("completion"))
-        self.assertIn("did you mean 'fish'?", self.refused("completion", "fis"))
-        taken = self.file("taken", "")
-        self.assertIn("cannot be written", self.refused("man", "--all", taken, code=3))
-
 
 class Bash(CliTest):
     def completed(self, line, cursor_behind_space=False):

@@ -45,12 +45,6 @@ class Nearness(CliTest):
         self.assertTrue(low <= -result["signed_depth"]["low"] and -result["signed_depth"]["high"] <= high)
         self.assertIn("enclosure", self.answer("depth", "--digits", "12", "sphere:r=1", "ellipsoid:radii=1:2:3,at=4:1:1"))
 
-    def test_errors(self):
-        for bits in ("0", "-1", "x", "1001", "1e2", "99999999999999999999"):
-            self.assertIn("expected an integer from 1 to 1000", self.refused("depth", "--bits=" + bits, *CURVED))
-        self.assertIn("--bits", self.refused("width", "--delta", "1/2", "--bits", "9", self.file("a.xyz", UNIT)))
-        self.assertIn("--bits", self.answer("depth", "--help"))
-
 
 class Counters(CliTest):
     def test_say_what_ran(self):
@@ -120,10 +114,6 @@ class Width(CliTest):
         self.assertEqual(self.answer("width", "--exact", "-", stdin=pair), "x: width 4; exactly 4; direction (-1, 0, 0)\n")
         other = json.dumps({"a": {"vertices": UNIT}, "b": {"shape": "sphere", "radius": 2}})
         self.assertEqual(json.loads(self.answer("width", "--json", "-", stdin=other))["width"]["squared"], "1")
-
-    def test_refused(self):
-        self.assertIn("no width", self.refused("width", "halfspace:normal=0:0:1,offset=1"))
-        self.assertIn("width without --delta answers", self.refused("width", "--delta", "1/2", "sphere:r=1"))
 
 
 class Others(CliTest):

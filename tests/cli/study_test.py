@@ -125,17 +125,6 @@ class Misuse(CliTest):
         for option in ("--exact-decimals", "--all", "--json", "--csv"):
             self.assertIn(f"\n  {option} ", out)
 
-    def test_refusals(self):
-        self.assertIn("choose one", self.refused("study", "--csv", "--json", CUBE, CUBE))
-        self.assertIn("--all lists", self.refused("study", "--csv", "--all", CUBE, CUBE))
-        self.assertIn("study expects two meshes", self.refused("study"))
-        self.assertIn("found the single mesh", self.refused("study", CUBE))
-        self.assertIn("found - beside", self.refused("study", CUBE, "-"))
-        self.assertIn("found none of this name", self.refused("study", "--csv", self.folder / "missing.jsonl"))
-        self.assertIn("expected at least one case", self.refused("study", "-"))
-        for option in ("--digits=3", "--counters", "--method=naive"):
-            self.assertIn("not expected", self.refused("study", option, CUBE, CUBE))
-
 
 if __name__ == "__main__":
     unittest.main()

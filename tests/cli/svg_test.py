@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`fathom depth --svg`: pictures that are whole, need nothing else, and say the numbers of the answer."""
-import os
 import re
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -161,22 +160,6 @@ class Svg(CliTest):
         self.answer("depth", "--certificate", proof, "--svg", drawing, CUBE, ICOSAHEDRON)
         self.assertTrue(proof.read_text().startswith("fathom"))
         self.checked(drawing)
-
-    def test_places_that_cannot_be_written(self):
-        for place in (self.folder / "none" / "x.svg", self.folder):
-            self.assertIn(f"{place}: cannot write a picture: ", self.refused("depth", "--svg", place, CUBE, ICOSAHEDRON))
-        self.assertIn("cannot write a picture: ", self.refused("depth", "--svg", self.file("x.svg", ""), "-", stdin=case(UNIT, BESIDE)))
-        self.assertIn("--svg writes a file", self.refused("depth", "--svg", "-", CUBE, ICOSAHEDRON))
-
-    def test_a_full_disk_is_no_success(self):
-        if os.path.exists("/dev/full"):
-            self.assertIn("/dev/full: cannot write the picture: ", self.refused("depth", "--svg", "/dev/full", CUBE, ICOSAHEDRON, code=3))
-
-    def test_a_bad_input_leaves_nothing(self):
-        path = self.folder / "x.svg"
-        path.write_text("old")
-        self.refused("depth", "--svg", path, CUBE, self.folder / "none.off")
-        self.assertEqual(path.read_text(), "old")
 
     def test_shapes(self):
         root = self.drawn("sphere:r=1,at=1.5:0:0", "box:half=1:1:1")

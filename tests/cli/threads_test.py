@@ -80,10 +80,6 @@ class TheSameBytes(CliTest):
             out = self.answer("depth", "--json", "--threads", threads, "-", stdin=stream)
             self.assertEqual([json.loads(line)["id"] for line in out.splitlines()], [f"n{i}" for i in range(3000)])
 
-    def test_numbers_of_threads(self):
-        for number in ("0", "-1", "1025", "two", "1.5", "99999999999"):
-            self.assertIn("expected an integer from 1 to 1024", self.refused("depth", "--threads", number, "-", stdin=GOOD))
-
 
 def certificates():
     """Texts of certificates: good, refused, malformed in many ways, with comments, cut short, one of very many lines."""

@@ -2,18 +2,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Breaks the code in one small way after another, and shows that the tests see it.
 
-    tests/mutants/mutants.py                 all of them; it takes an hour or two
+    tests/mutants/mutants.py                 all of them; it takes hours
     tests/mutants/mutants.py 7 12            these numbers
     tests/mutants/mutants.py reference       those in files whose path holds this word
     tests/mutants/mutants.py --list          prints them; --check demands that the text of each stands in its file once
     --build FOLDER                           a configured build of the release preset with tests (build/release)
 
 Each mutant is put into the file, the tests that may catch it are built and run, at least one of them must fail, and the
-file becomes what it was. A mutant that does not compile is caught too, but counted apart. The tree must be clean before.
+file becomes what it was, also where this is interrupted. One that does not compile shows nothing: it has to be replaced.
+The tree must be clean before.
 
 Exit codes: 0 all caught; 1 some survived, or their text is gone; 2 wrong words, or a tree that is not clean."""
 import argparse
 import pathlib
+import signal
 import subprocess
 import sys
 import time
@@ -178,6 +180,7 @@ def main():
     if not mutants or dirty.returncode or dirty.stdout:
         print("mutants.py: " + ("the tree is not clean" if mutants else "no mutant is called so"), file=sys.stderr)
         return 2
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(130))  # then too the file becomes what it was
     fates = {number: try_out(number, mutant, given.build) for number, mutant in mutants}
     survivors = [number for number, found in fates.items() if found == "SURVIVED"]
     caught = sum(found.startswith("caught") for found in fates.values())
