@@ -5,7 +5,6 @@ import json
 import unittest
 
 from harness import ROOT, CliTest
-from schemas_test import validator
 
 FOLDER = ROOT / "verify" / "claims"
 FILES = {FOLDER / "claims.jsonl": {"right": 89, "wrong": 7, "not-judgeable": 4}, FOLDER / "reports.jsonl": {"right": 33, "wrong": 9}}
@@ -22,7 +21,6 @@ class Claims(CliTest):
             found = {}
             for line in out.splitlines():
                 result = json.loads(line)
-                validator("claim").validate(result)
                 found[result["id"]] = result["verdict"]
                 for statement in result["statements"]:
                     if statement["finding"] == result["verdict"]:

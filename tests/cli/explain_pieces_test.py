@@ -5,13 +5,12 @@ import json
 import unittest
 from fractions import Fraction
 
-import jsonschema  # Debian: python3-jsonschema
 from explain_test import Page, numbers
-from harness import DATA, ROOT, CliTest, changed
+from harness import DATA, CliTest, changed
+from schemas import validator
 from pieces_test import PLATE, SLOT, obj
 
-SCHEMA = json.loads((ROOT / "view/stages/union_stages.schema.json").read_text())
-VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+VALIDATOR = validator("union_stages")
 COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
 CUBE = obj([[-1, -1, -1], [1, 1, 1]])
 SLABS = obj([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])
@@ -100,7 +99,6 @@ class ExplainPieces(CliTest):
         self.check(self.file("<b>&amp;.obj", PLATE), self.file("</script>.obj".replace("/", "_"), SLOT))
 
     def test_the_schema_has_teeth(self):
-        jsonschema.Draft202012Validator.check_schema(SCHEMA)
         good = json.loads(self.page(KEY, COMB).block("stages"))
         for path, value in ((["status"], "inside"), (["sums", 0, "distance_squared"], 0.25), (["ways", 0, "contacts"], []),
                             (["a", 0, "ids"], [-1]), (["sums", 0, "through"], [[1]]), (["extra"], 1)):

@@ -7,11 +7,10 @@ import json
 import re
 import unittest
 
-import jsonschema  # Debian: python3-jsonschema
-from harness import DATA, ROOT, UNIT, VERSION, CliTest, box, case
+from harness import DATA, UNIT, VERSION, CliTest, box, case
+from schemas import validator
 
-SCHEMA = json.loads((ROOT / "view/stages/stages.schema.json").read_text())
-VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+VALIDATOR = validator("stages")
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 SQUARE = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]]
 SHIFTED = box([0.75, 0.25, 0.125], [1.75, 1.25, 1.125])

@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
+from schemas import check_lines
+
 EXECUTABLE = os.environ["FATHOM_EXECUTABLE"]
 ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
 DATA = ROOT / "tests" / "data"
@@ -55,10 +57,12 @@ class CliTest(unittest.TestCase):
         return str(path)
 
     def run_cli(self, *arguments, stdin="", **options):
-        """(exit code, stdout, stderr)"""
+        """(exit code, stdout, stderr); each line of JSON obeys the schema that it names."""
         done = subprocess.run([EXECUTABLE, *map(str, arguments)], input=stdin.encode(), timeout=PATIENCE,
                               stdout=options.pop("stdout", subprocess.PIPE), stderr=subprocess.PIPE, **options)
-        return done.returncode, (done.stdout or b"").decode(), done.stderr.decode()
+        out = (done.stdout or b"").decode()
+        check_lines(out)
+        return done.returncode, out, done.stderr.decode()
 
     def answer(self, *arguments, stdin=""):
         """stdout of a run that must succeed."""

@@ -1,31 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Every line of JSON that a transcript shows obeys the schema that it names; and each schema refuses what is wrong."""
 import collections
-import functools
 import json
 import sys
 import unittest
 
 import jsonschema  # Debian: python3-jsonschema
 from harness import DATA, ROOT, UNIT, CliTest, box, case, changed
+from schemas import NAMES, SCHEMAS, validator
 
 sys.path.insert(0, str(ROOT / "tests" / "docs"))
 from console import blocks, commands  # noqa: E402
 
-FILES = [path for path in sorted(ROOT.glob("*/*/*.schema.json")) if "data" not in path.parts]
-SCHEMAS = {path.name: json.loads(path.read_text()) for path in FILES}
-PREFIX = "https://schemas.invalid/"  # nothing is fetched
-NAMES = {"fathom/result/2": "result", "fathom/case/1": "case", "fathom/ray/1": "ray", "fathom/metric/1": "metric",
-         "fathom/study/1": "study", "fathom/along/1": "along", "fathom/union/1": "union", "fathom/diff/1": "diff",
-         "fathom/stages/1": "stages", "fathom/verdict/1": "verdict", "fathom/claim/1": "claim"}
 PRESENT = object()  # in place of a value: any
-
-
-@functools.cache
-def validator(name):
-    schema = SCHEMAS[f"{name}.schema.json"]
-    store = {where + file: each for where in (PREFIX, "") for file, each in SCHEMAS.items()}
-    return jsonschema.Draft202012Validator(schema, resolver=jsonschema.RefResolver(PREFIX, schema, store=store))
 
 
 def shown():
