@@ -31,6 +31,28 @@ constexpr std::uint64_t most_bits = std::uint64_t{1} << 31;
 
 std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
 
+/// Asks the context, if there is one, once in a megabit of numbers: what is done to a few long ones
+/// takes as long as what is done to many short ones.
+class Asking {
+ public:
+  explicit Asking(kernels::Context* context) : context_(context) {}
+  void after(const mpq_class& q) { after_limbs(mpz_size(q.get_num_mpz_t()) + mpz_size(q.get_den_mpz_t())); }
+  void after(const mpz_class& n) { after_limbs(mpz_size(n.get_mpz_t())); }
+  void after(const Point& p) {
+    for (const mpq_class* q : {&p.x, &p.y, &p.z}) after(*q);
+  }
+
+ private:
+  void after_limbs(std::size_t limbs) {
+    if (context_ == nullptr || (limbs_ += limbs) < (std::size_t{1} << 20) / GMP_NUMB_BITS) return;
+    limbs_ = 0;
+    context_->check();
+  }
+
+  kernels::Context* context_;
+  std::size_t limbs_ = 0;
+};
+
 /// Until f(coordinate) is false; tells whether it never was.
 template <class F>
 bool all_coordinates(kernels::Positions a, kernels::Positions b, F f) {
@@ -54,9 +76,10 @@ std::size_t in_proportion(kernels::Positions a, kernels::Positions b) {
 /// The common denominator; 0 as soon as more(its bits) is false. Denominators repeat a great deal,
 /// so divisibility is asked first.
 template <class More>
-mpz_class common_denominator(kernels::Positions a, kernels::Positions b, More more) {
+mpz_class common_denominator(kernels::Positions a, kernels::Positions b, Asking& asking, More more) {
   mpz_class common = 1;
   const bool all = all_coordinates(a, b, [&](const mpq_class& q) {
+    asking.after(q);
     if (mpz_divisible_p(common.get_mpz_t(), q.get_den_mpz_t())) return true;
     mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), q.get_den_mpz_t());
     return more(bits(common));
@@ -90,10 +113,12 @@ PlacedPair with_clouds(Lattice lattice) {
   return pair;
 }
 
-std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& denominator, const Vector& origin) {
+std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& denominator, const Vector& origin,
+                                      Asking& asking) {
   std::vector<Vector> result;
   result.reserve(body.size());
   for (const Point& p : body) {
+    asking.after(p);
     Vector v = multiple(p, denominator);
     v.x -= origin.x;
     v.y -= origin.y;
@@ -116,40 +141,57 @@ void for_each_coordinate(Lattice& lattice, F f) {
 
 /// Points such as 1/3, 4/3, 7/3 need a denominator, their differences do not: divides out what all
 /// coordinates and it share.
-void coarsen(Lattice& lattice) {
+void coarsen(Lattice& lattice, Asking& asking) {
   mpz_class shared = lattice.denominator;
   for_each_coordinate(lattice, [&](const mpz_class& c) {
+    asking.after(c);
     if (shared != 1) mpz_gcd(shared.get_mpz_t(), shared.get_mpz_t(), c.get_mpz_t());
   });
   if (shared == 1) return;
   mpz_divexact(lattice.denominator.get_mpz_t(), lattice.denominator.get_mpz_t(), shared.get_mpz_t());
-  for_each_coordinate(lattice, [&](mpz_class& c) { mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), shared.get_mpz_t()); });
+  for_each_coordinate(lattice, [&](mpz_class& c) {
+    asking.after(c);
+    mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), shared.get_mpz_t());
+  });
 }
 
-std::vector<Point> offsets(kernels::Positions body, const Point& origin) {
+std::vector<Point> offsets(kernels::Positions body, const Point& origin, Asking& asking) {
   std::vector<Point> result;
   result.reserve(body.size());
-  for (const Point& p : body) result.push_back(p - origin);
+  for (const Point& p : body) {
+    result.push_back(p - origin);
+    asking.after(result.back());
+  }
   return result;
+}
+
+void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) {
+  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  all_coordinates(a, b, [&](const mpq_class& q) {
+    kernels::require_lowest_terms(q);
+    asking.after(q);
+    return true;
+  });
 }
 
 /// For points whose common denominator is much longer than they are: what differences do not need
 /// is left out first, and there are limits.
-PlacedPair place_wide(kernels::Positions a, kernels::Positions b) {
+PlacedPair place_wide(kernels::Positions a, kernels::Positions b, Asking& asking) {
   Lattice lattice;
   lattice.origin = b.front();
-  const std::vector<Point> from_a = offsets(a, lattice.origin), from_b = offsets(b, lattice.origin);
+  const std::vector<Point> from_a = offsets(a, lattice.origin, asking), from_b = offsets(b, lattice.origin, asking);
   const std::uint64_t coordinates = 3 * (a.size() + b.size());
   lattice.denominator =
-      common_denominator(from_a, from_b, [&](std::size_t size) { return size * coordinates <= most_bits; });
+      common_denominator(from_a, from_b, asking, [&](std::size_t size) { return size * coordinates <= most_bits; });
   if (lattice.denominator == 0) {
     throw InputError("input", 0,
                      "the denominators of the " + std::to_string(a.size() + b.size()) +
                          " points share too little: " + "over a common one all coordinates together would pass " +
                          std::to_string(most_bits >> 23) + " MB");
   }
-  for (const Point& p : from_a) lattice.a.push_back(multiple(p, lattice.denominator));
-  for (const Point& p : from_b) lattice.b.push_back(multiple(p, lattice.denominator));
+  const Vector no_shift{0, 0, 0};
+  lattice.a = shifted_multiples(from_a, lattice.denominator, no_shift, asking);
+  lattice.b = shifted_multiples(from_b, lattice.denominator, no_shift, asking);
   return with_clouds(std::move(lattice));
 }
 
@@ -273,30 +315,32 @@ void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Row> Narro
 }  // namespace
 
 void require_bodies(kernels::Positions a, kernels::Positions b) {
-  if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
-  all_coordinates(a, b, [](const mpq_class& q) { return kernels::require_lowest_terms(q), true; });
+  Asking nobody(nullptr);
+  require_bodies(a, b, nobody);
 }
 
-std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b) {
-  require_bodies(a, b);
+std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b, kernels::Context* context) {
+  Asking asking(context);
+  require_bodies(a, b, asking);
   std::size_t limit = short_enough;
   Lattice lattice;
-  lattice.denominator = common_denominator(a, b, [&](std::size_t size) {
+  lattice.denominator = common_denominator(a, b, asking, [&](std::size_t size) {
     if (size > limit && limit == short_enough) limit = in_proportion(a, b);
     return size <= limit;
   });
   if (lattice.denominator == 0) return std::nullopt;
   lattice.origin = b.front();
   const Vector origin = multiple(b.front(), lattice.denominator);
-  lattice.a = shifted_multiples(a, lattice.denominator, origin);
-  lattice.b = shifted_multiples(b, lattice.denominator, origin);
-  coarsen(lattice);
+  lattice.a = shifted_multiples(a, lattice.denominator, origin, asking);
+  lattice.b = shifted_multiples(b, lattice.denominator, origin, asking);
+  coarsen(lattice, asking);
   return with_clouds(std::move(lattice));
 }
 
-PlacedPair place(kernels::Positions a, kernels::Positions b) {
-  std::optional<PlacedPair> slim = place_if_slim(a, b);
-  return slim ? std::move(*slim) : place_wide(a, b);
+PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* context) {
+  if (std::optional<PlacedPair> slim = place_if_slim(a, b, context)) return std::move(*slim);
+  Asking asking(context);
+  return place_wide(a, b, asking);
 }
 
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {

@@ -16,6 +16,7 @@
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/point.hpp"
+#include "kernels/context.hpp"
 #include "kernels/filters/rounded_plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
@@ -163,13 +164,15 @@ void require_bodies(kernels::Positions a, kernels::Positions b);
 /// are integral; b[0] is zero. Exact. The unit is never coarser than 1: a factor that all integers
 /// share stays. Size: each integer has about as many bits as the common denominator of all points,
 /// times their extent. Throws as require_bodies does, and InputError when place_if_slim returns
-/// nullopt and all integers together would take more than 256 MB.
-PlacedPair place(kernels::Positions a, kernels::Positions b);
+/// nullopt and all integers together would take more than 256 MB. The context, if there is one, is
+/// asked once in a megabit of coordinates whether to go on.
+PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* context = nullptr);
 
 /// The same, if the common denominator is in proportion to the points: it has at most 4096 bits, or
 /// eight times as many as the widest coordinate. Returns nullopt otherwise: the points'
 /// denominators share little, and fewer points would have a smaller lattice.
-std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b);
+std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions b,
+                                        kernels::Context* context = nullptr);
 
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the
 /// origin O.

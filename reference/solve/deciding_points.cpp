@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "kernels/filters/support.hpp"
 #include "kernels/vector.hpp"
@@ -36,16 +37,23 @@ mpz_class truncated(const mpq_class& q, long shift) {
 struct Rounded {
   std::vector<Vector> a, b;
 
-  Rounded(kernels::Positions of_a, kernels::Positions of_b) {
+  Rounded(kernels::Context& context, kernels::Positions of_a, kernels::Positions of_b) {
     const Point& origin = of_b.front();
     long size = -grid_bits * (1L << 20);
-    for (const kernels::Positions& body : {of_a, of_b})
-      for (const Point& p : body)
+    for (const kernels::Positions& body : {of_a, of_b}) {
+      for (const Point& p : body) {
+        context.check();
         for (const mpq_class& c : {mpq_class(p.x - origin.x), mpq_class(p.y - origin.y), mpq_class(p.z - origin.z)})
           if (c != 0) size = std::max(size, bits(c.get_num()) - bits(c.get_den()));
+      }
+    }
     const long shift = grid_bits - size;
-    for (const Point& p : of_a) a.push_back(image(p, origin, shift));
-    for (const Point& p : of_b) b.push_back(image(p, origin, shift));
+    for (const auto& [body, images] : {std::pair(of_a, &a), std::pair(of_b, &b)}) {
+      for (const Point& p : body) {
+        context.check();
+        images->push_back(image(p, origin, shift));
+      }
+    }
   }
 
   static Vector image(const Point& p, const Point& origin, long shift) {
@@ -121,8 +129,8 @@ class Choice {
 
 class Deciding {
  public:
-  Deciding(kernels::Positions a, kernels::Positions b)
-      : a_(a), b_(b), images_(a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
+  Deciding(kernels::Context& context, kernels::Positions a, kernels::Positions b)
+      : a_(a), b_(b), images_(context, a, b), chosen_a_(a, images_.a), chosen_b_(b, images_.b) {}
 
   std::optional<Depth> run(kernels::Context& context, const Options& options) {
     guess(context);
@@ -131,7 +139,7 @@ class Deciding {
     whole.optima.reset();
     for (int round = 0; round < most_rounds && 2 * (chosen_a_.size() + chosen_b_.size()) <= a_.size() + b_.size();
          ++round) {
-      Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points()), whole);
+      Depth depth = depth_by_method(context, polytope::place(chosen_a_.points(), chosen_b_.points(), &context), whole);
       if (add_extremes(depth)) continue;
       if (auto* penetration = std::get_if<Penetration>(&depth.outcome)) depth::list_first(*penetration, options.optima);
       return of_all(std::move(depth));
@@ -188,7 +196,7 @@ class Deciding {
 std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels::Positions a, kernels::Positions b,
                                               const Options& options) {
   if (a.size() + b.size() < worth_a_guess) return std::nullopt;
-  return Deciding(a, b).run(context, options);
+  return Deciding(context, a, b).run(context, options);
 }
 
 std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u) {

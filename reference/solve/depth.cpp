@@ -104,11 +104,11 @@ PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, c
   };
   std::vector<Point> room_a, room_b;
   const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
-  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b))
+  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
     return answer(std::move(*slim));
   if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
     return {std::move(*depth), std::nullopt};
-  return answer(polytope::place(exact_a, exact_b));
+  return answer(polytope::place(exact_a, exact_b, &context));
 }
 
 }  // namespace fathom::solve

@@ -3,11 +3,15 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "fathom/monitor.hpp"
+#include "kernels/context.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "tests/support/property.hpp"
@@ -126,6 +130,32 @@ TEST(PlacedPair, IsSlimWhereDenominatorsRepeat) {
   body.resize(100);
   ASSERT_TRUE(place_if_slim(body, origin));
   expect_same_positions(*place_if_slim(body, origin), body, origin);
+}
+
+TEST(PlacedPair, LongCoordinatesAreNotPlacedToTheirEndAfterAStop) {
+  struct Count final : Monitor {
+    void report(std::string_view, double) override {}
+    bool stopped() override { return ++asked > most; }
+    std::size_t asked = 0, most = 0;
+  };
+  // Of so many bits that a handful of coordinates takes as long as one may wait.
+  const auto body = [](unsigned long digits) {
+    mpz_class power;
+    mpz_ui_pow_ui(power.get_mpz_t(), 10, digits);
+    return std::vector<Point>(20, {kernels::ratio(1, power), kernels::ratio(1, power + 1), 3});
+  };
+  const std::vector<Point> a = body(50000), b = body(49999), few = body(10);
+  for (const std::size_t most : {0, 5, 10}) {
+    Count stop;
+    stop.most = most;
+    kernels::Context context(&stop);
+    EXPECT_THROW(place(a, b, &context), Interrupted);
+    EXPECT_EQ(stop.asked, most + 1);
+  }
+  Count never;
+  kernels::Context context(&never);
+  EXPECT_NO_THROW(place(few, few, &context));
+  EXPECT_EQ(never.asked, 0U) << "short ones are placed sooner than one could ask";
 }
 
 TEST(PlacedPair, ABodyWithoutPointsIsRefused) {
