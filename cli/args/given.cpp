@@ -26,8 +26,8 @@ constexpr std::size_t longest_list =
 
 std::string wrong_word(const std::string& value, const std::vector<std::string>& words) {
   if (std::ranges::find(words, value) != words.end()) return "";
-  return fmt::format("{} is unknown (expected {}){}", kernels::shown(value), fmt::join(words, ", "),
-                     did_you_mean(value, words));
+  const std::string shown = value.empty() ? "the empty value" : kernels::shown(value);
+  return fmt::format("{} is unknown (expected {}){}", shown, fmt::join(words, ", "), did_you_mean(value, words));
 }
 
 /// What is wrong with a value of the option, or "".

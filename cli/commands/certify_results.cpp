@@ -18,6 +18,8 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/io/terminal.hpp"
+#include "kernels/messages.hpp"
+#include "verify/check/unreadable.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/junit.hpp"
@@ -205,9 +207,15 @@ CertificateNames write_certificates(const CertifyRequest& certify, const harness
   for (const FailedCase& failed : found.failed()) {
     const Outcome& outcome = found.outcomes()[failed.outcome];
     const std::string path = folder.file(outcome.variant.empty() ? outcome.id : outcome.id + '~' + outcome.variant);
-    CertificateFile(path).write(
-        harness::accepted_certificate(harness::judged_bodies(failed.seen, info, outcome.fit), &found.progress()));
-    names[failed.outcome] = path;
+    try {
+      const std::string text =
+          harness::accepted_certificate(harness::judged_bodies(failed.seen, info, outcome.fit), &found.progress());
+      CertificateFile(path).write(text);
+      names[failed.outcome] = path;
+    } catch (const fathom_check::Unreadable& refusal) {
+      found.progress().clear();
+      talk(kernels::shown(harness::shown_id(outcome.id, outcome.variant)) + ": " + refusal.what());
+    }
     if (interrupt_requested()) throw Interrupted();
   }
   return names;

@@ -84,7 +84,8 @@ harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
 
 /// Names of files, by index of the outcome.
 using CertificateNames = std::map<std::size_t, std::string>;
-/// Writes one for each failing case, if requested. Throws OutputError, InputError, Interrupted.
+/// Writes one for each failing case, if requested; says of which none is written, since no checker
+/// would read it. Throws OutputError, InputError, Interrupted.
 CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
 
 /// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is.

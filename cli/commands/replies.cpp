@@ -36,19 +36,30 @@ Body body_of_input(const std::string& input, const Request& request) {
   return request.pieces ? files::union_of({body}) : body;
 }
 
+/// A single body is neither of two.
+std::string pose_option(const Request& request, bool of_a) {
+  if (has_one_body(request)) return "--pose";
+  return of_a ? "--pose-a" : "--pose-b";
+}
+
+/// Says what kind of map the pose is, if it is no rotation.
+void tell_of(const files::GivenPose& pose, const std::string& option, bool has_radius) {
+  if (const std::string note = files::pose_note(pose, has_radius); !note.empty()) talk(option + ": " + note);
+}
+
 Case single_case(const Request& request) {
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
     Body result = body_of_input(input, request);
-    const std::string option = i == 0 ? "--pose-a" : "--pose-b";
+    const std::string option = pose_option(request, i == 0);
     if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
-      const files::GivenPose pose =
-          asked_pose(*text, option, request.decimals, result.shape && result.shape->radius > 0);
+      const files::GivenPose pose = files::read_pose(*text, option, request.decimals);
       try {
         files::place(result, pose);
       } catch (const std::invalid_argument& error) {
         throw InputError(option, 0, error.what());
       }
+      tell_of(pose, option, result.shape && result.shape->radius > 0);
     }
     return result;
   };
@@ -98,7 +109,7 @@ bool holds_cases(const Request& request) {
 
 void refuse_poses_of_stream(const Request& request) {
   if (holds_cases(request) && (request.pose_a || request.pose_b))
-    throw InputError(request.pose_a ? "--pose-a" : "--pose-b", 0,
+    throw InputError(pose_option(request, request.pose_a.has_value()), 0,
                      "expected bodies, found a stream of cases, which have poses of their own");
 }
 
@@ -119,7 +130,7 @@ AskedCase looked_at(const Case& single, const Request& request) {
 
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
   files::GivenPose pose = files::read_pose(text, option, decimals);
-  if (const std::string note = files::pose_note(pose, has_radius); !note.empty()) talk(option + ": " + note);
+  tell_of(pose, option, has_radius);
   return pose;
 }
 

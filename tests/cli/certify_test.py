@@ -65,6 +65,14 @@ class Runs(CertifyTest):
         out = self.answer("check", folder / "box%3A%3A1.cert")
         self.assertTrue(out.startswith("s VERIFIED penetrating depth_squared="), out)
 
+    def test_a_case_whose_certificate_no_checker_would_read_goes_without(self):
+        """An id of 6 MB, of which each byte takes three there, makes a line that passes the limit."""
+        folder = self.folder / "proofs"
+        stream = boxes(0, marked=True).replace("box::0", " " * 6000000) + boxes(1, marked=True)
+        code, _, err = self.run_cli("certify", "--certificates", folder, "--subject", liar("crash"), "-", stdin=stream)
+        self.assertEqual((code, [path.name for path in folder.iterdir()]), (1, ["box%3A%3A1.cert"]), err[-500:])
+        self.assertIn("no certificate is written, since all checkers would refuse to read it: expected 'a'", err)
+
     def test_ids_too_long_for_the_name_of_a_file(self):
         long = "x" * 300
         stream = boxes(0, marked=True).replace("box::0", long) + boxes(1, marked=True).replace("box::1", long + "y") + boxes(2)
