@@ -64,12 +64,14 @@ bare() {
     die 3 "mmdebstrap could not make a bare $suite; the archives were${archives[*]/#/$'\n  '}"
 }
 
-# inside FOLDER COMMAND...: runs it there, where /proc is mounted: fathom finds its adapters by it. What it started ends with it.
+# inside FOLDER COMMAND...: runs it there, where /proc is mounted: fathom finds its adapters by it. What it started ends with it. Its 3, with
+# which our launchers say that they cannot build, is a 1 here: the system was made.
 inside() {
   local target=$work/$1
   shift
   limited "${limit:-30m}" unshare --kill-child --pid --mount --root="$target" --mount-proc \
-    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CCACHE_DIR=/ccache CCACHE_MAXSIZE=2G "${proxies[@]}" "$@"
+    env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 CCACHE_DIR=/ccache CCACHE_MAXSIZE=2G "${proxies[@]}" "$@" ||
+    return $(($? == 3 ? 1 : $?))
 }
 
 if [[ ${2-} == --keep ]]; then
@@ -90,10 +92,12 @@ bare_with_sources() {
 }
 
 keep_compiled() {
+  [[ -d $work/there/ccache ]] || return 0
   mkdir -p "${cache%/*}"
   rm -rf "$cache"
   mv "$work/there/ccache" "$cache"
 }
+trap 'keep_compiled; rm -rf "$work"' EXIT
 
 # same_answers PROGRAM...: the catalogues, the real cases and L0 are one stream of cases, which the program there and this machine's fathom
 # answer, with every proof. The bytes are the same, and the checker accepts each proof.
@@ -143,8 +147,7 @@ if [[ -z $debs ]]; then
     limit=3h parse_all
   else
     say "$suite: the launcher builds depth"
-    inside there /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
-    keep_compiled
+    limit=3h inside there /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off
     same_answers /fathom/fathom
   fi
   if [[ $mode == --check ]]; then
