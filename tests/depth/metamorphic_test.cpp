@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Laws that relate the answers to two inputs: no oracle needed, so they reach sizes and numbers
 // that oracles do not.
-#include <gtest/gtest.h>
 
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 #include "fathom/depth.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/depth/naive.hpp"
+#include "reference/files/shape_names.hpp"
+#include "tests/oracles/brute_oracle.hpp"
+#include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/stated_cases.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::depth {
@@ -148,6 +159,167 @@ TEST(Metamorphic, TheTranslationSeparates) {
       EXPECT_EQ(solve(moved(mpq_class(1025, 1024)), input.b.points).status(), Status::disjoint) << input.id;
     }
   }
+}
+
+}  // namespace
+}  // namespace fathom::depth
+
+// The hull of all differences against brute force on small lattices, where every degeneracy is
+// frequent, and the laws that hold for any answer.
+
+namespace {
+
+using namespace fathom;
+using Points = std::vector<Vector>;
+
+/// 1 to 8 points of a box of integers around O with half extents 0 to 3; half extent 0 makes a flat
+/// body.
+rc::Gen<Points> lattice_points() {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::exec([] {
+                           const int x = *rc::gen::inRange(0, 4), y = *rc::gen::inRange(0, 4),
+                                     z = *rc::gen::inRange(0, 4);
+                           const int count = *rc::gen::inRange(1, 9);
+                           Points points;
+                           for (int i = 0; i < count; ++i) {
+                             const int px = *rc::gen::inRange(-x, x + 1), py = *rc::gen::inRange(-y, y + 1),
+                                       pz = *rc::gen::inRange(-z, z + 1);
+                             points.push_back({px, py, pz});
+                           }
+                           return points;
+                         }));
+}
+
+std::vector<Point> rational_points(const Points& points) {
+  std::vector<Point> result;
+  for (const Vector& v : points) result.push_back({v.x, v.y, v.z});
+  return result;
+}
+
+template <class Map>
+Points mapped(Points points, Map map) {
+  for (Vector& v : points) v = map(v);
+  return points;
+}
+
+Points sorted(Points directions) {
+  std::ranges::sort(directions, lexicographically_less);
+  return directions;
+}
+
+TEST(NaiveDepth, RefusesEmptyBodies) {
+  const Points point{{0, 0, 0}};
+  EXPECT_THROW(depth::naive_depth({}, point), std::invalid_argument);
+  EXPECT_THROW(depth::naive_depth(point, {}), std::invalid_argument);
+}
+
+TEST(NaiveDepth, EqualsBruteForceOnSmallLattices) {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
+    const Points a = *lattice_points(), b = *lattice_points();
+    const depth::NaiveDepth naive = depth::naive_depth(a, b);
+    const oracles::OracleAnswer brute = oracles::brute_oracle(rational_points(a), rational_points(b));
+    RC_CLASSIFY(naive.status == Status::penetrating, "penetrating");
+    RC_CLASSIFY(naive.status == Status::touching, "touching");
+    RC_ASSERT(naive.status == brute.status);
+    RC_ASSERT(naive.squared == brute.squared);
+    RC_ASSERT(naive.directions == brute.directions);
+  }));
+}
+
+TEST(NaiveDepth, SwappedBodiesReverseTheDirections) {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
+    const Points a = *lattice_points(), b = *lattice_points();
+    depth::NaiveDepth expected = depth::naive_depth(a, b);
+    expected.directions = sorted(mapped(expected.directions, [](const Vector& v) { return -v; }));
+    RC_ASSERT(depth::naive_depth(b, a) == expected);
+  }));
+}
+
+TEST(NaiveDepth, SimilarityScalesTheDepth) {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
+    const Points a = *lattice_points(), b = *lattice_points();
+    const auto turned = [](const Vector& v) { return Vector{v.y, -v.z, v.x}; };
+    const auto placed = [&](const Vector& v) { return turned({3 * v.x + 10, 3 * v.y - 7, 3 * v.z + 1000}); };
+    depth::NaiveDepth expected = depth::naive_depth(a, b);
+    expected.squared *= 9;
+    expected.directions = sorted(mapped(expected.directions, turned));
+    RC_ASSERT(depth::naive_depth(mapped(a, placed), mapped(b, placed)) == expected);
+  }));
+}
+
+TEST(NaiveDepth, OrderAndRepetitionOfPointsDoNotMatter) {
+  EXPECT_TRUE(holds({.seed = 41, .runs = 1000}, [] {
+    const Points a = *lattice_points(), b = *lattice_points();
+    Points again(a.rbegin(), a.rend());
+    again.insert(again.end(), a.begin(), a.end());
+    RC_ASSERT(depth::naive_depth(again, b) == depth::naive_depth(a, b));
+  }));
+}
+
+}  // namespace
+
+// Pairs from issue trackers and test suites: 63 of collision libraries, with answers that two
+// independent programs found, and 141 of public reports of all who need depths and distances.
+// Sources stand in tests/data/real_cases.jsonl and report_cases.jsonl.
+
+namespace fathom::depth {
+namespace {
+
+using Json = nlohmann::json;
+using testing::stated_cases;
+
+Json translations(const Depth& depth) {
+  std::vector<Point> result;
+  for (const Optimum& o : depth.optima()) result.push_back(o.translation());
+  return testing::translation_texts(result);
+}
+
+TEST(RealCases, OfPointsHaveTheStatedAnswers) {
+  std::size_t cases = 0;
+  for (const auto& [pair, line, answer] : stated_cases()) {
+    const std::vector<Point>&a = pair.a.points, &b = pair.b.points;
+    if (a.empty() || b.empty()) continue;
+    SCOPED_TRACE(pair.id);
+    const Depth depth = testing::exact_depth(a, b, {.validate = true});
+    EXPECT_EQ(name(depth.status()), answer["status"]);
+    EXPECT_EQ(depth.squared().get_str(), answer["depth_squared"]);
+    EXPECT_EQ(translations(depth), answer["translations"]);
+    const kernels::Report report = testing::check(depth, a, b);
+    EXPECT_TRUE(report.ok()) << testing::text(report);
+    EXPECT_EQ(fathom::penetration_depth(a, b, {.method = Method::naive}).optima(), depth.optima());
+    ++cases;
+  }
+  EXPECT_EQ(cases, 63U + 93U);
+}
+
+/// Exact, or between the same two doubles.
+void expect_value(const SignedDepth& depth, const Json& answer) {
+  ASSERT_TRUE(depth.status());
+  EXPECT_EQ(name(*depth.status()), answer["status"]);
+  const Json& value = answer["signed_depth"];
+  EXPECT_EQ(depth.low_binary64(), value["low"].get<double>());
+  EXPECT_EQ(depth.high_binary64(), value["high"].get<double>());
+  ASSERT_EQ(depth.exact() != nullptr, value.contains("exact"));
+  if (!depth.exact()) return;
+  const auto number = [&](const char* field) { return mpq_class(value["exact"][field].get<std::string>()); };
+  EXPECT_EQ(compare(*depth.exact(), Surd{number("plus"), number("root") * value["exact"]["sign"].get<int>()}), 0);
+}
+
+TEST(RealCases, OfConvexBodiesHaveTheStatedAnswersByEveryMethod) {
+  std::size_t cases = 0, exact = 0;
+  for (const auto& [pair, line, answer] : stated_cases()) {
+    if (!answer.contains("signed_depth") || pair.a.pieces || pair.b.pieces) continue;
+    SCOPED_TRACE(pair.id);
+    const Shape a = files::shape_of(pair.a), b = files::shape_of(pair.b);
+    for (const Method method : {Method::automatic, Method::exact, Method::naive}) {
+      SignedDepthOptions options;
+      options.cores.method = method;
+      expect_value(signed_depth(a, b, options), answer);
+    }
+    ++cases;
+    exact += answer["signed_depth"].contains("exact") ? 1 : 0;
+  }
+  EXPECT_EQ(cases, 132U);
+  EXPECT_EQ(exact, 128U);
 }
 
 }  // namespace

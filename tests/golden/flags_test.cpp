@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each flag on a pair that has it, and none on a pair that has none; all of them are explained in
 // the notes and known to the schema.
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "fathom/numbers.hpp"
+#include "kernels/vector.hpp"
+#include "reference/polytope/polytope.hpp"
+#include "tests/golden/forged.hpp"
+#include "tests/golden/some_recipes.hpp"
+#include "tests/support/monitors.hpp"
+#include "verify/families/families.hpp"
+#include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/facts.hpp"
+#include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"
 #include "verify/golden/release/embedded_pages.hpp"
 
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::json;
+using testing::Json;
 using Names = std::set<std::string>;
 
 mpq_class exact(const std::string& text) { return *parse_number(text, Decimals::exact).value; }
@@ -161,6 +174,246 @@ TEST(Notes, ExplainEveryFieldOfARecord) {
       for (const auto& [key, value] : part->items())
         EXPECT_NE(notes().find("`" + key + "`"), std::string_view::npos) << key;
   }
+}
+
+// Faces by their definition against the faces of convex hulls.
+
+// Every facet, every edge (in the sum of its facets' directions) and every vertex of bodies with
+// repeated, collinear and interior points.
+TEST(Faces, AreThoseOfTheHull) {
+  for (const char* name :
+       {"redundant_points", "boxes_aligned", "degraded_coplanar_points", "solid_polygon", "random_lattice"}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const Case pair = families::find_family(name)->make(seed, 10);
+      const Integers bodies = integers_of(pair.a.points, pair.b.points);
+      for (const std::vector<Vector>* points : {&bodies.a, &bodies.b}) {
+        const polytope::Polytope hull = polytope::convex_hull(*points);
+        for (const polytope::Facet& facet : hull.facets) {
+          std::vector<std::uint32_t> corners;
+          for (std::uint32_t i = facet.begin; i < facet.end; ++i) corners.push_back(hull.input_ids[hull.corners[i]]);
+          std::ranges::sort(corners);
+          EXPECT_EQ(face_in_direction(*points, facet.normal).corners, corners) << pair.id;
+        }
+        if (hull.rank < 3) continue;
+        for (const polytope::Edge& edge : hull.edges) {
+          const std::vector<std::uint32_t> ends{hull.input_ids[edge.from], hull.input_ids[edge.to]};
+          EXPECT_EQ(face_in_direction(*points, hull.facets[edge.left].normal + hull.facets[edge.right].normal).corners,
+                    ends)
+              << pair.id;
+        }
+      }
+    }
+  }
+}
+
+TEST(Faces, HoldTheirPointsAndNoOthers) {
+  const std::vector<Point> points{
+      {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {2, 2, 0}, {1, 1, 3}, {mpq_class(1, 3), 0, 0}};
+  const Integers bodies = integers_of(points, points);
+  EXPECT_EQ(bodies.denominator, 3);
+  const Vector down{0, 0, -1}, side{-3, 0, 1}, corner{-1, -2, -3};
+  const SupportingFace square = face_in_direction(bodies.a, down), edge = face_in_direction(bodies.a, side),
+                       tip = face_in_direction(bodies.a, corner);
+  EXPECT_EQ(square.corners, (std::vector<std::uint32_t>{0, 1, 2, 3}));
+  EXPECT_EQ(tip.corners, (std::vector<std::uint32_t>{0}));
+  const auto in = [&](const SupportingFace& face, const Vector& n, const Point& p) {
+    return contains(face, n, bodies.denominator, p);
+  };
+  for (const Point& p : {points[0], points[4], points[6], mpq_class(1, 2) * (points[1] + points[3]),
+                         Point{mpq_class(1, 7), mpq_class(1, 5), 0}})
+    EXPECT_TRUE(in(square, down, p));
+  for (const Point& p : {points[5], Point{2, 2, mpq_class(1, 9)}, Point{mpq_class(-1, 99), 1, 0}, Point{5, 0, 0},
+                         Point{4, mpq_class(41, 10), 0}})
+    EXPECT_FALSE(in(square, down, p));
+  EXPECT_TRUE(in(tip, corner, points[0]));
+  EXPECT_FALSE(in(tip, corner, points[6]));
+  ASSERT_EQ(edge.corners.size(), 3u) << "0, 2 and 5 lie in one plane";
+}
+
+TEST(Faces, EdgesEndAtTheirEnds) {
+  const std::vector<Point> points{{0, 0, 0}, {2, 4, 6}, {1, 2, 3}, {5, 0, 0}};
+  const Vector n{-7, 2, 1};  // <n, (1,2,3)> = 0
+  const Integers bodies = integers_of(points, points);
+  const SupportingFace edge = face_in_direction(bodies.a, n);
+  EXPECT_EQ(edge.corners, (std::vector<std::uint32_t>{0, 1}));
+  const auto in = [&](const Point& p) { return contains(edge, n, bodies.denominator, p); };
+  EXPECT_TRUE(in(points[0]) && in(points[1]) && in(points[2]));
+  EXPECT_TRUE(in({mpq_class(1, 3), mpq_class(2, 3), 1}));
+  EXPECT_FALSE(in({3, 6, 9}));
+  EXPECT_FALSE(in({-1, -2, -3}));
+  EXPECT_FALSE(in({0, -1, 2}));
+}
+
+// The CSV says what the records say.
+
+std::vector<Record> sample() {
+  std::vector<Record> result;
+  for (const Recipe& recipe :
+       {Recipe{Source::family, "boxes_posed", 8, 5}, Recipe{Source::family, "solid_point", 4, 2},
+        Recipe{Source::family, "touching_vertex_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
+        Recipe{Source::family, "random_ball", 5, 2}}) {
+    for (Record& record : records_of(recipe)) result.push_back(std::move(record));
+  }
+  return result;
+}
+
+std::vector<std::string> fields(const std::string& row) {
+  EXPECT_TRUE(row.ends_with('\n'));
+  std::vector<std::string> result{""};
+  for (const char c : row.substr(0, row.size() - 1)) {
+    if (c == ',') result.emplace_back();
+    else result.back() += c;
+  }
+  return result;
+}
+
+TEST(Csv, RowsHaveTheColumnsOfTheHeader) {
+  const std::vector<std::string> header = fields(csv_header());
+  const auto column = [&header](const std::vector<std::string>& row, const std::string& name) {
+    const auto at = std::ranges::find(header, name);
+    EXPECT_NE(at, header.end()) << name;
+    return row[static_cast<std::size_t>(at - header.begin())];
+  };
+  for (const Record& record : sample()) {
+    const std::string text = record.csv_row;
+    ASSERT_EQ(!text.empty(), record.in_binary64) << record.id;
+    if (text.empty()) continue;
+    const std::vector<std::string> row = fields(text);
+    ASSERT_EQ(row.size(), header.size()) << record.id;
+    const Json parsed = Json::parse(record.line);
+    const Json& expected = parsed["expected"];
+    EXPECT_EQ(column(row, "id"), record.id);
+    EXPECT_EQ(column(row, "status"), expected["status"]);
+    EXPECT_EQ(column(row, "format"), record.in_binary32 ? "binary32" : "binary64");
+    EXPECT_EQ(column(row, "depth_squared"), expected["depth"]["squared"]);
+    EXPECT_EQ(column(row, "depth_f64_ru"), expected["depth"]["f64"]["ru"]);
+    EXPECT_EQ(column(row, "depth_f32_rd"), expected["depth"]["f32"]["rd"]);
+    EXPECT_EQ(column(row, "optima"), std::to_string(expected["optima"].size()));
+    EXPECT_EQ(column(row, "a_count"), std::to_string(parsed["a"]["vertices"].size()));
+    std::istringstream points(column(row, "b_points"));
+    for (const Json& vertex : parsed["b"]["vertices"]) {
+      for (const Json& coordinate : vertex) {
+        std::string hex;
+        points >> hex;
+        EXPECT_EQ(hex, coordinate) << record.id;
+      }
+    }
+    std::string more;
+    EXPECT_FALSE(points >> more);
+  }
+}
+
+TEST(Csv, LeavesOutWhatIsNotBinary64) {
+  const std::vector<Record> records = records_of({Source::family, "boxes_posed", 8, 5});
+  ASSERT_EQ(records.size(), 3u);
+  EXPECT_EQ(records[0].csv_row, "");
+  for (const std::size_t i : {1U, 2U}) EXPECT_NE(records[i].csv_row, "");
+}
+
+TEST(Csv, WritesInfinity) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  const Body box{GivenPoints(std::vector<std::array<double, 3>>{{-largest, -largest, -largest},
+                                                                {largest, largest, largest},
+                                                                {-largest, largest, largest},
+                                                                {largest, -largest, largest},
+                                                                {largest, largest, -largest},
+                                                                {largest, -largest, -largest},
+                                                                {-largest, largest, -largest},
+                                                                {-largest, -largest, largest}})};
+  const Record record = record_of({Source::family, "by_hand", 0, 0}, {Form::given, "by_hand", HullPair{box, box}});
+  EXPECT_NE(record.csv_row.find(",inf,0x1.fffffffffffffp+1023,inf,"), std::string::npos);
+}
+
+// Whatever is changed in a record, the other methods notice. That they give what is right:
+// prove_test.cpp.
+
+using testing::read;
+
+/// Every place of a value below `json`, as a JSON pointer.
+void leaves_of(const Json& json, const std::string& path, std::vector<std::string>& leaves) {
+  if (!json.is_structured()) return leaves.push_back(path);
+  for (const auto& [key, value] : json.items()) leaves_of(value, path + "/" + key, leaves);
+}
+
+/// Another value of the same kind.
+Json other(const Json& value) {
+  if (value.is_number()) return value.get<std::uint64_t>() + 1;
+  if (value.is_null()) return "0";
+  std::string text = value;
+  text.back() = text.back() == '1' ? '2' : '1';
+  return text;
+}
+
+TEST(Recompute, NoticesEveryChangedValue) {
+  std::size_t changed = 0;
+  for (const Recipe& recipe :
+       {Recipe{Source::family, "random_ball", 6, 4}, Recipe{Source::family, "exact_ties", 6, 2},
+        Recipe{Source::family, "touching_edge_face", 4, 1}, Recipe{Source::family, "random_disjoint", 4, 1},
+        Recipe{Source::shape_family, "capsules", 8, 1}, Recipe{Source::union_catalogue, "cavity_too_small"},
+        Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
+    const Record record = records_of(recipe).front();
+    const Json right = Json::parse(record.line);
+    for (const char* part : {"/expected", "/flags", "/formats"}) {
+      std::vector<std::string> leaves;
+      if (!right.contains(Json::json_pointer(part))) continue;  // shapes and unions have no flags
+      leaves_of(right.at(Json::json_pointer(part)), part, leaves);
+      for (const std::string& leaf : leaves) {
+        Json wrong = right;
+        Json& value = wrong[Json::json_pointer(leaf)];
+        value = other(value);
+        const std::optional<std::string> sentence = disagreement_with(Method::exact, wrong.dump());
+        EXPECT_TRUE(sentence && sentence->starts_with("by the method exact: ")) << record.id << leaf;
+        ++changed;
+      }
+    }
+  }
+  EXPECT_GT(changed, 200u);
+}
+
+TEST(Recompute, SaysWhereAndHow) {
+  const Record record = records_of({Source::family, "random_ball", 6, 4}).front();
+  Json wrong = Json::parse(record.line);
+  const std::string right = wrong["expected"]["depth"]["squared"].dump();
+  wrong["expected"]["depth"]["squared"] = "1/7";
+  EXPECT_EQ(disagreement_with(Method::naive, wrong.dump()),
+            "by the method naive: expected.depth.squared: expected " + right + ", found \"1/7\"");
+  EXPECT_EQ(disagreement_with(Method::exact, "{}").value_or("").substr(0, 41),
+            "by the method exact: expected a record, f");
+}
+
+TEST(Recompute, CanBeStopped) {
+  const Record record = records_of({Source::family, "random_ball", 6, 4}).front();
+  fathom::testing::Recorder impatient(0);
+  EXPECT_THROW(disagreement_with(Method::exact, record.line, &impatient), Interrupted);
+}
+
+TEST(Recompute, ShapesNeedAnotherSignedDepthToDiffer) {
+  Json wrong = Json::parse(records_of({Source::shape_family, "capsules", 8, 1}).front().line);
+  wrong["expected"]["signed_depth"]["exact"]["plus"] = "100";
+  EXPECT_EQ(disagreement_with(Method::naive, wrong.dump()),
+            "by the method naive: expected.signed_depth: the bodies, turned and exchanged, have another one");
+  wrong = Json::parse(testing::enclosed_record().line);
+  Json& bounds = wrong["expected"]["signed_depth"]["bounds"];
+  for (Json& bound : bounds) bound = exact_text(mpq_class(read(bound) + mpq_class(1, 1000)));
+  EXPECT_NE(disagreement_with(Method::exact, wrong.dump()).value_or("").find("have another one"), std::string::npos);
+  bounds = Json::array();
+  EXPECT_NE(disagreement_with(Method::exact, wrong.dump()).value_or("").find("expected a record"), std::string::npos);
+}
+
+TEST(Recompute, NearestPiecesMustBeTheNearest) {
+  const auto by_exact = [](const Json& line) { return disagreement_with(Method::exact, line.dump()).value_or(""); };
+  Json wrong = Json::parse(records_of({Source::union_catalogue, "gap_of_a_body"}).front().line);
+  ASSERT_EQ(wrong["expected"]["distance"]["pieces"], (Json{0, 0}));
+  wrong["expected"]["distance"]["pieces"] = {0, 7};
+  EXPECT_NE(by_exact(wrong).find("there are no such pieces"), std::string::npos);
+  const Json chain = Json::parse(records_of({Source::union_catalogue, "rings_linked"}).front().line);
+  EXPECT_EQ(by_exact(chain), "");
+  const std::uint32_t a = chain["expected"]["distance"]["pieces"][0];
+  wrong = chain;
+  wrong["expected"]["distance"]["pieces"][0] = (a + 2) % 4;
+  EXPECT_NE(by_exact(wrong).find("not the nearest"), std::string::npos) << by_exact(wrong);
+  wrong["expected"]["distance"].erase("pieces");
+  EXPECT_NE(by_exact(wrong).find("expected a record"), std::string::npos);
 }
 
 }  // namespace

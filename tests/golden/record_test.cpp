@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records against the naive method, the exact one, and the definitions of rounding.
+
 #include "verify/golden/records/record.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/signed_depth.hpp"
+#include "fathom/union.hpp"
 #include "reference/depth/naive.hpp"
+#include "reference/files/shape_names.hpp"
+#include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"
 #include "verify/check/check.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/union_pairs.hpp"
+#include "verify/golden/records/prove.hpp"
 #include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::json;
+using testing::hex;
+using testing::Json;
+using testing::line_with;
+using testing::read;
+using testing::replaced;
 
 Json texts(const Vector& v) { return {v.x.get_str(), v.y.get_str(), v.z.get_str()}; }
 Json texts(const Point& p) { return {exact_text(p.x), exact_text(p.y), exact_text(p.z)}; }
@@ -107,8 +121,6 @@ void expect_vector(const std::string& id, const Json& rounded, const std::array<
     }
   }
 }
-
-mpq_class read(const Json& text) { return *parse_number(text.get<std::string>(), Decimals::exact).value; }
 
 TEST(Record, DirectionsAndTranslationsAreCorrectlyRounded) {
   for (const Recipe& recipe : testing::some_recipes(7)) {
@@ -241,6 +253,310 @@ TEST(Record, CertificatesAreAcceptedAndBearTheId) {
     const fathom_check::Verdict verdict = fathom_check::verify(record.certificate);
     EXPECT_TRUE(verdict.accepted());
     EXPECT_EQ(verdict.id, record.id);
+  }
+}
+
+// What records of shapes say; a forger who makes all sums right is refused. What is asked of every
+// kind alike: prove_test.cpp.
+
+Surd surd(const Json& exact) { return {read(exact["plus"]), read(exact["root"]) * exact["sign"].get<int>()}; }
+
+TEST(ShapeRecord, SaysWhatOthersSayAboutTheCaseThatItIs) {
+  for (const Recipe& recipe : testing::some_recipes(11, Level::P0)) {
+    const std::vector<FormedCase> forms = cases_of(recipe);
+    const std::vector<Record> records = records_of(recipe);
+    ASSERT_EQ(forms.size(), records.size());
+    for (std::size_t i = 0; i < forms.size(); ++i) {
+      const Record& record = records[i];
+      const CaseItem item = parse_case(record.line, "record");
+      ASSERT_TRUE(item.ok()) << item.error().what();
+      EXPECT_EQ(item.id, forms[i].id);
+      const auto& pair = std::get<families::NamedPair>(forms[i].bodies);
+      const Shape a = files::shape_of(item.value().a), b = files::shape_of(item.value().b);
+      EXPECT_EQ(a, families::shape_of(pair.a)) << record.id;
+      EXPECT_EQ(b, families::shape_of(pair.b)) << record.id;
+      const SignedDepth answer = signed_depth(a, b);
+      const Json expected = Json::parse(record.line)["expected"], value = expected["signed_depth"];
+      EXPECT_EQ(expected["flat"].size(), std::size_t{is_flat(a)} + std::size_t{is_flat(b)});
+      if (const Surd* const exact = answer.exact()) {
+        EXPECT_EQ(compare(surd(value["exact"]), *exact), 0) << record.id;
+        EXPECT_EQ(expected["status"], name(*answer.status()));
+        EXPECT_EQ(hex(value["f64"]["rn"]), round_binary64(*exact));
+        EXPECT_EQ(hex(value["f32"]["ru"]), double{round_binary32(*exact, Rounding::ru)});
+        EXPECT_EQ(hex(value["low"]), answer.low_binary64());
+        EXPECT_EQ(hex(value["high"]), answer.high_binary64());
+        ASSERT_EQ(expected["translations"].size(), answer.translations().size());
+      } else {
+        const mpq_class low = read(value["bounds"][0]), high = read(value["bounds"][1]);
+        EXPECT_LT(low, high);
+        EXPECT_LE(low, answer.bounds()->high) << record.id;
+        EXPECT_GE(high, answer.bounds()->low) << record.id;
+        EXPECT_LE(exact_value(hex(value["low"])), low);
+        EXPECT_GE(exact_value(hex(value["high"])), high);
+        EXPECT_TRUE(expected["translations"].empty());
+      }
+    }
+  }
+}
+
+/// The bounds hold, and are near, for what is known by construction.
+TEST(ShapeRecord, HoldsWhatIsKnown) {
+  std::size_t known = 0;
+  for (const Recipe& recipe : testing::some_recipes(5, Level::P0)) {
+    const Json record = Json::parse(records_of(recipe).front().line);
+    if (!record["source"].contains("signed_depth")) continue;
+    const Surd answer = surd(record["source"]["signed_depth"]);
+    const Json& value = record["expected"]["signed_depth"];
+    if (value.contains("exact")) {
+      EXPECT_EQ(compare(surd(value["exact"]), answer), 0) << record["id"];
+    } else {
+      EXPECT_GE(compare(answer, read(value["bounds"][0])), 0) << record["id"];
+      EXPECT_LE(compare(answer, read(value["bounds"][1])), 0) << record["id"];
+    }
+    ++known;
+  }
+  EXPECT_GT(known, 30u);
+}
+
+TEST(ShapeRecord, TranslationsAreCorrectlyRounded) {
+  // A sphere and the corner of a box: alpha n + beta n/|n| with an irrational |n|.
+  std::size_t irrational = 0;
+  for (const Recipe& recipe : testing::some_recipes(9, Level::P0)) {
+    for (const Record& record : records_of(recipe)) {
+      const Json expected = Json::parse(record.line)["expected"];
+      for (const Json& along : expected["translations"]) {
+        mpq_class norm;
+        for (const Json& n : along["normal"]) norm += read(n) * read(n);
+        const mpq_class alpha = read(along["alpha"]), beta = read(along["beta"]);
+        for (std::size_t i = 0; i < 3; ++i) {
+          const mpq_class n = read(along["normal"][i]), root = beta * n;
+          const Surd component{alpha * n, root * abs(root) / norm};
+          const double down = hex(along["rounded"]["f64"]["rd"][i]), up = hex(along["rounded"]["f64"]["ru"][i]);
+          EXPECT_GE(compare(component, exact_value(down)), 0) << record.id;
+          EXPECT_LE(compare(component, exact_value(up)), 0) << record.id;
+          EXPECT_LE(up, std::nextafter(down, HUGE_VAL)) << record.id;
+          irrational += down < up;
+        }
+      }
+    }
+  }
+  EXPECT_GT(irrational, 50u);
+}
+
+TEST(ShapeRecord, RoundedOnesHoldTheRoundedNumbers) {
+  const Recipe recipe{Source::shape_family, "inverse_side_face", 8, 3};
+  const std::vector<FormedCase> forms = cases_of(recipe);
+  ASSERT_EQ(forms.size(), 3u);
+  const auto pair_of = [](const FormedCase& made) { return std::get<families::NamedPair>(made.bodies); };
+  for (const FormedCase& made : forms) {
+    EXPECT_TRUE(in_format(made.bodies, made.form));
+    EXPECT_EQ(pair_of(made).known.has_value(), made.form == Form::given);
+    const mpq_class exact = pair_of(forms.front()).b.place.x, stored = pair_of(made).b.place.x;
+    const mpq_class wide = exact_value(round_binary64(exact)), narrow = exact_value(double{round_binary32(exact)});
+    EXPECT_EQ(stored, made.form == Form::given ? exact : made.form == Form::binary64 ? wide : narrow);
+  }
+  EXPECT_FALSE(in_format(forms[0].bodies, Form::binary64));
+  EXPECT_FALSE(in_format(forms[1].bodies, Form::binary32));
+}
+
+TEST(ShapeRecord, NoRoundingThatOverflowsOrLeavesNoShape) {
+  const auto ball = [](const mpq_class& radius, const mpq_class& x) {
+    return families::posed(families::named("sphere", {{"radius", {radius}}}), {1, 0, 0, 0}, {x, 0, 0});
+  };
+  const mpq_class huge = exact_value(1e300), tiny = exact_value(1e-300);
+  const auto with = [&](const mpq_class& radius, const mpq_class& x) {
+    return families::NamedPair{ball(radius, x), ball(1, 0)};
+  };
+  EXPECT_TRUE(rounded(with(1, tiny), Form::binary32));
+  EXPECT_FALSE(rounded(with(1, huge), Form::binary32));
+  EXPECT_FALSE(rounded(with(tiny, 0), Form::binary32)) << "the radius becomes 0";
+  EXPECT_TRUE(rounded(with(tiny, huge), Form::binary64));
+  EXPECT_FALSE(rounded(with(1, huge * huge), Form::binary64));
+}
+
+// ---- forgers ----
+
+/// The line that begins with this word.
+std::string line_from(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find('\n' + word);
+  EXPECT_NE(at, std::string::npos) << word;
+  return text.substr(at + 1, text.find('\n', at + 1) - at);
+}
+
+TEST(ShapeForger, BoundsThatAreRaisedOrExchanged) {
+  const Record record = testing::enclosed_record();
+  const Json value = Json::parse(record.line)["expected"]["signed_depth"]["bounds"];
+  const std::string low = value[0], high = value[1], claim = "claim signed_bounds " + low + ' ' + high + '\n';
+  const auto refused = [&](const std::string& new_low, const std::string& new_high) {
+    const std::string proof =
+        replaced(record.certificate, claim, "claim signed_bounds " + new_low + ' ' + new_high + '\n');
+    Json line = Json::parse(line_with(record.line, proof));
+    Json& stated = line["expected"]["signed_depth"];
+    stated["bounds"] = {new_low, new_high};
+    stated["low"] = hex_text(round_binary64(read(new_low), Rounding::rd));
+    stated["high"] = hex_text(round_binary64(read(new_high), Rounding::ru));
+    return faults_of(line.dump(), proof).has_value();
+  };
+  EXPECT_FALSE(refused(low, high)) << "the forger changes nothing else";
+  const mpq_class width = read(high) - read(low), slack = width / 8;
+  EXPECT_FALSE(refused(exact_text(mpq_class(read(low) - slack)), high)) << "wider bounds are true";
+  EXPECT_TRUE(refused(high, low));
+  EXPECT_TRUE(refused(exact_text(mpq_class(read(high) + width)), exact_text(mpq_class(read(high) + 2 * width))))
+      << "above the true value";
+  EXPECT_TRUE(refused(exact_text(mpq_class(read(low) - 2 * width)), exact_text(mpq_class(read(low) - width))))
+      << "below it";
+  EXPECT_TRUE(refused(high, high));
+  EXPECT_TRUE(refused(low, low));
+}
+
+TEST(ShapeForger, ARadiusThatIsDropped) {
+  const Record record = records_of({Source::shape_family, "capsule_box", 8, 1}).front();
+  ASSERT_FALSE(faults_of(record.line, record.certificate));
+  const std::string bare = replaced(record.certificate, line_from(record.certificate, "radius_"), "");
+  ASSERT_TRUE(fathom_check::verify(bare).accepted()) << "it is true of other bodies";
+  EXPECT_EQ(faults_of(line_with(record.line, bare), bare), "the certificate is about other bodies");
+}
+
+TEST(ShapeForger, ACertificateThatSaysLess) {
+  const Record record = records_of({Source::shape_catalogue, "sphere_centre_on_vertex"}).front();
+  ASSERT_NE(record.line.find("optimal_cone"), std::string::npos);
+  std::string less = record.certificate.substr(0, record.certificate.find("lineality")) + "end 1 8 1 1 1\n";
+  const std::string counted = line_from(record.certificate, "end ");
+  less = replaced(less, "end 1 8 1 1 1\n", counted.substr(0, std::string("end 1 8 1 1 1").size()) + '\n');
+  ASSERT_TRUE(fathom_check::verify(less).accepted()) << fathom_check::verify(less).reason << less;
+  EXPECT_EQ(faults_of(line_with(record.line, less), less), "the certificate does not claim to list all directions");
+}
+
+// What records of unions say; a forger who makes all sums right is refused. What is asked of every
+// kind alike: prove_test.cpp.
+
+Record record_named(const char* entry) { return records_of({Source::union_catalogue, entry}).front(); }
+
+TEST(UnionRecord, SaysWhatOthersSayAboutTheCaseThatItIs) {
+  for (const Recipe& recipe : testing::some_recipes(5, Level::U0)) {
+    for (const Record& record : records_of(recipe)) {
+      const CaseItem item = parse_case(record.line, "record");
+      ASSERT_TRUE(item.ok()) << item.error().what();
+      EXPECT_EQ(item.id, record.id);
+      const UnionDepth answer = union_depth(*item.value().a.pieces, *item.value().b.pieces);
+      const Json expected = Json::parse(record.line)["expected"];
+      EXPECT_EQ(expected["status"], name(answer.status)) << record.id;
+      EXPECT_EQ(read(expected["depth"]["squared"]), answer.squared());
+      EXPECT_EQ(hex(expected["depth"]["f64"]["rn"]), root_binary64(answer.squared()));
+      if (answer.status == Status::penetrating) {
+        ASSERT_EQ(expected["optima"].size(), answer.optima.size()) << record.id;
+        for (std::size_t i = 0; i < answer.optima.size(); ++i) {
+          const Point& t = answer.optima[i].translation;
+          const Json &found = expected["optima"][i]["translation"], &rounded = expected["optima"][i]["rounded"];
+          EXPECT_EQ((Point{read(found[0]), read(found[1]), read(found[2])}), t) << record.id;
+          EXPECT_EQ(hex(rounded["f64"]["ru"][0]), round_binary64(t.x, Rounding::ru));
+          EXPECT_EQ(hex(rounded["f32"]["rd"][2]), double{round_binary32(t.z, Rounding::rd)});
+        }
+      } else {
+        EXPECT_TRUE(expected["optima"].empty());
+      }
+      ASSERT_EQ(expected.contains("distance"), answer.apart.has_value());
+      if (answer.apart) {
+        EXPECT_EQ(read(expected["distance"]["squared"]), answer.apart->distance.squared) << record.id;
+      }
+    }
+  }
+}
+
+/// The catalogue states its answers, which nobody computed.
+TEST(UnionRecord, HoldsWhatIsKnown) {
+  for (const families::UnionCatalogueEntry& entry : families::union_catalogue()) {
+    const Json line = Json::parse(record_named(entry.pair.id.c_str()).line), &expected = line["expected"];
+    EXPECT_EQ(expected["status"], name(entry.status)) << entry.pair.id;
+    const bool apart = entry.status == Status::disjoint;
+    EXPECT_EQ(read((apart ? expected["distance"] : expected["depth"])["squared"]), entry.squared) << entry.pair.id;
+    EXPECT_EQ(expected["optima"].size(), entry.status == Status::penetrating ? entry.optima : 0) << entry.pair.id;
+  }
+}
+
+TEST(UnionRecord, KnownAreTheCatalogueAndBodiesThatWereCut) {
+  for (const Recipe& recipe : testing::some_recipes(1, Level::U0)) {
+    for (const FormedCase& made : cases_of(recipe)) {
+      const bool expected = recipe.source == Source::union_catalogue || recipe.name.starts_with("cut_");
+      EXPECT_EQ(std::get<Unions>(made.bodies).known.has_value(), expected && made.form == Form::given) << made.id;
+      EXPECT_EQ(made.id, id_of(recipe, made.form));
+      EXPECT_TRUE(in_format(made.bodies, made.form)) << made.id;
+    }
+  }
+}
+
+TEST(UnionRecord, NoRoundingThatOverflowsOrFlattensAPiece) {
+  const auto with = [](const mpq_class& low, const mpq_class& high) {
+    const std::vector<Point> unit = families::box_from({0, 0, 0}, {1, 1, 1});
+    return Unions{{unit}, {unit, families::box_from({low, 0, 0}, {high, 1, 1})}};
+  };
+  const mpq_class huge = exact_value(1e300), next = 1 + exact_value(0x1p-30), third(1, 3);
+  EXPECT_FALSE(rounded(with(0, huge), Form::binary32));
+  EXPECT_TRUE(rounded(with(0, huge), Form::binary64));
+  EXPECT_FALSE(rounded(with(0, huge * huge), Form::binary64));
+  EXPECT_FALSE(rounded(with(1, next), Form::binary32)) << "the piece becomes flat";
+  EXPECT_TRUE(rounded(with(1, next), Form::binary64));
+  const std::optional<RecordBodies> third_rounded = rounded(with(0, third), Form::binary64);
+  ASSERT_TRUE(third_rounded);
+  EXPECT_EQ(std::get<Unions>(*third_rounded).b.at(1),
+            families::box_from({0, 0, 0}, {exact_value(round_binary64(third)), 1, 1}));
+}
+
+// ---- forgers ----
+
+TEST(UnionForger, AnotherDepthFewerOptimaOtherPieces) {
+  const Record record = record_named("cavity_too_small");
+  const Json line = Json::parse(record.line);
+  ASSERT_EQ(line["expected"]["optima"].size(), 3u);
+  const auto fault = [&](const auto& change) {
+    Json forged = line;
+    change(forged);
+    return faults_of(forged.dump(), record.certificate).value_or("");
+  };
+  EXPECT_EQ(fault([](Json&) {}), "");
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["depth"]["squared"] = "1"; }).find("expected.depth.squared"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"].erase(1); }).find("expected.optima"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["expected"]["optima"][0]["clearance"] = true; }).find("expected.optima"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["source"]["known"]["optima"] = 2; }).find("source.known.optima"),
+            std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["b"]["pieces"].erase(0); }).find("b.pieces"), std::string::npos);
+  EXPECT_NE(fault([](Json& forged) { forged["a"]["pieces"][0]["vertices"][0][0] = "0x1p-1"; }).find("a.pieces"),
+            std::string::npos);
+}
+
+TEST(UnionForger, ACertificateThatIsNotAccepted) {
+  const Record record = record_named("slot_exact_fit");
+  const std::string raised = replaced(record.certificate, "claim depth 9/16", "claim depth 10/16"),
+                    lowered = replaced(record.certificate, "claim depth 9/16", "claim depth 1/2");
+  for (const std::string& proof : {raised, lowered})
+    EXPECT_NE(faults_of(line_with(record.line, proof), proof).value_or("").find("not accepted"), std::string::npos);
+}
+
+/// The same points, one piece repeated: the body is the same set, the pieces are not.
+TEST(UnionForger, APieceMore) {
+  const Record record = record_named("cube_repeated");
+  const auto unions = std::get<Unions>(base_bodies({Source::union_catalogue, "cube_repeated"}));
+  Pieces more = unions.a;
+  more.push_back(more.front());
+  const std::string proof = certificate_text(more, unions.b, union_depth(more, unions.b), record.id);
+  ASSERT_TRUE(fathom_check::verify(proof).accepted());
+  EXPECT_EQ(faults_of(line_with(record.line, proof), proof), "the certificate is about other bodies");
+}
+
+TEST(UnionProve, WhatIsKnownIsNotDenied) {
+  const Record record = record_named("slot_exact_fit");
+  FormedCase made = cases_of({Source::union_catalogue, "slot_exact_fit"}).front();
+  const auto proved = [&] { return std::get<UnionStatement>(proved_truth(made, {}, record.certificate)); };
+  EXPECT_EQ(proved().squared, mpq_class(9, 16));
+  const KnownUnion known = *std::get<Unions>(made.bodies).known;
+  for (const KnownUnion& wrong :
+       {KnownUnion{Status::touching, known.squared, known.optima},
+        KnownUnion{known.status, known.squared + 1, known.optima}, KnownUnion{known.status, known.squared, 2}}) {
+    std::get<Unions>(made.bodies).known = wrong;
+    EXPECT_THROW(proved(), NotProved);
   }
 }
 

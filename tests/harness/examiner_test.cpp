@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Subjects written as lines of shell. What the liar of tests/cli/certify_liar_test.py does is not
 // done again here.
+
 #include "verify/harness/examiner.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cstdlib>
+#include <map>
+#include <stdexcept>
 #include <string>
+#include <thread>
+
+#include "tests/harness/fake_subject.hpp"
+#include "verify/harness/coordinates.hpp"
+#include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -110,7 +120,7 @@ TEST(Examiner, BlamesTheCaseThatFailsAgain) {
 
 /// What happens with a case once, and not again.
 TEST(Examiner, AsksAFreshProcess) {
-  const std::string mark = testing::TempDir() + "examiner_test_first";
+  const std::string mark = ::testing::TempDir() + "examiner_test_first";
   const std::string first = "[ ! -e '" + mark + "' ] && touch '" + mark + "' && ";
   for (const auto& [way, detail] : {std::pair<std::string, std::string>{"kill -9 $$", "-: killed by signal 9 (Killed)"},
                                     {"{ echo '{}'; continue; }", "-: wrote '{}'"},
@@ -175,7 +185,7 @@ TEST(Examiner, NeverStarts) {
 
 TEST(Examiner, DoesNotStartAgain) {
   Notes notes;
-  const std::string once = testing::TempDir() + "examiner_test_once";
+  const std::string once = ::testing::TempDir() + "examiner_test_once";
   const std::string says_hello_once = "[ -e '" + once + "' ] && exit 5; touch '" + once + "'; ";
   ASSERT_EQ(std::system(("rm -f '" + once + "'").c_str()), 0);
   Examiner examiner({says_hello_once + subject("exit 4").shell}, notes.settings());
@@ -191,6 +201,157 @@ TEST(Examiner, Stops) {
   Examiner examiner(subject("sleep 60"), settings);
   stop = true;
   EXPECT_THROW(examiner.examine(points("x", 1)), Interrupted);
+}
+
+// Many threads, each case once; exceptions end the run where they should, and nowhere else.
+
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A plan over the cases "0", "1", ... whose subject passes everything.
+class Runs : public ::testing::TestWithParam<unsigned> {
+ protected:
+  static constexpr int count = 50;
+
+  Runs() {
+    plan_.jobs = GetParam();
+    plan_.next = [this]() -> std::optional<Case> {
+      if (next_ == count) return std::nullopt;
+      const int i = next_++;
+      return Case{std::to_string(i), {{{i, 0, 0}}}, {{{0, 0, 0}}}};
+    };
+    plan_.worker = [this]() -> Worker {
+      ++workers_;
+      return {[this](const Case& pair, long) { return examine(pair); }, [this] { ++finished_; }};
+    };
+    plan_.found = [this](const Case&, const Case& seen, const Outcome& outcome, bool known) {
+      EXPECT_EQ(seen.id, outcome.id);
+      ++found_[outcome.id + (outcome.variant.empty() ? "" : "~" + outcome.variant) + (known ? " known" : "")];
+    };
+    plan_.fault = [this](const Case& pair, const std::exception_ptr& error) {
+      try {
+        std::rethrow_exception(error);
+      } catch (const Refused&) {
+        ++faults_[pair.id];
+      }
+    };
+    plan_.left_out = [this](const Case&, const std::string&) { ++left_out_; };
+  }
+
+  Outcome examine(const Case& pair) {
+    std::this_thread::yield();
+    if (refuse_ && std::stoi(pair.id) % 10 == 3) throw Refused("no");
+    if (break_ && pair.id == "20") throw std::runtime_error("broken");
+    Outcome outcome = outcome_for(pair);
+    outcome.verdict = Verdict::pass;
+    return outcome;
+  }
+
+  [[nodiscard]] bool each_once() const {
+    return std::ranges::all_of(found_, [](const auto& entry) { return entry.second == 1; });
+  }
+
+  RunPlan plan_;
+  int next_ = 0;
+  std::atomic<unsigned> workers_ = 0, finished_ = 0;
+  bool refuse_ = false, break_ = false;
+  std::map<std::string, int> found_, faults_;
+  int left_out_ = 0;
+};
+
+TEST_P(Runs, EachCaseOnce) {
+  run(plan_);
+  EXPECT_EQ(found_.size(), std::size_t{count});
+  EXPECT_TRUE(each_once());
+  EXPECT_EQ(workers_, GetParam());
+  EXPECT_EQ(finished_, GetParam());
+}
+
+TEST_P(Runs, FaultsOfSingleCases) {
+  refuse_ = true;
+  run(plan_);
+  EXPECT_EQ(found_.size(), std::size_t{count - 5});
+  EXPECT_EQ(faults_.size(), 5U);
+  EXPECT_TRUE(each_once());
+}
+
+TEST_P(Runs, OtherFaultsEndIt) {
+  break_ = true;
+  EXPECT_THROW(run(plan_), std::runtime_error);
+  EXPECT_FALSE(found_.contains("20"));
+  EXPECT_TRUE(each_once());
+  if (GetParam() == 1) {
+    EXPECT_EQ(next_, 21) << "no case is taken after it";
+  }
+}
+
+TEST_P(Runs, SourcesAndExaminersMayFail) {
+  plan_.worker = []() -> Worker { throw Refused("no subject"); };
+  EXPECT_THROW(run(plan_), Refused);
+  EXPECT_TRUE(found_.empty());
+}
+
+TEST_P(Runs, VariantsAndWhatIsKnown) {
+  plan_.variants = {"swap", "permute"};
+  Outcome before = outcome_for({"7", {{{7, 0, 0}}}, {{{0, 0, 0}}}});
+  before.verdict = Verdict::pass;
+  plan_.known = [&](const std::string& id, const std::string& variant, const std::string& digest) {
+    return id == "7" && variant.empty() && digest == before.digest ? &before : nullptr;
+  };
+  run(plan_);
+  EXPECT_EQ(found_.size(), std::size_t{2 * count});
+  EXPECT_EQ(left_out_, count) << "single points have no other order";
+  EXPECT_TRUE(each_once());
+  EXPECT_TRUE(found_.contains("7 known"));
+  EXPECT_TRUE(found_.contains("7~swap"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Jobs, Runs, ::testing::Values(1U, 2U, 7U));
+
+// The size that cases are brought to.                                          [verify/PROTOCOL.md]
+
+Case segments(const mpq_class& length) { return {"s", Body{{{0, 0, 0}, {length, 0, 0}}}, Body{{{5, 0, 0}}}}; }
+
+TEST(ExponentToFit, TheExtentIsLessThanTheSizeAndAtLeastHalfOfIt) {
+  EXPECT_EQ(exponent_to_fit(segments(32), mpq_class(64)), 0);
+  EXPECT_EQ(exponent_to_fit(segments(64), mpq_class(64)), -1) << "less than";
+  const mpq_class below = 64 - mpq_class(1, 1'000'000'007);
+  EXPECT_EQ(exponent_to_fit(segments(below), mpq_class(64)), 0);
+  EXPECT_EQ(exponent_to_fit(segments(32 - mpq_class(1, 1'000'000'007)), mpq_class(64)), 1);
+  for (const mpq_class& size : {mpq_class(64), mpq_class(1, 3), mpq_class(100'003, 7)})
+    for (const mpq_class& length : {mpq_class(1), mpq_class(1, 3), scaled(mpq_class(5, 7), -1074), scaled(3, 1023)}) {
+      const mpq_class there = scaled(length, exponent_to_fit(segments(length), size));
+      EXPECT_TRUE(there < size && 2 * there >= size) << there << ' ' << size;
+    }
+  EXPECT_EQ(exponent_to_fit(segments(3), std::nullopt), 0);
+  EXPECT_EQ(exponent_to_fit(segments(0), mpq_class(64)), 0) << "a point on a point";
+}
+
+TEST(InUnit, LengthsOfAnswersAreScaledAndDirectionsAreNot) {
+  Reply reply;
+  reply.depth = 3;
+  reply.direction = Triple{0, 2, 0};
+  reply.witness_b = Triple{1, -5, 0x1p-1074};
+  reply.distance = 7;
+  reply.contacts = {{{2, 4, 6}, 5.0}, {{1, 1, 1}, {}}};
+  const Reply there = in_unit(reply, -1);
+  EXPECT_EQ(there.depth, 1.5);
+  EXPECT_EQ(there.direction, reply.direction);
+  EXPECT_EQ(there.distance, 3.5);
+  EXPECT_EQ(there.contacts, (std::vector<ContactPoint>{{{1, 2, 3}, 2.5}, {{0.5, 0.5, 0.5}, {}}}));
+  EXPECT_EQ(*there.witness_b, (Triple{0.5, -2.5, 0})) << "rounded once, ties to even";
+}
+
+TEST(JudgedBodies, AreGrownByTheRadiusOfTheirWord) {
+  const Case seen{"c", Body{{{0, 0, 0}, {1, 0, 0}}}, files::body_of(files::named("sphere", {{"radius", {2}}}))};
+  SubjectInfo info;
+  EXPECT_FALSE(judged_bodies(seen, info, 0).a.shape);
+  info.rounding = {{"vertices", mpq_class(1, 2)}};
+  EXPECT_EQ(judged_bodies(seen, info, 3).a.shape->radius, mpq_class(1, 16)) << "a length of the subject's unit";
+  EXPECT_EQ(judged_bodies(seen, info, 3).b.shape->radius, 2);
+  info.rounding = {{"", mpq_class(1, 2)}};
+  EXPECT_EQ(judged_bodies(seen, info, 0).b.shape->radius, mpq_class(5, 2));
 }
 
 }  // namespace

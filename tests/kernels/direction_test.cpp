@@ -1,23 +1,128 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enclosures against exact rationals: they hold the value, and are as narrow as stated.
+// The algebra of vectors by its laws.
 
 #include "kernels/predicates/direction.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 #include <cfenv>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <vector>
 
+#include "kernels/filters/plane.hpp"
+#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/support.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "tests/support/line_scenes.hpp"
 #include "tests/support/property.hpp"
+#include "tests/support/rounding_modes.hpp"
 #include "tests/support/signs.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::kernels {
 namespace {
+
+using namespace fathom::testing;
+
+template <class Property>
+void for_all_sizes(const std::string& law, const Property& property) {
+  for (const Size size : all_sizes)
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
+}
+
+TEST(Vector, ProductsOfTheAxes) {
+  const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+  EXPECT_EQ(cross(x, y), z);
+  EXPECT_EQ(cross(y, z), x);
+  EXPECT_EQ(cross(z, x), y);
+  EXPECT_EQ(det(x, y, z), 1);
+  EXPECT_EQ(dot(x, x), 1);
+  EXPECT_EQ(dot(x, y), 0);
+}
+
+TEST(Vector, ProductsAreBilinearAndAlternating) {
+  for_all_sizes("products", [](Size size) {
+    const Vector a = *vectors(size), b = *vectors(size), c = *vectors(size);
+    RC_ASSERT(dot(a, b) == dot(b, a));
+    RC_ASSERT(dot(a + b, c) == mpz_class(dot(a, c) + dot(b, c)));
+    RC_ASSERT(cross(a, b) == -cross(b, a));
+    RC_ASSERT(cross(a + b, c) == cross(a, c) + cross(b, c));
+    RC_ASSERT(dot(cross(a, b), a) == 0);
+    RC_ASSERT(det(a, b, c) == det(b, c, a));
+    RC_ASSERT(det(a, b, c) == mpz_class(-det(b, a, c)));
+    // Lagrange: |a x b|^2 + <a,b>^2 = |a|^2 |b|^2.
+    RC_ASSERT(mpz_class(dot(cross(a, b), cross(a, b)) + dot(a, b) * dot(a, b)) == mpz_class(dot(a, a) * dot(b, b)));
+  });
+}
+
+TEST(Vector, SumsHaveInverses) {
+  for_all_sizes("sums", [](Size size) {
+    const Vector a = *vectors(size), b = *vectors(size);
+    RC_ASSERT(a + b == b + a);
+    RC_ASSERT(a + b - b == a);
+    RC_ASSERT(a - b == a - b);
+    RC_ASSERT(is_zero(a - a));
+    RC_ASSERT(is_zero(a) == (dot(a, a) == 0));
+  });
+}
+
+TEST(PrimitiveAlong, IsThatOfAnyMultiple) {
+  EXPECT_EQ(primitive_along({0, 0, 0}), (Vector{0, 0, 0}));
+  EXPECT_EQ(primitive_along({mpq_class(1, 2), mpq_class(-1, 3), 0}), (Vector{3, -2, 0}));
+  for_all_sizes("multiples", [](Size size) {
+    const Vector v = *vectors(size);
+    const mpz_class p = 1 + abs((*vectors(size)).x), q = 1 + abs((*vectors(size)).y);
+    RC_ASSERT(primitive_along({ratio(p * v.x, q), ratio(p * v.y, q), ratio(p * v.z, q)}) == primitive(v));
+  });
+}
+
+TEST(LexicographicallyLess, OrdersByTheFirstDifference) {
+  for_all_sizes("as arrays", [](Size size) {
+    const Vector a = *vectors(size), b = *rc::gen::element(*vectors(size), a + *smallest_steps());
+    const std::array<mpz_class, 3> of_a{a.x, a.y, a.z}, of_b{b.x, b.y, b.z};
+    RC_ASSERT(lexicographically_less(a, b) ==
+              std::lexicographical_compare(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()));
+  });
+}
+
+TEST(Primitive, LeavesNoCommonDivisorAndTheDirection) {
+  for_all_sizes("primitive", [](Size size) {
+    const Vector v = *directions(size);
+    const mpz_class s = abs(*integers(size)) + 1;
+    const Vector p = primitive(s * v);
+    RC_ASSERT(gcd(gcd(p.x, p.y), p.z) == 1);
+    RC_ASSERT(is_zero(cross(p, v)));
+    RC_ASSERT(dot(p, v) > 0);
+    RC_ASSERT(primitive(p) == p);
+    RC_ASSERT(primitive(v) == p);
+  });
+  EXPECT_EQ(primitive(Vector{0, 0, 0}), (Vector{0, 0, 0}));
+  EXPECT_EQ(primitive(Vector{0, -6, 0}), (Vector{0, -1, 0}));
+  EXPECT_EQ(primitive(Vector{4, -6, 10}), (Vector{2, -3, 5}));
+}
+
+TEST(SameDirection, IsEqualityOfPrimitives) {
+  for_all_sizes("same direction", [](Size size) {
+    const Vector a = *directions(size);
+    const mpz_class s = abs(*integers(size)) + 1, t = *integers(size);
+    RC_ASSERT(same_direction(s * a, a));
+    RC_ASSERT(!same_direction(mpz_class(-s) * a, a));
+    const Vector b = *rc::gen::element(*directions(size), t * a, s * a + *smallest_steps());
+    RC_PRE(!is_zero(b));
+    RC_ASSERT(same_direction(a, b) == (primitive(a) == primitive(b)));
+  });
+  EXPECT_FALSE(same_direction(Vector{0, 0, 1}, Vector{0, 1, 0}));
+  EXPECT_FALSE(same_direction(Vector{1, 0, 0}, Vector{1, 0, 1}));
+  EXPECT_TRUE(same_direction(Vector{-2, 0, 4}, Vector{-3, 0, 6}));
+}
+
+// Enclosures against exact rationals: they hold the value, and are as narrow as stated.
 
 using namespace fathom::testing;
 
@@ -216,6 +321,197 @@ TEST(Images, SureOrdersOnAVerticalAreRight) {
   EXPECT_GT(near.sure, 1000);
   EXPECT_GT(near.unsure, 1000);
   EXPECT_LT(1000 * far.unsure, far.sure);
+}
+
+// Every answer against the determinant of the definition, on points of mixed scales that often are
+// nearly or exactly coplanar.
+
+using Points = std::vector<Vector>;
+
+/// A small number, times a power of two up to 2^1500, and now and then one off.
+mpz_class coordinate_of_any_size() {
+  const mpz_class scaled = mpz_class(*rc::gen::inRange(-4, 5))
+                           << *rc::gen::weightedElement<int>({{3, 0}, {3, 53}, {2, 60}, {1, 400}, {1, 1500}});
+  return scaled + *rc::gen::weightedElement<int>({{6, 0}, {1, 1}, {1, -1}});
+}
+
+Vector any_vector() { return {coordinate_of_any_size(), coordinate_of_any_size(), coordinate_of_any_size()}; }
+
+/// Five points; half of the time the last two are combinations of the first three, perhaps one unit
+/// off.
+Points five_points() {
+  Points p{any_vector(), any_vector(), any_vector(), any_vector(), any_vector()};
+  if (*rc::gen::arbitrary<bool>()) {
+    p[3] = p[0] + p[1] - p[2];
+    p[4] = p[2] + p[2] - p[1];
+    p[4].z += *rc::gen::inRange(-1, 2);
+  }
+  return p;
+}
+
+TEST(Plane, EveryAnswerIsTheSignOfTheDeterminant) {
+  int on_plane = 0, off_plane = 0;
+  EXPECT_TRUE(holds({.seed = 35, .runs = 3000}, [&] {
+    const Points p = five_points();
+    const BoxedPoints boxed(p);
+    const Plane plane(boxed, 0, 1, 2);
+    const Vector n = cross(p[1] - p[0], p[2] - p[0]);
+    RC_ASSERT(plane.degenerate() == is_zero(n));
+    for (const std::uint32_t s : {3u, 4u, 1u}) {
+      RC_ASSERT(to_int(plane.side(s)) == sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[s] - p[0]))));
+      ++(plane.side(s) == Sign::zero ? on_plane : off_plane);
+    }
+    RC_ASSERT(to_int(plane.rise(3, 4)) == sgn(dot(n, p[4] - p[3])));
+    RC_ASSERT(plane.rise(4, 3) == -plane.rise(3, 4));
+    RC_ASSERT(plane.normal() == n);
+  }));
+  EXPECT_GT(on_plane, 1000);
+  EXPECT_GT(off_plane, 1000);
+}
+
+TEST(Plane, TurnIsTheNormalsComponentAlongTheAxis) {
+  int straight = 0;
+  EXPECT_TRUE(holds({.seed = 35, .runs = 3000}, [&] {
+    const Points p = five_points();
+    const BoxedPoints boxed(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      RC_ASSERT(to_int(turn(boxed, axis, 2, 3, 4)) == sgn(coordinate(cross(p[3] - p[2], p[4] - p[2]), axis)));
+      straight += turn(boxed, axis, 2, 3, 4) == Sign::zero;
+    }
+  }));
+  EXPECT_GT(straight, 100);
+}
+
+TEST(Plane, OneUnitIn2To1500) {
+  const mpz_class far = mpz_class(1) << 1500;
+  const Points p{{far, 0, 0}, {0, far, 0}, {0, 0, far}, {far - 2, 1, 1}, {far - 2, 1, 2}, {far - 2, 1, 0}};
+  const BoxedPoints boxed(p);
+  const Plane plane(boxed, 0, 1, 2);
+  EXPECT_EQ(plane.side(3), Sign::zero);
+  EXPECT_EQ(plane.side(4), Sign::positive);
+  EXPECT_EQ(plane.side(5), Sign::negative);
+}
+
+// What the rounded plane says for certain, against exact arithmetic, in every rounding mode; and
+// that it says so often enough.
+
+using testing::random_integer;
+using testing::random_vector;
+using testing::rounding_modes;
+using testing::RoundingMode;
+using Random = std::mt19937_64;
+
+/// Four points of some number of bits; the last often nearly or exactly in the plane of the others,
+/// which are often close together.
+std::array<Vector, 4> four_points(Random& random, unsigned long bits) {
+  std::array<Vector, 4> p{random_vector(random, bits), random_vector(random, bits), random_vector(random, bits),
+                          random_vector(random, bits)};
+  if (random() % 3 == 0) {
+    const unsigned long fine = 1 + random() % bits;
+    for (std::size_t i = 1; i < 4; ++i) p[i] = p[0] + random_vector(random, fine);
+  }
+  if (random() % 4 == 0) {  // so near to p[0] that the images almost agree
+    p[3] = p[0] + random_vector(random, bits > 55 ? bits - 55 + random() % 8 : 1);
+  } else if (random() % 2 == 0) {
+    p[3] = p[0] + p[1] - p[2];
+    if (random() % 2 == 0) p[3].z += random_integer(random, 1 + random() % bits);
+  }
+  return p;
+}
+
+TEST(RoundedPlane, SaysNoSideThatIsWrong) {
+  Random random(7);
+  std::size_t sure = 0, zero = 0, generic_unsure = 0;
+  for (int i = 0; i < 40000; ++i) {
+    const RoundingMode mode(rounding_modes[i % 4]);
+    const unsigned long bits = i % 3 == 0 ? 5 : i % 3 == 1 ? 60 : 700;
+    const std::array<Vector, 4> p = four_points(random, bits);
+    const auto at = [&](int k) { return image(p[k], static_cast<long>(bits)); };
+    const std::optional<Sign> said = RoundedPlane(at(0), at(1), at(2)).side(at(3));
+    const int exact = sgn(det(Vector(p[1] - p[0]), Vector(p[2] - p[0]), Vector(p[3] - p[0])));
+    if (said) {
+      ASSERT_EQ(to_int(*said), exact) << i;
+      ++sure;
+    }
+    if (exact == 0) ++zero;
+    const std::array<Vector, 4> g{random_vector(random, bits), random_vector(random, bits), random_vector(random, bits),
+                                  random_vector(random, bits)};
+    const auto plain = [&](int k) { return image(g[k], static_cast<long>(bits)); };
+    if (bits == 60 && RoundedPlane(plain(0), plain(1), plain(2)).side(plain(3)) == std::nullopt) ++generic_unsure;
+  }
+  EXPECT_GT(sure, 15000U);
+  EXPECT_GT(zero, 5000U);
+  EXPECT_LT(generic_unsure, 10U) << "of 13333";
+}
+
+TEST(RoundedPlane, SurelyBeyondIsNeverWrongAndRarelyMissed) {
+  Random random(8);
+  std::size_t beyond = 0, missed = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const RoundingMode mode(rounding_modes[i % 4]);
+    const unsigned long bits = i % 2 == 0 ? 60 : 700;
+    const std::array<Vector, 4> p = four_points(random, bits);
+    const Vector n = cross(Vector(p[1] - p[0]), Vector(p[2] - p[0]));
+    const mpz_class height = dot(n, p[0]), square = dot(n, n);
+    if (square == 0 || height == 0) continue;
+    const auto at = [&](int k) { return image(p[k], static_cast<long>(bits)); };
+    const RoundedPlane plane(at(0), at(1), at(2));
+    // The radius of the plane itself: it is not beyond that. A little less: it is, if O is below.
+    const double radius = root_from_above(height * height, square, static_cast<long>(bits));
+    ASSERT_FALSE(plane.surely_beyond(radius)) << i;
+    if (height < 0) {
+      ASSERT_FALSE(plane.surely_beyond(0)) << i;
+      continue;
+    }
+    const bool said = plane.surely_beyond(radius * 0.99);
+    if (plane.trustworthy()) ++(said ? beyond : missed);
+  }
+  EXPECT_GT(beyond, 5000U);
+  EXPECT_LT(missed, beyond / 10);
+}
+
+TEST(RoundedPlane, ImagesAreNear) {
+  Random random(9);
+  for (int i = 0; i < 5000; ++i) {
+    const RoundingMode mode(rounding_modes[i % 4]);
+    const unsigned long bits = 1 + random() % 900;
+    const Vector v = random_vector(random, bits);
+    const double x = image(v, static_cast<long>(bits)).x;
+    const mpq_class difference = mpq_class(x) - mpq_class(v.x, testing::power_of_two(bits));
+    ASSERT_LE(abs(difference), mpq_class(1, testing::power_of_two(52)));
+  }
+}
+
+TEST(RootFromAbove, IsAboveAndNear) {
+  Random random(10);
+  for (int i = 0; i < 5000; ++i) {
+    const RoundingMode mode(rounding_modes[i % 4]);
+    const mpz_class numerator = abs(random_integer(random, 1 + random() % 400)),
+                    denominator = abs(random_integer(random, 1 + random() % 400)) + 1;
+    const double root = root_from_above(numerator, denominator, 0);
+    ASSERT_TRUE(std::isfinite(root));
+    const mpq_class square = mpq_class(root) * mpq_class(root);
+    mpq_class truth(numerator, denominator);
+    truth.canonicalize();
+    ASSERT_GE(square, truth);
+    ASSERT_LE(square, truth * mpq_class(1001, 1000));
+  }
+  EXPECT_EQ(root_from_above(0, 1, 5), 0);
+  EXPECT_GE(root_from_above(testing::power_of_two(4000), 1, 0), 1e300) << "too large for binary64: infinite";
+  EXPECT_GT(root_from_above(1, testing::power_of_two(6000), 0), 0) << "too small: not zero";
+}
+
+TEST(LikelyExtremePoint, IsExtremeWhereNothingTies) {
+  Random random(11);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Vector> points(1 + random() % 700);
+    for (Vector& p : points) p = random_vector(random, 40);
+    const PointCloud cloud(points, binary_exponent(points));
+    const Vector u = testing::random_direction(random, 20);
+    const std::uint32_t found = likely_extreme_point(cloud.images(), image(u, 20));
+    EXPECT_EQ(found, extreme_points_naive(points, u).front());
+  }
+  EXPECT_EQ(likely_extreme_point(PointCloud({{1, 2, 3}, {4, 5, 6}}).images(), {0, 0, 0}), 0U);
 }
 
 }  // namespace

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The running minimum against a twin that remembers all offers and sorts them when asked.
+
 #include "kernels/nearest.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "kernels/id.hpp"
+#include "kernels/messages.hpp"
+#include "kernels/parallel.hpp"
+#include "kernels/predicates/perturbed_kernel.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 
@@ -128,6 +139,172 @@ TEST(NearestPlanes, ListsEachDirectionOnceAndInOrder) {
   EXPECT_EQ(nearest.directions().size(), 5U);
   EXPECT_TRUE(nearest.offer(Vector{3, 4, 0}, 9));
   EXPECT_EQ(directions_of(nearest), (std::vector<Vector>{{3, 4, 0}}));
+}
+
+using Apple = Id<struct AppleTag>;
+using Pear = Id<struct PearTag>;
+using Apples = IdVector<Apple, int>;
+
+static_assert(sizeof(Apple) == sizeof(std::uint32_t) && std::is_trivially_copyable_v<Apple>,
+              "an id is as cheap as the number");
+static_assert(!std::is_convertible_v<std::uint32_t, Apple> && !std::is_convertible_v<Apple, std::uint32_t>,
+              "a number is no id");
+static_assert(!std::is_constructible_v<Apple, Pear> && !std::is_assignable_v<Apple&, Pear>,
+              "ids of two kinds do not mix");
+
+template <class Left, class Right>
+concept Comparable = requires(Left left, Right right) {
+  left == right;
+};
+template <class Left, class Right>
+concept Ordered = requires(Left left, Right right) {
+  left < right;
+};
+static_assert(Comparable<Apple, Apple> && !Comparable<Apple, Pear> && !Comparable<Apple, int>);
+static_assert(Ordered<Apple, Apple> && !Ordered<Apple, Pear> && !Ordered<Apple, int>);
+
+template <class Vector, class Index>
+concept Indexed = requires(Vector vector, Index index) {
+  vector[index];
+};
+static_assert(Indexed<Apples, Apple> && Indexed<const Apples, Apple>);
+static_assert(!Indexed<Apples, Pear> && !Indexed<Apples, std::size_t> && !Indexed<Apples, int>);
+
+TEST(Id, NoneIsNoIdAndGreaterThanAll) {
+  EXPECT_TRUE(Apple::none().is_none());
+  EXPECT_FALSE(Apple().is_none());
+  EXPECT_LT(Apple(UINT32_MAX - 1), Apple::none());
+  EXPECT_EQ(Apple(3).next(), Apple(4));
+}
+
+TEST(Id, NumbersBecomeIdsInTheirOrder) {
+  EXPECT_EQ(to_ids<Apple>({4, 0, 9}), (std::vector{Apple(4), Apple(0), Apple(9)}));
+}
+
+TEST(IdVector, FindsElementsByTheirIds) {
+  Apples apples{5, 6, 7};
+  std::vector<Apple> ids;
+  for (const Apple i : apples.ids()) ids.push_back(i);
+  EXPECT_EQ(ids, (std::vector<Apple>{Apple(0), Apple(1), Apple(2)}));
+  apples[Apple(1)] = 8;
+  EXPECT_EQ(apples, (std::vector<int>{5, 8, 7}));
+}
+
+}  // namespace
+}  // namespace fathom::kernels
+
+namespace {
+std::atomic<std::thread::id> fed;  // if set, no other thread gets memory that it asks for gently
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  const std::thread::id only = fed;
+  return only == std::thread::id() || only == std::this_thread::get_id() ? ::operator new(size) : nullptr;
+}
+
+namespace fathom::kernels {
+namespace {
+
+const Direction x(Vector{1, 0, 0}), y(Vector{0, 1, 0}), diagonal(Vector{1, 1, 0});
+
+void ask(Context& context, int times) {
+  const Perturbation perturbation;
+  const PerturbedKernel kernel(perturbation, context.counters.predicates);
+  for (int i = 0; i < times; ++i) std::ignore = kernel.side_of_arc(x, diagonal);
+  std::ignore = kernel.unperturbed().side_of_arc(x, y);                        // zero
+  std::ignore = kernel.side_of_arc(Direction(x.exact(), Role::node_of_a), y);  // decided by an infinitesimal
+}
+
+TEST(RunBoth, RunsBothAndSumsTheirCounts) {
+  PredicateCounts counts[2];
+  for (const bool worth_it : {false, true}) {
+    Context context;
+    std::thread::id first, second;
+    run_both(
+        worth_it, context,
+        [&](Context& own) {
+          first = std::this_thread::get_id();
+          EXPECT_EQ(&own, &context);
+          ask(own, 5);
+        },
+        [&](Context& own) {
+          second = std::this_thread::get_id();
+          EXPECT_EQ(&own != &context, worth_it);
+          ask(own, 7);
+        });
+    EXPECT_EQ(first, std::this_thread::get_id());
+    EXPECT_EQ(first != second, worth_it);
+    counts[worth_it] = context.counters.predicates;
+  }
+  const auto id = static_cast<std::size_t>(Predicate::side_of_arc);
+  for (const PredicateCounts& c : counts) {
+    EXPECT_EQ(c[id].calls, 16U);
+    EXPECT_EQ(c[id].zero, 4U);
+    ASSERT_EQ(c[id].decided.size(), 1U);
+    EXPECT_EQ(c[id].decided.begin()->second, 2U);
+  }
+}
+
+TEST(RunBoth, AThreadWithoutMemoryLeavesItsWorkToTheCaller) {
+  std::thread::id second;
+  int calls = 0;
+  fed = std::this_thread::get_id();
+  Context context;
+  run_both(
+      true, context, [](Context&) {},
+      [&](Context&) {
+        second = std::this_thread::get_id();
+        ++calls;
+      });
+  fed = std::thread::id();
+  EXPECT_EQ(second, std::this_thread::get_id());
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(RunBoth, MayBeNested) {
+  Context context;
+  const auto once = [](Context& own) { ask(own, 1); };
+  const auto both = [&](Context& own) { run_both(true, own, once, once); };
+  run_both(true, context, both, both);
+  EXPECT_EQ(context.counters.predicates[static_cast<std::size_t>(Predicate::side_of_arc)].calls, 12U);
+}
+
+TEST(RunBoth, PassesExceptionsOnWhenBothHaveEnded) {
+  const auto thrown = [](bool worth_it, bool by_first, bool by_second) {
+    bool ended = false;
+    const auto work = [](bool throws, const char* name) {
+      if (throws) throw std::runtime_error(name);
+    };
+    std::string what;
+    try {
+      Context context;
+      run_both(
+          worth_it, context, [&](Context&) { work(by_first, "first"); },
+          [&](Context&) {
+            ended = true;
+            work(by_second, "second");
+          });
+    } catch (const std::runtime_error& e) {
+      what = e.what();
+    }
+    EXPECT_TRUE(ended || (!worth_it && by_first));
+    return what;
+  };
+  for (const bool worth_it : {false, true}) {
+    EXPECT_EQ(thrown(worth_it, false, false), "");
+    EXPECT_EQ(thrown(worth_it, true, false), "first");
+    EXPECT_EQ(thrown(worth_it, false, true), "second");
+    EXPECT_EQ(thrown(worth_it, true, true), "first");
+  }
+}
+
+TEST(NearMisses, OneSlipForThreeLetters) {
+  for (const char* text : {"depht", "dept", "Depth", "depths", "xepth"}) EXPECT_TRUE(is_near(text, "depth")) << text;
+  for (const char* text : {"", "death_", "dpeht", "deep", "penetration_depth", "d"})
+    EXPECT_FALSE(is_near(text, "depth")) << text;
+  EXPECT_TRUE(is_near("driection_", "direction"));
+  EXPECT_FALSE(is_near("c", "a"));
+  EXPECT_EQ(slips("kitten", "sitting"), 3U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <bit>
 #include <cfenv>
 #include <charconv>
@@ -16,14 +17,20 @@
 #include <cstdlib>
 #include <limits>
 #include <locale>
+#include <optional>
+#include <random>
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
 #include "tests/support/property.hpp"
+#include "tests/support/words.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -239,7 +246,7 @@ TEST(ParseNumber, Binary64AsTheStandardLibraryReads) {
     char shortest[64];
     *std::to_chars(shortest, shortest + sizeof shortest, random_double(), std::chars_format::scientific).ptr = '\0';
     expect_as_standard(shortest);
-    RC_ASSERT(!testing::Test::HasFailure());
+    RC_ASSERT(!::testing::Test::HasFailure());
   }));
 }
 
@@ -257,7 +264,7 @@ TEST(ParseNumber, Binary64OnTiesWrittenOut) {
     below.back() =
         below.back() == '.' ? '.' : static_cast<char>(below.back() - 1);  // the last digit is a 5, or there is none
     expect_as_standard(below + "99999999999999999999");
-    RC_ASSERT(!testing::Test::HasFailure());
+    RC_ASSERT(!::testing::Test::HasFailure());
   }));
 }
 
@@ -353,30 +360,11 @@ TEST(QuickNumber, TakesWhatMeshesHold) {
 }
 
 TEST(QuickNumber, LeavesTheRest) {
-  for (const char* token : {"",
-                            "+1",
-                            "-",
-                            ".",
-                            "inf",
-                            "-inf",
-                            "nan",
-                            "infinity",
-                            "1e400",
-                            "-1e400",
-                            "1e-400",
-                            "0x1p3",
-                            "0x1.8",
-                            "1/2",
-                            "1e",
-                            "1e+",
-                            "1 ",
-                            " 1",
-                            "1,5",
-                            "9007199254740993",
-                            "-9007199254740993",
-                            "1.5f",
-                            "--1",
-                            "nan(e1)"}) {
+  std::vector<std::string> all = testing::words(
+      R"(+1 - . inf -inf nan infinity 1e400 -1e400 1e-400 0x1p3 0x1.8 1/2 1e 1e+ 1,5 9007199254740993 -9007199254740993
+      1.5f --1 nan(e1))");
+  all.insert(all.end(), {"", "1 ", " 1"});
+  for (const std::string& token : all) {
     EXPECT_FALSE(quick(token, Decimals::binary64)) << token;
     EXPECT_FALSE(quick(token, Decimals::exact)) << token;
   }
@@ -410,6 +398,153 @@ TEST(QuickNumber, LeavesDecimalsWhileRoundingIsNotToNearest) {
   std::fesetround(FE_TONEAREST);
   EXPECT_FALSE(decimal);
   EXPECT_TRUE(integer);
+}
+
+}  // namespace
+}  // namespace fathom::kernels
+
+// Laws: points in binary64 and the same exact points cannot be told apart, except by asking for the
+// form; both forms may be asked for at once; a change is a change of the exact points.
+
+namespace fathom {
+namespace {
+
+using Doubles = std::vector<std::array<double, 3>>;
+
+const Doubles doubles{{0, 0.5, -3}, {0x1p-1074, -0x1p1000, 0.1}};
+const std::vector<Point> points{{0, mpq_class(1, 2), -3}, {mpq_class(0x1p-1074), mpq_class(-0x1p1000), mpq_class(0.1)}};
+
+TEST(GivenPoints, AreTheSameInBothForms) {
+  const GivenPoints given(doubles), exact(points);
+  EXPECT_TRUE(given.in_binary64());
+  EXPECT_FALSE(exact.in_binary64());
+  EXPECT_TRUE(exact.binary64().empty());
+  EXPECT_TRUE(given == exact);
+  EXPECT_EQ(given.size(), 2U);
+  EXPECT_EQ(given.exact(), points);
+  EXPECT_EQ(std::vector<Point>(given.begin(), given.end()), points);
+  EXPECT_EQ(given[1], points[1]);
+  EXPECT_EQ(given.front(), points.front());
+  EXPECT_EQ(given.back(), points.back());
+  EXPECT_TRUE(given == GivenPoints(doubles));
+  EXPECT_FALSE(given == GivenPoints(Doubles{{0, 0.5, -3}, {0x1p-1073, -0x1p1000, 0.1}}));
+  EXPECT_FALSE(given == GivenPoints(Doubles{{0, 0.5, -3}}));
+}
+
+TEST(GivenPoints, KnowNoMinusZero) {
+  const GivenPoints given(Doubles{{-0.0, 1, -0.0}});
+  EXPECT_FALSE(std::signbit(given.binary64()[0][0]));
+  EXPECT_TRUE(given == GivenPoints(Doubles{{0, 1, 0}}));
+}
+
+TEST(GivenPoints, AreFinite) {
+  for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()})
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Doubles with_bad = doubles;
+      with_bad[1][axis] = bad;
+      EXPECT_THROW(GivenPoints{with_bad}, std::invalid_argument) << bad;
+    }
+}
+
+TEST(GivenPoints, OfNoneAreExact) {
+  EXPECT_FALSE(GivenPoints(Doubles()).in_binary64());
+  EXPECT_TRUE(GivenPoints(Doubles()).empty());
+}
+
+TEST(GivenPoints, AreChangedAsExactPoints) {
+  GivenPoints changed(doubles);
+  const GivenPoints copy = changed;
+  changed.edit()[0].x = mpq_class(1, 3);
+  changed.push_back({1, 2, 3});
+  EXPECT_FALSE(changed.in_binary64());
+  EXPECT_EQ(changed.size(), 3U);
+  EXPECT_EQ(changed[0].x, mpq_class(1, 3));
+  EXPECT_TRUE(copy.in_binary64());
+  EXPECT_EQ(copy.exact(), points) << "a copy is not changed";
+}
+
+TEST(GivenPoints, BecomeExactOnceForAll) {
+  const GivenPoints given(doubles), copy = given;
+  std::vector<const Point*> found(8);
+  std::vector<std::thread> threads;
+  for (const Point*& place : found) threads.emplace_back([&] { place = given.data(); });
+  for (std::thread& thread : threads) thread.join();
+  for (const Point* place : found) EXPECT_EQ(place, copy.data());
+}
+
+}  // namespace
+}  // namespace fathom
+
+namespace fathom::kernels {
+namespace {
+
+mpq_class value(const Dyadic& d) {
+  mpq_class q(d.mantissa);
+  if (d.exponent >= 0) mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(d.exponent));
+  else mpq_div_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-d.exponent));
+  return q;
+}
+
+TEST(Dyadic, IsTheExactValueOfEveryDouble) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = std::bit_cast<double>(i % 5 == 0 ? random() & 0x800fffffffffffffU : random());
+    if (!std::isfinite(x)) continue;
+    const Dyadic d = dyadic(x);
+    ASSERT_EQ(value(d), exact_value(x)) << x;
+    ASSERT_TRUE(d.mantissa % 2 != 0 || x == 0) << x;
+  }
+  for (const double x : {0.0, -0.0}) EXPECT_TRUE(dyadic(x).mantissa == 0 && dyadic(x).exponent == 0);
+  EXPECT_THROW(dyadic(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(dyadic(-std::numeric_limits<double>::infinity()), std::invalid_argument);
+}
+
+TEST(Dyadic, OfRationals) {
+  for (const auto& [numerator, denominator] :
+       {std::pair{0L, 1UL}, {12L, 1UL}, {-7L, 8UL}, {INT64_MAX, 2UL}, {-INT64_MAX, 1UL}}) {
+    const mpq_class q(numerator, denominator);
+    const auto d = dyadic(q);
+    ASSERT_TRUE(d) << q;
+    EXPECT_EQ(value(*d), q);
+    EXPECT_TRUE(d->mantissa % 2 != 0 || q == 0);
+  }
+  EXPECT_FALSE(dyadic(mpq_class(1, 3)));
+  EXPECT_FALSE(dyadic(mpq_class(5, 12)));
+  EXPECT_FALSE(dyadic(mpq_class(mpz_class(1) << 63))) << "a long numerator";
+  EXPECT_FALSE(dyadic(mpq_class(2, 4))) << "not in lowest terms";
+  EXPECT_FALSE(dyadic(mpq_class(1, -4)));
+  EXPECT_FALSE(dyadic(mpq_class(1, 0)));
+}
+
+TEST(Dyadic, InBinary64AreItsNumbersAlone) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = std::bit_cast<double>(i % 5 == 0 ? random() & 0x800fffffffffffffU : random());
+    if (!std::isfinite(x)) continue;
+    const mpq_class exact = exact_value(x), third = exact / 3;
+    ASSERT_EQ(in_binary64(exact), std::optional(x + 0.0)) << x;
+    const bool is_number = exact_value(round_binary64(third)) == third;
+    ASSERT_EQ(in_binary64(third).has_value(), is_number) << x;
+  }
+  const mpq_class top = value({1, 1024}), least = value({1, -1074});
+  for (const mpq_class& q :
+       {top, mpq_class(-top), mpq_class(least / 2), mpq_class(3 * least / 2), value({(1L << 53) + 1, 0}),
+        value({(1L << 53) + 1, 900}), mpq_class(1, 3), mpq_class(1, -4), mpq_class(1, 0)})
+    EXPECT_FALSE(in_binary64(q)) << q;
+  EXPECT_EQ(in_binary64(mpq_class(top - value({1, 971}))), std::numeric_limits<double>::max());
+  EXPECT_EQ(in_binary64(least), 0x1p-1074);
+}
+
+TEST(Dyadic, EachOfThreeIsRoundedToBinary32) {
+  for (const double x : {0.1, -0.7, 1e-42, 1e300}) {
+    std::array<double, 3> p{x, 2 * x, 3 * x};
+    for (double& c : p) c = nearest_binary32(c);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const mpq_class exact = exact_value(static_cast<double>(i + 1) * x);
+      EXPECT_EQ(p[i], static_cast<double>(round_binary32(exact))) << x;
+    }
+  }
 }
 
 }  // namespace
