@@ -95,7 +95,7 @@ void* checked(void* block) {
 
 std::size_t at_least_one(std::size_t size) { return size > 0 ? size : 1; }
 
-void* aligned(std::size_t size, std::align_val_t to) {
+[[maybe_unused]] void* aligned(std::size_t size, std::align_val_t to) {
   const auto step = static_cast<std::size_t>(to);
   if (size > PTRDIFF_MAX) throw std::bad_alloc();
   return checked(std::aligned_alloc(step, (at_least_one(size) + step - 1) / step * step));
