@@ -5,6 +5,8 @@
 # try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte.
 # try_in_chroot.sh --parse [SUITE]             the compilers of SUITE, g++ and clang, parse all sources but tests; a warning is an error.
 # try_in_chroot.sh --check [SUITE] [ARGUMENTS] --depth of the whole program, the data of L0, and every test, by ./check ARGUMENTS.
+# try_in_chroot.sh --arm64 [SUITE]             cross-builds fathom-depth, fathom-check and the library for C for arm64; under qemu they answer,
+#                                              prove, check the proofs of L0, and run the examples in C.
 #
 # SUITE is the name of a release, bookworm or trixie, this machine's unless given. The bare system is made by mmdebstrap from the archives of
 # this machine's apt; that needs root, their network, and some minutes. What compilers made for a SUITE is kept in ~/.cache/fathom for the
@@ -28,7 +30,7 @@ die() {
 own=$(. /etc/os-release && echo "$VERSION_CODENAME")
 mode=$1 suite=$own debs=''
 case $mode in
-  --depth | --parse | --check)
+  --depth | --parse | --check | --arm64)
     shift
     if [[ ${1-} =~ ^[a-z]+$ ]]; then
       suite=$1
@@ -81,6 +83,7 @@ fi
 
 # bare_with_sources OPTIONS...: the same in $work/there, with our sources in /fathom, the network as it is here, and what was compiled before.
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/fathom/ccache-$suite
+if [[ $mode == --arm64 ]]; then cache+=-arm64; fi
 bare_with_sources() {
   local target=$work/there
   bare "$target" "$@"
@@ -138,6 +141,41 @@ parse_all() {
       echo "$compiler: $(wc -l </data/objects) files"
     done'
 }
+
+# Of what the launcher asks for, the libraries are those of arm64, but for such as are of all architectures; compilers are this machine's.
+cross_build() {
+  local libraries
+  mapfile -t libraries < <(. "$root/cmake/launcher.sh" && packages depth build | grep -E '^(lib|nlohmann)')
+  inside there bash -euc 'export DEBIAN_FRONTEND=noninteractive
+    apt-get -q update >/data/log
+    for name; do
+      if apt-cache show "$name" | grep -qx "Architecture: all"; then echo "$name"; else echo "$name:arm64"; fi
+    done >/data/packages
+    xargs apt-get -qq install -y --no-install-recommends </data/packages >>/data/log 2>&1 || { tail -n 5 /data/log >&2; exit 1; }
+    cmake --preset release -S /fathom -B /data/arm64 -DFATHOM_TESTS=OFF -DFATHOM_PYTHON=OFF -DCMAKE_SYSTEM_NAME=Linux \
+      -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ >>/data/log
+    ninja -C /data/arm64 --quiet fathom-check fathom-depth fathom_c' - "${libraries[@]}"
+}
+
+if [[ $mode == --arm64 ]]; then
+  say "$suite: a bare system with the sources, and compilers for arm64"
+  bare_with_sources --architectures=amd64,arm64 --include=crossbuild-essential-arm64,cmake,ninja-build,ccache,qemu-user
+  say "$suite: fathom-check, fathom-depth and the library for C are cross-built"
+  limit=8h cross_build
+  limit=2h
+  zstd -dcq "$root"/tests/data/golden/golden-L0-*.cert.zst >"$work/there/data/L0.cert"
+  inside there qemu-aarch64 /data/arm64/verify/check/fathom-check /data/L0.cert >"$work/there/data/checked"
+  "$root/fathom" check "$work/there/data/L0.cert" | cmp - "$work/there/data/checked"
+  say "arm64: the same bytes: $(wc -l <"$work/there/data/checked") verdicts on the proofs of L0"
+  same_answers qemu-aarch64 /data/arm64/fathom-depth
+  inside there bash -euc 'for source in /fathom/examples/c_*.c; do
+      aarch64-linux-gnu-gcc -std=c99 -I /fathom/include "$source" -o /data/example -L /data/arm64 -lfathom-c -Wl,-rpath,/data/arm64
+      (cd /fathom/examples && cmake -D "PROGRAM=qemu-aarch64;/data/example" -D "SOURCE=$source" -P run.cmake)
+    done'
+  say "arm64: the examples in C print what they say"
+  say "all of it works"
+  exit
+fi
 
 if [[ -z $debs ]]; then
   say "$suite: a bare system with the sources"
