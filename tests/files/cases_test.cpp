@@ -250,7 +250,7 @@ TEST(CaseStream, DashIsStandardInput) {
   EXPECT_EQ(items[1].error().file(), "<stdin>");
 }
 
-class JsonFile : public testing::Test {
+class JsonFile : public ::testing::Test {
  protected:
   std::string outline_of(const std::string& name, const std::string& text) {
     const std::string path = (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + name)).string();

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies whose denominators share few factors. The oracle is the same pair times a common
 // denominator: integers, which are placed directly.
+
 #include "reference/solve/deciding_points.hpp"
 
+#include <fmt/format.h>
+#include <gmp.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "fathom/certificate.hpp"
 #include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/solve/disagreement.hpp"
+#include "tests/solve/same_depth.hpp"
 #include "tests/support/exact_depth.hpp"
+#include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"
+#include "verify/families/catalogue.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -178,6 +189,199 @@ TEST(DecidingPoints, ALatticeBeyondAllBoundsIsRefused) {
                  "input: the denominators of the 18000 points share too little: over a common one all coordinates "
                  "together would pass 256 MB");
   }
+}
+
+// Bodies given in binary64 against the same exact points: equal answers and certificates; and on
+// the way from the text of a case to its answer no point becomes rational. GMP's allocations are
+// counted.
+
+std::size_t allocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  return std::malloc(size);
+}
+void* counted_again(void* memory, std::size_t, std::size_t size) {
+  ++allocations;
+  return std::realloc(memory, size);
+}
+void freed(void* memory, std::size_t) { std::free(memory); }
+
+/// The points, rounded to binary64; nullopt if one overflows.
+std::optional<Body> rounded(const Body& body) {
+  std::vector<std::array<double, 3>> points;
+  for (const Point& p : body.points) {
+    points.push_back({round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)});
+    for (const double c : points.back())
+      if (!std::isfinite(c)) return std::nullopt;
+  }
+  return Body{GivenPoints(std::move(points))};
+}
+
+std::vector<Case> cases_in_binary64() {
+  std::vector<Case> result;
+  for (const Case& input : testing::cases_of_all_families(2, 9)) {
+    const std::optional<Body> a = rounded(input.a), b = rounded(input.b);
+    if (a && b) result.push_back({input.id, *a, *b});
+  }
+  return result;
+}
+
+TEST(GivenBodies, AreAnsweredAsTheirExactPoints) {
+  std::size_t apart = 0;
+  for (const Case& input : cases_in_binary64()) {
+    SCOPED_TRACE(input.id);
+    const std::vector<Point>&a = input.a.points, &b = input.b.points;
+    const Depth depth = penetration_depth(input.a, input.b), exact = penetration_depth(a, b);
+    expect_equal(depth, exact);
+    EXPECT_EQ(certificate_text(input.a, input.b, depth, "id"), certificate_text(a, b, exact, "id"));
+    const Body a_alone{a};  // the other body is in binary64
+    expect_equal(penetration_depth(a_alone, input.b), exact);
+    EXPECT_EQ(certificate_text(a_alone, input.b, exact, "id"), certificate_text(a, b, exact, "id"));
+    apart += depth.status() != Status::penetrating ? 1U : 0U;
+    if (!exact.penetration()) continue;
+    EXPECT_EQ(second_nearest_squared(input.a, input.b, *exact.penetration()),
+              second_nearest_squared(a, b, *exact.penetration()));
+  }
+  EXPECT_GT(apart, 10U);
+}
+
+std::string vertices(const Body& body) {
+  std::string text;
+  for (const auto& [x, y, z] : body.points.binary64())
+    text += fmt::format("{}[{},{},\"{}\"]", text.empty() ? "" : ",", x, y, hex_text(z));
+  return "{\"vertices\":[" + text + "]}";
+}
+
+TEST(GivenBodies, BecomeNoRationalsOnTheWayToAnAnswer) {
+  mp_set_memory_functions(counted, counted_again, freed);
+  Options options;
+  Workspace workspace;
+  options.workspace = &workspace;
+  std::size_t narrow = 0;
+  for (const Case& input : cases_in_binary64()) {
+    SCOPED_TRACE(input.id);
+    const std::string plain = fmt::format(R"({{"a":{},"b":{}}})", vertices(input.a), vertices(input.b));
+    const CaseItem item = parse_case(plain, "case");
+    ASSERT_TRUE(item.ok()) << plain;
+    const Case& read = item.value();
+    ASSERT_TRUE(read.a.points.in_binary64() && read.b.points.in_binary64());
+    EXPECT_TRUE(read.a.points == input.a.points && read.b.points == input.b.points);
+    const auto cost = [&](const auto& ask) {
+      const std::size_t before = allocations;
+      const Depth depth = ask();
+      static_cast<void>(certificate_text(read.a, read.b, depth));
+      narrow += depth.method == Method::certificate ? 1U : 0U;
+      return allocations - before;
+    };
+    cost([&] { return penetration_depth(read.a, read.b, options); });  // memory grows
+    const std::size_t by_bodies = cost([&] { return penetration_depth(read.a, read.b, options); });
+    const std::size_t by_doubles =
+        cost([&] { return penetration_depth(read.a.points.binary64(), read.b.points.binary64(), options); });
+    EXPECT_EQ(by_bodies, by_doubles);
+  }
+  EXPECT_GT(narrow, 100U);
+}
+
+TEST(GivenBodies, AreReadFromPlainNumbersWithoutGmp) {
+  mp_set_memory_functions(counted, counted_again, freed);
+  const std::string text =
+      R"({"a":{"vertices":[[0.1,2,-3e-7],[1e300,5e-300,0]]},"b":{"vertices":[[1,2,3]]},"pose_rounding":"binary64"})";
+  const std::size_t before = allocations;
+  const CaseItem item = parse_case(text, "case");
+  EXPECT_EQ(allocations, before);
+  ASSERT_TRUE(item.ok());
+  EXPECT_EQ(item.value().a.points[0].x, mpq_class(0.1));
+  EXPECT_GT(allocations, before) << "exact points were asked for";
+}
+
+Depth depth_of(const Case& pair) { return penetration_depth(pair.a.points, pair.b.points); }
+
+/// Four optima.
+Depth penetrating() {
+  const Body square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}};
+  return depth_of({"square prisms", square, square});
+}
+Depth touching() {
+  return depth_of({"touching", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 0, 0}, {-1, 0, 0}, {0, -1, 1}}}});
+}
+Depth disjoint() { return depth_of({"disjoint", {{{0, 0, 0}, {1, 0, 0}}}, {{{0, 2, 1}, {1, 3, 1}}}}); }
+
+/// Changes one field; the sentence must begin with its name.
+struct Change {
+  const char* field;
+  std::function<void(Depth&)> change;
+};
+
+void expect_named(const std::function<Depth()>& make, const std::vector<Change>& changes) {
+  const Depth right = make();
+  EXPECT_EQ(disagreement(right, right), std::nullopt);
+  for (const Change& change : changes) {
+    Depth wrong = right;
+    change.change(wrong);
+    for (const auto& sentence : {disagreement(right, wrong), disagreement(wrong, right)})
+      EXPECT_TRUE(sentence && sentence->starts_with(std::string(change.field) + ": "))
+          << change.field << " / " << sentence.value_or("none");
+  }
+}
+
+Penetration& in(Depth& depth) { return std::get<Penetration>(depth.outcome); }
+Witness& with_another_witness(Depth& depth) { return in(depth).meeting.emplace<Witness>(in(depth).witness()); }
+
+TEST(Disagreement, NamesTheFieldOfPenetration) {
+  ASSERT_EQ(penetrating().optima().size(), 4u);
+  expect_named(penetrating,
+               {{"status",
+                 [](Depth& d) {
+                   d.outcome = Touch{{1, 0, 0}, {0, 0, 0}};
+                 }},
+                {"flat_a", [](Depth& d) { d.flat_a = true; }},
+                {"flat_b", [](Depth& d) { d.flat_b = true; }},
+                {"squared", [](Depth& d) { in(d).optima[0].support += mpq_class(1, 1000); }},
+                {"number of optima", [](Depth& d) { in(d).optima.pop_back(); }},
+                {"optima[3].direction", [](Depth& d) { in(d).optima[3].direction.z += 1; }},
+                {"optima[2].translation", [](Depth& d) { in(d).optima[2].support += 1; }},
+                {"optima[1].contact", [](Depth& d) { in(d).optima[1].contact.kind = ContactKind::edge_edge; }},
+                {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.a.pop_back(); }},
+                {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.b.front() += 9; }},
+                {"witness", [](Depth& d) { with_another_witness(d).a.y += 1; }},
+                {"witness", [](Depth& d) { with_another_witness(d).b.z += 1; }}});
+}
+
+TEST(Disagreement, NamesTheFieldOfTouchingAndDisjointBodies) {
+  ASSERT_EQ(touching().status(), Status::touching);
+  expect_named(touching, {{"direction", [](Depth& d) { std::get<Touch>(d.outcome).direction.x += 1; }},
+                          {"witness", [](Depth& d) { std::get<Touch>(d.outcome).point.x += 1; }}});
+  ASSERT_EQ(disjoint().status(), Status::disjoint);
+  expect_named(disjoint, {{"direction", [](Depth& d) { std::get<Distance>(d.outcome).direction.x += 1; }},
+                          {"distance.squared", [](Depth& d) { std::get<Distance>(d.outcome).squared += 1; }},
+                          {"distance.translation", [](Depth& d) { std::get<Distance>(d.outcome).translation.x += 1; }},
+                          {"distance.witness", [](Depth& d) { std::get<Distance>(d.outcome).witness.a.x += 1; }}});
+}
+
+TEST(Disagreement, DoesNotMindWhatDependsOnTheMethod) {
+  const Case pair = families::find_family("random_ball")->make(1, 12);
+  const Depth x = depth_of(pair), y = penetration_depth(pair.a.points, pair.b.points, {.method = Method::exact});
+  ASSERT_NE(x.method, y.method);
+  ASSERT_NE(x.extreme_a, y.extreme_a);
+  EXPECT_EQ(disagreement(x, y), std::nullopt);
+}
+
+TEST(Disagreement, SaysBothValues) {
+  Depth wrong = penetrating();
+  in(wrong).optima[0].support = mpq_class(1, 2);
+  EXPECT_EQ(disagreement(penetrating(), wrong), "squared: 1 and 1/4");
+  wrong = penetrating();
+  in(wrong).optima[0].contact.a.pop_back();
+  const std::string kind = "facet-facet: points ";
+  EXPECT_EQ(disagreement(penetrating(), wrong),
+            "optima[0].contact: " + kind + "1 2 5 6 of A, 0 3 4 7 of B and " + kind + "1 2 5 of A, 0 3 4 7 of B");
+}
+
+TEST(SecondMethod, IsExactOrNaive) {
+  EXPECT_EQ(second_method("exact"), Method::exact);
+  EXPECT_EQ(second_method("naive"), Method::naive);
+  for (const char* word : {"automatic", "auto", "certificate", "", "Exact"}) EXPECT_FALSE(second_method(word)) << word;
 }
 
 }  // namespace
