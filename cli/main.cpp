@@ -3,12 +3,10 @@
 // turns errors into one sentence and an exit code.
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 #include <string>
 #include <string_view>
 
 #include "cli/args/arguments.hpp"
-#include "cli/args/help.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/process.hpp"
@@ -19,18 +17,12 @@ namespace {
 
 using namespace fathom::cli;
 
-/// Whether it is `fathom certify diff`: a word behind the command where else a stream of cases
-/// stands.
-bool compares_reports(int argc, char** argv) {
-  return argc > 2 && std::string_view(argv[1]) == "certify" && std::string_view(argv[2]) == "diff";
-}
-
 constexpr const char* mpi_program = "fathom-mpi";
 
 /// Whether an MPI launcher started several processes, which share this command.
 bool is_shared_by_many(int argc, char** argv) {
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  if (size == nullptr || std::atoi(size) < 2 || argc < 2 || compares_reports(argc, argv)) return false;
+  if (size == nullptr || std::atoi(size) < 2 || argc < 2) return false;
   const std::string_view command = argv[1];
   return command == "golden" || command == "certify" || command == "depth";
 }
@@ -45,15 +37,8 @@ ExitCode become_mpi(int argc, char** argv) {
 
 ExitCode run(int argc, char** argv) {
   if (is_shared_by_many(argc, argv)) return become_mpi(argc, argv);
-  if (compares_reports(argc, argv)) return run_command("certify diff", {argv + 3, argv + argc});
-  if (argc > 1 && parses_itself(argv[1])) return run_command(argv[1], {argv + 2, argv + argc});
-  const Arguments arguments = parse_arguments(argc, argv);
-  if (!arguments.request) {
-    if (arguments.code != fine) return failed(arguments.text, arguments.code);
-    print(arguments.text);
-    return fine;
-  }
-  return run_command(*arguments.request);
+  const Arguments arguments = parse_arguments({argv + std::min(argc, 1), argv + argc});
+  return arguments.given ? run_command(*arguments.given) : said(arguments);
 }
 
 }  // namespace

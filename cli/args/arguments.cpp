@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a command line. The only file that knows CLI11: it makes the parser from the table.
 #include "cli/args/arguments.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
+#include <deque>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
-#include "cli/args/given.hpp"
 #include "cli/args/help.hpp"
-#include "cli/args/help_page.hpp"
-#include "cli/args/values.hpp"
-#include "cli/args/words.hpp"
 #include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/solve/disagreement.hpp"
 #include "verify/golden/shards/plan.hpp"
-#include "verify/harness/variants.hpp"
-#include "verify/judge/words.hpp"
 
 namespace fathom::cli {
 
@@ -32,18 +28,11 @@ namespace {
 
 // ---- words that name no command ----
 
-/// Returns whether the name is that of a mesh. Other names may be streams of cases.
-bool is_mesh_name(const std::string& path) {
-  constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
-  return std::find(std::begin(meshes), std::end(meshes), files::extension(path)) != std::end(meshes);
-}
-
 /// Returns whether the word names bodies or cases.
 bool is_input(const std::string& word) {
-  const std::string kind = files::extension(word);
   std::error_code fault;
-  return word == "-" || is_mesh_name(word) || kind == "jsonl" || kind == "ndjson" || kind == "json" ||
-         files::is_shape_text(word) || std::filesystem::is_regular_file(word, fault);
+  return word == "-" || is_mesh_name(word) || is_cases_name(word) || files::is_shape_text(word) ||
+         std::filesystem::is_regular_file(word, fault);
 }
 
 /// Returns the line that is probably meant if there are inputs and no command, as "; did you mean
@@ -67,14 +56,10 @@ std::string wrong_command(const std::vector<std::string>& words) {
                      did_you_mean(command, names));
 }
 
-Arguments refusal(const std::string& sentence, const std::string& command = "") {
-  return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "),
-          bad_input};
-}
-
 Arguments no_command() {
   return refusal(fmt::format("expected a command: {}\nFor example: {}", fmt::join(command_names(), ", "),
-                             general_examples[0].line));
+                             general_help.examples[0].line),
+                 "");
 }
 
 std::string version_text() {
@@ -83,337 +68,242 @@ std::string version_text() {
                      golden::data_version);
 }
 
-// ---- the requests ----
+// ---- the words of a command ----
 
-/// The engine of this name.
-ClosestLines engine_of(const std::string& name) {
-  return static_cast<ClosestLines>(std::ranges::find(engine_names, name) - engine_names.begin());
+constexpr std::size_t longest_sentence = 200;
+constexpr std::size_t longest_list =
+    4000;  // our own checks list what is known, and show of what was typed a readable part
+
+std::string wrong_word(const std::string& value, const std::vector<std::string>& words) {
+  if (std::ranges::find(words, value) != words.end()) return "";
+  const std::string shown = value.empty() ? "the empty value" : kernels::shown(value);
+  return fmt::format("{} is unknown (expected {}){}", shown, fmt::join(words, ", "), did_you_mean(value, words));
 }
 
-template <class Count>
-std::optional<Count> count_of(const Given& given, std::string_view option) {
-  const std::optional<std::string> text = given.value(option);
-  return text ? std::optional(static_cast<Count>(typed_integer(*text).value())) : std::nullopt;
-}
-
-/// A number as certify takes it.
-std::optional<mpq_class> number_of(const Given& given, std::string_view option) {
-  const std::optional<std::string> text = given.value(option);
-  return text ? parse_number(*text, Decimals::exact).value : std::nullopt;
-}
-
-CasesRequest cases_of(const Given& given) {
-  using What = CasesRequest::What;
-  CasesRequest cases;
-  for (const auto& [option, what] : {std::pair("--family", What::family),
-                                     {"--catalogue", What::catalogue},
-                                     {"--list", What::list},
-                                     {"--from", What::from},
-                                     {"--from-fcl", What::from_fcl}})
-    if (given.has(option)) cases.what = what;
-  cases.families = given.words("--family");
-  cases.shapes = given.flag("--shapes");
-  cases.unions = given.flag("--unions");
-  cases.count = count_of<std::uint64_t>(given, "--count").value_or(cases.count);
-  cases.seed = count_of<std::uint64_t>(given, "--seed").value_or(cases.seed);
-  cases.size = count_of<unsigned>(given, "--size");
-  cases.fcl = given.text("--from-fcl");
-  return cases;
-}
-
-CertifyRequest certify_of(const Given& given) {
-  CertifyRequest certify;
-  certify.subject = given.text("--subject");
-  certify.adapter = given.text("--adapter");
-  certify.replay = given.text("--replay");
-  certify.claims = given.text("--claims");
-  certify.list_adapters = given.flag("--list-adapters");
-  if (const auto jobs = given.value("--jobs")) certify.jobs = typed_threads(*jobs);
-  if (const auto time = number_of(given, "--time-out")) certify.time_out = round_binary64(*time, Rounding::ru);
-  certify.tolerance.relative = number_of(given, "--tol-rel").value_or(certify.tolerance.relative);
-  certify.tolerance.absolute = number_of(given, "--tol-abs").value_or(certify.tolerance.absolute);
-  if (const auto ulps = count_of<std::size_t>(given, "--tol-ulps")) certify.tolerance.ulps = *ulps;
-  certify.fit = number_of(given, "--fit");
-  if (const auto policy = given.value("--policy")) certify.tolerance.policy = judging::policy_of(*policy).value();
-  certify.methods = second_methods(given);
-  certify.report = given.text("--report");
-  certify.resume = given.flag("--resume");
-  certify.overwrite = given.flag("--overwrite");
-  certify.all_rows = given.flag("--all-rows");
-  certify.metamorphic = given.text("--metamorphic");
-  if (certify.metamorphic == "all")
-    certify.variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));
-  else if (!certify.metamorphic.empty()) certify.variants = words_of(certify.metamorphic);
-  certify.expect_fail = given.text("--expect-fail");
-  certify.write_expect_fail = given.text("--write-expect-fail");
-  certify.max_errors = count_of<std::size_t>(given, "--max-errors");
-  certify.junit = given.text("--junit");
-  certify.html = given.text("--html");
-  certify.certificates = given.text("--certificates");
-  certify.shrink = given.text("--shrink");
-  certify.harness = given.text("--harness");
-  certify.print_input = given.text("--print-input");
-  return certify;
-}
-
-constexpr const char *usual_sizes = "10..1000", *usual_delta = "1/100";
-
-Request request_of(const Given& given) {
-  Request request;
-  const std::vector<std::string> names = command_names();
-  request.command = static_cast<Command>(std::ranges::find(names, given.command) - names.begin());
-  request.inputs = given.inputs();
-  const std::string method = given.text("--method"), engine = given.text("--closest-lines");
-  if (request.command == Command::certify) request.certify = certify_of(given);
-  if (request.command == Command::cases) request.cases = cases_of(given);
-  if (method == "exact") request.method = Method::exact;
-  if (method == "naive") request.method = Method::naive;
-  request.shallow = method == "shallow";
-  request.sweep.family = given.text("--sweep");
-  if (request.command == Command::study)
-    for (const std::string& name : given.words("--closest-lines")) request.sweep.engines.push_back(engine_of(name));
-  else if (!engine.empty()) request.closest_lines = engine_of(engine);
-  if (!request.sweep.family.empty())
-    request.sweep.sizes = typed_sizes(given.value("--sizes").value_or(usual_sizes)).value();
-  request.seed = count_of<std::uint64_t>(given, "--seed").value_or(request.seed);
-  request.optima = count_of<std::size_t>(given, "--optima");
-  request.digits = count_of<unsigned>(given, "--digits");
-  request.bits = count_of<unsigned>(given, "--bits");
-  request.exact = given.flag("--exact");
-  request.json = given.flag("--json");
-  request.csv = given.flag("--csv");
-  request.html = request.command == Command::study ? given.text("--html") : "";
-  request.all = given.flag("--all");
-  request.times = given.flag("--times");
-  request.counters = given.flag("--counters");
-  if (const auto threads = given.value("--threads")) request.threads = typed_threads(*threads);
-  request.certificate = given.text("--certificate");
-  request.embed_certificate = given.flag("--embed-certificate");
-  request.svg = given.text("--svg");
-  if (const auto delta = given.value("--delta")) request.delta = typed_number(*delta);
-  else if (request.command == Command::approx) request.delta = typed_number(usual_delta);
-  if (const auto direction = given.value("--direction")) request.direction = typed_vector(*direction);
-  request.ball = given.text("--ball");
-  request.pose_a = given.value("--pose-a");
-  request.pose_b = given.value("--pose-b");
-  request.require_convex = given.flag("--require-convex");
-  request.case_id = given.value("--case");
-  request.page = given.text("--output");
-  if (const auto path = given.value("--along")) request.along.translation = typed_vector(*path);
-  request.along.steps = count_of<std::uint32_t>(given, "--steps").value_or(request.along.steps);
-  request.pieces = given.flag("--pieces");
-  request.decimals = given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64;
-  return request;
-}
-
-// ---- what does not go together: sentences, or "" ----
-
-std::string wrong_cases(const Given& given, const CasesRequest& cases, std::size_t inputs) {
-  using What = CasesRequest::What;
-  const auto wanted = std::ranges::count_if(std::array{"--family", "--catalogue", "--list", "--from", "--from-fcl"},
-                                            [&](const char* option) { return given.has(option); });
-  if (wanted != 1)
-    return fmt::format("cases expects one of --family, --catalogue, --list, --from and --from-fcl, found {}",
-                       wanted == 0 ? "none" : "several");
-  for (const char* option : {"--count", "--seed", "--size"})
-    if (cases.what != What::family && given.has(option)) return fmt::format("{} goes with --family", option);
-  const bool of_many = cases.what == What::catalogue || cases.what == What::list ||
-                       (cases.what == What::family && cases.families == std::vector<std::string>{"all"});
-  for (const auto& [option, asked] : {std::pair("--shapes", cases.shapes), std::pair("--unions", cases.unions)})
-    if (asked && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
-  if (cases.shapes && cases.unions) return "--shapes and --unions are two kinds of bodies: ask for one after the other";
-  for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
-    if (cases.what != What::from && given.has(option)) return fmt::format("{} goes with --from", option);
-  if (inputs == (cases.what == What::from ? 2 : 0)) return "";
-  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs,
-                     inputs == 1 ? "" : "s");
-}
-
-std::string wrong_variants(const CertifyRequest& certify) {
-  for (const std::string& word : certify.variants)
-    if (std::ranges::find(harness::variant_names, word) == std::end(harness::variant_names))
-      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", kernels::shown(word),
-                         fmt::join(harness::variant_names, ", "));
+/// What is wrong with a value of the option, or "".
+std::string wrong_value(const Option& option, const std::string& value) {
+  if (option.values.wrong) return option.values.wrong(value);
+  if (option.values.words.empty()) return "";
+  const std::vector<std::string> words =
+      option.repeats == Repeats::lists ? words_of(value) : std::vector<std::string>{value};
+  for (const std::string& word : words)
+    if (std::string fault = wrong_word(word, option.values.words); !fault.empty()) return fault;
   return "";
 }
 
-std::string wrong_certify(const CertifyRequest& certify, const std::vector<std::string>& inputs) {
-  const auto given = [](const std::string& text) { return text.empty() ? 0U : 1U; };
-  const std::size_t subjects = given(certify.subject) + given(certify.adapter) + given(certify.replay);
-  if (certify.list_adapters)
-    return subjects + inputs.size() == 0 ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
-  if (!certify.claims.empty())
-    return subjects + inputs.size() == 0 ? "" : "--claims judges a file, and takes no subject and no cases";
-  if (subjects != 1)
-    return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
-  if (inputs.size() != 1)
-    return fmt::format(
-        "certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
-        inputs.size(), inputs.size() == 1 ? "" : "s");
-  if (certify.resume && certify.report.empty()) return "--resume goes on with a report, and needs --report";
-  if (certify.overwrite && certify.report.empty()) return "--overwrite replaces a report, and needs --report";
-  if (certify.overwrite && certify.resume)
-    return "--resume goes on with the report that --overwrite replaces: one of them";
-  if (!certify.harness.empty() && certify.shrink.empty())
-    return "--harness is filled with what --shrink finds, and needs --shrink";
-  if (!certify.print_input.empty() && !certify.replay.empty())
-    return "--print-input shows what a subject reads, and a replay reads nothing";
-  if (certify.replay == "-" && inputs[0] == "-") return "--replay - and the cases cannot both come from standard input";
-  if (certify.report == "-") return "--report writes a file; --json writes to standard output";
-  if (!certify.replay.empty() && !certify.metamorphic.empty())
-    return "--metamorphic puts new cases to a subject, and a replay answers none";
-  if (!certify.replay.empty() && !certify.shrink.empty())
-    return "--shrink puts new cases to a subject, and a replay answers none";
-  return wrong_variants(certify);
-}
+/// The parser of one command line, with the places that it fills in.
+class Parser {
+ public:
+  Parser(std::string before, std::span<const Option> table)
+      : before_(std::move(before)), table_(table), app_("", full_name({before_, "", "", {}, {}})) {
+    if (before_.empty()) app_.set_version_flag("-V,--version", "");
+    app_.require_subcommand(0, 1);  // so that a file may be called "width"
+    add_options(app_, before_);
+    for (const CommandHelp& command : command_table)
+      if (parent(command) == before_ && !parses_itself(command.name)) add_command(command);
+  }
 
-std::string wrong_inputs(const Given& given, const Request& request) {
-  const std::vector<std::string>& inputs = request.inputs;
-  if (request.command == Command::cases) return wrong_cases(given, request.cases, inputs.size());
-  if (!request.sweep.family.empty()) return "";
-  if (request.command == Command::certify) return wrong_certify(request.certify, inputs);
-  const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
-  if (request.command == Command::width)
-    return inputs.size() == 1
-               ? ""
-               : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
-  const std::string expected =
-      given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
-  if (inputs.empty()) return expected + found;
-  if (inputs.size() == 1 && is_mesh_name(inputs[0]))
-    return expected + "found the single mesh " + kernels::shown(inputs[0]);
-  if (inputs.size() == 1 && files::is_shape_text(inputs[0]))
-    return expected + "found the single shape " + kernels::shown(inputs[0]);
-  if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
-  return "";
-}
+  Arguments read(const std::vector<std::string>& words) {
+    try {
+      app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    } catch (const CLI::CallForHelp&) {
+      return {std::nullopt, help_text(page_of(command(), table_), help_columns(STDOUT_FILENO)), fine};
+    } catch (const CLI::CallForVersion&) {
+      return {std::nullopt, version_text(), fine};
+    } catch (const CLI::ParseError& error) {
+      return refusal(sentence(error) + (command().empty() ? line_with_command(words) : ""), command());
+    }
+    Given given;
+    given.command = command();
+    for (const Place& place : places_)
+      if (place.command == given.command)
+        given.options.push_back({place.option, place.parsed->get_name(), place.values()});
+    return {std::move(given), "", fine};
+  }
 
-std::string wrong_pieces(const Given& given, const Request& request) {
-  for (const char* option : {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along", "--steps",
-                             "--times", "--csv", "--case", "--threads"})
-    if (given.has(option)) return fmt::format("--pieces is about unions, and cannot be combined with {}", option);
-  if (request.inputs.size() != 2)
-    return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
-  return "";
-}
+ private:
+  /// An option of a command in the parser.
+  struct Place {
+    std::string command;
+    const Option* option;
+    CLI::Option* parsed;
+    const bool* flag = nullptr;                           ///< its value, if it is one
+    const std::vector<std::string>* values_of = nullptr;  ///< of one that is given each time anew
 
-std::string wrong_along(const Given& given, const Request& request) {
-  if (!request.along.translation) {
-    for (const char* option : {"--steps", "--csv"})
-      if (given.has(option)) return fmt::format("{} goes with --along X,Y,Z", option);
+    [[nodiscard]] std::vector<std::string> values() const {
+      if (values_of) return *values_of;
+      if (!flag || parsed->count() == 0) return parsed->results();
+      return {*flag ? "true" : "false"};
+    }
+  };
+
+  void add_command(const CommandHelp& command) {
+    CLI::App& app = *app_.add_subcommand(std::string(last_word(command)), "");
+    commands_.emplace_back(command.name, &app);
+    add_options(app, std::string(command.name));
+  }
+
+  void add_options(CLI::App& app, const std::string& command) {
+    for (const Option& option : table_)
+      if (option.belongs_to(command)) add_option(app, option, command);
+  }
+
+  void add_option(CLI::App& app, const Option& option, const std::string& command) {
+    const bool flag = !option.is_input() && option.is_flag();
+    if (flag && option.value.empty()) {
+      bool& set = flags_.emplace_back(false);
+      places_.push_back({command, &option, app.add_flag(option.names, set), &set});
+      return;
+    }
+    if (flag) {
+      places_.push_back({command, &option, app.add_flag(option.names, texts_.emplace_back())});
+      return;
+    }
+    // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
+    const auto one = [](const std::string&) {};
+    std::vector<std::string>* each = nullptr;
+    const auto several = [](const std::vector<std::string>&) {};
+    CLI::Option* added = nullptr;
+    if (option.repeats == Repeats::lists || (option.is_input() && option.repeats == Repeats::each))
+      added = app.add_option_function<std::vector<std::string>>(option.names, several);
+    else if (option.repeats == Repeats::each) {
+      each = &lists_.emplace_back();
+      added = app.add_option_function<std::string>(option.names, [each](const std::string& v) { each->push_back(v); });
+      added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->trigger_on_parse();  // it forgets what came before
+    } else added = app.add_option_function<std::string>(option.names, one);
+    if (option.repeats == Repeats::lists) added->allow_extra_args(false);  // the next word is an input
+    added->check(CLI::Validator([&option](const std::string& value) { return wrong_value(option, value); }, "", ""));
+    places_.push_back({command, &option, added->required(option.required), nullptr, each});
+  }
+
+  /// The command that was parsed; if there was none, what the words stand behind.
+  [[nodiscard]] std::string command() const {
+    for (const auto& [name, app] : commands_)
+      if (app->parsed()) return name;
+    return before_;
+  }
+
+  /// The names of the options that may be meant.
+  [[nodiscard]] std::vector<std::string> known_names() const {
+    std::vector<std::string> names = {"-h", "--help"};
+    if (command().empty()) names.insert(names.end(), {"-V", "--version"});
+    for (const Place& place : places_) {
+      if (place.command != command() || place.option->is_input()) continue;
+      for (const std::string& name : place.parsed->get_snames()) names.push_back('-' + name);
+      for (const std::string& name : place.parsed->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+  }
+
+  /// The first option that is unknown, as it was typed, or "".
+  [[nodiscard]] std::string unknown_option() const {
+    for (const std::string& word : app_.remaining(true))
+      if (word.starts_with('-') && word != "--") return word.substr(0, word.find('='));
     return "";
   }
-  for (const char* option :
-       {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"})
-    if (given.has(option))
-      return fmt::format("--along answers with a curve of signed depths, and cannot be combined with {}", option);
-  if (request.shallow)
-    return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
-  return "";
-}
 
-std::string wrong_sweep(const Given& given, const Request& request) {
-  if (!given.has("--sweep")) {
-    for (const char* option : {"--sizes", "--closest-lines", "--times", "--svg", "--seed"})
-      if (given.has(option)) return fmt::format("{} goes with --sweep FAMILY", option);
-    return "";
+  /// What may be meant by an option that is unknown, or "".
+  [[nodiscard]] std::string suggestion() const {
+    const std::vector<std::string> names = known_names();
+    const std::string typed = unknown_option();
+    if (std::ranges::find(names, typed) != names.end()) return fmt::format("; {} stands behind the command", typed);
+    return typed.empty() ? "" : did_you_mean(typed, names);
   }
-  if (!request.inputs.empty()) return "--sweep makes its bodies itself, found " + kernels::shown(request.inputs[0]);
-  for (const char* option : {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b", "--require-convex",
-                             "--exact-decimals", "--threads"})
-    if (given.has(option))
-      return fmt::format("--sweep answers as a table, with --csv and --svg, and cannot be combined with {}", option);
+
+  /// CLI11's sentence, or a plainer one.
+  [[nodiscard]] std::string sentence(const CLI::ParseError& error) const {
+    const bool of_a_check = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
+    const std::string text = kernels::printable(error.what(), of_a_check ? longest_list : longest_sentence);
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) return text + suggestion();
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && !unknown_option().empty())  // misspelt, perhaps
+      return fmt::format("{}, and {} is not expected{}", text, kernels::shown(unknown_option()), suggestion());
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+    return text.substr(0, text.find(':')) + ": expected one value, once";
+  }
+
+  std::string before_;
+  std::span<const Option> table_;
+  CLI::App app_;
+  std::vector<std::pair<std::string, CLI::App*>> commands_;
+  std::vector<Place> places_;
+  std::deque<bool> flags_;
+  std::deque<std::string> texts_;
+  std::deque<std::vector<std::string>> lists_;
+};
+
+/// Returns what is wrong with a word like "--name=", whose value would be taken from the next word,
+/// or "". To be asked first.
+std::string missing_value(std::span<const std::string> words) {
+  for (const std::string& word : words) {
+    if (word == "--") break;
+    if (word.starts_with("--") && word.find('=') == word.size() - 1) return kernels::shown(word) + " lacks its value";
+  }
   return "";
 }
 
-/// Of a request for a curve or a chart.
-std::string wrong_picture(const Given& given, const Request& request) {
-  if (request.svg == "-") return "--svg writes a file, found - for standard output";
-  if (request.pieces) return wrong_pieces(given, request);
-  if (request.command == Command::depth) return wrong_along(given, request);
-  return request.command == Command::study ? wrong_sweep(given, request) : "";
-}
-
-std::string wrong_page(const Request& request) {
-  if (request.command != Command::explain) return "";
-  if (request.page.empty()) return "explain writes a page: expected -o FILE, with the name of an HTML file";
-  if (request.page == "-") return "-o writes a file, found - for standard output";
-  return "";
-}
-
-std::string wrong_approximation(const Request& request, bool asks_exact) {
-  if (request.command == Command::ray && !request.direction) return "ray expects --direction X,Y,Z: where A is to move";
-  if (request.command == Command::metric && request.ball.empty())
-    return "metric expects --ball Q: a mesh, the unit ball";
-  if (request.command != Command::width || !request.delta) return "";
-  if (asks_exact)
-    return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
-  if (request.counters)
-    return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
-  if (request.bits)
-    return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
-  return "";
-}
-
-/// The first thing that is wrong with the request, or "".
-std::string wrong_request(const Given& given, const Request& request) {
-  const bool stream = request.inputs.size() == 1 && !request.case_id;  // of width both are possible: it has one output
-  if (std::string fault = wrong_inputs(given, request); !fault.empty()) return fault;
-  if (std::string fault = wrong_picture(given, request); !fault.empty()) return fault;
-  if (std::string fault = wrong_files(given, stream); !fault.empty()) return fault;
-  if (request.case_id && request.inputs.size() == 2) return "--case chooses a case of a stream, found two bodies";
-  const std::string method = given.command == "certify" ? "auto" : given.value("--method").value_or("auto");
-  if (request.closest_lines && method != "auto" && method != "exact")
-    return "--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + method;
-  if (request.embed_certificate && !request.json)
-    return "--embed-certificate adds a field to JSON results, and needs --json";
-  if (request.certificate == "-")
-    return "--certificate writes files; --json --embed-certificate writes to standard output";
-  if (request.html == "-") return "--html writes a file; standard output has the answers";
-  if (std::string fault = wrong_page(request); !fault.empty()) return fault;
-  const bool asks_exact =
-      method != "auto" || request.closest_lines || !request.certificate.empty() || request.embed_certificate;
-  if (std::string fault = wrong_approximation(request, asks_exact); !fault.empty()) return fault;
-  if (request.exact && request.json)
-    return "--exact is about text: JSON has every number exactly, and rounded beside it";
-  if (request.csv && request.json) return "--csv and --json are two forms of one answer: choose one";
-  if (request.csv && request.all)
-    return "--all lists coincidences, and cannot be combined with --csv, which counts them";
+/// Returns what is wrong if an option has an empty value, which would count as not given, or "".
+std::string empty_value(const Given& given) {
+  for (const GivenOption& option : given.options)
+    if (!option.option->is_input() && std::ranges::find(option.values, "") != option.values.end())
+      return option.name + " expects a value, found nothing";
   return "";
 }
 
 }  // namespace
 
-std::vector<Method> second_methods(const Given& given) {
-  std::vector<Method> methods;
-  for (const std::string& word : given.words("--method")) {
-    const Method method = solve::second_method(word).value();
-    if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
-  }
-  return methods;
+std::optional<std::string> Given::value(std::string_view name) const {
+  const auto found = std::ranges::find(options, name, &GivenOption::name);
+  return found == options.end() || found->values.empty() ? std::nullopt : std::optional(found->values.front());
 }
 
-Arguments parse_arguments(int argc, const char* const* argv) {
-  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+std::vector<std::string> Given::words(std::string_view name) const {
+  std::vector<std::string> result;
+  const auto found = std::ranges::find(options, name, &GivenOption::name);
+  if (found == options.end()) return result;
+  for (const std::string& value : found->values)
+    if (found->option->repeats == Repeats::lists) std::ranges::move(words_of(value), std::back_inserter(result));
+    else result.push_back(value);
+  return result;
+}
+
+std::vector<std::string> Given::inputs() const {
+  std::vector<std::string> result;
+  for (const GivenOption& option : options)
+    if (option.option->is_input()) result.insert(result.end(), option.values.begin(), option.values.end());
+  return result;
+}
+
+ExitCode said(const Arguments& arguments) {
+  arguments.code == fine ? print(arguments.text) : talk(arguments.text);
+  return arguments.code;
+}
+
+Arguments refusal(const std::string& sentence, const std::string& command) {
+  return {std::nullopt, fmt::format("{}\nTry: fathom {}--help", sentence, command.empty() ? "" : command + " "),
+          bad_input};
+}
+
+Arguments read_words(const std::string& before, std::span<const Option> table, const std::vector<std::string>& words) {
+  if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault, before);
+  return Parser(before, table).read(words);
+}
+
+Arguments parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) return no_command();
-  if (const std::string fault = wrong_command(words); !fault.empty()) return refusal(fault);
-  if (const std::string fault = missing_value(words); !fault.empty()) return refusal(fault);
-  const Given given = read_words("", common_options(), words);
-  switch (given.kind) {
-    case Given::Kind::help:
-      return {std::nullopt, help_text(page_of(given.command, common_options()), help_columns(STDOUT_FILENO)), fine};
-    case Given::Kind::version: return {std::nullopt, version_text(), fine};
-    case Given::Kind::refused:
-      return refusal(given.fault + (given.command.empty() ? line_with_command(words) : ""), given.command);
-    case Given::Kind::request: break;
-  }
+  const std::string line = "fathom " + shell_line(words);
+  if (parses_itself(words[0])) return {Given{words[0], {}, {words.begin() + 1, words.end()}, line}, "", fine};
+  // A word behind the command where else a stream of cases stands.
+  const bool compares = words.size() > 1 && words[0] == "certify" && words[1] == "diff";
+  if (const std::string fault = wrong_command(words); !fault.empty()) return refusal(fault, "");
+  Arguments arguments = compares ? read_words("certify diff", common_options(), {words.begin() + 2, words.end()})
+                                 : read_words("", common_options(), words);
+  if (!arguments.given) return arguments;
+  Given& given = *arguments.given;
   if (given.command.empty()) return no_command();
   if (const std::string fault = empty_value(given); !fault.empty()) return refusal(fault, given.command);
-  Request request = request_of(given);
-  if (request.command == Command::certify) request.certify.command_line = command_line(argc, argv);
-  if (!request.html.empty()) request.command_line = command_line(argc, argv);
-  if (const std::string fault = wrong_request(given, request); !fault.empty()) return refusal(fault, given.command);
-  return {std::move(request), "", fine};
+  given.command_line = line;
+  if (const std::string fault = wrong_together(given); !fault.empty()) return refusal(fault, given.command);
+  return arguments;
 }
 
 }  // namespace fathom::cli

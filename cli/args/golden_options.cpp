@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "cli/args/golden_arguments.hpp"
-#include "cli/args/options.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/args/values.hpp"
 #include "kernels/messages.hpp"
+#include "verify/golden/export/export.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/args/options.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "cli/args/arguments.hpp"
 #include "cli/args/values.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/words.hpp"
@@ -38,6 +37,14 @@ constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,ex
                      *on_streams = "depth,width,approx,ray,metric,study,stages",
                      *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
                      *of_two = "depth,approx,ray,metric,study,stages,explain,cases";
+
+// Meanings that two commands share.
+const std::string pieces =
+    "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the "
+    "mesh files of a folder; another mesh, or a shape, is one piece";
+const std::string pose =
+    "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" (or "
+    "xyzw=X,Y,Z,W, or rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these";
 
 std::vector<Option> make_table() {
   return {
@@ -114,14 +121,8 @@ std::vector<Option> make_table() {
       {with_bodies, "first", "", ""},
       {with_bodies, "second", "", ""},
       flag(with_bodies, "--exact-decimals", "decimals in text meshes are exact, instead of the nearest binary64"),
-      file(of_two, "--pose-a", "POSE", FileUse::read,
-           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" "
-           "(or xyzw=X,Y,Z,W, or "
-           "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these"),
-      file("width", "--pose-a,--pose", "POSE", FileUse::read,
-           "how A is placed, exactly: \"r11 r12 r13 t1; r21 ...; r31 ...\", 4 x 4 numbers, \"xyz=X,Y,Z quat=W,X,Y,Z\" "
-           "(or xyzw=X,Y,Z,W, or "
-           "rpy=ROLL,PITCH,YAWdeg or rad), or @FILE with one of these"),
+      file(of_two, "--pose-a", "POSE", FileUse::read, pose),
+      file("width", "--pose-a,--pose", "POSE", FileUse::read, pose),
       file(of_two, "--pose-b", "POSE", FileUse::read, "the same for B"),
       flag(on_bodies, "--require-convex",
            "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says "
@@ -159,14 +160,8 @@ std::vector<Option> make_table() {
        "with --along: how many steps the path has; 32 unless given",
        {wrong_integer<1, 1'000'000>}},
       flag("depth", "--csv", "with --along: a header, then one row for each place"),
-      flag("depth", "--pieces",
-           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or "
-           "the mesh files of a "
-           "folder; another mesh, or a shape, is one piece. With --json one object, schema fathom/union/1"),
-      flag("explain", "--pieces",
-           "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or "
-           "the mesh files of a "
-           "folder; another mesh, or a shape, is one piece"),
+      flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
+      flag("explain", "--pieces", pieces),
       {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
       flag("study", "--all", "list every coincidence, not the first 20 of a kind (in tables: the first)"),
       flag("study", "--json", "one JSON object per line, schema fathom/study/1"),

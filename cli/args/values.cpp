@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "cli/args/values.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
+#include <vector>
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/messages.hpp"
 #include "reference/approximate/directions.hpp"
+#include "reference/files/file_io.hpp"
 #include "reference/solve/disagreement.hpp"
 #include "verify/judge/words.hpp"
 
@@ -16,6 +20,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr unsigned largest_size = 1'000'000, most_threads = 1024;
+constexpr std::uint64_t most_parts = 1'000'000;
 
 std::optional<unsigned> typed_size(std::string_view text) {
   const std::optional<std::uint64_t> size = typed_integer(text, 1, largest_size);
@@ -77,6 +82,28 @@ std::optional<unsigned> typed_threads(std::string_view text) {
   return threads ? std::optional(static_cast<unsigned>(*threads)) : std::nullopt;
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> typed_part(std::string_view text) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto parts = typed_integer(text.substr(std::min(slash + 1, text.size())), 1, most_parts);
+  const auto part = parts ? typed_integer(text.substr(0, slash), 1, *parts) : std::nullopt;
+  return part ? std::optional(std::pair<std::size_t, std::size_t>(*part, *parts)) : std::nullopt;
+}
+
+std::vector<Method> typed_methods(std::span<const std::string> words) {
+  std::vector<Method> methods;
+  for (const std::string& word : words) {
+    const Method method = solve::second_method(word).value();
+    if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
+  }
+  return methods;
+}
+
+std::optional<ClosestLines> typed_engine(std::string_view name) {
+  const auto found = std::ranges::find(engine_names, name);
+  return found == engine_names.end() ? std::nullopt
+                                     : std::optional(static_cast<ClosestLines>(found - engine_names.begin()));
+}
+
 std::vector<std::string> words_of(std::string_view list) {
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin <= list.size();) {
@@ -85,6 +112,16 @@ std::vector<std::string> words_of(std::string_view list) {
     begin = end + 1;
   }
   return words;
+}
+
+bool is_mesh_name(const std::string& path) {
+  constexpr std::string_view meshes[] = {"off", "obj", "ply", "stl", "xyz", "pts"};
+  return std::ranges::find(meshes, files::extension(path)) != std::end(meshes);
+}
+
+bool is_cases_name(const std::string& path) {
+  constexpr std::string_view cases[] = {"jsonl", "ndjson", "json"};
+  return std::ranges::find(cases, files::extension(path)) != std::end(cases);
 }
 
 std::string unless(bool good, std::string_view expected, const std::string& text) {
@@ -144,6 +181,47 @@ std::string wrong_policy(const std::string& text) {
 
 std::string wrong_second_method(const std::string& text) {
   return unless(solve::second_method(text).has_value(), "exact or naive", text);
+}
+
+namespace {
+
+constexpr std::size_t shortest = 3, longest = 60;  // characters of a word that is worth a look
+
+/// No shell makes anything else of it.
+bool is_plain(const std::string& word) {
+  constexpr std::string_view others = "-_./,:=+%@";
+  const auto plain = [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           others.find(c) != std::string_view::npos;
+  };
+  return !word.empty() && std::ranges::all_of(word, plain);
+}
+
+}  // namespace
+
+std::string did_you_mean(const std::string& typed, std::span<const std::string> words) {
+  if (words.empty() || typed.size() > longest) return "";
+  const auto begins = [&typed](const std::string& word) { return typed.size() >= shortest && word.starts_with(typed); };
+  const auto slips = [&typed](const std::string& word) { return kernels::slips(typed, word); };
+  const std::string& nearest = *std::ranges::min_element(words, {}, slips);
+  const bool only = std::ranges::count_if(words, begins) == 1;
+  if (!only && !kernels::is_near(typed, nearest)) return "";
+  return "; did you mean '" + (only ? *std::ranges::find_if(words, begins) : nearest) + "'?";
+}
+
+std::string quoted(const std::string& word) {
+  std::string result = "'";
+  for (const char c : word) {
+    if (c == '\'') result += "'\\''";
+    else result += c;
+  }
+  return result + '\'';
+}
+
+std::string shell_line(std::span<const std::string> words) {
+  std::string result;
+  for (const std::string& word : words) result += (result.empty() ? "" : " ") + (is_plain(word) ? word : quoted(word));
+  return result;
 }
 
 }  // namespace fathom::cli

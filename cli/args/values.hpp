@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The values behind options: what a text means, and what is wrong with it. Numbers are meant as
-// typed: decimals are exact, integers are plain digits.
+// typed: decimals are exact, integers are plain digits. And words: misspelt ones, and quoted ones.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fathom/depth.hpp"
@@ -31,8 +33,19 @@ std::optional<Point> typed_vector(std::string_view text);
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
 /// A number of threads.
 std::optional<unsigned> typed_threads(std::string_view text);
+/// "i/n" with 1 <= i <= n.
+std::optional<std::pair<std::size_t, std::size_t>> typed_part(std::string_view text);
+/// The methods behind --method of a command that computes its answers in two ways, which must be
+/// good: each once, in the order of the words.
+std::vector<Method> typed_methods(std::span<const std::string> words);
+/// The engine of this name.
+std::optional<ClosestLines> typed_engine(std::string_view name);
 /// "a,b" as "a" and "b".
 std::vector<std::string> words_of(std::string_view list);
+
+/// Whether the name is that of a mesh, or of cases. Other names may be of cases too.
+bool is_mesh_name(const std::string& path);
+bool is_cases_name(const std::string& path);
 
 // What is wrong with a value, as a sentence, or "".
 
@@ -58,5 +71,19 @@ template <std::uint64_t low, std::uint64_t high>
 std::string wrong_integer(const std::string& text) {
   return wrong_integer(text, low, high);
 }
+
+// What a misspelt word may be meant to be.
+
+/// Returns "; did you mean 'word'?" for the one of `words` that alone begins with `typed`, or else
+/// is nearest to it and near; or "".
+std::string did_you_mean(const std::string& typed, std::span<const std::string> words);
+
+// Words quoted for /bin/sh.
+
+/// Returns the word in single quotes, with those inside escaped.
+std::string quoted(const std::string& word);
+
+/// Returns the words with spaces between them, quoted where needed.
+std::string shell_line(std::span<const std::string> words);
 
 }  // namespace fathom::cli

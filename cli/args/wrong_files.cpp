@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -14,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/args/given.hpp"
+#include "cli/args/arguments.hpp"
+#include "cli/args/values.hpp"
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
@@ -125,11 +125,8 @@ bool destroys(const NamedFile& writes, const NamedFile& other, bool stream) {
 
 /// Whether it would replace what is named like an input.
 bool replaces_a_body(const NamedFile& writes) {
-  constexpr std::array<std::string_view, 9> inputs = {"off", "obj",  "ply",   "stl",   "xyz",
-                                                      "pts", "json", "jsonl", "ndjson"};
   const bool replaces = writes.use == FileUse::written || writes.use == FileUse::placed;
-  return replaces && writes.place.is_file() &&
-         std::ranges::find(inputs, files::extension(writes.value)) != inputs.end();
+  return replaces && writes.place.is_file() && (is_mesh_name(writes.value) || is_cases_name(writes.value));
 }
 
 }  // namespace

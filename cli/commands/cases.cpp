@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/commands/family_names.hpp"
+#include "cli/commands/names.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
@@ -49,6 +49,19 @@ ExitCode print_fcl_cases(const std::string& path) {
   return fine;
 }
 
+/// What is asked for of the families.
+struct FamiliesRequest {
+  explicit FamiliesRequest(const Given& given)
+      : names(given.words("--family")),
+        count(given.integer<std::uint64_t>("--count").value_or(1)),
+        seed(given.integer<std::uint64_t>("--seed").value_or(1)),
+        size(given.integer<unsigned>("--size")) {}
+
+  std::vector<std::string> names;  ///< as typed: or patterns of them; "all"
+  std::uint64_t count, seed;       ///< the seeds are seed, seed + 1, ...
+  std::optional<unsigned> size;    ///< if not set, the family's usual size
+};
+
 constexpr std::string_view every_family = "all";
 
 /// "1/4", "5 - sqrt(25)".
@@ -73,7 +86,7 @@ void print_case(const families::ShapeCase& shapes, Source source, const std::str
   print(files::case_json({shapes.id, files::body_json(pair.a), files::body_json(pair.b), std::move(source), comment}));
 }
 
-void print_case_of(const families::Family& family, std::uint64_t seed, const CasesRequest& request) {
+void print_case_of(const families::Family& family, std::uint64_t seed, const FamiliesRequest& request) {
   const unsigned size = request.size.value_or(family.usual_size);
   Source source{
       {"family", std::string(family.name)}, {"size", fmt::format("{}", size)}, {"seed", fmt::format("{}", seed)}};
@@ -81,8 +94,10 @@ void print_case_of(const families::Family& family, std::uint64_t seed, const Cas
   else print_case(family.make(seed, size), std::move(source), "");
 }
 
-families::Kind asked_kind(const CasesRequest& request) {
-  return request.shapes ? families::Kind::shapes : request.unions ? families::Kind::unions : families::Kind::polytopes;
+/// Of all families, the catalogue or the list: those of shapes, of unions, or of polytopes.
+families::Kind asked_kind(const Given& given) {
+  if (given.flag("--shapes")) return families::Kind::shapes;
+  return given.flag("--unions") ? families::Kind::unions : families::Kind::polytopes;
 }
 
 using FamilyList = std::vector<const families::Family*>;
@@ -101,31 +116,31 @@ FamilyList families_like(const std::string& pattern) {
 }
 
 /// Those that were asked for, each once.
-FamilyList asked_families(const CasesRequest& request) {
+FamilyList asked_families(const std::vector<std::string>& names, families::Kind kind) {
   FamilyList result;
-  if (request.families == std::vector<std::string>{std::string(every_family)}) {
-    for (const families::Family& family : families::families(asked_kind(request))) result.push_back(&family);
+  if (names == std::vector<std::string>{std::string(every_family)}) {
+    for (const families::Family& family : families::families(kind)) result.push_back(&family);
     return result;
   }
-  for (const std::string& pattern : request.families)
+  for (const std::string& pattern : names)
     for (const families::Family* family : families_like(pattern))
       if (std::ranges::find(result, family) == result.end()) result.push_back(family);
   return result;
 }
 
 /// Each family in turn with the first seed, then each with the second, until there are enough.
-ExitCode print_families(const CasesRequest& request) {
-  const FamilyList asked = asked_families(request);
+ExitCode print_families(const FamiliesRequest& request, families::Kind kind) {
+  const FamilyList asked = asked_families(request.names, kind);
   for (std::uint64_t i = 0; i < request.count; ++i)
     print_case_of(*asked[i % asked.size()], request.seed + i / asked.size(), request);
   return fine;
 }
 
-ExitCode print_catalogue(const CasesRequest& request) {
-  if (request.shapes) {
+ExitCode print_catalogue(families::Kind kind) {
+  if (kind == families::Kind::shapes) {
     for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
       print_case(entry.shapes, {{"catalogue", entry.shapes.id}}, std::string(entry.description));
-  } else if (request.unions) {
+  } else if (kind == families::Kind::unions) {
     for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
       print_case(entry.pair, {{"catalogue", entry.pair.id}, {known_square(entry.status), exact_text(entry.squared)}},
                  std::string(entry.description));
@@ -145,7 +160,7 @@ ExitCode print_list(std::span<const families::Family> all) {
   return fine;
 }
 
-ExitCode print_meshes(const Request& request) {
+ExitCode print_meshes(const BodiesRequest& request) {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
     return text ? std::optional(asked_pose(*text, option, request.decimals, false)) : std::nullopt;
   };
@@ -163,15 +178,12 @@ ExitCode print_meshes(const Request& request) {
 
 }  // namespace
 
-ExitCode run_cases(const Request& request) {
-  switch (request.cases.what) {
-    case CasesRequest::What::family: return print_families(request.cases);
-    case CasesRequest::What::catalogue: return print_catalogue(request.cases);
-    case CasesRequest::What::list: return print_list(families::families(asked_kind(request.cases)));
-    case CasesRequest::What::from: return print_meshes(request);
-    case CasesRequest::What::from_fcl: return print_fcl_cases(request.cases.fcl);
-  }
-  return internal_error;
+ExitCode run_cases(const Given& given) {
+  if (given.has("--from-fcl")) return print_fcl_cases(given.text("--from-fcl"));
+  if (given.has("--from")) return print_meshes(BodiesRequest(given));
+  if (given.has("--list")) return print_list(families::families(asked_kind(given)));
+  if (given.has("--catalogue")) return print_catalogue(asked_kind(given));
+  return print_families(FamiliesRequest(given), asked_kind(given));
 }
 
 }  // namespace fathom::cli

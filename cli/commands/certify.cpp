@@ -22,10 +22,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands/adapters.hpp"
-#include "cli/commands/certify_results.hpp"
+#include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/io/case_input.hpp"
+#include "cli/commands/names.hpp"
 #include "cli/io/case_stream.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
@@ -36,6 +35,8 @@
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/two_ways.hpp"
+#include "verify/harness/variants.hpp"
+#include "verify/judge/words.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -140,12 +141,12 @@ ExitCode list_adapters() {
 /// One run, from the hello to the exit code.
 class Certify {
  public:
-  Certify(const Request& request, const ExaminersElsewhere& elsewhere)
-      : request_(request), certify_(request.certify), elsewhere_(elsewhere) {
+  Certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere)
+      : certify_(request), elsewhere_(elsewhere) {
     probe_reports(certify_);
     if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
     earlier_ = earlier_list(certify_);
-    cases_.emplace(request.inputs[0], [this](const std::string& fault) { tell("bad cases", fault); });
+    cases_.emplace(request.cases, [this](const std::string& fault) { tell("bad cases", fault); });
     if (!certify_.replay.empty()) replay_ = Replay::read(certify_.replay);
     else command_ = subject_of(certify_);
   }
@@ -155,7 +156,7 @@ class Certify {
       if (!replay_) examiner_ = std::make_shared<Examiner>(command_, settings());
       if (!certify_.print_input.empty()) return print_input();
       if (examiner_ && !examiner_->passed_over().empty()) tell("notes on the subject", examiner_->passed_over());
-      found_.emplace(request_, info(), cases_->expected());
+      found_.emplace(certify_, info(), cases_->expected());
       examine();
       return finish();
     } catch (const harness::SubjectError& error) {
@@ -179,7 +180,7 @@ class Certify {
       for (const std::string& line : examiner_->input_for(*pair)) print(line);
       return fine;
     }
-    throw InputError(request_.inputs[0], 0,
+    throw InputError(certify_.cases, 0,
                      "expected a case of the id " + kernels::shown(certify_.print_input) + ", found none");
   }
 
@@ -314,7 +315,7 @@ class Certify {
     const CertificateNames certificates = write_certificates(certify_, subject, *found_);
     report(known, certificates, whole ? "" : "incomplete: some cases have no verdict");
     write_list(certify_, subject, *found_, earlier_);
-    if (!certify_.shrink.empty()) shrink_failures(request_, *examiner_, *found_);
+    if (!certify_.shrink.empty()) shrink_failures(certify_, *examiner_, *found_);
     if (!certify_.shrink.empty() && disagreement_)
       shrink_disagreement(certify_.shrink, *disagreement_, found_->progress());
     ExitCode code = code_of(certify_, *found_, known);
@@ -329,7 +330,7 @@ class Certify {
               const std::string& cut_short) {
     reported_ = true;
     write_reports(certify_, info(), *found_, known, certificates, cut_short);
-    if (!request_.json) print_table();
+    if (!certify_.json) print_table();
     if (const std::string warning = coverage_warning(found_->summary().tally().all().judged); !warning.empty())
       talk(warning);
   }
@@ -364,7 +365,6 @@ class Certify {
     return incomplete;
   }
 
-  const Request& request_;
   const CertifyRequest& certify_;
   const ExaminersElsewhere& elsewhere_;
   std::optional<harness::Disagreement> disagreement_;  // the first
@@ -383,6 +383,39 @@ class Certify {
 
 }  // namespace
 
+CertifyRequest::CertifyRequest(const Given& given)
+    : cases(given.inputs().at(0)),
+      command_line(given.command_line),
+      subject(given.text("--subject")),
+      adapter(given.text("--adapter")),
+      replay(given.text("--replay")),
+      json(given.flag("--json")),
+      jobs(given.integer<unsigned>("--jobs")),
+      fit(given.number("--fit")),
+      methods(typed_methods(given.words("--method"))),
+      report(given.text("--report")),
+      resume(given.flag("--resume")),
+      overwrite(given.flag("--overwrite")),
+      all_rows(given.flag("--all-rows")),
+      print_input(given.text("--print-input")),
+      harness(given.text("--harness")),
+      expect_fail(given.text("--expect-fail")),
+      write_expect_fail(given.text("--write-expect-fail")),
+      junit(given.text("--junit")),
+      html(given.text("--html")),
+      certificates(given.text("--certificates")),
+      shrink(given.text("--shrink")),
+      max_errors(given.integer<std::size_t>("--max-errors")) {
+  if (const auto time = given.number("--time-out")) time_out = round_binary64(*time, Rounding::ru);
+  tolerance.relative = given.number("--tol-rel").value_or(tolerance.relative);
+  tolerance.absolute = given.number("--tol-abs").value_or(tolerance.absolute);
+  if (const auto ulps = given.integer<std::size_t>("--tol-ulps")) tolerance.ulps = *ulps;
+  if (const auto policy = given.value("--policy")) tolerance.policy = judging::policy_of(*policy).value();
+  const std::string asked = given.text("--metamorphic");
+  if (asked == "all") variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));
+  else if (!asked.empty()) variants = words_of(asked);
+}
+
 harness::SubjectCommand subject_of(const CertifyRequest& certify) {
   return {certify.adapter.empty() ? certify.subject : adapter_command(certify.adapter)};
 }
@@ -397,16 +430,16 @@ harness::Settings examiner_settings(const CertifyRequest& certify) {
   return settings;
 }
 
-ExitCode certify(const Request& request, const ExaminersElsewhere& elsewhere) {
+ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere) {
   std::ios::sync_with_stdio(false);
   constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
   const Working working(patience);
   return Certify(request, elsewhere).work();
 }
 
-ExitCode run_certify(const Request& request) {
-  if (request.certify.list_adapters) return list_adapters();
-  return request.certify.claims.empty() ? certify(request, {}) : judge_claims(request);
+ExitCode run_certify(const Given& given) {
+  if (given.flag("--list-adapters")) return list_adapters();
+  return given.has("--claims") ? run_claims(given) : certify(CertifyRequest(given), {});
 }
 
 }  // namespace fathom::cli

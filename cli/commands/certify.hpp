@@ -1,16 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of `fathom certify` that one process and many share.
+// What a run of `fathom certify` is asked for; the part of it that one process and many share; and
+// what it finds: collected while it runs, written at the end, failing cases made small.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "cli/args/request.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
+#include "fathom/judge.hpp"
 #include "verify/harness/examiner.hpp"
+#include "verify/harness/journal.hpp"
 #include "verify/harness/outcome.hpp"
+#include "verify/harness/report/junit.hpp"
+#include "verify/harness/report/text.hpp"
+#include "verify/harness/two_ways.hpp"
 
 namespace fathom::cli {
+
+/// What a run is asked for.
+struct CertifyRequest {
+  explicit CertifyRequest(const Given& given);
+
+  std::string cases;                     ///< the stream
+  std::string command_line;              ///< quoted for a shell
+  std::string subject, adapter, replay;  ///< exactly one of these is set
+  bool json = false;
+  std::optional<unsigned> jobs;  ///< if not set, as many as there are processors
+  double time_out = 10;          ///< seconds
+  Tolerance tolerance;
+  std::optional<mpq_class> fit;  ///< the size that each case is brought to
+  std::vector<Method> methods;   ///< find every truth and judgement again by these
+  std::string report;
+  bool resume = false, overwrite = false;  ///< of the report that is there
+  bool all_rows = false;                   ///< in the table
+  std::string print_input;  ///< the id of the case whose lines are printed, as the subject reads them; empty: none
+  std::string harness;      ///< the user's own program for --shrink; empty: none
+  std::vector<std::string> variants;                                              ///< under which each case is put too
+  std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
+  std::optional<std::size_t> max_errors;
+};
 
 /// Who examines cases instead of threads of this process.
 struct ExaminersElsewhere {
@@ -21,7 +56,7 @@ struct ExaminersElsewhere {
 };
 
 /// A run from the hello to the exit code. Throws as run_certify.
-ExitCode certify(const Request& request, const ExaminersElsewhere& elsewhere);
+ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere);
 
 /// The shell command of the request's subject. Throws InputError if its adapter is unknown or not
 /// built.
@@ -29,5 +64,105 @@ harness::SubjectCommand subject_of(const CertifyRequest& certify);
 
 /// What examiners of the request are set to; nobody hears of what no case is to blame for.
 harness::Settings examiner_settings(const CertifyRequest& certify);
+
+// What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases
+// made small.
+
+/// A failing case as the subject saw it.
+struct FailedCase {
+  std::size_t outcome;  ///< index into outcomes()
+  Case seen;
+  Case original;  ///< of a variant, the case that it is a variant of
+};
+
+class Collector {
+ public:
+  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is
+  /// known.
+  Collector(const CertifyRequest& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
+
+  /// Returns the outcome that an earlier run left in the report, or nullptr. Any thread.
+  [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant,
+                                              const std::string& digest) const;
+
+  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report
+  /// already.
+  void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
+  /// The same for a failure that no case caused; `known`: it is in the report already.
+  void take(const harness::Unattributed& unattributed, bool known = false);
+  /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and
+  /// counts the others.
+  void tell(const std::string& kind, const std::string& sentence);
+  /// Prints how many sentences were only counted; removes the bar.
+  void close();
+  /// Writes the last line of the report and of --json.
+  void complete();
+
+  [[nodiscard]] const std::vector<harness::Outcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const std::vector<FailedCase>& failed() const { return failed_; }
+  [[nodiscard]] const harness::Summary& summary() const { return summary_; }
+  [[nodiscard]] Progress& progress() { return progress_; }
+
+ private:
+  void show_progress();
+
+  const CertifyRequest& request_;
+  std::optional<std::size_t> expected_;
+  std::optional<harness::Journal> journal_;
+  std::map<std::tuple<std::string, std::string, std::string>, harness::Outcome> known_;
+  std::vector<harness::Outcome> outcomes_;
+  std::vector<FailedCase> failed_;
+  harness::Summary summary_;
+  std::map<std::string, std::size_t> told_;
+  std::size_t cases_ = 0, cases_before_ = 0;  ///< of these: known from an earlier run
+  double worst_ = 0;                          ///< relative error
+  Progress progress_;
+};
+
+// What is written at the end of a run of `fathom certify`, and its exit code.
+
+/// Throws InputError if one of the requested files and folders cannot be written. Makes folders.
+void probe_reports(const CertifyRequest& certify);
+
+/// Returns the list that --write-expect-fail replaces, to keep its comments; an empty one if there
+/// is none. Throws InputError.
+harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
+
+/// Names of files, by index of the outcome.
+using CertificateNames = std::map<std::size_t, std::string>;
+/// Writes one for each failing case, if requested; says of which none is written, since no checker
+/// would read it. Throws OutputError, InputError, Interrupted.
+CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
+
+/// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is.
+/// Throws OutputError, InputError.
+void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found,
+                   const std::optional<harness::ExpectedFailures::Check>& known, const CertificateNames& certificates,
+                   const std::string& cut_short);
+
+/// Writes the list of known failures, if requested. Throws OutputError, InputError.
+void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found,
+                const harness::ExpectedFailures& earlier);
+
+/// Returns where to find more than in the table: the reports that were written, and the options for
+/// the others.
+std::vector<std::string> where_to_look(const CertifyRequest& certify);
+
+/// Returns the exit code by the verdicts alone: fine, judged_wrong, or incomplete if nothing was
+/// judged. Prints where run and list disagree.
+ExitCode code_of(const CertifyRequest& certify, Collector& found,
+                 const std::optional<harness::ExpectedFailures::Check>& known);
+
+// fathom certify --shrink: one failing case of each verdict, made small; and one about which fathom
+// itself disagrees.
+
+/// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk
+/// at each step. Prints the names of the files, one a line; with --json on standard error. Throws
+/// Interrupted, SubjectError, InputError.
+void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner, Collector& found);
+
+/// Reduces a case about which two ways to its truth differ, and writes it to the folder at each
+/// step. Says so on standard error. Throws Interrupted, InputError.
+void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress);
 
 }  // namespace fathom::cli

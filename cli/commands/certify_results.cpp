@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/certify_results.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -14,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/commands/certify.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
@@ -85,7 +84,7 @@ bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long e
   return seen && harness::digest_of(*seen) == harness::digest_of(pair);
 }
 
-void report(const Request& request, const Shrunk& shrunk, const std::string& title,
+void report(const CertifyRequest& request, const Shrunk& shrunk, const std::string& title,
             const std::vector<std::string>& files) {
   if (!shrunk.reproduced)
     return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
@@ -98,22 +97,22 @@ void report(const Request& request, const Shrunk& shrunk, const std::string& tit
 
 }  // namespace
 
-Collector::Collector(const Request& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected)
+Collector::Collector(const CertifyRequest& request, const harness::SubjectInfo& info,
+                     std::optional<std::size_t> expected)
     : request_(request), expected_(expected) {
   const std::string header = harness::header_line(
-      info, request.certify.tolerance,
-      {FATHOM_VERSION, request.certify.command_line, "", {}, request.certify.methods, request.certify.fit});
-  summary_.fit = request.certify.fit;
+      info, request.tolerance, {FATHOM_VERSION, request.command_line, "", {}, request.methods, request.fit});
+  summary_.fit = request.fit;
   const auto remember = [this](harness::Outcome outcome) {
     std::tuple key(outcome.id, outcome.variant, outcome.digest);
     known_.insert_or_assign(std::move(key), std::move(outcome));
   };
   std::vector<harness::Unattributed> earlier;
   const auto keep = [&earlier](harness::Unattributed unattributed) { earlier.push_back(std::move(unattributed)); };
-  const std::string& report = request.certify.report;
+  const std::string& report = request.report;
   if (!report.empty())
-    journal_.emplace(request.certify.resume ? harness::Journal::resume(report, header, remember, keep)
-                                            : harness::Journal::create(report, header, request.certify.overwrite));
+    journal_.emplace(request.resume ? harness::Journal::resume(report, header, remember, keep)
+                                    : harness::Journal::create(report, header, request.overwrite));
   if (request.json) print(header);
   for (const harness::Unattributed& unattributed : earlier) take(unattributed, true);
 }
@@ -138,7 +137,7 @@ void Collector::take(const Case& original, const Case& seen, const harness::Outc
     if (known) ++cases_before_;
   }
   if (fails(outcome.verdict)) {
-    const CertifyRequest& certify = request_.certify;
+    const CertifyRequest& certify = request_;
     const bool needed = !certify.html.empty() || !certify.certificates.empty() || !certify.shrink.empty();
     if (needed) failed_.push_back({outcomes_.size() - 1, seen, original});
   }
@@ -270,16 +269,16 @@ ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::opt
   return incomplete;
 }
 
-void shrink_failures(const Request& request, harness::Examiner& examiner, Collector& found) {
+void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner, Collector& found) {
   const harness::SubjectInfo& info = examiner.info();
   std::optional<harness::HarnessTemplate> own;
-  if (!request.certify.harness.empty()) own = harness::read_harness(request.certify.harness);
+  if (!request.harness.empty()) own = harness::read_harness(request.harness);
   for (const auto& [kind, failed] : starts(found)) {
     const auto& [verdict, variant] = kind;
     const Outcome& outcome = found.outcomes()[failed->outcome];
     const std::string title =
         fmt::format("{} of {}", name(verdict), harness::ascii(harness::shown_id(outcome.id, variant)));
-    const std::optional<mpq_class>& fit = request.certify.fit;
+    const std::optional<mpq_class>& fit = request.fit;
     const harness::ExamineInUnit in_unit = [&](const Case& pair, long exponent) {
       return is_seen_as_it_is(pair, info, exponent) ? examiner.examine(pair, exponent)
                                                     : harness::declined(pair, "rounded");
@@ -288,16 +287,15 @@ void shrink_failures(const Request& request, harness::Examiner& examiner, Collec
     // Only a comparison with the original needs both; a variant that fails by itself is a case like
     // any other.
     if (verdict == Verdict::not_invariant)
-      examine = harness::examine_variant(in_unit, variant, info.format, request.certify.tolerance, fit);
+      examine = harness::examine_variant(in_unit, variant, info.format, request.tolerance, fit);
     std::vector<std::string> files;
     if (harness::has_union(failed->seen)) {
-      const std::string path =
-          harness::write_case(request.certify.shrink, std::string(name(verdict)), failed->seen, title);
+      const std::string path = harness::write_case(request.shrink, std::string(name(verdict)), failed->seen, title);
       talk(fmt::format("{}: cases of unions are not made smaller; the case as it was seen: {}", title, path));
       continue;
     }
     const auto better = [&](const Shrunk& best) {
-      files = harness::write_shrunk(request.certify.shrink, best, info, own);
+      files = harness::write_shrunk(request.shrink, best, info, own);
       found.progress().report(fmt::format("shrinking {}: {}", title, left_of(best.pair)), -1);
     };
     harness::ShrinkSettings settings;

@@ -15,9 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/args/help_page.hpp"
+#include "cli/args/help.hpp"
 #include "cli/args/values.hpp"
-#include "cli/args/words.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
@@ -404,9 +403,7 @@ ExitCode check(std::vector<std::string> words) {
 
 }  // namespace
 
-ExitCode run_check(std::vector<std::string> words) try {
-  return check(std::move(words));
-} catch (const UsageFault& fault) {
+ExitCode run_check(const Given& given) try { return check(given.rest); } catch (const UsageFault& fault) {
   talk(std::string(fault.what()) + "\nTry: fathom check --help");
   return bad_input;
 }

@@ -74,10 +74,11 @@ class Proofs {
 
 }  // namespace
 
-ExitCode judge_claims(const Request& request) {
-  const std::string &path = request.certify.claims, name = path == "-" ? "<stdin>" : path;
+ExitCode run_claims(const Given& given) {
+  const std::string path = given.text("--claims"), name = path == "-" ? "<stdin>" : path;
   const Working working;
-  Proofs proofs(request.certify.certificates);
+  Proofs proofs(given.text("--certificates"));
+  const bool json = given.flag("--json");
   std::ifstream file;
   if (path != "-") {
     files::require_readable(path);
@@ -101,13 +102,13 @@ ExitCode judge_claims(const Request& request) {
     const PublishedClaim& published = std::get<PublishedClaim>(claim);
     const JudgedClaim judged = claims::judge_claim(published);
     proofs.write(published, judged);
-    print(request.json ? claim_json(published, judged) : fitted(claim_text(published, judged), 4));
+    print(json ? claim_json(published, judged) : fitted(claim_text(published, judged), 4));
     ++counts[claims::verdict_name(judged.finding())];
     ++judged_claims;
     if (judged.finding() == Finding::wrong) code = std::max(code, judged_wrong);
   }
   if (found == 0) throw InputError(name, 1, "expected at least one claim, found an empty input");
-  if (!request.json)
+  if (!json)
     print(fmt::format("{} claims: {} right, {} wrong, {} undecided, {} not judgeable", judged_claims, counts["right"],
                       counts["wrong"], counts["undecided"], counts["not-judgeable"]));
   return code;

@@ -1,52 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function per command.
+// One function per command. Each fills a struct of its own from what was given, which the table of
+// options has checked.
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "cli/args/request.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/io/output.hpp"
 
 namespace fathom::cli {
 
-/// Runs the command of the request, or the one of this name, which parses the words behind it
-/// itself. The two programs differ here: every_command.cpp belongs to fathom, depth_alone.cpp to
-/// fathom-depth.
-ExitCode run_command(const Request& request);
-ExitCode run_command(std::string_view name, const std::vector<std::string>& words);
+/// Runs the command that was given. The two programs differ here: every_command.cpp belongs to
+/// fathom, depth_alone.cpp to fathom-depth.
+ExitCode run_command(const Given& given);
 
 /// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
-ExitCode run_depth(const Request& request);
+ExitCode run_depth(const Given& given);
 /// depth --along
-ExitCode run_along(const Request& request);
-ExitCode run_width(const Request& request);
-ExitCode run_approx(const Request& request);
-ExitCode run_ray(const Request& request);
-ExitCode run_metric(const Request& request);
-ExitCode run_study(const Request& request);
-ExitCode run_stages(const Request& request);
+ExitCode run_along(const Given& given);
+ExitCode run_width(const Given& given);
+ExitCode run_approx(const Given& given);
+ExitCode run_ray(const Given& given);
+ExitCode run_metric(const Given& given);
+ExitCode run_study(const Given& given);
 /// study --sweep
-ExitCode run_sweep(const Request& request);
-ExitCode run_explain(const Request& request);
-ExitCode run_cases(const Request& request);
-ExitCode run_certify(const Request& request);
+ExitCode run_sweep(const Given& given);
+ExitCode run_stages(const Given& given);
+ExitCode run_explain(const Given& given);
+ExitCode run_cases(const Given& given);
+ExitCode run_certify(const Given& given);
+/// certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a claim is
+/// wrong.
+ExitCode run_claims(const Given& given);
+/// certify diff
+ExitCode run_diff(const Given& given);
 
-/// Takes the words behind "certify diff".
-ExitCode run_diff(const std::vector<std::string>& words);
-
-/// Takes the words behind "check"; prints itself what is wrong with them.
-ExitCode run_check(std::vector<std::string> words);
-
-/// Takes the words behind "golden".
-ExitCode run_golden(const std::vector<std::string>& words);
-
-/// `help`, `man` and `completion`, with the words behind them.
-ExitCode run_help(std::string_view name, const std::vector<std::string>& words);
-
-/// fathom certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a
-/// claim is wrong. Throws InputError if the file cannot be read, OutputError, Interrupted.
-ExitCode judge_claims(const Request& request);
+/// These read the rest of the words themselves, and print what is wrong with them.
+ExitCode run_check(const Given& given);
+ExitCode run_golden(const Given& given);
+/// `help`, `man` and `completion`.
+ExitCode run_help(const Given& given);
 
 }  // namespace fathom::cli

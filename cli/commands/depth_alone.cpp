@@ -2,22 +2,13 @@
 // What the program fathom-depth runs: `depth`. It takes half the time of fathom to build, so
 // ./fathom builds it for the first answer.
 #include "cli/commands/command.hpp"
-#include "cli/io/output.hpp"
 
 namespace fathom::cli {
-namespace {
 
-ExitCode refused(std::string_view name) {
-  talk("fathom-depth answers depth alone; " + std::string(name) + " is a command of the program fathom");
-  return bad_input;
+ExitCode run_command(const Given& given) {
+  if (given.command == "depth") return run_depth(given);
+  return failed("fathom-depth answers depth alone; " + given.command + " is a command of the program fathom",
+                bad_input);
 }
-
-}  // namespace
-
-ExitCode run_command(const Request& request) {
-  return request.command == Command::depth ? run_depth(request) : refused("this");
-}
-
-ExitCode run_command(std::string_view name, const std::vector<std::string>&) { return refused(name); }
 
 }  // namespace fathom::cli

@@ -5,14 +5,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <string>
 #include <vector>
 
-#include "cli/args/given.hpp"
-#include "cli/args/help_page.hpp"
-#include "cli/args/words.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
@@ -44,29 +41,10 @@ ExitCode compare(const DiffRequest& request) {
   return diff.newly_failing.empty() ? fine : newly_failing;
 }
 
-ExitCode refused(const std::string& sentence) {
-  return failed(sentence + "\nTry: fathom certify diff --help", bad_input);
-}
-
 }  // namespace
 
-ExitCode run_diff(const std::vector<std::string>& words) {
-  if (const std::string fault = missing_value(words); !fault.empty()) return refused(fault);
-  const Given given = read_words("certify diff", common_options(), words);
-  if (given.kind == Given::Kind::help) {
-    print(help_text(page_of(given.command, common_options()), help_columns(STDOUT_FILENO)));
-    return fine;
-  }
-  if (given.kind == Given::Kind::refused) return refused(given.fault);
-  if (const std::string fault = empty_value(given); !fault.empty()) return refused(fault);
-  const DiffRequest request{given.inputs(), given.flag("--json"), given.text("--html"),
-                            "fathom certify diff " + shell_line(words)};
-  if (request.reports.size() != 2)
-    return refused(fmt::format("certify diff expects two reports, the old and the new one, found {} argument{}",
-                               request.reports.size(), request.reports.size() == 1 ? "" : "s"));
-  if (const std::string fault = wrong_files(given, false); !fault.empty()) return refused(fault);
-  if (request.html == "-") return refused("--html writes a file, found - for standard output");
-  return compare(request);
+ExitCode run_diff(const Given& given) {
+  return compare({given.inputs(), given.flag("--json"), given.text("--html"), given.command_line});
 }
 
 }  // namespace fathom::cli

@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program fathom runs: every command.
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "cli/commands/command.hpp"
 
 namespace fathom::cli {
 
-ExitCode run_command(const Request& request) {
-  switch (request.command) {
-    case Command::depth: return run_depth(request);
-    case Command::width: return run_width(request);
-    case Command::approx: return run_approx(request);
-    case Command::ray: return run_ray(request);
-    case Command::metric: return run_metric(request);
-    case Command::study: return run_study(request);
-    case Command::stages: return run_stages(request);
-    case Command::explain: return run_explain(request);
-    case Command::cases: return run_cases(request);
-    case Command::certify: return run_certify(request);
-  }
-  return internal_error;
-}
-
-ExitCode run_command(std::string_view name, const std::vector<std::string>& words) {
-  if (name == "certify diff") return run_diff(words);
-  if (name == "check") return run_check(words);
-  return name == "golden" ? run_golden(words) : run_help(name, words);
+ExitCode run_command(const Given& given) {
+  using Run = ExitCode (*)(const Given&);
+  static constexpr std::pair<std::string_view, Run> commands[] = {
+      {"depth", run_depth},   {"width", run_width},     {"approx", run_approx},     {"ray", run_ray},
+      {"metric", run_metric}, {"study", run_study},     {"stages", run_stages},     {"explain", run_explain},
+      {"cases", run_cases},   {"certify", run_certify}, {"certify diff", run_diff}, {"check", run_check},
+      {"golden", run_golden}, {"help", run_help},       {"man", run_help},          {"completion", run_help}};
+  return std::ranges::find(commands, std::string_view(given.command), &std::pair<std::string_view, Run>::first)
+      ->second(given);
 }
 
 }  // namespace fathom::cli

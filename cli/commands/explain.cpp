@@ -18,6 +18,12 @@
 namespace fathom::cli {
 namespace {
 
+struct ExplainRequest {
+  DepthRequest depth;  ///< the page has what `fathom depth --json` prints
+  std::string page;    ///< the file
+  bool times;          ///< with the seconds that each stage took
+};
+
 std::vector<std::string> notes_on(const AboutBodies& bodies) {
   std::vector<std::string> notes;
   if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
@@ -25,20 +31,18 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
   return notes;
 }
 
-std::string page_of(const Case& single, const Request& request, Monitor& monitor) {
-  Request of_depth = request;  // the page has what `fathom depth --json` prints
-  of_depth.command = Command::depth;
+std::string page_of(const Case& single, const ExplainRequest& request, Monitor& monitor) {
   Workspace workspace;
-  const AskedCase asked = looked_at(single, request);
-  const AnsweredCase answered = answered_by(asked, of_depth, question_of(of_depth, monitor, workspace));
+  const AskedCase asked = looked_at(single, request.depth);
+  const AnsweredCase answered = answered_by(asked, request.depth, question_of(request.depth, monitor, workspace));
   const Answer& answer = answered.answer;
   if (!answer.complete()) throw Interrupted();
   const std::string picture =
       picture::scene_panels(answer_scene(single, answer), "still", "A and B, and the way out of A");
   const auto page = [&](auto stages) {
     stages.id = single.id;
-    return page::html_page({FATHOM_VERSION, answer_json(answered, of_depth), stages, files::case_json(single),
-                            notes_on(asked.bodies), picture});
+    return page::html_page({FATHOM_VERSION, output::answer_json(answered, request.depth.form), stages,
+                            files::case_json(single), notes_on(asked.bodies), picture});
   };
   if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found))
     return page(stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor));
@@ -47,10 +51,11 @@ std::string page_of(const Case& single, const Request& request, Monitor& monitor
 
 }  // namespace
 
-ExitCode run_explain(const Request& request) {
+ExitCode run_explain(const Given& given) {
+  const ExplainRequest request{DepthRequest(given), given.text("--output"), given.flag("--times")};
   CertificateFile file(request.page, "page");  // an unwritable path fails early
-  Case single = asked_case(request, true);
-  if (request.inputs.size() == 2)
+  Case single = asked_case(request.depth, true);
+  if (request.depth.inputs.size() == 2)
     single.id = picture::without_folders(single.id);  // names of files; a case has its own
   std::string page;
   {

@@ -3,33 +3,56 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "cli/args/golden_arguments.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/io/output.hpp"
+#include "fathom/depth.hpp"
 #include "verify/golden/release/release.hpp"
+#include "verify/golden/shards/plan.hpp"
 
 namespace fathom::cli {
 
-/// Does `work` for the request that the words make. Says what is wrong with the words only if
+struct GenerateRequest {
+  explicit GenerateRequest(const Given& given);
+
+  golden::Level level;
+  std::uint64_t seed;
+  std::string folder;
+  unsigned jobs;            ///< 0: as many as there are cores
+  bool is_part;             ///< only every `parts`-th shard
+  std::size_t part, parts;  ///< 1 <= part <= parts
+};
+
+struct VerifyRequest {
+  explicit VerifyRequest(const Given& given);
+
+  std::string folder;
+  unsigned jobs;                ///< 0: as many as there are cores
+  std::vector<Method> methods;  ///< compute every record again by these too
+  bool state;                   ///< write the page that says so
+};
+
+/// Does `work` for the task that the words name. Says what is wrong with the words only if
 /// `says_usage`, and what is wrong with folders and files always. Lets other exceptions of `work`
 /// pass.
 ExitCode carry_out_golden(const std::vector<std::string>& words, bool says_usage,
-                          const std::function<ExitCode(const GoldenRequest&)>& work);
+                          const std::function<ExitCode(const Given&)>& work);
 
 /// The shards of the request's part: i, i + n, i + 2 n, ...
-std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GoldenRequest& request);
+std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GenerateRequest& request);
 
 /// Verifies and prints what was found. `elsewhere`: see VerifyOptions. Throws FileError if the
 /// folder cannot be read, Interrupted.
 ExitCode verify_golden(
-    const GoldenRequest& request,
+    const VerifyRequest& request,
     std::function<void(const std::vector<golden::ShardPlan>&, const golden::TakeShard&)> elsewhere = {});
 
 /// Prints the export, and on standard error how many records it holds and why others do not fit.
 /// Throws FolderError, FileError, InputError, OutputError, Interrupted.
-ExitCode export_golden(const GoldenRequest& request);
+ExitCode export_golden(const Given& given);
 
 }  // namespace fathom::cli

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cli/io/case_input.hpp"
+#include "cli/args/values.hpp"
 #include "cli/io/case_stream.hpp"
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
@@ -25,7 +25,7 @@ namespace fathom::cli {
 namespace {
 
 /// A body by its file or folder, or by the words of a shape.
-Body body_of_input(const std::string& input, const Request& request) {
+Body body_of_input(const std::string& input, const BodiesRequest& request) {
   if (!files::is_shape_text(input))
     return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
   Body body = files::parse_shape(input, request.decimals);
@@ -37,8 +37,8 @@ Body body_of_input(const std::string& input, const Request& request) {
 }
 
 /// A single body is neither of two.
-std::string pose_option(const Request& request, bool of_a) {
-  if (has_one_body(request)) return "--pose";
+std::string pose_option(const BodiesRequest& request, bool of_a) {
+  if (request.one_body) return "--pose";
   return of_a ? "--pose-a" : "--pose-b";
 }
 
@@ -47,7 +47,7 @@ void tell_of(const files::GivenPose& pose, const std::string& option, bool has_r
   if (const std::string note = files::pose_note(pose, has_radius); !note.empty()) talk(option + ": " + note);
 }
 
-Case single_case(const Request& request) {
+Case single_case(const BodiesRequest& request) {
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
     Body result = body_of_input(input, request);
@@ -63,8 +63,8 @@ Case single_case(const Request& request) {
     }
     return result;
   };
-  Case single = has_one_body(request) ? Case{request.inputs[0], body(0), {}}
-                                      : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
+  Case single = request.one_body ? Case{request.inputs[0], body(0), {}}
+                                 : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
   single.id = text::valid_utf8(single.id);  // of file names; result and certificate are to agree on it
   return single;
 }
@@ -100,14 +100,12 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
 }
 
 /// Whether the input holds cases, of which one may be asked for.
-bool holds_cases(const Request& request) {
-  if (!has_one_body(request)) return request.inputs.size() == 1;
-  const std::string& input = request.inputs[0];  // its name tells
-  const std::string kind = files::extension(input);
-  return input == "-" || kind == "jsonl" || kind == "ndjson" || kind == "json";
+bool holds_cases(const BodiesRequest& request) {
+  if (!request.one_body) return request.inputs.size() == 1;
+  return request.inputs[0] == "-" || is_cases_name(request.inputs[0]);  // its name tells
 }
 
-void refuse_poses_of_stream(const Request& request) {
+void refuse_poses_of_stream(const BodiesRequest& request) {
   if (holds_cases(request) && (request.pose_a || request.pose_b))
     throw InputError(pose_option(request, request.pose_a.has_value()), 0,
                      "expected bodies, found a stream of cases, which have poses of their own");
@@ -115,15 +113,27 @@ void refuse_poses_of_stream(const Request& request) {
 
 }  // namespace
 
-Case asked_case(const Request& request, bool takes_unions, const std::string& refuses_shapes) {
+BodiesRequest::BodiesRequest(const Given& given)
+    : inputs(given.inputs()),
+      one_body(given.command == "width"),
+      pieces(given.flag("--pieces")),
+      decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
+      pose_a(given.value("--pose-a")),
+      pose_b(given.value("--pose-b")),
+      require_convex(given.flag("--require-convex")),
+      case_id(given.value("--case")),
+      threads(given.integer<unsigned>("--threads")),
+      json(given.flag("--json")) {}
+
+Case asked_case(const BodiesRequest& request, bool takes_unions, const std::string& refuses_shapes) {
   refuse_poses_of_stream(request);
   Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
-  const std::string fault = wrong_bodies(single, has_one_body(request), refuses_shapes, takes_unions);
+  const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, takes_unions);
   return fault.empty() ? single : throw InputError(single.id, 0, fault);
 }
 
-AskedCase looked_at(const Case& single, const Request& request) {
-  AskedCase asked(single, has_one_body(request));
+AskedCase looked_at(const Case& single, const BodiesRequest& request) {
+  AskedCase asked(single, request.one_body);
   const std::string fault = wrong_meshes(asked.bodies.hull, request.require_convex);
   return fault.empty() ? asked : throw InputError(single.id, 0, fault);
 }
@@ -134,16 +144,16 @@ files::GivenPose asked_pose(const std::string& text, const std::string& option, 
   return pose;
 }
 
-bool is_stream(const Request& request) { return holds_cases(request) && !request.case_id; }
+bool is_stream(const BodiesRequest& request) { return holds_cases(request) && !request.case_id; }
 
 void require_depth(const std::string& id, const Shape& a, const Shape& b) {
   if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
     throw InputError(id, 0, "expected one half-space at most, found two: they have no depth");
 }
 
-StreamWork stream_work(const Request& request, const Replies& replies) {
+StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
   StreamWork work;
-  work.one_body = has_one_body(request);
+  work.one_body = request.one_body;
   work.header = replies.header;
   work.error_line = replies.error_line;
   work.lost = replies.lost;
@@ -155,7 +165,7 @@ StreamWork stream_work(const Request& request, const Replies& replies) {
   return work;
 }
 
-ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
+ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = asked_case(request, replies.takes_unions, replies.refuses_shapes);
@@ -170,7 +180,7 @@ ExitCode reply_to_inputs(const Request& request, const Replies& replies) {
   if (const std::string dents = shapes::dents_text(asked.bodies.hull);
       !dents.empty() && !(replies.tells_of_dents && !request.json))
     talk(dents);
-  if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, has_one_body(request), progress);
+  if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, request.one_body, progress);
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);
   return reply.code;

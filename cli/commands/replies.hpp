@@ -8,8 +8,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "cli/args/request.hpp"
+#include "cli/args/arguments.hpp"
 #include "cli/io/case_stream.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
@@ -19,9 +20,25 @@
 
 namespace fathom::cli {
 
+/// The bodies or cases that a command is asked about, and how it takes them and replies.
+struct BodiesRequest {
+  BodiesRequest() = default;
+  explicit BodiesRequest(const Given& given);
+
+  std::vector<std::string> inputs;            ///< meshes or shapes, or one stream
+  bool one_body = false;                      ///< `width` looks at one body, against itself
+  bool pieces = false;                        ///< the bodies are unions of the pieces in their files
+  Decimals decimals = Decimals::binary64;     ///< of text meshes; cases say it themselves
+  std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
+  bool require_convex = false;                ///< of bodies with faces
+  std::optional<std::string> case_id;         ///< one case of a stream
+  std::optional<unsigned> threads;            ///< for a stream; as many as there are cores unless given
+  bool json = false;
+};
+
 /// Returns whether the request is about all cases of a stream. Otherwise it is about a single case:
 /// its meshes, or one of a stream.
-bool is_stream(const Request& request);
+bool is_stream(const BodiesRequest& request);
 
 /// Returns the pose that an option asks for, and notes on standard error if it is no rotation and
 /// translation, of a body with a radius or without. Throws InputError.
@@ -42,7 +59,7 @@ struct Replies {
   std::string refuses_shapes = {};
   /// As in StreamWork.
   bool takes_unions = false;
-  /// Whether the reply tells of meshes that are not convex; else a line on standard error does.
+  /// Whether replies in text tell of meshes that are not convex; else standard error does.
   bool tells_of_dents = false;
 };
 
@@ -53,25 +70,25 @@ void require_depth(const std::string& id, const Shape& a, const Shape& b);
 /// case called `case_id`, the first of that id, and if there is no id, its only case. Throws
 /// InputError, with the ids that there are; and if a body is such as the command does not take: a
 /// union of pieces unless `takes_unions`, a shape if there is a reason in `refuses_shapes`.
-Case asked_case(const Request& request, bool takes_unions, const std::string& refuses_shapes = "");
+Case asked_case(const BodiesRequest& request, bool takes_unions, const std::string& refuses_shapes = "");
 
 /// The case with what is known of its bodies. Throws InputError if the request wants convex meshes
 /// and one is not.
-AskedCase looked_at(const Case& single, const Request& request);
+AskedCase looked_at(const Case& single, const BodiesRequest& request);
 
 /// What the replies are to the cases of a stream, on as many threads as the request says. The
 /// request must outlive it.
-StreamWork stream_work(const Request& request, const Replies& replies);
+StreamWork stream_work(const BodiesRequest& request, const Replies& replies);
 
 /// Prints the replies to the request's inputs. Throws as for_each_case does.
-ExitCode reply_to_inputs(const Request& request, const Replies& replies);
+ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies);
 
 // Files beside the replies: one of a single case, one for each case of a stream.
 
 /// Where the certificates of a run go, or its pictures: a file, or for a stream a folder.
 class FilePlaces {
  public:
-  FilePlaces(const Request& request, std::string path, std::string what, const std::string& ending)
+  FilePlaces(const BodiesRequest& request, std::string path, std::string what, const std::string& ending)
       : path_(std::move(path)), what_(std::move(what)) {
     if (!path_.empty() && is_stream(request)) folder_.emplace(path_, what_, ending);
   }

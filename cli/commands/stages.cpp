@@ -24,12 +24,6 @@
 namespace fathom::cli {
 namespace {
 
-/// Several lines, without the last newline.
-std::string stages_block(const stages::Stages& stages);
-
-/// One line, without its newline.
-std::string stages_line(const stages::Stages& stages);
-
 using stages::PairFate;
 using stages::StagedBody;
 using stages::StagedChart;
@@ -105,6 +99,7 @@ std::string coincidences_text(const Stages& stages) {
   return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Several lines, without the last newline.
 std::string stages_block(const Stages& stages) {
   std::vector<Row> rows{{"A", body_text(stages.a)}, {"B", body_text(stages.b)}};
   for (std::size_t i = 0; i < stages.charts.size(); ++i)
@@ -121,6 +116,7 @@ std::string stages_block(const Stages& stages) {
   return aligned(answer_text(stages), rows);
 }
 
+/// One line, without its newline.
 std::string stages_line(const Stages& stages) {
   std::uint64_t crossings = 0;
   for (const StagedPair& pair : stages.pairs) crossings += pair.crossings();
@@ -131,7 +127,15 @@ std::string stages_line(const Stages& stages) {
   return case_line(stages.id, parts);
 }
 
-std::string text_of(const stages::Stages& stages, const Request& request) {
+struct StagesRequest : BodiesRequest {
+  explicit StagesRequest(const Given& given)
+      : BodiesRequest(given), times(given.flag("--times")), svg(given.text("--svg")) {}
+
+  bool times;       ///< with the seconds that each stage took
+  std::string svg;  ///< the file for the charts, or of a stream the folder; empty: none
+};
+
+std::string text_of(const stages::Stages& stages, const StagesRequest& request) {
   if (request.json) return stages::to_json(stages);
   return is_stream(request) ? stages_line(stages) : stages_block(stages);
 }
@@ -145,7 +149,8 @@ std::string picture_of(const Case& pair, const stages::Stages& stages) {
 
 }  // namespace
 
-ExitCode run_stages(const Request& request) {
+ExitCode run_stages(const Given& given) {
+  const StagesRequest request(given);
   Replies replies;
   const auto pictures = std::make_shared<FilePlaces>(request, request.svg, "picture", ".svg");
   replies.reply = [&request, pictures](const Case& pair, Monitor& monitor, Workspace&) {

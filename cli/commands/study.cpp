@@ -1,33 +1,293 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom study A B | CASES.jsonl | -
+// fathom study --sweep FAMILY --sizes LOW..HIGH
+// What is degenerate; or how the work of the exact method grows: for people (a table), for
+// spreadsheets (CSV), and as a chart.
 
 #include "verify/study/study.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "cli/args/arguments.hpp"
+#include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/names.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
+#include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
+#include "cli/io/terminal.hpp"
 #include "cli/output/study_output.hpp"
-#include "cli/output/study_page.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
+#include "verify/families/families.hpp"
 #include "view/picture/markup.hpp"
+#include "view/plot/plot.hpp"
 
 namespace fathom::cli {
 namespace {
 
-StudyOptions options_of(const Request& request, Monitor& monitor) {
+// ---- --sweep ----
+
+/// The exact method on one pair.
+struct SweepRow {
+  unsigned size;  ///< as it was asked for
+  Status status;
+  Counters counters;
+  std::vector<std::uint64_t> evaluated = {};  ///< pairs of lines, by each engine of the sweep
+  std::optional<double> seconds = {};
+
+  [[nodiscard]] std::uint64_t edges() const { return counters.edges_a + counters.edges_b; }
+  [[nodiscard]] std::uint64_t sum() const { return counters.sum_a + counters.sum_b; }
+  [[nodiscard]] std::uint64_t cleared() const {
+    return counters.vertex_clears + counters.frame_clears + counters.wide_clears;
+  }
+};
+
+/// What was asked for.
+struct Sweep {
+  explicit Sweep(const Given& given)
+      : family(given.text("--sweep")),
+        sizes(typed_sizes(given.value("--sizes").value_or("10..1000")).value()),
+        seed(given.integer<std::uint64_t>("--seed").value_or(1)),
+        timed(given.flag("--times")),
+        csv(given.flag("--csv")),
+        svg(given.text("--svg")) {
+    for (const std::string& name : given.words("--closest-lines")) engines.push_back(typed_engine(name).value());
+  }
+
+  std::string family;
+  std::vector<unsigned> sizes;  ///< ascending
+  std::uint64_t seed;
+  bool timed, csv;
+  std::string svg;                    ///< the file of the chart, or ""
+  std::vector<ClosestLines> engines;  ///< that are compared; empty: the usual one alone
+};
+
+/// A count that grows.
+struct Column {
+  std::string key, words;  ///< in CSV; in tables and charts
+  std::function<std::uint64_t(const SweepRow&)> of;
+};
+
+/// With several engines, what each of them evaluates stands in the place of one count.
+std::vector<Column> columns_of(const Sweep& sweep) {
+  std::vector<Column> columns{
+      {"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
+      {"canonical_pairs", "canonical pairs", [](const SweepRow& row) { return row.counters.canonical_pairs; }},
+      {"sum", "sum |A_i|+|B_i|", [](const SweepRow& row) { return row.sum(); }}};
+  for (std::size_t i = 0; i < sweep.engines.size(); ++i) {
+    const std::string engine(engine_names[static_cast<std::size_t>(sweep.engines[i])]);
+    columns.push_back(
+        {"pairs_evaluated_" + engine, "pairs, " + engine, [i](const SweepRow& row) { return row.evaluated.at(i); }});
+  }
+  if (sweep.engines.empty())
+    columns.push_back(
+        {"pairs_evaluated", "pairs evaluated", [](const SweepRow& row) { return row.counters.pairs_evaluated; }});
+  columns.push_back({"blocks_tested", "blocks tested", [](const SweepRow& row) { return row.counters.block_tests; }});
+  columns.push_back({"blocks_cleared", "blocks cleared", [](const SweepRow& row) { return row.cleared(); }});
+  return columns;
+}
+
+constexpr std::size_t size_width = 7, status_width = 11, edges_width = 8, least_width = 9;
+
+std::size_t width(const Column& column) { return std::max(column.words.size(), least_width); }
+
+std::string seconds_text(double seconds) { return fmt::format("{:.3g}", seconds); }
+
+template <class Value>
+std::vector<plot::Datum> places(const std::vector<SweepRow>& rows, Value value) {
+  std::vector<plot::Datum> result;
+  for (const SweepRow& row : rows) {
+    const double y = static_cast<double>(value(row));
+    result.push_back(
+        {static_cast<double>(row.edges()), y, fmt::format("size {}, {} edges: {}", row.size, row.edges(), value(row))});
+  }
+  return result;
+}
+
+/// "1.07", or "-" where there is too little to tell.
+std::string exponent_text(const std::vector<plot::Datum>& places) {
+  const std::optional<double> exponent = plot::growth_exponent(places);
+  if (!exponent) return "-";
+  const std::string text = fmt::format("{:.2f}", *exponent);
+  return text == "-0.00" ? "0.00" : text;
+}
+
+std::string legend(std::string_view words, const std::vector<plot::Datum>& places) {
+  const std::string exponent = exponent_text(places);
+  return exponent == "-" ? std::string(words) : fmt::format("{}: (m + n)^{}", words, exponent);
+}
+
+plot::CurvePanel panel_of(const std::string& title, const std::string& what) {
+  return {title, {"m + n: edges of A and of B", plot::Scale::logarithmic}, {what, plot::Scale::logarithmic}, {}};
+}
+
+std::string sweep_text_header(const Sweep& sweep) {
+  std::string result = fmt::format("{}, seed {}, by the exact method\n{:>{}}  {:<{}}  {:>{}}", sweep.family, sweep.seed,
+                                   "size", size_width, "status", status_width, "edges", edges_width);
+  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.words, width(column));
+  return sweep.timed ? result + fmt::format("  {:>{}}", "seconds", least_width) : result;
+}
+
+std::string sweep_text_row(const Sweep& sweep, const SweepRow& row) {
+  std::string result = fmt::format("{:>{}}  {:<{}}  {:>{}}", row.size, size_width, name(row.status), status_width,
+                                   row.edges(), edges_width);
+  for (const Column& column : columns_of(sweep)) result += fmt::format("  {:>{}}", column.of(row), width(column));
+  return row.seconds ? result + fmt::format("  {:>{}}", seconds_text(*row.seconds), least_width) : result;
+}
+
+/// "growth", and the exponent of each column.
+std::string sweep_text_growth(const Sweep& sweep, const std::vector<SweepRow>& rows) {
+  std::string result =
+      fmt::format("growth: edges to the power {:>{}}", "", size_width + status_width + edges_width + 4 - 27);
+  for (const Column& column : columns_of(sweep))
+    result += fmt::format("  {:>{}}", exponent_text(places(rows, column.of)), width(column));
+  if (!sweep.timed) return result;
+  return result + fmt::format("  {:>{}}", exponent_text(places(rows, [](const SweepRow& row) { return *row.seconds; })),
+                              least_width);
+}
+
+std::string sweep_csv_header(const Sweep& sweep) {
+  std::string result = "size,status,edges_a,edges_b,edges";
+  for (const Column& column : columns_of(sweep)) result += fmt::format(",{}", column.key);
+  return sweep.timed ? result + ",seconds" : result;
+}
+
+std::string sweep_csv_row(const Sweep& sweep, const SweepRow& row) {
+  std::string result = fmt::format("{},{},{},{},{}", row.size, name(row.status), row.counters.edges_a,
+                                   row.counters.edges_b, row.edges());
+  for (const Column& column : columns_of(sweep)) result += fmt::format(",{}", column.of(row));
+  return row.seconds ? result + "," + seconds_text(*row.seconds) : result;
+}
+
+/// A file of SVG.
+std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
+  plot::CurvePanel work = panel_of("Counts of the exact method", "count");
+  for (const Column& column : columns_of(sweep)) {
+    std::vector<plot::Datum> counts = places(rows, column.of);
+    const std::string name = legend(column.words, counts);
+    work.series.push_back({name, std::move(counts)});
+  }
+  plot::Figure figure{
+      fmt::format("How the work grows: {}", sweep.family),
+      fmt::format(
+          "Pairs of the family {}, seed {}, of {} sizes, by the exact method. Both axes are logarithmic. The exponents "
+          "are those of the powers of the number of edges that fit best.",
+          sweep.family, sweep.seed, rows.size()),
+      "sweep",
+      {std::move(work)}};
+  if (sweep.timed) {
+    plot::CurvePanel time = panel_of("Time", "seconds");
+    std::vector<plot::Datum> seconds = places(rows, [](const SweepRow& row) { return *row.seconds; });
+    const std::string name = legend("seconds", seconds);
+    time.series.push_back({name, std::move(seconds)});
+    figure.panels.push_back(std::move(time));
+  }
+  return plot::figure_file(figure);
+}
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double long_enough = 0.2;  // seconds: what is shorter is measured again, and the shortest time counts
+constexpr int most_runs = 3;
+constexpr std::size_t behind_size = 9;  // spaces before the further lines of a row, on a narrow terminal
+
+const families::Family& family_named(const std::string& name) {
+  if (const families::Family* family = families::find_family(name)) {
+    if (family->kind() == families::Kind::polytopes) return *family;
+    throw InputError("--sweep", 0,
+                     fmt::format("expected a family of polytopes, found {}, whose {} are not", kernels::shown(name),
+                                 family->kind() == families::Kind::shapes ? "shapes" : "unions"));
+  }
+  std::vector<std::string_view> of_polytopes;
+  for (const families::Family& family : families::families()) of_polytopes.push_back(family.name);
+  throw InputError("--sweep", 0,
+                   fmt::format("{} is unknown (nearest: {}; `fathom cases --list` lists all)", kernels::shown(name),
+                               fmt::join(nearest_families(name, std::move(of_polytopes)), ", ")));
+}
+
+SweepRow row_of(const families::Family& family, unsigned size, const Sweep& sweep, Monitor& monitor) {
+  const Case pair = family.make(sweep.seed, size);
+  Options options;
+  options.method = Method::exact;
+  options.optima = 1;
+  options.monitor = &monitor;
+  SweepRow row{size, Status::disjoint, {}};
+  for (const ClosestLines engine : sweep.engines) {
+    options.closest_lines = engine;
+    row.evaluated.push_back(penetration_depth(pair.a, pair.b, options).counters.pairs_evaluated);
+  }
+  if (!sweep.engines.empty())
+    options.closest_lines = sweep.engines.front();  // which the other counts and the times are of
+  for (int run = 0; run < most_runs; ++run) {
+    const Clock::time_point begin = Clock::now();
+    const Depth depth = penetration_depth(pair.a, pair.b, options);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+    row.status = depth.status();
+    row.counters = depth.counters;
+    if (!sweep.timed) break;
+    row.seconds = std::min(seconds, row.seconds.value_or(seconds));
+    if (seconds >= long_enough) break;
+  }
+  return row;
+}
+
+/// Prints each row as soon as it is known, and keeps it. Throws Interrupted.
+void run_sizes(const Sweep& sweep, std::vector<SweepRow>& rows) {
+  const families::Family& family = family_named(sweep.family);
+  const std::size_t all = std::accumulate(sweep.sizes.begin(), sweep.sizes.end(), std::size_t{0});
+  Progress progress("points of a body");  // time goes with them: it tells how long the rest will take
+  print(sweep.csv ? sweep_csv_header(sweep) : fitted(sweep_text_header(sweep), behind_size));
+  std::size_t done = 0;
+  for (const unsigned size : sweep.sizes) {
+    progress.about(fmt::format("size {}", size));
+    progress.count({done, all});
+    rows.push_back(row_of(family, size, sweep, progress));
+    progress.answered();
+    print(sweep.csv ? sweep_csv_row(sweep, rows.back()) : fitted(sweep_text_row(sweep, rows.back()), behind_size));
+    done += size;
+  }
+}
+
+// ---- the study of a case ----
+
+struct StudyRequest : BodiesRequest {
+  explicit StudyRequest(const Given& given)
+      : BodiesRequest(given),
+        csv(given.flag("--csv")),
+        all(given.flag("--all")),
+        html(given.text("--html")),
+        command_line(given.command_line) {}
+
+  bool csv, all;                   ///< rows of counts; every coincidence, not the first few of each kind
+  std::string html, command_line;  ///< the file of the page, or ""; what the page says of how it was made
+};
+
+StudyOptions options_of(const StudyRequest& request, Monitor& monitor) {
   StudyOptions options;
   if (request.all) options.listed = std::numeric_limits<std::size_t>::max();
   options.monitor = &monitor;
   return options;
 }
 
-ShapeStudy shape_study_of(const Case& pair, const Request& request, Monitor& monitor) {
+ShapeStudy shape_study_of(const Case& pair, const StudyRequest& request, Monitor& monitor) {
   if (request.csv)
     throw InputError(pair.id, 0,
                      "the rows of --csv are about polytopes, found a shape that is none: --json takes both");
@@ -36,12 +296,12 @@ ShapeStudy shape_study_of(const Case& pair, const Request& request, Monitor& mon
   return study(a, b, options_of(request, monitor));
 }
 
-std::string text_of(const std::string& id, const ShapeStudy& study, const Request& request) {
+std::string text_of(const std::string& id, const ShapeStudy& study, const StudyRequest& request) {
   if (request.json) return study_json(id, study);
   return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
 }
 
-std::string text_of(const std::string& id, const Study& study, const Request& request) {
+std::string text_of(const std::string& id, const Study& study, const StudyRequest& request) {
   if (request.csv) return study_csv_row(id, study);
   if (request.json) return study_json(id, study);
   return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
@@ -50,7 +310,7 @@ std::string text_of(const std::string& id, const Study& study, const Request& re
 /// The file of the page, and what goes into it.
 class PageFile {
  public:
-  explicit PageFile(const Request& request) : request_(request), page_(is_stream(request)) {
+  explicit PageFile(const StudyRequest& request) : request_(request), page_(is_stream(request)) {
     if (!request.html.empty()) file_.emplace(request.html, "page");
   }
 
@@ -72,15 +332,36 @@ class PageFile {
   }
 
  private:
-  const Request& request_;
+  const StudyRequest& request_;
   StudyPage page_;
   std::optional<CertificateFile> file_;
 };
 
 }  // namespace
 
-ExitCode run_study(const Request& request) {
-  if (!request.sweep.family.empty()) return run_sweep(request);
+ExitCode run_sweep(const Given& given) {
+  const Sweep sweep(given);
+  std::unique_ptr<CertificateFile> picture;
+  if (!sweep.svg.empty())
+    picture = std::make_unique<CertificateFile>(sweep.svg, "picture");  // an unwritable path fails early
+  const Working working;
+  std::vector<SweepRow> rows;
+  ExitCode code = fine;
+  try {
+    run_sizes(sweep, rows);
+  } catch (const Interrupted&) {  // what is done is kept
+    take_time_to_write();
+    code = interrupted;
+  }
+  if (!sweep.csv && rows.size() > 1) print(fitted(sweep_text_growth(sweep, rows), behind_size));
+  if (picture && !rows.empty()) picture->write(sweep_svg(sweep, rows));
+  if (code == interrupted) talk(fmt::format("interrupted after {} of {} sizes", rows.size(), sweep.sizes.size()));
+  return code;
+}
+
+ExitCode run_study(const Given& given) {
+  if (given.has("--sweep")) return run_sweep(given);
+  const StudyRequest request(given);
   PageFile page(request);
   Replies replies;
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {

@@ -1,15 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stream's items, worked on by many threads and handed on in order.
+// A stream's items, worked on by many threads, or processes, and handed on in order.
 #pragma once
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <charconv>
 #include <cstddef>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace fathom::cli {
+
+/// Appends a text of any bytes: its length, a blank, itself.
+inline void pack(std::string& all, const std::string& text) { ((all += std::to_string(text.size())) += ' ') += text; }
+
+inline std::string packed(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) pack(all, text);
+  return all;
+}
+
+/// The texts that were packed. Throws std::invalid_argument for other text.
+inline std::vector<std::string> unpacked(const std::string& all) {
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at < all.size();) {
+    std::size_t length = 0;
+    const auto [end, error] = std::from_chars(all.data() + at, all.data() + all.size(), length);
+    const std::size_t begin = static_cast<std::size_t>(end - all.data()) + 1;  // behind the blank
+    if (error != std::errc() || begin > all.size() || *end != ' ' || length > all.size() - begin)
+      throw std::invalid_argument("expected packed texts, found another text");
+    texts.push_back(all.substr(begin, length));
+    at = begin + length;
+  }
+  return texts;
+}
+
+// A stream's items, worked on by many threads and handed on in order.
 
 /// The number of threads for a stream unless the user says it: one for each core that this process
 /// may use. One where the address space is limited, for every thread takes some of it.

@@ -18,14 +18,13 @@
 #include <vector>
 
 #include "cli/args/arguments.hpp"
-#include "cli/args/request.hpp"
 #include "cli/commands/certify.hpp"
 #include "cli/commands/command.hpp"
 #include "cli/commands/depth.hpp"
 #include "cli/commands/golden.hpp"
 #include "cli/commands/replies.hpp"
+#include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/packed.hpp"
 #include "cli/io/process.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/mpi/ranks.hpp"
@@ -57,10 +56,10 @@ constexpr const char *examined = "examined", *subject_failed = "subject", *disag
                      *faulty = "fault";
 
 /// Starts the subject with the first case.
-Handle examiner(const Request& request) {
+Handle examiner(const CertifyRequest& request) {
   return [&request, asked = std::make_shared<std::optional<Examiner>>()](const std::string& task) {
     try {
-      if (!*asked) asked->emplace(subject_of(request.certify), examiner_settings(request.certify));
+      if (!*asked) asked->emplace(subject_of(request), examiner_settings(request));
       const std::vector<std::string> words = unpacked(task);
       harness::Outcome outcome = (*asked)->examine(parse_case(words.at(0), "case").value(), std::stol(words.at(1)));
       outcome.fit = 0;  // in its own unit the answer keeps all its digits
@@ -89,7 +88,7 @@ harness::Outcome outcome_in(const std::string& answer, const Case& pair, long ex
   return outcome;
 }
 
-ExitCode certify_by_ranks(const Processes& world, const Request& request) {
+ExitCode certify_by_ranks(const Processes& world, const CertifyRequest& request) {
   if (world.rank() > 0) {
     follow(world, [&request] { return examiner(request); });
     return fine;
@@ -110,7 +109,7 @@ ExitCode certify_by_ranks(const Processes& world, const Request& request) {
 // depth on a stream: rank 0 reads the texts of the cases and prints the replies, in order; every
 // rank reads and answers blocks of cases.
 
-ExitCode depth_by_ranks(const Processes& world, const Request& request) {
+ExitCode depth_by_ranks(const Processes& world, const DepthRequest& request) {
   StreamWork work = stream_work(request, exact_replies(request));
   const Handle answer = [&](const std::string& block) { return answer_block(block, request.inputs[0], work); };
   if (world.rank() > 0) {
@@ -136,7 +135,7 @@ std::size_t number_in(const std::string& task) {
   return number;
 }
 
-golden::GenerateOptions options_of(const GoldenRequest& request, unsigned jobs) {
+golden::GenerateOptions options_of(const GenerateRequest& request, unsigned jobs) {
   return {request.level, request.seed, request.folder, jobs, {}, {}};
 }
 
@@ -148,7 +147,7 @@ Handle maker(std::shared_ptr<const golden::Generation> generation) {
   };
 }
 
-ExitCode generate(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+ExitCode generate(const Processes& world, const GenerateRequest& request, unsigned jobs) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
   if (world.rank() > 0) {
     follow(world, [&] { return maker(std::make_shared<golden::Generation>(options_of(request, jobs))); });
@@ -173,7 +172,7 @@ ExitCode generate(const Processes& world, const GoldenRequest& request, unsigned
 }
 
 /// The records that were proved; then, if the shard is refused, place and reason.
-Handle prover(const GoldenRequest& request, unsigned jobs) {
+Handle prover(const VerifyRequest& request, unsigned jobs) {
   golden::VerifyOptions options;
   options.methods = request.methods;
   options.jobs = jobs;
@@ -192,7 +191,7 @@ golden::ShardResult result_in(const std::string& answer) {
   return result;
 }
 
-ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned jobs) {
+ExitCode verify(const Processes& world, const VerifyRequest& request, unsigned jobs) {
   if (world.rank() > 0) {
     follow(world, [&] { return prover(request, jobs); });
     return fine;
@@ -213,31 +212,26 @@ ExitCode verify(const Processes& world, const GoldenRequest& request, unsigned j
 }
 
 ExitCode golden_by_ranks(const Processes& world, const std::vector<std::string>& words) {
-  return carry_out_golden(words, world.rank() == 0, [&](const GoldenRequest& request) {
-    if (request.what == GoldenRequest::What::exporting) return world.rank() == 0 ? export_golden(request) : fine;
-    const unsigned jobs = request.jobs ? request.jobs : usual_jobs();
-    return request.what == GoldenRequest::What::generate ? generate(world, request, jobs)
-                                                         : verify(world, request, jobs);
+  return carry_out_golden(words, world.rank() == 0, [&](const Given& given) {
+    if (given.command == "golden export") return world.rank() == 0 ? export_golden(given) : fine;
+    const unsigned jobs = given.integer<unsigned>("--jobs").value_or(usual_jobs());
+    return given.command == "golden generate" ? generate(world, GenerateRequest(given), jobs)
+                                              : verify(world, VerifyRequest(given), jobs);
   });
 }
 
-ExitCode run(const Processes& world, int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "golden") return golden_by_ranks(world, {argv + 2, argv + argc});
-  const Arguments arguments = parse_arguments(argc, argv);
+ExitCode run(const Processes& world, const std::vector<std::string>& words) {
+  const Arguments arguments = parse_arguments(words);
   const bool leads = world.rank() == 0;
-  if (!arguments.request) {
-    if (leads) arguments.code == fine ? print(arguments.text) : talk(arguments.text);
-    return arguments.code;
-  }
-  const Request& request = *arguments.request;
-  if (request.command == Command::certify && request.certify.replay.empty() && request.certify.claims.empty() &&
-      !request.certify.list_adapters)
-    return certify_by_ranks(world, request);
+  if (!arguments.given) return leads ? said(arguments) : arguments.code;
+  const Given& given = *arguments.given;
+  if (given.command == "golden") return golden_by_ranks(world, given.rest);
+  if (given.command == "certify" && !given.has("--replay") && !given.has("--claims") && !given.flag("--list-adapters"))
+    return certify_by_ranks(world, CertifyRequest(given));
   // Certificates go to files, one after another: rank 0 alone keeps their order.
-  if (request.command == Command::depth && is_stream(request) && request.certificate.empty())
-    return depth_by_ranks(world, request);
-  if (!leads) return fine;
-  return run_command(request);
+  if (given.command == "depth" && !given.has("--along") && !given.has("--certificate"))
+    if (const DepthRequest request(given); is_stream(request)) return depth_by_ranks(world, request);
+  return leads ? run_command(given) : fine;
 }
 
 }  // namespace
@@ -250,5 +244,5 @@ int main(int argc, char** argv) {
   hold_standard_streams();
   const Processes processes(argc, argv);
   unsetenv("OMPI_COMM_WORLD_SIZE");  // programs that we start are no part of the job
-  return guarded([&] { return run(processes, argc, argv); });
+  return guarded([&] { return run(processes, {argv + std::min(argc, 1), argv + argc}); });
 }

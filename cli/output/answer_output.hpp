@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact answer to a case, of bodies of any kinds, as it is asked for: as JSON, as text for
-// people, and as a picture.
+// The exact answer to a case, of bodies of any kinds, as it is asked for: as text for people, and
+// as a picture.
 //                                                                            [docs/command_line.md]
 #pragma once
 
@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/args/request.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/files.hpp"
 #include "reference/output/answer_json.hpp"
@@ -20,16 +19,13 @@ using output::AboutBodies;
 using output::AnsweredCase;
 using text::Json;
 
-/// One line of JSON, without its newline.
-std::string answer_json(const AnsweredCase& answered, const Request& request);
-
 // ---- text: answer_text.cpp ----
 
 /// Several lines, without the last newline.
-std::string answer_block(const AnsweredCase& answered, const Request& request);
+std::string answer_block(const AnsweredCase& answered, const AnswerForm& form);
 
 /// One line, which begins with the id, without its newline.
-std::string answer_line(const AnsweredCase& answered, const Request& request);
+std::string answer_line(const AnsweredCase& answered, const AnswerForm& form);
 
 /// Appends what the run did, stage by stage.
 void add_counters(std::vector<Row>& rows, const Counters& counters);
@@ -47,6 +43,6 @@ std::string shape_length_text(const SignedDepth& depth);
 picture::PairScene answer_scene(const Case& bodies, const Answer& answer);
 
 /// An SVG file of the case and its answer, which is complete, with the numbers of the text below.
-std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const Request& request);
+std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form);
 
 }  // namespace fathom::cli

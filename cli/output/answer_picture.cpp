@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "cli/output/answer_output.hpp"
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
+#include "cli/output/text_rows.hpp"
 #include "reference/files/shape_names.hpp"
 #include "view/picture/paint.hpp"
 
@@ -38,26 +37,26 @@ std::string legend_of_unions(const picture::PairScene& scene) {
 std::string ways_text(std::size_t count) { return count > 1 ? fmt::format("; {} ways are as short", count) : ""; }
 
 void add_answer(std::vector<std::string>& caption, const picture::PairScene& scene, const Depth& depth,
-                const Request& request) {
+                const AnswerForm& form) {
   if (const Distance* distance = depth.distance()) {
     caption.push_back("disjoint: distance " + root_text(distance->squared));
-    caption.push_back("A to B: " + place_text(distance->translation, request.exact));
+    caption.push_back("A to B: " + place_text(distance->translation, form.exact));
   } else {
     caption.push_back(fmt::format("{}: depth {}", name(depth.status()), root_text(depth.squared())));
     if (scene.moves())
-      caption.push_back("translation of A: " + place_text(depth.translation(), request.exact) +
+      caption.push_back("translation of A: " + place_text(depth.translation(), form.exact) +
                         ways_text(depth.optima_count()));
   }
   if (depth.contact()) caption.push_back("contact: " + contact_text(*depth.contact()));
 }
 
 void add_answer(std::vector<std::string>& caption, const picture::PairScene& scene, const SignedDepth& depth,
-                const Request& request) {
+                const AnswerForm& form) {
   caption.push_back(shape_length_text(depth));
   const std::vector<AlongNormal> ways = depth.translations();
   if (!ways.empty() && scene.moves())
     caption.push_back((depth.status() == Status::disjoint ? "A to B: " : "translation of A: ") +
-                      place_text(ways.front(), request.exact) +
+                      place_text(ways.front(), form.exact) +
                       (has_continuum(depth) ? "; a continuum of ways is as short" : ways_text(ways.size())));
   if (depth.contact()) caption.push_back("contact: " + contact_text(*depth.contact()));
 }
@@ -72,17 +71,17 @@ void add_contacts(std::vector<std::string>& caption, const std::vector<PieceCont
 }
 
 void add_answer(std::vector<std::string>& caption, const picture::PairScene& scene, const UnionDepth& depth,
-                const Request& request) {
+                const AnswerForm& form) {
   if (depth.apart) {
     const Distance& distance = depth.apart->distance;
     caption.push_back("disjoint: distance " + root_text(distance.squared));
     caption.push_back(fmt::format("A to B: {}, between piece {} of A and piece {} of B",
-                                  place_text(distance.translation, request.exact), depth.apart->a, depth.apart->b));
+                                  place_text(distance.translation, form.exact), depth.apart->a, depth.apart->b));
   } else {
     const UnionOptimum& first = depth.optima.front();
     caption.push_back(fmt::format("{}: depth {}", name(depth.status), root_text(depth.low)));
     if (scene.moves()) {
-      caption.push_back("translation of A: " + place_text(first.translation, request.exact) +
+      caption.push_back("translation of A: " + place_text(first.translation, form.exact) +
                         ways_text(depth.optima.size()) + (first.clearance ? "" : "; an exact fit, without clearance"));
     }
     add_contacts(caption, first.contacts);
@@ -103,10 +102,10 @@ picture::PairScene answer_scene(const Case& bodies, const Answer& answer) {
   return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), std::get<UnionDepth>(answer.found));
 }
 
-std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const Request& request) {
+std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
   const picture::PairScene scene = answer_scene(bodies, answered.answer);
   std::vector<std::string> caption;
-  std::visit([&](const auto& found) { add_answer(caption, scene, found, request); }, answered.answer.found);
+  std::visit([&](const auto& found) { add_answer(caption, scene, found, form); }, answered.answer.found);
   const bool unions = std::holds_alternative<UnionDepth>(answered.answer.found);
   if (!unions) caption.push_back("sizes: " + shapes::sizes_text(answered.bodies.sizes));
   if (const std::string dents = shapes::dents_text(answered.bodies.hull); !dents.empty()) caption.push_back(dents);

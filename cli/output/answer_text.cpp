@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "cli/output/answer_output.hpp"
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
+#include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/irrational.hpp"
@@ -20,68 +19,67 @@ namespace {
 using Rows = std::vector<Row>;
 
 /// A length by its square: in decimals, exactly if that is asked for, enclosed if digits are.
-void add_squared(Rows& rows, const std::string& what, const mpq_class& squared, const Request& request,
+void add_squared(Rows& rows, const std::string& what, const mpq_class& squared, const AnswerForm& form,
                  bool enclosed = true) {
   rows.emplace_back(what, root_text(squared));
-  if (request.exact) rows.emplace_back(what + "^2", exact_text(squared));
-  if (request.digits && enclosed) rows.emplace_back("enclosure", enclosure_text(squared, *request.digits));
+  if (form.exact) rows.emplace_back(what + "^2", exact_text(squared));
+  if (form.digits && enclosed) rows.emplace_back("enclosure", enclosure_text(squared, *form.digits));
 }
 
 // ---- polytopes ----
 
 /// A pair of planes is found from both of its sides.
-std::size_t ties(const Depth& depth, const Request& request) {
-  return has_one_body(request) ? depth.optima_count() / 2 : depth.optima_count();
+std::size_t ties(const Depth& depth, const AnswerForm& form) {
+  return form.width ? depth.optima_count() / 2 : depth.optima_count();
 }
 
-std::string ties_text(const Depth& depth, const Request& request) {
-  const std::size_t count = ties(depth, request);
-  const std::string_view many = has_one_body(request) ? "pairs of planes" : "nearest facets";
+std::string ties_text(const Depth& depth, const AnswerForm& form) {
+  const std::size_t count = ties(depth, form);
+  const std::string_view many = form.width ? "pairs of planes" : "nearest facets";
   return count == 1 ? "none" : fmt::format("{} {}; the first is shown, --json lists all", count, many);
 }
 
-void add_answer(Rows& rows, const Depth& depth, const Request& request) {
-  add_squared(rows, quantity(request), depth.squared(), request, !depth.distance());
+void add_answer(Rows& rows, const Depth& depth, const AnswerForm& form) {
+  add_squared(rows, quantity(form), depth.squared(), form, !depth.distance());
   if (const Distance* const distance = depth.distance()) {
-    add_squared(rows, "distance", distance->squared, request);
-    add_points(rows, "nearest", place_text(distance->witness.a, request.exact),
-               place_text(distance->witness.b, request.exact));
-    rows.emplace_back("A to B", place_text(distance->translation, request.exact));
+    add_squared(rows, "distance", distance->squared, form);
+    add_points(rows, "nearest", place_text(distance->witness.a, form.exact),
+               place_text(distance->witness.b, form.exact));
+    rows.emplace_back("A to B", place_text(distance->translation, form.exact));
   }
-  rows.emplace_back("direction", way_text(depth.direction(), request.exact));
-  if (depth.status() == Status::penetrating && !has_one_body(request))
-    rows.emplace_back("translation", place_text(depth.translation(), request.exact));
-  if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), has_one_body(request)));
-  if (const std::optional<Witness> witness = depth.witness()) add_witness(rows, *witness, request);
-  if (!depth.optima().empty()) rows.emplace_back("ties", ties_text(depth, request));
+  rows.emplace_back("direction", way_text(depth.direction(), form.exact));
+  if (depth.status() == Status::penetrating && !form.width)
+    rows.emplace_back("translation", place_text(depth.translation(), form.exact));
+  if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), form.width));
+  if (const std::optional<Witness> witness = depth.witness()) add_witness(rows, *witness, form);
+  if (!depth.optima().empty()) rows.emplace_back("ties", ties_text(depth, form));
 }
 
 // Which method answered, and why if it is not the one that was tried first.
-std::string method_text(const Depth& depth, const Request& request) {
+std::string method_text(const Depth& depth, const AnswerForm& form) {
   const std::string ran(output::method_name(depth));
   if (depth.method == Method::certificate)
     return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
-  if (request.method == Method::automatic && !request.shallow && !request.closest_lines)
-    return ran + ": the inner polytope took too many points";
+  if (form.by_default) return ran + ": the inner polytope took too many points";
   return ran;
 }
 
-void add_method(Rows& rows, const Depth& depth, const Request& request) {
-  if (depth.status() == Status::penetrating) rows.emplace_back("method", method_text(depth, request));
+void add_method(Rows& rows, const Depth& depth, const AnswerForm& form) {
+  if (depth.status() == Status::penetrating) rows.emplace_back("method", method_text(depth, form));
 }
 
 /// The parts of a line.
-void add_parts(std::vector<std::string>& parts, const Depth& depth, const Request& request) {
-  parts.push_back(quantity(request) + " " + root_text(depth.squared()));
+void add_parts(std::vector<std::string>& parts, const Depth& depth, const AnswerForm& form) {
+  parts.push_back(quantity(form) + " " + root_text(depth.squared()));
   if (depth.status() == Status::penetrating) {
-    if (request.exact) parts.push_back(quantity(request) + "^2 " + exact_text(depth.squared()));
-    if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
+    if (form.exact) parts.push_back(quantity(form) + "^2 " + exact_text(depth.squared()));
+    if (form.digits) parts.push_back("in " + enclosure_text(depth.squared(), *form.digits));
   }
   if (depth.distance()) parts.push_back("distance " + root_text(depth.distance()->squared));
-  parts.push_back("direction " + way_text(depth.direction(), request.exact));
+  parts.push_back("direction " + way_text(depth.direction(), form.exact));
   if (depth.contact()) parts.emplace_back(name(depth.contact()->kind));
-  if (const std::size_t count = ties(depth, request); count > 1) parts.push_back(fmt::format("{} ties", count));
-  if (const std::string flat = flat_text(depth, has_one_body(request)); !flat.empty()) parts.push_back("flat " + flat);
+  if (const std::size_t count = ties(depth, form); count > 1) parts.push_back(fmt::format("{} ties", count));
+  if (const std::string flat = flat_text(depth, form.width); !flat.empty()) parts.push_back("flat " + flat);
 }
 
 // ---- shapes ----
@@ -116,86 +114,86 @@ std::string undecided_text(const SignedDepth& depth) {
   return fmt::format("from {} to {}: deep if positive, apart if negative", depth.low_binary64(), depth.high_binary64());
 }
 
-void add_length(std::vector<Row>& rows, const SignedDepth& depth, const Request& request) {
+void add_length(std::vector<Row>& rows, const SignedDepth& depth, const AnswerForm& form) {
   const std::optional<Status> status = depth.status();
   if (!status) {
     rows.emplace_back("signed depth", undecided_text(depth));
     return;
   }
   const bool apart = status == Status::disjoint;
-  rows.emplace_back(quantity(request), apart || status == Status::touching ? "0" : value_text(depth, 1));
+  rows.emplace_back(quantity(form), apart || status == Status::touching ? "0" : value_text(depth, 1));
   if (apart) rows.emplace_back("distance", value_text(depth, -1));
   if (const Surd* const exactly = depth.exact()) {
     const Surd length = apart ? negated(*exactly) : *exactly;
-    if (request.exact) rows.emplace_back("exactly", kernels::exact_surd_text(length));
-    if (request.digits) {
-      const Enclosure enclosure = enclose(length, *request.digits);
+    if (form.exact) rows.emplace_back("exactly", kernels::exact_surd_text(length));
+    if (form.digits) {
+      const Enclosure enclosure = enclose(length, *form.digits);
       rows.emplace_back("enclosure", fmt::format("[{}, {}]", enclosure.low, enclosure.high));
     }
-  } else if (request.digits) {
+  } else if (form.digits) {
     const Bounds& bounds = *depth.bounds();
-    const Enclosure enclosure = enclosure_of(apart ? Bounds{-bounds.high, -bounds.low} : bounds, *request.digits);
+    const Enclosure enclosure = enclosure_of(apart ? Bounds{-bounds.high, -bounds.low} : bounds, *form.digits);
     rows.emplace_back("enclosure", fmt::format("[{}, {}]", enclosure.low, enclosure.high));
   }
 }
 
-void add_places(std::vector<Row>& rows, const SignedDepth& depth, const Request& request) {
-  const bool same_body = has_one_body(request);
+void add_places(std::vector<Row>& rows, const SignedDepth& depth, const AnswerForm& form) {
+  const bool same_body = form.width;
   const std::vector<AlongNormal> translations = depth.translations();
   const bool apart = depth.status() == Status::disjoint;
-  rows.emplace_back("direction", way_text(depth.direction(), request.exact));
+  rows.emplace_back("direction", way_text(depth.direction(), form.exact));
   if (!translations.empty() && depth.status() != Status::touching && !same_body)
-    rows.emplace_back(apart ? "A to B" : "translation", place_text(translations.front(), request.exact));
+    rows.emplace_back(apart ? "A to B" : "translation", place_text(translations.front(), form.exact));
   if (depth.contact()) rows.emplace_back("contact", contact_text(*depth.contact(), same_body));
   if (const std::optional<RoundedWitness> witness = depth.witness())
-    add_points(rows, apart ? "nearest" : "witness", place_text(witness->a, request.exact),
-               place_text(witness->b, request.exact), same_body);
-  if (has_continuum(depth)) rows.emplace_back("ties", cone_text(*depth.cone, request.exact));
+    add_points(rows, apart ? "nearest" : "witness", place_text(witness->a, form.exact),
+               place_text(witness->b, form.exact), same_body);
+  if (has_continuum(depth)) rows.emplace_back("ties", cone_text(*depth.cone, form.exact));
   if (const Penetration* const cores = of_cores(depth); cores && cores->optima.size() > (same_body ? 2 : 1))
     rows.emplace_back(
         "ties", fmt::format("{} {}; the first is shown, --json lists all", cores->optima.size() / (same_body ? 2 : 1),
                             same_body ? "pairs of planes" : "nearest facets"));
 }
 
-void add_answer(Rows& rows, const SignedDepth& depth, const Request& request) {
-  add_length(rows, depth, request);
-  add_places(rows, depth, request);
+void add_answer(Rows& rows, const SignedDepth& depth, const AnswerForm& form) {
+  add_length(rows, depth, form);
+  add_places(rows, depth, form);
 }
 
-void add_method(Rows& rows, const SignedDepth& depth, const Request&) {
+void add_method(Rows& rows, const SignedDepth& depth, const AnswerForm&) {
   rows.emplace_back("method", output::method_name(depth));
 }
 
-void add_parts(std::vector<std::string>& parts, const SignedDepth& depth, const Request& request) {
+void add_parts(std::vector<std::string>& parts, const SignedDepth& depth, const AnswerForm& form) {
   Rows rows;
-  add_length(rows, depth, request);
-  rows.emplace_back("direction", way_text(depth.direction(), request.exact));
+  add_length(rows, depth, form);
+  rows.emplace_back("direction", way_text(depth.direction(), form.exact));
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
 }
 
 // ---- polytopes and shapes ----
 
 template <class Found>
-std::string pair_block(const AnsweredCase& answered, const Found& found, const Request& request) {
+std::string pair_block(const AnsweredCase& answered, const Found& found, const AnswerForm& form) {
   Rows rows;
-  add_answer(rows, found, request);
+  add_answer(rows, found, form);
   add_bodies(rows, answered.bodies);
-  add_method(rows, found, request);
+  add_method(rows, found, form);
   const BodyFacts& facts = answered.facts;
-  if (const std::string flat = flat_text(facts, has_one_body(request)); !flat.empty()) rows.emplace_back("flat", flat);
+  if (const std::string flat = flat_text(facts, form.width); !flat.empty()) rows.emplace_back("flat", flat);
   if (std::is_same_v<Found, Depth> && facts.flat_a && found.status() == Status::penetrating)
     rows.push_back(flat_note());
-  if (request.counters) add_counters(rows, output::counters_of(found));
-  return aligned(has_one_body(request) ? "" : std::string(answered.answer.status_name()), rows);
+  if (form.counters) add_counters(rows, output::counters_of(found));
+  return aligned(form.width ? "" : std::string(answered.answer.status_name()), rows);
 }
 
 template <class Found>
-std::string pair_line(const AnsweredCase& answered, const Found& found, const Request& request) {
+std::string pair_line(const AnsweredCase& answered, const Found& found, const AnswerForm& form) {
   std::vector<std::string> parts;
-  if (!has_one_body(request)) parts.emplace_back(answered.answer.status_name());
-  add_parts(parts, found, request);
+  if (!form.width) parts.emplace_back(answered.answer.status_name());
+  add_parts(parts, found, form);
   Rows rows;
-  if (request.counters) add_counters(rows, output::counters_of(found));
+  if (form.counters) add_counters(rows, output::counters_of(found));
   for (const auto& [label, text] : rows) parts.push_back(label + " " + text);
   return case_line(answered.id, parts);
 }
@@ -214,11 +212,10 @@ void add_contacts(std::vector<Row>& rows, const std::vector<PieceContact>& conta
     rows.emplace_back("", fmt::format("and {} more pairs", contacts.size() - most_contacts));
 }
 
-void add_optimum(std::vector<Row>& rows, const UnionDepth& depth, const Request& request) {
+void add_optimum(std::vector<Row>& rows, const UnionDepth& depth, const AnswerForm& form) {
   if (depth.optima.empty()) return;
   const UnionOptimum& first = depth.optima.front();
-  if (depth.status == Status::penetrating)
-    rows.emplace_back("translation", place_text(first.translation, request.exact));
+  if (depth.status == Status::penetrating) rows.emplace_back("translation", place_text(first.translation, form.exact));
   rows.emplace_back("clearance", first.clearance ? "yes" : "none: an exact fit");
   add_contacts(rows, first.contacts);
   const std::size_t count = depth.optima.size();
@@ -232,20 +229,20 @@ std::string counted(const UnionCounters& c) {
                      c.pairs_touched, c.pairs);
 }
 
-std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
+std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, const AnswerForm& form) {
   std::vector<Row> rows;
   if (depth.complete) {
-    add_squared(rows, "depth", depth.low, request);
+    add_squared(rows, "depth", depth.low, form);
   } else {
-    add_squared(rows, "at least", depth.low, request);
-    add_squared(rows, "at most", depth.high, request);
+    add_squared(rows, "at least", depth.low, form);
+    add_squared(rows, "at most", depth.high, form);
   }
   if (depth.apart) {
-    add_squared(rows, "distance", depth.apart->distance.squared, request);
+    add_squared(rows, "distance", depth.apart->distance.squared, form);
     rows.emplace_back("between", fmt::format("piece {} of A, piece {} of B", depth.apart->a, depth.apart->b));
-    rows.emplace_back("A to B", place_text(depth.apart->distance.translation, request.exact));
+    rows.emplace_back("A to B", place_text(depth.apart->distance.translation, form.exact));
   }
-  add_optimum(rows, depth, request);
+  add_optimum(rows, depth, form);
   if (depth.bounds && depth.status == Status::penetrating) {
     rows.emplace_back("deepest pair",
                       fmt::format("{}: piece {} of A, piece {} of B", root_text(depth.bounds->deepest_pair),
@@ -253,25 +250,25 @@ std::string union_block(const AnsweredCase& answered, const UnionDepth& depth, c
     rows.emplace_back("hulls", root_text(depth.bounds->hulls));
   }
   add_hull(rows, answered.bodies.hull);
-  if (request.counters) rows.emplace_back("counted", counted(depth.counters));
+  if (form.counters) rows.emplace_back("counted", counted(depth.counters));
   return aligned(depth.complete ? std::string(name(depth.status)) : "interrupted", rows);
 }
 
-std::string union_line(const AnsweredCase& answered, const UnionDepth& depth, const Request& request) {
+std::string union_line(const AnsweredCase& answered, const UnionDepth& depth, const AnswerForm& form) {
   if (!depth.complete)
     return case_line(answered.id,
                      {"interrupted", "depth at least " + root_text(depth.low), "at most " + root_text(depth.high)});
   std::vector<std::string> parts{std::string(name(depth.status)), "depth " + root_text(depth.squared())};
   if (depth.status == Status::penetrating) {
-    if (request.exact) parts.push_back("depth^2 " + exact_text(depth.squared()));
-    if (request.digits) parts.push_back("in " + enclosure_text(depth.squared(), *request.digits));
-    parts.push_back("translation " + place_text(depth.optima.front().translation, request.exact));
+    if (form.exact) parts.push_back("depth^2 " + exact_text(depth.squared()));
+    if (form.digits) parts.push_back("in " + enclosure_text(depth.squared(), *form.digits));
+    parts.push_back("translation " + place_text(depth.optima.front().translation, form.exact));
     if (!depth.optima.front().clearance) parts.emplace_back("an exact fit");
     if (depth.optima.size() > 1) parts.push_back(fmt::format("{} ties", depth.optima.size()));
     parts.push_back("deepest pair " + root_text(depth.bounds->deepest_pair));
   }
   if (depth.apart) parts.push_back("distance " + root_text(depth.apart->distance.squared));
-  if (request.counters) parts.push_back("counted " + counted(depth.counters));
+  if (form.counters) parts.push_back("counted " + counted(depth.counters));
   return case_line(answered.id, parts);
 }
 
@@ -308,25 +305,18 @@ std::string shape_length_text(const SignedDepth& depth) {
                                     : "penetrating: depth " + value_text(depth, 1);
 }
 
-std::string answer_json(const AnsweredCase& answered, const Request& request) {
-  return output::answer_json(
-      answered, {request.optima, request.digits, request.counters, request.embed_certificate, has_one_body(request)});
+std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
+    return union_block(answered, *unions, form);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_block(answered, *depth, form);
+  return pair_block(answered, std::get<SignedDepth>(answered.answer.found), form);
 }
 
-std::string answer_block(const AnsweredCase& answered, const Request& request) {
+std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
   if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
-    return union_block(answered, *unions, request);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found))
-    return pair_block(answered, *depth, request);
-  return pair_block(answered, std::get<SignedDepth>(answered.answer.found), request);
-}
-
-std::string answer_line(const AnsweredCase& answered, const Request& request) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
-    return union_line(answered, *unions, request);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found))
-    return pair_line(answered, *depth, request);
-  return pair_line(answered, std::get<SignedDepth>(answered.answer.found), request);
+    return union_line(answered, *unions, form);
+  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_line(answered, *depth, form);
+  return pair_line(answered, std::get<SignedDepth>(answered.answer.found), form);
 }
 
 }  // namespace fathom::cli

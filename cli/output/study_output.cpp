@@ -12,7 +12,6 @@
 
 #include "cli/io/terminal.hpp"
 #include "cli/output/answer_output.hpp"
-#include "cli/output/decimal.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/infinitesimal.hpp"

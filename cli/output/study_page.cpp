@@ -2,8 +2,6 @@
 // The page of studies: its pieces, each a whole element or a few, in which texts of others are
 // escaped; the section of a case; the page.
 
-#include "cli/output/study_page.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,8 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/output/coordinates.hpp"
-#include "cli/output/decimal.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/files.hpp"

@@ -5,15 +5,60 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string_view>
 
 #include "cli/io/output.hpp"
 #include "cli/io/terminal.hpp"
-#include "cli/output/coordinates.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/text/json.hpp"
 
 namespace fathom::cli {
 namespace {
+
+constexpr std::size_t longest_triple = 72;  // characters; beyond, nobody reads the digits
+constexpr std::size_t few = 9;              // digits of an approximate component
+constexpr std::size_t beyond_binary64_digits = 17;
+
+bool speaks(double value) { return std::isfinite(value) && value != 0; }
+
+/// To nine digits, or truncated to as many where binary64 ends.
+std::string few_digits(const mpq_class& value) {
+  if (sgn(value) == 0) return "0";
+  if (const double rounded = round_binary64(value, Rounding::rn); speaks(rounded))
+    return fmt::format("{:.{}g}", rounded, few);
+  return fmt::format("{}{}", sgn(value) < 0 ? "-" : "", enclose_root(value * value, few).low);
+}
+
+/// Component / length, from its exact square.
+std::string unit_component(const mpz_class& component, const mpz_class& squared_length) {
+  const mpq_class squared = kernels::ratio(component * component, squared_length);
+  if (sgn(squared) == 0) return "0";
+  const double rounded = root_binary64(squared, Rounding::rn);
+  return fmt::format("{}{}", sgn(component) < 0 ? "-" : "",
+                     speaks(rounded) ? fmt::format("{:.{}g}", rounded, few) : enclose_root(squared, few).low);
+}
+
+std::string triple(std::string_view mark, const std::string& x, const std::string& y, const std::string& z) {
+  return fmt::format("{}({}, {}, {})", mark, x, y, z);
+}
+
+std::string decimal(const Surd& value) { return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value); }
+
+std::string in_full(const Point& p) {
+  return fmt::format("({}, {}, {})", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+}
+std::string in_full(const Vector& n) {
+  return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str());
+}
+
+/// from + length n/|n|.
+std::string in_full(const Point& from, const mpq_class& length, const Vector& n) {
+  if (const std::optional<Point> point = rational_point(RoundedPoint{from, n, length})) return in_full(*point);
+  return fmt::format("{} and {} along {}", in_full(from), exact_text(length), in_full(n));
+}
 
 constexpr std::size_t most_indices = 12;
 constexpr std::size_t behind_first = 4;  // spaces before the further lines of a case
@@ -28,7 +73,56 @@ std::string indices_text(const std::vector<std::uint32_t>& indices) {
 
 }  // namespace
 
-std::string quantity(const Request& request) { return has_one_body(request) ? "width" : "depth"; }
+std::string root_text(const mpq_class& squared) {
+  if (sgn(squared) == 0) return "0";
+  if (const double rounded = root_binary64(squared, Rounding::rn); speaks(rounded)) return fmt::format("{}", rounded);
+  return enclose_root(squared, beyond_binary64_digits).low;
+}
+
+std::string surd_text(const Surd& value) {
+  if (sign(value) == 0) return "0";
+  if (const double rounded = round_binary64(value); speaks(rounded)) return fmt::format("{}", rounded);
+  return enclose(value, beyond_binary64_digits).low;
+}
+
+std::string point_text(const Point& p) {
+  const std::string exact = triple("", exact_text(p.x), exact_text(p.y), exact_text(p.z));
+  if (exact.size() <= longest_triple) return exact;
+  return triple("~", few_digits(p.x), few_digits(p.y), few_digits(p.z));
+}
+
+std::string direction_text(const Vector& n) {
+  const std::string exact = triple("", n.x.get_str(), n.y.get_str(), n.z.get_str());
+  if (exact.size() <= longest_triple) return exact;
+  const mpz_class squared_length = dot(n, n);
+  return triple("~", unit_component(n.x, squared_length), unit_component(n.y, squared_length),
+                unit_component(n.z, squared_length));
+}
+
+std::string decimals(const Coordinates& values) {
+  return fmt::format("({}, {}, {})", decimal(values[0]), decimal(values[1]), decimal(values[2]));
+}
+
+std::string place_text(const Point& p, bool exact) { return exact ? in_full(p) : decimals(coordinates(p)); }
+
+std::string place_text(const AlongNormal& vector, bool exact) {
+  const auto& [n, alpha, beta] = vector;
+  return exact ? in_full(alpha * n, beta, n) : decimals(coordinates(vector));
+}
+
+std::string place_text(const RoundedPoint& point, bool exact) {
+  return exact ? in_full(point.core, point.distance, point.normal) : decimals(coordinates(point));
+}
+
+std::string way_text(const Vector& n, bool exact) { return exact ? in_full(n) : decimals(unit(n)); }
+
+AnswerForm::AnswerForm(const Given& given)
+    : Shown{given.integer<std::size_t>("--optima"), given.integer<unsigned>("--digits"), given.flag("--counters"),
+            given.flag("--embed-certificate"), given.command == "width"},
+      exact(given.flag("--exact")),
+      by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")) {}
+
+std::string quantity(const AnswerForm& form) { return form.width ? "width" : "depth"; }
 
 std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
   std::size_t column = 0;
@@ -62,10 +156,10 @@ void add_points(std::vector<Row>& rows, const std::string& label, const std::str
   rows.emplace_back("", fmt::format("{} of {}", b, of_b));
 }
 
-void add_witness(std::vector<Row>& rows, const Witness& witness, const Request& request) {
-  const std::string a = place_text(witness.a, request.exact);
+void add_witness(std::vector<Row>& rows, const Witness& witness, const AnswerForm& form) {
+  const std::string a = place_text(witness.a, form.exact);
   if (witness.a == witness.b) rows.emplace_back("common point", a);
-  else add_points(rows, "witness", a, place_text(witness.b, request.exact), has_one_body(request));
+  else add_points(rows, "witness", a, place_text(witness.b, form.exact), form.width);
 }
 
 std::string flat_text(const BodyFacts& facts, bool same_body) {

@@ -1,23 +1,79 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces of results for people.
+// Answers for people, piece by piece: numbers, points and directions, in full where that is short,
+// else a few digits behind a "~", or the nearest binary64; and the rows and lines made of them.
 #pragma once
+
+#include <gmpxx.h>
 
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cli/args/request.hpp"
+#include "cli/args/arguments.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
+#include "fathom/signed_depth.hpp"
+#include "kernels/vector.hpp"
+#include "reference/output/answer_json.hpp"
 #include "reference/output/json_values.hpp"
+#include "reference/rounded/coordinates.hpp"
 
 namespace fathom::cli {
+
+/// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17
+/// digits beyond that range.
+std::string root_text(const mpq_class& squared);
+/// As root_text, of a value >= 0.
+std::string surd_text(const Surd& value);
+
+inline Surd negated(const Surd& value) { return {-value.rational, -value.root}; }
+
+/// "(1/2, 0, -3)", or "~(0.333333333, ...)".
+std::string point_text(const Point& p);
+
+/// "(-1, 0, 0)", or where the integers are long the unit vector of that direction: "~(0.577350269,
+/// ...)".
+std::string direction_text(const Vector& n);
+
+// Points, translations and directions to the nearest binary64 or exactly, for people.
+
+using rounded::CoordinatePair;
+using rounded::Coordinates;
+using rounded::coordinates;
+using rounded::nearest_binary64;
+using rounded::rational_point;
+using rounded::unit;
+
+/// "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers; 17 digits
+/// beyond that range.
+std::string decimals(const Coordinates& values);
+
+/// A point or translation: its decimals; or, if it is to be exact, fractions, and what is along a
+/// direction apart: "(1/2, 0, 0) and 1/3 along (1, 1, 1)".
+std::string place_text(const Point& p, bool exact);
+std::string place_text(const AlongNormal& vector, bool exact);
+std::string place_text(const RoundedPoint& point, bool exact);
+
+/// A direction: the unit vector's decimals; or, if it is to be exact, the integers in lowest terms.
+std::string way_text(const Vector& n, bool exact);
+
+// The pieces of results for people.
+
+/// How an answer is written, as the options of its command say.
+struct AnswerForm : output::Shown {
+  AnswerForm() = default;
+  explicit AnswerForm(const Given& given);
+
+  bool exact = false;      ///< text: exact numbers where else decimals stand
+  bool by_default = true;  ///< the user left the method to fathom
+};
 
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;
 
 /// What the command computes: "depth" or "width".
-std::string quantity(const Request& request);
+std::string quantity(const AnswerForm& form);
 
 /// Returns the heading, if there is one, and the rows with their texts in one column; without the
 /// last newline. On a terminal the rows are broken at its width.
@@ -35,7 +91,7 @@ std::string contact_text(const Contact& contact, bool same_body = false);
 /// Adds two points, in two rows if one would be long; or the one that both bodies share.
 void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b,
                 bool same_body = false);
-void add_witness(std::vector<Row>& rows, const Witness& witness, const Request& request);
+void add_witness(std::vector<Row>& rows, const Witness& witness, const AnswerForm& form);
 
 /// The bodies without interior: "A and B", or "". For one body against itself: "A", or "".
 std::string flat_text(const BodyFacts& facts, bool same_body = false);

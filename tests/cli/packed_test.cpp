@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/io/packed.hpp"
-
 #include <gtest/gtest.h>
+
+#include "cli/io/in_order.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/commands/adapters.hpp"
+#include "cli/commands/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,13 +9,45 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/args/words.hpp"
+#include "cli/args/values.hpp"
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
+#include "verify/families/families.hpp"
 
 namespace fathom::cli {
+namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t suggestions = 3, longest_name = 60;
+
+bool is_script(const Adapter& adapter) { return adapter.program.ends_with(".mjs"); }
+
+// A script runs where npm has put its packages beside it.
+bool is_ready(const Adapter& adapter, const fs::path& file) {
+  std::error_code fault;
+  if (is_script(adapter))
+    return fs::is_regular_file(file, fault) && fs::is_directory(file.parent_path() / "node_modules", fault);
+  return ::access(file.c_str(), X_OK) == 0;
+}
+
+}  // namespace
+
+std::vector<std::string_view> family_names() {
+  std::vector<std::string_view> names;
+  for (const families::Family& family : families::all_families()) names.push_back(family.name);
+  return names;
+}
+
+std::vector<std::string_view> nearest_families(std::string_view name, std::vector<std::string_view> names) {
+  const std::string_view typed = name.substr(0, longest_name);
+  const auto distance = [typed](std::string_view other) {
+    return !typed.empty() && other.find(typed) != std::string_view::npos ? 0 : kernels::slips(typed, other);
+  };
+  std::ranges::stable_sort(names, {}, distance);
+  names.resize(std::min(names.size(), suggestions));
+  return names;
+}
 
 const std::vector<Adapter>& adapters() {
   static const std::vector<Adapter> all = {
@@ -51,20 +83,6 @@ const std::vector<Adapter>& adapters() {
   };
   return all;
 }
-
-namespace {
-
-bool is_script(const Adapter& adapter) { return adapter.program.ends_with(".mjs"); }
-
-// A script runs where npm has put its packages beside it.
-bool is_ready(const Adapter& adapter, const fs::path& file) {
-  std::error_code fault;
-  if (is_script(adapter))
-    return fs::is_regular_file(file, fault) && fs::is_directory(file.parent_path() / "node_modules", fault);
-  return ::access(file.c_str(), X_OK) == 0;
-}
-
-}  // namespace
 
 std::string program_of(const Adapter& adapter) {
   std::error_code fault;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The subjects that come with fathom, by name.                          [verify/subjects/README.md]
+// The names that options take for what comes with fathom: families of cases, and subjects.
+//                                                                       [verify/subjects/README.md]
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fathom::cli {
+
+/// The names of all families: of polytopes, then of shapes, then of unions.
+std::vector<std::string_view> family_names();
+
+/// A few of these names. Those that hold `name` come first, then those by the fewest slips.
+std::vector<std::string_view> nearest_families(std::string_view name,
+                                               std::vector<std::string_view> names = family_names());
+
+// The subjects that come with fathom, by name.                          [verify/subjects/README.md]
 
 struct Adapter {
   std::string name;     ///< "libccd-epa"

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which options and inputs of a command do not go together: each function returns the sentence, or
+// "".
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "cli/args/arguments.hpp"
+#include "cli/args/values.hpp"
+#include "kernels/messages.hpp"
+#include "reference/files/shape_names.hpp"
+#include "verify/harness/variants.hpp"
+
+namespace fathom::cli {
+namespace {
+
+std::string wrong_cases(const Given& given) {
+  const auto wanted = std::ranges::count_if(std::array{"--family", "--catalogue", "--list", "--from", "--from-fcl"},
+                                            [&](const char* option) { return given.has(option); });
+  if (wanted != 1)
+    return fmt::format("cases expects one of --family, --catalogue, --list, --from and --from-fcl, found {}",
+                       wanted == 0 ? "none" : "several");
+  for (const char* option : {"--count", "--seed", "--size"})
+    if (!given.has("--family") && given.has(option)) return fmt::format("{} goes with --family", option);
+  const bool of_many =
+      given.has("--catalogue") || given.has("--list") || given.words("--family") == std::vector<std::string>{"all"};
+  for (const char* option : {"--shapes", "--unions"})
+    if (given.flag(option) && !of_many) return fmt::format("{} goes with --list, --catalogue and --family all", option);
+  if (given.flag("--shapes") && given.flag("--unions"))
+    return "--shapes and --unions are two kinds of bodies: ask for one after the other";
+  for (const char* option : {"--pose-a", "--pose-b", "--exact-decimals"})
+    if (!given.has("--from") && given.has(option)) return fmt::format("{} goes with --from", option);
+  const std::size_t inputs = given.inputs().size();
+  if (inputs == (given.has("--from") ? 2 : 0)) return "";
+  return fmt::format("cases expects two meshes after --from and no input otherwise, found {} argument{}", inputs,
+                     inputs == 1 ? "" : "s");
+}
+
+std::string wrong_variants(const std::string& list) {
+  if (list.empty() || list == "all") return "";
+  for (const std::string& word : words_of(list))
+    if (std::ranges::find(harness::variant_names, word) == std::end(harness::variant_names))
+      return fmt::format("--metamorphic: {} is unknown (expected {}, with commas between them)", kernels::shown(word),
+                         fmt::join(harness::variant_names, ", "));
+  return "";
+}
+
+std::string wrong_certify(const Given& given) {
+  const std::vector<std::string> inputs = given.inputs();
+  const auto subjects = std::ranges::count_if(std::array{"--subject", "--adapter", "--replay"},
+                                              [&](const char* option) { return given.has(option); });
+  const bool alone = subjects == 0 && inputs.empty(), replays = given.has("--replay");
+  if (given.flag("--list-adapters"))
+    return alone ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
+  if (given.has("--claims")) return alone ? "" : "--claims judges a file, and takes no subject and no cases";
+  if (subjects != 1)
+    return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
+  if (inputs.size() != 1)
+    return fmt::format(
+        "certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
+        inputs.size(), inputs.size() == 1 ? "" : "s");
+  const bool resumes = given.flag("--resume"), overwrites = given.flag("--overwrite");
+  if (resumes && !given.has("--report")) return "--resume goes on with a report, and needs --report";
+  if (overwrites && !given.has("--report")) return "--overwrite replaces a report, and needs --report";
+  if (overwrites && resumes) return "--resume goes on with the report that --overwrite replaces: one of them";
+  if (given.has("--harness") && !given.has("--shrink"))
+    return "--harness is filled with what --shrink finds, and needs --shrink";
+  if (given.has("--print-input") && replays)
+    return "--print-input shows what a subject reads, and a replay reads nothing";
+  if (given.text("--replay") == "-" && inputs[0] == "-")
+    return "--replay - and the cases cannot both come from standard input";
+  if (given.text("--report") == "-") return "--report writes a file; --json writes to standard output";
+  for (const char* option : {"--metamorphic", "--shrink"})
+    if (replays && given.has(option))
+      return fmt::format("{} puts new cases to a subject, and a replay answers none", option);
+  return wrong_variants(given.text("--metamorphic"));
+}
+
+std::string wrong_inputs(const Given& given) {
+  if (given.command == "cases") return wrong_cases(given);
+  if (given.has("--sweep")) return "";
+  if (given.command == "certify") return wrong_certify(given);
+  const std::vector<std::string> inputs = given.inputs();
+  const std::string found = fmt::format("found {} argument{}", inputs.size(), inputs.size() == 1 ? "" : "s");
+  if (given.command == "certify diff")
+    return inputs.size() == 2 ? "" : "certify diff expects two reports, the old and the new one, " + found;
+  if (given.command == "width")
+    return inputs.size() == 1
+               ? ""
+               : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
+  const std::string expected =
+      given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
+  if (inputs.empty()) return expected + found;
+  if (inputs.size() == 1 && is_mesh_name(inputs[0]))
+    return expected + "found the single mesh " + kernels::shown(inputs[0]);
+  if (inputs.size() == 1 && files::is_shape_text(inputs[0]))
+    return expected + "found the single shape " + kernels::shown(inputs[0]);
+  if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
+  return "";
+}
+
+/// The first of the options that was given, or "".
+std::string first_of(const Given& given, std::initializer_list<const char*> options) {
+  const auto found = std::ranges::find_if(options, [&](const char* option) { return given.has(option); });
+  return found == options.end() ? "" : *found;
+}
+
+std::string wrong_pieces(const Given& given) {
+  const std::string other = first_of(given, {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along",
+                                             "--steps", "--times", "--csv", "--case", "--threads"});
+  if (!other.empty()) return "--pieces is about unions, and cannot be combined with " + other;
+  if (given.inputs().size() != 2)
+    return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
+  return "";
+}
+
+std::string wrong_along(const Given& given) {
+  if (!given.has("--along")) {
+    const std::string other = first_of(given, {"--steps", "--csv"});
+    return other.empty() ? "" : other + " goes with --along X,Y,Z";
+  }
+  const std::string other = first_of(
+      given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"});
+  if (!other.empty()) return "--along answers with a curve of signed depths, and cannot be combined with " + other;
+  if (given.text("--method") == "shallow")
+    return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";
+  return "";
+}
+
+std::string wrong_sweep(const Given& given) {
+  if (!given.has("--sweep")) {
+    const std::string other = first_of(given, {"--sizes", "--closest-lines", "--times", "--svg", "--seed"});
+    return other.empty() ? "" : other + " goes with --sweep FAMILY";
+  }
+  if (const std::vector<std::string> inputs = given.inputs(); !inputs.empty())
+    return "--sweep makes its bodies itself, found " + kernels::shown(inputs[0]);
+  const std::string other = first_of(given, {"--json", "--html", "--case", "--all", "--pose-a", "--pose-b",
+                                             "--require-convex", "--exact-decimals", "--threads"});
+  return other.empty() ? "" : "--sweep answers as a table, with --csv and --svg, and cannot be combined with " + other;
+}
+
+/// Of a curve or a chart.
+std::string wrong_picture(const Given& given) {
+  if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
+  if (given.flag("--pieces")) return wrong_pieces(given);
+  if (given.command == "depth") return wrong_along(given);
+  return given.command == "study" ? wrong_sweep(given) : "";
+}
+
+std::string wrong_page(const Given& given) {
+  const bool writes_page = given.command == "study" || given.command == "certify diff";
+  if (writes_page && given.text("--html") == "-")
+    return given.command == "study" ? "--html writes a file; standard output has the answers"
+                                    : "--html writes a file, found - for standard output";
+  if (given.command != "explain") return "";
+  if (!given.has("--output")) return "explain writes a page: expected -o FILE, with the name of an HTML file";
+  return given.text("--output") == "-" ? "-o writes a file, found - for standard output" : "";
+}
+
+/// Of approx, ray, metric, and of width within a factor. `asks_exact`: for an answer without one.
+std::string wrong_approximation(const Given& given, bool asks_exact) {
+  if (given.command == "ray" && !given.has("--direction")) return "ray expects --direction X,Y,Z: where A is to move";
+  if (given.command == "metric" && !given.has("--ball")) return "metric expects --ball Q: a mesh, the unit ball";
+  if (given.command != "width" || !given.has("--delta")) return "";
+  if (asks_exact)
+    return "--delta asks for an approximation, and cannot be combined with --method, --closest-lines or a certificate";
+  if (given.flag("--counters"))
+    return "--delta asks for an approximation, which has no counters: it cannot be combined with --counters";
+  if (given.has("--bits"))
+    return "--delta asks for an approximation by rays, and cannot be combined with --bits, which is about bounds";
+  return "";
+}
+
+/// Of the forms of an answer.
+std::string wrong_forms(const Given& given) {
+  if (given.flag("--exact") && given.flag("--json"))
+    return "--exact is about text: JSON has every number exactly, and rounded beside it";
+  if (given.flag("--csv") && given.flag("--json")) return "--csv and --json are two forms of one answer: choose one";
+  if (given.flag("--csv") && given.flag("--all"))
+    return "--all lists coincidences, and cannot be combined with --csv, which counts them";
+  return "";
+}
+
+/// Of how depth and width are found, and of their certificates.
+std::string wrong_proof(const Given& given, const std::string& method) {
+  if (given.command != "depth" && given.command != "width") return "";
+  if (given.has("--closest-lines") && method != "auto" && method != "exact")
+    return "--closest-lines chooses the engine of --method exact, and cannot be combined with --method " + method;
+  if (given.flag("--embed-certificate") && !given.flag("--json"))
+    return "--embed-certificate adds a field to JSON results, and needs --json";
+  if (given.text("--certificate") == "-")
+    return "--certificate writes files; --json --embed-certificate writes to standard output";
+  return "";
+}
+
+}  // namespace
+
+std::string wrong_together(const Given& given) {
+  const std::size_t inputs = given.inputs().size();
+  const bool stream = inputs == 1 && !given.has("--case");  // of width both are possible: it has one output
+  const std::string method = given.command == "certify" ? "auto" : given.value("--method").value_or("auto");
+  const bool asks_exact = method != "auto" || given.has("--closest-lines") || given.has("--certificate") ||
+                          given.flag("--embed-certificate");
+  if (std::string fault = wrong_inputs(given); !fault.empty()) return fault;
+  if (std::string fault = wrong_picture(given); !fault.empty()) return fault;
+  if (std::string fault = wrong_files(given, stream); !fault.empty()) return fault;
+  if (given.has("--case") && inputs == 2) return "--case chooses a case of a stream, found two bodies";
+  if (std::string fault = wrong_proof(given, method); !fault.empty()) return fault;
+  if (std::string fault = wrong_page(given); !fault.empty()) return fault;
+  if (std::string fault = wrong_approximation(given, asks_exact); !fault.empty()) return fault;
+  return wrong_forms(given);
+}
+
+}  // namespace fathom::cli

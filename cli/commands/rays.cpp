@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom approx --delta D A B | CASES.jsonl | -
+// fathom width [--delta D] A | CASES.jsonl | -
+// fathom ray --direction X,Y,Z A B | CASES.jsonl | -
+// fathom metric --ball Q A B | CASES.jsonl | -
+// Lengths that rays find: depths within a factor, in one direction, and in a polyhedral norm or
+// gauge. For people and for programs (JSON: result, ray and metric.schema.json).
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "cli/args/values.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/depth.hpp"
+#include "cli/commands/replies.hpp"
+#include "cli/io/output.hpp"
+#include "cli/output/answer_output.hpp"
+#include "cli/output/text_rows.hpp"
+#include "fathom/approximate.hpp"
+#include "fathom/files.hpp"
+#include "fathom/numbers.hpp"
+#include "reference/approximate/metric.hpp"
+#include "reference/output/json_values.hpp"
+
+namespace fathom::cli {
+namespace {
+
+// ---- within a factor ----
+
+/// Tells no distance: for disjoint bodies an approximation has only a plane between them.
+std::string direction_label(const ApproxDepth& depth) {
+  return depth.status() == Status::disjoint ? "separating normal" : "direction";
+}
+
+std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
+
+/// How far apart disjoint bodies are, no approximation tells.
+output::SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least,
+                                        const kernels::Roundings& most) {
+  if (status == Status::disjoint) return {-std::numeric_limits<double>::infinity(), 0};
+  return {least.binary64.rd, most.binary64.ru};
+}
+
+/// Several lines, or one; without the last newline.
+std::string approx_block(const ApproxDepth& depth, const output::AboutBodies& bodies, const AnswerForm& form) {
+  const std::string what = quantity(form);
+  std::vector<Row> rows;
+  rows.emplace_back(what + " at most", root_text(depth.squared()));
+  if (form.exact) rows.emplace_back(what + "^2 at most", exact_text(depth.squared()));
+  rows.emplace_back(what + " at least", root_text(depth.bound_squared()));
+  if (form.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *form.digits));
+  rows.emplace_back("delta", exact_text(depth.delta));
+  rows.emplace_back("rays", fmt::format("{}", rays(depth)));
+  rows.emplace_back(direction_label(depth), way_text(depth.direction(), form.exact));
+  if (const ApproxPenetration* found = depth.penetration()) {
+    if (!form.width) rows.emplace_back("translation", place_text(found->translation, form.exact));
+    rows.emplace_back("contact", contact_text(found->contact, form.width));
+    if (found->witness) add_witness(rows, *found->witness, form);
+  }
+  add_bodies(rows, bodies);
+  if (const std::string flat = flat_text(depth, form.width); !flat.empty()) rows.emplace_back("flat", flat);
+  if (depth.flat_a && depth.penetration()) rows.push_back(flat_note());
+  return aligned(form.width ? "" : std::string(name(depth.status())), rows);
+}
+
+std::string approx_line(const std::string& id, const ApproxDepth& depth, const AnswerForm& form) {
+  std::vector<std::string> parts;
+  if (!form.width) parts.emplace_back(name(depth.status()));
+  parts.push_back(quantity(form) + " at most " + root_text(depth.squared()));
+  parts.push_back("at least " + root_text(depth.bound_squared()));
+  if (depth.penetration()) {
+    if (form.exact) parts.push_back(quantity(form) + "^2 at most " + exact_text(depth.squared()));
+    if (form.digits) parts.push_back("in " + enclosure_text(depth.squared(), *form.digits));
+  }
+  parts.push_back(direction_label(depth) + " " + way_text(depth.direction(), form.exact));
+  if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
+  if (const std::string flat = flat_text(depth, form.width); !flat.empty()) parts.push_back("flat " + flat);
+  return case_line(id, parts);
+}
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies,
+                        const AnswerForm& form) {
+  const ApproxPenetration* const found = depth.penetration();
+  Json result = output::result_head(id, name(depth.status()));
+  const kernels::Roundings most = kernels::roundings_of_root(depth.squared()),
+                           least = kernels::roundings_of_root(depth.bound_squared());
+  result["signed_depth"] = output::signed_depth_object(signed_bounds(depth.status(), least, most));
+  const Json size = output::length(depth.squared(), most, form.digits);
+  result["depth"] = size;
+  result["translation"] = output::exact(depth.translation());
+  result["direction"] = output::exact(depth.direction());
+  result["contact"] = found ? output::contact_object(found->contact) : Json();
+  result["witness"] = found && found->witness ? output::witness_object(*found->witness) : Json();
+  output::add_rounded(result, depth.direction(), coordinates(depth.translation()),
+                      output::coordinates_of(found ? found->witness : std::nullopt));
+  result["optima"] = Json::array();
+  add_bodies(result, bodies);
+  result["flat"] = output::flat_array(depth);
+  result["method"] = "approx";
+  result["delta"] = exact_text(depth.delta);
+  result["rays"] = rays(depth);
+  result["bound"] = output::length(depth.bound_squared(), least, form.digits);
+  if (form.width) result["width"] = size;
+  return result.text();
+}
+
+struct ApproxRequest : BodiesRequest {
+  explicit ApproxRequest(const Given& given)
+      : BodiesRequest(given), form(given), delta(given.number("--delta").value_or(mpq_class(1, 100))) {}
+
+  AnswerForm form;
+  mpq_class delta;  ///< the answer may be wrong by a factor of 1 + delta
+};
+
+ApproxDepth solve(const Case& single, const ApproxRequest& request, Monitor& monitor) {
+  return request.one_body ? approx_width(single.a.points, request.delta, &monitor)
+                          : approx_depth(single.a.points, single.b.points, request.delta, &monitor);
+}
+
+/// Not refused: a run can be interrupted, and its progress is shown.
+void warn_of_many_rays(const ApproxRequest& request) {
+  constexpr long many = 10'000'000;
+  const mpq_class rays = (request.one_body ? 2 : 4) / request.delta;  // the grid itself takes long to find
+  if (rays > many)
+    talk(fmt::format("--delta {} asks for about {} rays a case", exact_text(request.delta), mpz_class(rays).get_str()));
+}
+
+/// `request` must outlive the replies.
+Replies approximate_replies(const ApproxRequest& request) {
+  warn_of_many_rays(request);
+  Replies replies;
+  replies.tells_of_dents = true;
+  replies.refuses_shapes =
+      request.one_body
+          ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
+          : "depth answers about those, exactly or within bounds as near as --bits asks for";
+  replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
+    const std::string& id = asked.input.id;
+    const ApproxDepth depth = solve(asked, request, monitor);
+    if (request.json) return {approx_json(id, depth, asked.bodies, request.form)};
+    return {is_stream(request) ? approx_line(id, depth, request.form)
+                               : approx_block(depth, asked.bodies, request.form)};
+  };
+  if (request.json)
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return output::json_error(item.id, item.line, fault);
+    };
+  return replies;
+}
+
+// ---- in one direction ----
+
+constexpr const char* ray_schema = "fathom/ray/1";
+
+struct RayRequest : BodiesRequest {
+  explicit RayRequest(const Given& given)
+      : BodiesRequest(given), form(given), direction(typed_vector(given.text("--direction")).value()) {}
+
+  AnswerForm form;
+  Point direction;
+};
+
+std::string normal_label(const DirectionalDepth& depth) {
+  return depth.status() == Status::disjoint ? "separating normal" : "normal";
+}
+
+/// Several lines, or one; without the last newline.
+std::string ray_block(const DirectionalDepth& depth, const RayRequest& request) {
+  std::vector<Row> rows{{"depth along", place_text(request.direction, request.form.exact)},
+                        {"length", root_text(depth.squared())}};
+  if (request.form.exact) rows.emplace_back("length^2", exact_text(depth.squared()));
+  if (request.form.digits) rows.emplace_back("enclosure", enclosure_text(depth.squared(), *request.form.digits));
+  if (request.form.exact) rows.emplace_back("factor", exact_text(depth.factor()));
+  if (depth.status() == Status::penetrating)
+    rows.emplace_back("translation", place_text(depth.translation(), request.form.exact));
+  rows.emplace_back(normal_label(depth), way_text(depth.normal(), request.form.exact));
+  if (const RayExit* exit = depth.penetration()) {
+    rows.emplace_back("contact", contact_text(exit->contact));
+    add_witness(rows, exit->witness, request.form);
+  }
+  if (const std::string flat = flat_text(depth); !flat.empty()) rows.emplace_back("flat", flat);
+  if (depth.flat_a && depth.status() == Status::penetrating) rows.push_back(flat_note());
+  return aligned(std::string(name(depth.status())), rows);
+}
+
+std::string ray_line(const std::string& id, const DirectionalDepth& depth, const RayRequest& request) {
+  std::vector<std::string> parts{std::string(name(depth.status())), "length " + root_text(depth.squared())};
+  if (depth.status() == Status::penetrating)
+    parts.push_back("translation " + place_text(depth.translation(), request.form.exact));
+  parts.push_back(normal_label(depth) + " " + way_text(depth.normal(), request.form.exact));
+  if (depth.penetration()) parts.emplace_back(name(depth.penetration()->contact.kind));
+  if (const std::string flat = flat_text(depth); !flat.empty()) parts.push_back("flat " + flat);
+  return case_line(id, parts);
+}
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string ray_json(const std::string& id, const DirectionalDepth& depth, const RayRequest& request) {
+  const RayExit* const exit = depth.penetration();
+  Json result = {
+      {"schema", ray_schema}, {"id", id}, {"status", name(depth.status())}, {"ray", output::exact(request.direction)}};
+  result["factor"] = exact_text(depth.factor());
+  result["length"] = output::length(depth.squared(), request.form.digits);
+  result["translation"] = output::exact(depth.translation());
+  result["normal"] = output::exact(depth.normal());
+  result["contact"] = exit ? output::contact_object(exit->contact) : Json();
+  result["witness"] = exit ? output::witness_object(exit->witness) : Json();
+  result["flat"] = output::flat_array(depth);
+  result["steps"] = exit ? exit->steps : 0;
+  return result.text();
+}
+
+/// Returns the line for a case of a stream that has no result.
+std::string ray_json_error(const std::string& id, std::size_t line, const std::string& error) {
+  return output::error_object(ray_schema, id, line, error);
+}
+
+// ---- in a norm or a gauge ----
+
+constexpr const char* metric_schema = "fathom/metric/1";
+constexpr std::size_t most_vertices = 12;
+
+std::string kind(const UnitBall& ball) { return ball.symmetric ? "norm" : "gauge"; }
+
+std::string ball_text(const UnitBall& ball) {
+  const char* const why =
+      ball.symmetric ? "symmetric about O" : "not symmetric about O, so t and -t may differ in length";
+  return fmt::format("{}: {}; {} vertices", kind(ball), why, ball.vertices.size());
+}
+
+std::string deciding_text(const MetricResult& result) {
+  std::vector<std::string> words;
+  for (const MetricOptimum& optimum : result.optima()) {
+    if (words.size() == most_vertices) {
+      words.push_back(fmt::format("... ({} in all)", result.optima().size()));
+      break;
+    }
+    words.push_back(std::to_string(optimum.vertex));
+  }
+  return fmt::format("{} of the ball{}", fmt::join(words, " "),
+                     words.size() == 1 ? "" : "; the first is shown, --json lists all");
+}
+
+/// The value as a decimal: that of the root of its square.
+std::string decimal(const mpq_class& value) { return root_text(value * value); }
+
+Json optima_array(const MetricResult& result) {
+  Json array = Json::array();
+  for (const MetricOptimum& optimum : result.optima()) {
+    array.push_back({{"vertex", optimum.vertex},
+                     {"translation", output::exact(optimum.translation)},
+                     {"direction", output::exact(optimum.direction)},
+                     {"contact", output::contact_object(optimum.contact)},
+                     {"witness", output::witness_object(optimum.witness)}});
+  }
+  return array;
+}
+
+std::string direction_label(const MetricResult& result) {
+  return result.status() == Status::disjoint ? "separating normal" : "direction";
+}
+
+/// Several lines, or one; without the last newline.
+std::string metric_block(const MetricResult& result, const UnitBall& ball, const AnswerForm& form) {
+  std::vector<Row> rows{{"depth", decimal(result.depth())}};
+  if (form.exact) rows.emplace_back("exactly", exact_text(result.depth()));
+  rows.emplace_back("unit ball", ball_text(ball));
+  if (!result.optima().empty()) rows.emplace_back("vertices", deciding_text(result));
+  rows.emplace_back(direction_label(result), way_text(result.direction(), form.exact));
+  if (!result.optima().empty()) {
+    const MetricOptimum& first = result.optima().front();
+    rows.emplace_back("translation", place_text(first.translation, form.exact));
+    rows.emplace_back("contact", contact_text(first.contact));
+    add_witness(rows, first.witness, form);
+  }
+  if (const std::string flat = flat_text(result); !flat.empty()) rows.emplace_back("flat", flat);
+  if (result.flat_a && result.status() == Status::penetrating) rows.push_back(flat_note());
+  return aligned(std::string(name(result.status())), rows);
+}
+
+std::string metric_line(const std::string& id, const MetricResult& result, const UnitBall& ball,
+                        const AnswerForm& form) {
+  std::vector<std::string> parts{std::string(name(result.status())),
+                                 fmt::format("depth {} in the {}", decimal(result.depth()), kind(ball))};
+  if (!result.optima().empty()) {
+    parts.push_back("translation " + place_text(result.optima().front().translation, form.exact));
+    parts.emplace_back(name(result.optima().front().contact.kind));
+  } else {
+    parts.push_back(direction_label(result) + " " + way_text(result.direction(), form.exact));
+  }
+  if (result.optima().size() > 1) parts.push_back(fmt::format("{} ties", result.optima().size()));
+  if (const std::string flat = flat_text(result); !flat.empty()) parts.push_back("flat " + flat);
+  return case_line(id, parts);
+}
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {
+  Json object = {{"schema", metric_schema}, {"id", id}, {"status", name(result.status())}};
+  object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};
+  object["depth"] = output::number(result.depth());
+  object["direction"] = output::exact(result.direction());
+  object["optima"] = optima_array(result);
+  object["flat"] = output::flat_array(result);
+  object["rays"] = result.penetration() ? result.penetration()->rays : 0;
+  return object.text();
+}
+
+/// Returns the line for a case of a stream that has no result.
+std::string metric_json_error(const std::string& id, std::size_t line, const std::string& error) {
+  return output::error_object(metric_schema, id, line, error);
+}
+
+struct MetricRequest : BodiesRequest {
+  explicit MetricRequest(const Given& given) : BodiesRequest(given), form(given), ball(given.text("--ball")) {}
+
+  AnswerForm form;
+  std::string ball;  ///< a mesh
+};
+
+UnitBall ball_of(const MetricRequest& request) {
+  try {
+    return unit_ball(read_mesh(request.ball, request.decimals).points);
+  } catch (const NoUnitBall& error) {
+    throw InputError(request.ball, 0, error.what());
+  }
+}
+
+}  // namespace
+
+ExitCode run_approx(const Given& given) {
+  const ApproxRequest request(given);
+  return reply_to_inputs(request, approximate_replies(request));
+}
+
+ExitCode run_width(const Given& given) {
+  if (given.has("--delta")) return run_approx(given);
+  const DepthRequest request(given);
+  return reply_to_inputs(request, exact_replies(request));
+}
+
+ExitCode run_ray(const Given& given) {
+  const RayRequest request(given);
+  Replies replies;
+  replies.refuses_shapes =
+      "how far it must move in one direction is not answered about those; depth says how far in the best one";
+  replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
+    const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, request.direction, &monitor);
+    if (request.json) return {ray_json(pair.id, depth, request)};
+    return {is_stream(request) ? ray_line(pair.id, depth, request) : ray_block(depth, request)};
+  };
+  if (request.json)
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return ray_json_error(item.id, item.line, fault);
+    };
+  return reply_to_inputs(request, replies);
+}
+
+ExitCode run_metric(const Given& given) {
+  const MetricRequest request(given);
+  const UnitBall ball = ball_of(request);
+  Replies replies;
+  replies.refuses_shapes = "depth answers about those, in Euclid's norm";
+  replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
+    const MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, &monitor);
+    if (request.json) return {metric_json(pair.id, result, ball)};
+    return {is_stream(request) ? metric_line(pair.id, result, ball, request.form)
+                               : metric_block(result, ball, request.form)};
+  };
+  if (request.json)
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return metric_json_error(item.id, item.line, fault);
+    };
+  return reply_to_inputs(request, replies);
+}
+
+}  // namespace fathom::cli
