@@ -77,6 +77,14 @@ std::string points_text(const Involved& involved) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Of a line: what occurs, and how often.
+template <class Names, class Coincidences>
+void add_present(Lines& parts, const Names& names, const Coincidences& coincidences) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const std::uint64_t count = coincidences[i].count)
+      parts.push_back(fmt::format("{} {}", spoken(names[i]), count));
+}
+
 /// A row for each coincidence that occurs, with the features of the first, or of all that are
 /// listed; and one row with the names of the others. `head` says what the last column shows.
 template <class Names, class Coincidences, class Text>
@@ -128,16 +136,7 @@ Json predicates_object(const PredicateCounts& counts) {
   return result;
 }
 
-Json coincidences_object(const Study& study) {
-  Json result;
-  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
-    Json listed = Json::array();
-    for (const Involved& involved : study.coincidences[i].listed)
-      listed.push_back({{"a", points_of(involved.a)}, {"b", points_of(involved.b)}});
-    result[coincidence_names[i]] = {{"count", study.coincidences[i].count}, {"listed", listed}};
-  }
-  return result;
-}
+Json involved_object(const Involved& involved) { return {{"a", points_of(involved.a)}, {"b", points_of(involved.b)}}; }
 
 // Studies as lines of CSV.
 
@@ -162,19 +161,7 @@ std::vector<std::string> columns() {
   return names;
 }
 
-// Studies of shapes, for people and as JSON.
-
-// ---- text ----
-
-std::string present_text(const ShapeStudy& study) {
-  Lines parts;
-  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i)
-    if (const std::uint64_t count = study.coincidences[i].count)
-      parts.push_back(fmt::format("{} {}", spoken(shape_coincidence_names[i]), count));
-  return fmt::format("{}", fmt::join(parts, "; "));
-}
-
-// ---- JSON ----
+// Studies of shapes as JSON.
 
 Json size_object(const ShapeSize& size) {
   return {{"half_space", size.half_space ? 1 : 0},
@@ -197,12 +184,14 @@ Json involved_object(const ShapeInvolved& involved) {
   return {{"a", feature_object(involved.a)}, {"b", feature_object(involved.b)}};
 }
 
-Json coincidences_object(const ShapeStudy& study) {
+/// Each coincidence by its name, with the features that are listed.
+template <class Names, class Coincidences>
+Json coincidences_object(const Names& names, const Coincidences& coincidences) {
   Json result;
-  for (std::size_t i = 0; i < shape_coincidence_names.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
     Json listed = Json::array();
-    for (const ShapeInvolved& involved : study.coincidences[i].listed) listed.push_back(involved_object(involved));
-    result[shape_coincidence_names[i]] = {{"count", study.coincidences[i].count}, {"listed", listed}};
+    for (const auto& involved : coincidences[i].listed) listed.push_back(involved_object(involved));
+    result[names[i]] = {{"count", coincidences[i].count}, {"listed", listed}};
   }
   return result;
 }
@@ -248,10 +237,7 @@ std::string study_line(const std::string& id, const Study& study) {
     if (tiers.zero > 0)
       parts.push_back(fmt::format("{} {} of {} zero", spoken(predicate_names[i]), tiers.zero, tiers.calls));
   }
-  for (std::size_t i = 0; i < coincidence_names.size(); ++i) {
-    if (study.coincidences[i].count > 0)
-      parts.push_back(fmt::format("{} {}", spoken(coincidence_names[i]), study.coincidences[i].count));
-  }
+  add_present(parts, coincidence_names, study.coincidences);
   return case_line(id, parts);
 }
 
@@ -263,7 +249,7 @@ void add_study(Json& object, const Study& study) {
   object["optima"] = study.depth.optima().size();
   object["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
   object["predicates"] = predicates_object(study.predicates);
-  object["coincidences"] = coincidences_object(study);
+  object["coincidences"] = coincidences_object(coincidence_names, study.coincidences);
 }
 
 std::string study_json(const std::string& id, const Study& study) {
@@ -347,9 +333,8 @@ std::string study_block(const ShapeStudy& study, bool all) {
 }
 
 std::string study_line(const std::string& id, const ShapeStudy& study) {
-  const std::string present = present_text(study);
-  std::vector<std::string> parts{status_text(study.depth)};
-  if (!present.empty()) parts.push_back(present);
+  Lines parts{status_text(study.depth)};
+  add_present(parts, shape_coincidence_names, study.coincidences);
   return case_line(id, parts);
 }
 
@@ -359,7 +344,7 @@ std::string study_json(const std::string& id, const ShapeStudy& study) {
   result["signed_depth"] = output::signed_depth_object(study.depth);
   result["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
   result["contact"] = study.contact ? involved_object(*study.contact) : Json();
-  result["coincidences"] = coincidences_object(study);
+  result["coincidences"] = coincidences_object(shape_coincidence_names, study.coincidences);
   if (study.cores) {
     Json cores;
     add_study(cores, *study.cores);
