@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every library that fathom is built from. The headers of CGAL, nlohmann-json and simdjson are used inside .cpp files only.
+# Every library that fathom is built from. What each is for: docs/architecture.md. The headers of
+# CGAL and simdjson are used inside .cpp files only.
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
@@ -13,10 +14,8 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
-find_package(nlohmann_json REQUIRED)
 find_package(simdjson REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(TBB REQUIRED)
 find_package(mimalloc QUIET)
 if(FATHOM_ONLY_DEPTH)

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -19,9 +21,81 @@ constexpr std::size_t plain_digits = 15;  // integers with at most this many dig
 
 bool is_plain(char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; }
 
-/// Escapes as the library does.
-std::string dumped(const nlohmann::json& value) {
-  return value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+constexpr char32_t replacement = 0xFFFD;
+
+/// A character of UTF-8.
+struct Character {
+  char32_t code;     // that of the replacement character for what is none
+  std::size_t size;  // in bytes
+  bool good = true;
+};
+
+/// The character that begins at `from`, or as much of one as there is.
+Character character_at(std::string_view text, std::size_t from) {
+  const auto byte = [&](std::size_t i) {
+    return from + i < text.size() ? static_cast<unsigned char>(text[from + i]) : 0U;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return {first, 1};
+  if (first < 0xC2 || first > 0xF4) return {replacement, 1, false};
+  const std::size_t size = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  // No overlong forms, no surrogates, nothing above U+10FFFF.
+  const unsigned least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const unsigned most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  char32_t code = first & (0x7FU >> size);
+  for (std::size_t i = 1; i < size; ++i) {
+    if (byte(i) < (i == 1 ? least : 0x80) || byte(i) > (i == 1 ? most : 0xBF)) return {replacement, i, false};
+    code = code << 6 | (byte(i) & 0x3FU);
+  }
+  return {code, size};
+}
+
+void append_escaped(char32_t code, std::string& text) {
+  constexpr std::string_view letters = "\"\\\b\f\n\r\t", escapes = "\"\\bfnrt";
+  if (const std::size_t i = code < 0x80 ? letters.find(static_cast<char>(code)) : letters.npos; i != letters.npos)
+    (text += '\\') += escapes[i];
+  else if (code >= ' ' && code <= '~') text += static_cast<char>(code);
+  else if (code < 0x10000) fmt::format_to(std::back_inserter(text), "\\u{:04x}", std::uint32_t{code});
+  else
+    fmt::format_to(std::back_inserter(text), "\\u{:04x}\\u{:04x}", 0xD7C0U + (code >> 10U), 0xDC00U + (code & 0x3FFU));
+}
+
+std::string quoted(std::string_view string) {
+  std::string text = "\"";
+  for (std::size_t i = 0; i < string.size();) {
+    const Character character = character_at(string, i);
+    append_escaped(character.code, text);
+    i += character.size;
+  }
+  return text + '"';
+}
+
+/// The shortest digits that read back as the number, always with a point or an exponent: 0.5, 2.0,
+/// 1e-07, 1.5e+20.
+std::string decimal(double value) {
+  constexpr int leading_zeros = 3, longest_integer = 15;  // that are written without an exponent
+  if (!std::isfinite(value)) return "null";
+  if (value == 0) return std::signbit(value) ? "-0.0" : "0.0";
+  std::array<char, 32> buffer;
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value), std::chars_format::scientific).ptr;
+  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  const std::size_t letter = scientific.find('e');
+  const int exponent = std::atoi(std::string(scientific.substr(letter + 1)).c_str());
+  std::string digits(scientific.substr(0, letter));
+  if (digits.size() > 1) digits.erase(1, 1);
+  const int count = static_cast<int>(digits.size()), point = exponent + 1;  // the place of the point among them
+  if (point > longest_integer || point < -leading_zeros) {
+    if (count > 1) digits.insert(1, ".");
+    digits += fmt::format("e{}{:02}", exponent < 0 ? '-' : '+', std::abs(exponent));
+  } else if (point <= 0) {
+    digits.insert(0, "0." + std::string(static_cast<std::size_t>(-point), '0'));
+  } else if (point < count) {
+    digits.insert(static_cast<std::size_t>(point), ".");
+  } else {
+    digits += std::string(static_cast<std::size_t>(point - count), '0') + ".0";
+  }
+  return (value < 0 ? "-" : "") + digits;
 }
 
 }  // namespace
@@ -38,11 +112,11 @@ Json::Json(std::string_view string) {
     }
     text_ += '"';
   } else {
-    text_ = dumped(nlohmann::json(string));
+    text_ = quoted(string);
   }
 }
 
-Json::Json(double value) : text_(dumped(nlohmann::json(value))) {}
+Json::Json(double value) : text_(decimal(value)) {}
 
 Json::Json(std::initializer_list<Field> fields) : text_("{}") {
   for (const Field& field : fields) add(field.key, field.value);
@@ -93,8 +167,31 @@ void Json::push_back(const Json& value) {
 void Json::add(std::string_view key, const Json& value) {
   if (text_ == "null") text_ = "{}";
   open_for_more();
-  (((text_ += '"') += key) += "\":") += value.text_;
-  text_ += '}';
+  if (std::ranges::all_of(key, is_plain)) ((text_ += '"') += key) += '"';
+  else text_ += quoted(key);
+  ((text_ += ':') += value.text_) += '}';
+}
+
+std::string Json::indented() const {
+  std::string result, margin = "\n";
+  bool in_string = false;
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    const char c = text_[i];
+    const bool closes = !in_string && (c == ']' || c == '}');
+    if (closes) margin.resize(margin.size() - 2);
+    if (closes && text_[i - 1] != '[' && text_[i - 1] != '{') result += margin;
+    result += c;
+    if (in_string) {
+      if (c == '\\') result += text_[++i];
+      else in_string = c != '"';
+      continue;
+    }
+    in_string = c == '"';
+    if (c == ':') result += ' ';
+    if (c == '[' || c == '{') margin += "  ";
+    if (c == ',' || ((c == '[' || c == '{') && text_[i + 1] != ']' && text_[i + 1] != '}')) result += margin;
+  }
+  return result;
 }
 
 void JsonStream::separate() {
@@ -181,8 +278,20 @@ JsonStream& JsonStream::hex(double value) {
   return *this;
 }
 
+std::size_t utf8_size(std::string_view text) {
+  const Character first = character_at(text, 0);
+  return text.empty() || !first.good ? 0 : first.size;
+}
+
 std::string valid_utf8(const std::string& text) {
-  return nlohmann::json::parse(dumped(nlohmann::json(text))).get<std::string>();
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    const Character character = character_at(text, i);
+    if (character.good) result.append(text, i, character.size);
+    else result += "\xEF\xBF\xBD";
+    i += character.size;
+  }
+  return result;
 }
 
 }  // namespace fathom::text

@@ -35,7 +35,8 @@ class Json {
   Json(Integer value) : text_(std::to_string(value)) {
     static_assert(sizeof(Integer) > 1, "neither bool nor char");
   }
-  /// A finite number, in a short text that reads back as it.
+  /// A number in the shortest text that reads back as it, and as a float: 2.0. What is not finite
+  /// becomes null.
   Json(double value);
   template <std::integral Integer>
   Json(const std::vector<Integer>& values) : Json(array()) {
@@ -65,7 +66,7 @@ class Json {
 
   /// Appends to an array.
   void push_back(const Json& value);
-  /// Appends a field to an object; null becomes one. The key is new, and needs no escapes.
+  /// Appends a field to an object; null becomes one. The key, any bytes, is new.
   void add(std::string_view key, const Json& value);
 
   /// `json[key] = value` is `json.add(key, value)`.
@@ -81,6 +82,8 @@ class Json {
   Place operator[](std::string_view key) { return {*this, key}; }
 
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// The same on several lines, each level two spaces further in.
+  [[nodiscard]] std::string indented() const;
 
  private:
   void open_for_more();
@@ -160,6 +163,9 @@ class JsonStream {
   std::string text_;
   bool first_ = true;  // no comma is due
 };
+
+/// How many bytes the first character of a text has; 0 if it is not UTF-8.
+std::size_t utf8_size(std::string_view text);
 
 /// Returns the text with U+FFFD for what is not UTF-8.
 std::string valid_utf8(const std::string& text);

@@ -2,10 +2,59 @@
 #include "reference/text/json_value.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <cstdint>
+#include <limits>
+
+#include "kernels/messages.hpp"
 
 namespace fathom::text {
+namespace {
+
+constexpr std::size_t readable = 40;  // what a message shows of a text
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_of_word(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == '+' ||
+         c == '-';
+}
+
+/// Whether a decimal that is no binary64 is too large for one, not too small: by the place of its
+/// first digit that is not 0.
+bool is_huge(std::string_view decimal) {
+  const std::size_t letter = std::min(decimal.find_first_of("eE"), decimal.size());
+  const std::string_view digits = decimal.substr(0, letter);
+  const std::size_t point = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
+  const long place = static_cast<long>(point) - static_cast<long>(first);
+  std::string_view exponent = decimal.substr(std::min(letter + 1, decimal.size()));
+  const bool down = exponent.starts_with('-');
+  if (down || exponent.starts_with('+')) exponent.remove_prefix(1);
+  long size = 0;
+  if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), size).ec == std::errc::result_out_of_range)
+    return !down;
+  return place + (down ? -size : size) > 0;
+}
+
+void append_utf8(std::string& text, unsigned code) {
+  const auto add = [&](unsigned byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  const auto rest = [&](unsigned shift) { add(0x80U | (code >> shift & 0x3FU)); };
+  if (code < 0x80) return add(code);
+  if (code < 0x800) return add(0xC0U | code >> 6U), rest(0);
+  if (code < 0x10000) return add(0xE0U | code >> 12U), rest(6), rest(0);
+  add(0xF0U | code >> 18U), rest(12), rest(6), rest(0);
+}
+
+std::string kind_name(const JsonValue& value) {
+  if (value.is_null()) return "null";
+  if (value.is_string()) return "a text";
+  if (value.is_number()) return "a number";
+  return value.is_array() ? "an array" : value.is_object() ? "an object" : "a truth value";
+}
+
+}  // namespace
 
 const std::vector<JsonValue> JsonValue::none_;
 
@@ -37,57 +86,235 @@ const JsonValue* JsonValue::find(std::string_view name) const {
   return nullptr;
 }
 
-Json JsonValue::written() const {
-  if (is_string()) return {text()};
-  if (kind_ == Kind::real) return {number_};
-  if (is_array()) return Json::array_of(items(), [](const JsonValue& item) { return item.written(); });
-  if (!is_object()) return Json::written(text());
-  std::string result = "{";
-  for (const auto& [name, value] : fields())
-    result += (result.size() > 1 ? "," : "") + Json(name).text() + ':' + value->written().text();
-  return Json::written(result + '}');
+const JsonValue& JsonValue::at(std::string_view name) const {
+  if (const JsonValue* const value = find(name)) return *value;
+  throw JsonFault("expected a field '" + std::string(name) + "', found none");
 }
 
-/// Takes the events of a parser, which does not tell where in the text a value stands.
-class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
+const JsonValue& JsonValue::at(std::size_t i) const {
+  if (is_array() && i < items().size()) return items()[i];
+  throw JsonFault("expected an element " + std::to_string(i) + ", found none");
+}
+
+const std::string& JsonValue::string() const {
+  if (is_string()) return parts_->text;
+  throw JsonFault("expected a text, found " + kind_name(*this));
+}
+
+bool JsonValue::boolean() const {
+  if (kind_ == Kind::boolean) return number_ == 1;
+  throw JsonFault("expected true or false, found " + kind_name(*this));
+}
+
+std::uint64_t JsonValue::natural(std::uint64_t most) const {
+  std::uint64_t value = 0;
+  const std::string digits = text();
+  if (!is_natural() || std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc() ||
+      value > most)
+    throw JsonFault("expected a natural number, found " + kernels::printable(written().text(), readable));
+  return value;
+}
+
+Json JsonValue::written(Order order) const {
+  if (is_string()) return {text()};
+  if (kind_ == Kind::real) return {number_};
+  if (is_array()) return Json::array_of(items(), [order](const JsonValue& item) { return item.written(order); });
+  if (!is_object()) return Json::written(text());
+  Json result = Json::object();
+  if (order == Order::names)
+    for (const auto& [name, value] : fields()) result[name] = value->written(order);
+  else
+    for (std::size_t i = 0; i < items().size(); ++i) result[key(i)] = items()[i].written(order);
+  return result;
+}
+
+/// Reads a text from its first byte to its last, or to the first fault: without recursion, as
+/// brackets may be nested without end.
+class JsonBuilder {
  public:
   JsonRead read;
 
-  bool null() override { return add(JsonValue()); }
-  bool boolean(bool value) override { return add(JsonValue(JsonValue::Kind::boolean, value ? 1 : 0)); }
-  bool number_integer(number_integer_t value) override { return integer(JsonValue::Kind::negative, value); }
-  bool number_unsigned(number_unsigned_t value) override { return integer(JsonValue::Kind::natural, value); }
-  bool number_float(number_float_t value, const std::string& text) override {
-    return add({JsonValue::Kind::real, text, value});
+  JsonBuilder(std::string_view text, NumberWord word) : text_(text.substr(0, text.find('\0'))), word_(word) {
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark
+    read.whole = document();
   }
-  bool string(std::string& text) override { return add({JsonValue::Kind::string, std::move(text)}); }
-  bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return start(JsonValue::Kind::object); }
-  bool start_array(std::size_t) override { return start(JsonValue::Kind::array); }
-  bool end_object() override { return end(); }
-  bool end_array() override { return end(); }
-  bool key(std::string& name) override {
+
+ private:
+  [[nodiscard]] char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+  bool take(char c) { return peek() == c ? ++at_, true : false; }
+  void skip_space() {
+    while (is_space(peek())) ++at_;
+  }
+
+  /// Returns false.
+  bool fault(const std::string& expected) {
+    std::size_t end = at_;
+    while (end < text_.size() && is_of_word(text_[end])) ++end;
+    const std::string_view found = text_.substr(at_, std::max<std::size_t>(end - at_, 1));
+    read.error_at = at_;
+    read.error = "expected " + expected + ", found " +
+                 (found.empty() ? "the end" : '\'' + kernels::printable(found, readable) + '\'');
+    return false;
+  }
+
+  bool document() {
+    if (!value()) return false;
+    while (!brackets_.empty()) {
+      skip_space();
+      const bool in_object = brackets_.back() == '{';
+      if (take(',')) {
+        if ((in_object && !key()) || !value()) return false;
+      } else if (take(in_object ? '}' : ']')) {
+        end();
+      } else {
+        return fault(in_object ? "',' or '}'" : "',' or ']'");
+      }
+    }
+    skip_space();
+    return at_ == text_.size() || fault("nothing more");
+  }
+
+  /// A value that has no parts, and the brackets that open before it.
+  bool value() {
+    for (;;) {
+      skip_space();
+      const bool is_object = peek() == '{';
+      if (!is_object && peek() != '[') return scalar();
+      start(text_[at_++]);
+      skip_space();
+      if (take(is_object ? '}' : ']')) return end(), true;
+      if (is_object && !key()) return false;
+    }
+  }
+
+  bool key() {
+    skip_space();
+    if (peek() != '"') return fault("a field's name in quotes");
+    std::string name;
+    if (!string(name)) return false;
+    skip_space();
+    if (!take(':')) return fault("':'");
     if (left_out_ == 0) open_.back()->parts_->keys.push_back(std::move(name));
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token,
-                   const nlohmann::json::exception& error) override {
-    constexpr int number_overflow = 406;
-    read.error_at = position > 0 ? position - 1 : 0;
-    if (error.id == number_overflow) {
-      left_out_ = 0;
-      JsonValue& value = add_value({JsonValue::Kind::real, last_token});
-      value.too_large = true;
-      return false;
+  bool scalar() {
+    if (const std::size_t length = word_ ? word_(text_.substr(at_)) : 0; length > 0)
+      return add({JsonValue::Kind::real, taken(length)});
+    if (peek() == '"') {
+      std::string text;
+      return string(text) && add({JsonValue::Kind::string, std::move(text)});
     }
-    read.error = error.what();
-    const std::size_t dash = read.error.find(" - ");
-    if (dash != std::string::npos) read.error.erase(0, dash + 3);
+    if (peek() == '-' || is_digit(peek())) return number();
+    if (literal("null")) return add(JsonValue());
+    if (literal("true")) return add(JsonValue(JsonValue::Kind::boolean, 1));
+    return literal("false") ? add(JsonValue(JsonValue::Kind::boolean, 0)) : fault("a value");
+  }
+
+  std::string taken(std::size_t length) {
+    at_ += length;
+    return std::string(text_.substr(at_ - length, length));
+  }
+  bool literal(std::string_view word) {
+    if (!text_.substr(at_).starts_with(word)) return false;
+    at_ += word.size();
+    return true;
+  }
+  bool digits() {
+    if (!is_digit(peek())) return fault("a digit");
+    while (is_digit(peek())) ++at_;
+    return true;
+  }
+
+  bool number() {
+    const std::size_t begin = at_;
+    const bool is_negative = take('-');
+    if (!take('0') && !digits()) return false;
+    const std::size_t integer_end = at_;
+    if (take('.') && !digits()) return false;
+    if (peek() == 'e' || peek() == 'E') {
+      ++at_;
+      if (!take('-')) take('+');
+      if (!digits()) return false;
+    }
+    const std::string_view text = text_.substr(begin, at_ - begin);
+    const bool is_integer = at_ == integer_end;
+    if (is_integer && is_negative && integer<std::int64_t>(JsonValue::Kind::negative, text)) return true;
+    if (is_integer && !is_negative && integer<std::uint64_t>(JsonValue::Kind::natural, text)) return true;
+    return real(text);
+  }
+  /// Returns false if it has too many digits.
+  template <class Integer>
+  bool integer(JsonValue::Kind kind, std::string_view text) {
+    constexpr double exact_up_to = 0x1p53;
+    Integer value{};
+    if (std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) return false;
+    const auto number = static_cast<double>(value);
+    return add(std::abs(number) < exact_up_to ? JsonValue(kind, number)
+                                              : JsonValue(kind, std::to_string(value), number));
+  }
+  bool real(std::string_view text) {
+    double number = 0;
+    const std::errc error = std::from_chars(text.data(), text.data() + text.size(), number).ec;
+    const bool is_too_large = std::isinf(number) || (error != std::errc() && is_huge(text));
+    if (!is_too_large) return add({JsonValue::Kind::real, std::string(text), error == std::errc() ? number : 0});
+    left_out_ = 0;
+    add_value({JsonValue::Kind::real, std::string(text)}).too_large = true;
     return false;
   }
 
- private:
+  /// From one quotation mark to the other.
+  bool string(std::string& text) {
+    ++at_;
+    while (!take('"')) {
+      const std::size_t begin = at_;
+      while (at_ < text_.size() && text_[at_] >= ' ' && text_[at_] <= '~' && text_[at_] != '"' && text_[at_] != '\\')
+        ++at_;
+      text.append(text_, begin, at_ - begin);
+      if (at_ == text_.size()) return fault("'\"'");
+      if (text_[at_] == '\\') {
+        if (!escape(text)) return false;
+      } else if (static_cast<unsigned char>(text_[at_]) < ' ') {
+        return fault("an escape for a control character in a text");
+      } else if (text_[at_] != '"') {
+        const std::size_t size = utf8_size(text_.substr(at_));
+        if (size == 0) return fault("UTF-8");
+        text += taken(size);
+      }
+    }
+    return true;
+  }
+
+  bool escape(std::string& text) {
+    constexpr std::string_view letters = "\"\\/bfnrt", characters = "\"\\/\b\f\n\r\t";
+    ++at_;
+    if (const std::size_t i = letters.find(peek()); i != letters.npos && at_ < text_.size()) {
+      text += characters[i];
+      return ++at_, true;
+    }
+    unsigned code = 0, low = 0;
+    if (!take('u')) return fault("one of \"\\/bfnrtu behind a backslash");
+    if (!code_unit(code)) return false;
+    if (code >= 0xD800 && code < 0xDC00) {
+      if (!take('\\') || !take('u')) return fault("the second half of a character, \\udc00 to \\udfff");
+      if (!code_unit(low)) return false;
+      if (low < 0xDC00 || low > 0xDFFF) return fault("the second half of a character before this");
+      code = 0x10000 + ((code - 0xD800) << 10U | (low - 0xDC00));
+    } else if (code >= 0xDC00 && code < 0xE000) {
+      return fault("the first half of a character, \\ud800 to \\udbff, before its second");
+    }
+    append_utf8(text, code);
+    return true;
+  }
+
+  bool code_unit(unsigned& code) {
+    const std::string_view hex = text_.substr(at_, 4);
+    if (hex.size() < 4 || std::from_chars(hex.data(), hex.data() + 4, code, 16).ptr != hex.data() + 4)
+      return fault("four hexadecimal digits");
+    at_ += 4;
+    return true;
+  }
+
   JsonValue& add_value(JsonValue value) {
     if (open_.empty()) return read.value = std::move(value);
     return open_.back()->parts_->items.emplace_back(std::move(value));
@@ -96,38 +323,38 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
     if (left_out_ == 0) add_value(std::move(value));
     return true;
   }
-  template <class Integer>
-  bool integer(JsonValue::Kind kind, Integer value) {
-    constexpr double exact_up_to = 0x1p53;
-    const auto number = static_cast<double>(value);
-    return add(std::abs(number) < exact_up_to ? JsonValue(kind, number)
-                                              : JsonValue(kind, std::to_string(value), number));
-  }
-  bool start(JsonValue::Kind kind) {
-    if (left_out_ != 0) return ++left_out_, true;
-    JsonValue& value = add_value({kind, std::string()});
+  void start(char bracket) {
+    brackets_ += bracket;
+    if (left_out_ != 0) return void(++left_out_);
+    JsonValue& value = add_value({bracket == '{' ? JsonValue::Kind::object : JsonValue::Kind::array, std::string()});
     if (open_.size() < deepest_json) {
       open_.push_back(&value);
     } else {
       value.too_deep = true;
       ++left_out_;
     }
-    return true;
   }
-  bool end() {
+  void end() {
+    brackets_.pop_back();
     if (left_out_ != 0) --left_out_;
     else open_.pop_back();
-    return true;
   }
 
+  std::string_view text_;
+  NumberWord word_;
+  std::size_t at_ = 0;
+  std::string brackets_;          // those that are open
   std::vector<JsonValue*> open_;  // each the last item of the one before
   std::size_t left_out_ = 0;      // arrays and objects within one that is too deep
 };
 
-JsonRead read_json(std::string_view text) {
-  JsonBuilder builder;
-  builder.read.whole = nlohmann::json::sax_parse(text, &builder);
-  return std::move(builder.read);
+JsonRead read_json(std::string_view text, NumberWord word) { return JsonBuilder(text, word).read; }
+
+JsonValue parsed_json(std::string_view text) {
+  JsonRead read = read_json(text);
+  if (!read.whole || text.find('\0') != text.npos)
+    throw JsonFault("expected JSON, found a fault in column " + std::to_string(read.error_at + 1) + ": " + read.error);
+  return std::move(read.value);
 }
 
 ParsedNumber exact_number(const JsonValue& value) {

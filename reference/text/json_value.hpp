@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +18,11 @@
 #include "reference/text/json.hpp"
 
 namespace fathom::text {
+
+/// JSON is not what a reader of it expects: "expected a field 'id', found none".
+struct JsonFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A value of JSON. Small, as a text may hold many millions of numbers.
 class JsonValue {
@@ -33,6 +41,7 @@ class JsonValue {
   [[nodiscard]] bool is_number() const {
     return kind_ == Kind::natural || kind_ == Kind::negative || kind_ == Kind::real;
   }
+  [[nodiscard]] bool is_boolean() const { return kind_ == Kind::boolean; }
   [[nodiscard]] bool is_string() const { return kind_ == Kind::string; }
   [[nodiscard]] bool is_array() const { return kind_ == Kind::array; }
   [[nodiscard]] bool is_object() const { return kind_ == Kind::object; }
@@ -51,8 +60,18 @@ class JsonValue {
   /// The last field of this name; null if there is none, or if this is no object.
   [[nodiscard]] const JsonValue* find(std::string_view name) const;
 
-  /// Written anew, in one line.
-  [[nodiscard]] Json written() const;
+  // For readers of what fathom itself writes: each throws JsonFault unless it is there, and of the
+  // kind.
+  [[nodiscard]] const JsonValue& at(std::string_view name) const;
+  [[nodiscard]] const JsonValue& at(std::size_t i) const;
+  [[nodiscard]] const std::string& string() const;
+  [[nodiscard]] bool boolean() const;
+  [[nodiscard]] std::uint64_t natural(std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
+
+  /// Written anew, in one line. With fields in the order of their names, two values with the same
+  /// fields and numbers have the same text.
+  enum class Order { names, given };
+  [[nodiscard]] Json written(Order order = Order::names) const;
 
   bool too_deep = false;   ///< this array or object lies in so many others that it was not read
   bool too_large = false;  ///< this number is beyond binary64; it is the last value of its text that was read
@@ -73,17 +92,25 @@ class JsonValue {
 
 /// What could be read of a text.
 struct JsonRead {
-  JsonValue value;     ///< all of it, or what came before the error
-  bool whole = false;  ///< the text is one value of JSON
-  std::size_t error_at = 0;
-  std::string error;  ///< "" also if a number was too large
+  JsonValue value;           ///< all of it, or what came before the error
+  bool whole = false;        ///< the text is one value of JSON
+  std::size_t error_at = 0;  ///< the byte where the text is no JSON any more
+  std::string error;         ///< "expected ',' or ']', found 'x'"; "" also if a number was too large
 };
 
 /// Arrays and objects within each other that are read, as in the checker of certificates.
 inline constexpr std::size_t deepest_json = 64;
 
-/// Never throws on bad input. A null byte ends the text.
-JsonRead read_json(std::string_view text);
+/// How many of the bytes that a text begins with are a number that JSON does not have, such as a
+/// NaN; 0 if none is. It is kept as it was written, and its number() is 0.
+using NumberWord = std::size_t (*)(std::string_view text);
+
+/// Never throws on bad input. A null byte ends the text. `word`, if given, is asked first where a
+/// value begins.
+JsonRead read_json(std::string_view text, NumberWord word = nullptr);
+
+/// The value, or throws JsonFault.
+JsonValue parsed_json(std::string_view text);
 
 /// The exact number that is meant: a JSON number is the nearest binary64, an integer too; a string
 /// is what parse_number reads as exact. Neither a value nor an error if it is neither.

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "view/page/parts.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 using namespace fathom;
 
-page::Data data(const char* text) { return page::Data::parse(text); }
+page::Data data(const char* text) { return text::parsed_json(text); }
 
 std::size_t count(std::string_view text, std::string_view what) {
   std::size_t found = 0;
@@ -53,9 +52,9 @@ TEST(Answer, SaysWhatIsKnown) {
 
 TEST(Html, CutsNumbersThatAreTooLong) {
   const std::string digits(5000, '7');
-  EXPECT_EQ(page::shown(page::Data(digits)), digits.substr(0, 4000) + "... (5000 characters)");
+  EXPECT_EQ(page::shown({page::Data::Kind::string, digits}), digits.substr(0, 4000) + "... (5000 characters)");
   EXPECT_EQ(page::shown(data(R"(["1/3", 2, null])")), "(1/3, 2, -)");
-  EXPECT_EQ(page::shown(page::Data("<b>")), "&lt;b&gt;");
+  EXPECT_EQ(page::shown({page::Data::Kind::string, "<b>"}), "&lt;b&gt;");
 }
 
 stages::Stages of_cubes() {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
 #include <cmath>
 #include <cstddef>
-#include <gtest/gtest.h>
 #include <limits>
 #include <random>
-#include <rapidcheck.h>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -13,12 +14,12 @@
 #include <vector>
 
 #include "fathom/monitor.hpp"
+#include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "tests/support/property.hpp"
-#include "fathom/numbers.hpp"
 #include "tests/support/prepared.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
 
 namespace fathom::polytope {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -15,69 +13,21 @@
 #include "kernels/messages.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/text/json_value.hpp"
 
 namespace fathom::claims {
 namespace {
 
-using Json = nlohmann::json;
+using Json = text::JsonValue;
 
 constexpr std::size_t readable = 40;  // what a message shows of a text
 
-/// The numbers of the claim with their digits, by their places: "/claim/depth",
-/// "/claim/direction/0". The JSON value has them as doubles.
-class Tokens : public nlohmann::json_sax<Json> {
- public:
-  explicit Tokens(const std::string& text) { Json::sax_parse(text, this); }
-  [[nodiscard]] const std::string& at(const std::string& place) const { return tokens_.at(place); }
+std::string shown(const Json& value) { return kernels::printable(value.written().text(), readable); }
 
-  bool null() override { return next(); }
-  bool boolean(bool) override { return next(); }
-  bool string(std::string&) override { return next(); }
-  bool binary(binary_t&) override { return next(); }
-  bool number_integer(number_integer_t value) override { return keep(std::to_string(value)); }
-  bool number_unsigned(number_unsigned_t value) override { return keep(std::to_string(value)); }
-  bool number_float(number_float_t, const std::string& text) override { return keep(text); }
-  bool start_object(std::size_t) override { return enter(false); }
-  bool start_array(std::size_t) override { return enter(true); }
-  bool end_object() override { return leave(); }
-  bool end_array() override { return leave(); }
-  bool key(std::string& name) override {
-    levels_.back().key = name;
-    return true;
-  }
-  bool parse_error(std::size_t, const std::string&, const Json::exception&) override { return false; }
-
- private:
-  struct Level {
-    bool is_array;
-    std::size_t index;
-    std::string key;
-  };
-
-  bool keep(std::string token) {
-    if (!levels_.empty() && levels_.front().key == "claim") {
-      Json::json_pointer place;
-      for (const Level& level : levels_) place /= level.is_array ? std::to_string(level.index) : level.key;
-      tokens_[place.to_string()] = std::move(token);
-    }
-    return next();
-  }
-  bool next() {
-    if (!levels_.empty()) ++levels_.back().index;
-    return true;
-  }
-  bool enter(bool is_array) {
-    levels_.push_back({is_array, 0, {}});
-    return true;
-  }
-  bool leave() {
-    levels_.pop_back();
-    return next();
-  }
-
-  std::vector<Level> levels_;
-  std::map<std::string, std::string> tokens_;
-};
+std::string text_of(const Json& object, std::string_view field) {
+  const Json* const value = object.find(field);
+  return value && value->is_string() ? value->text() : "";
+}
 
 /// Thrown and caught here: what is wrong with a field of the claim.
 struct Fault {
@@ -99,50 +49,49 @@ WrittenNumber written(const std::string& token, const std::string& field) {
 Point axis(int i) { return {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0}; }
 
 // "x", "-x", "+-x" are one line; "axis" is any of the three.
-void read_direction(const Json& direction, const Tokens& tokens, PublishedClaim& claim) {
+void read_direction(const Json& direction, PublishedClaim& claim) {
   if (direction.is_string()) {
-    const std::string& text = claim.line_text = direction.get<std::string>();
+    const std::string& text = claim.line_text = direction.text();
     if (text == "axis") claim.lines = {axis(0), axis(1), axis(2)};
     for (const int i : {0, 1, 2})
       if (!text.empty() && text.back() == "xyz"[i] && text.find_first_not_of("+-") == text.size() - 1)
         claim.lines = {axis(i)};
-  } else if (direction.is_array() && direction.size() == 3 && std::ranges::all_of(direction, &Json::is_number)) {
-    const auto component = [&](std::size_t i) { return exact_value(direction[i].get<double>()); };
-    const auto token = [&](int i) { return tokens.at("/claim/direction/" + std::to_string(i)); };
-    claim.line_text = "[" + token(0) + "," + token(1) + "," + token(2) + "]";
-    if (const Point line{component(0), component(1), component(2)}; line != Point{}) claim.lines = {line};
+  } else if (direction.is_array() && direction.items().size() == 3 &&
+             std::ranges::all_of(direction.items(), &Json::is_number)) {
+    const Json &x = direction.at(0), &y = direction.at(1), &z = direction.at(2);
+    claim.line_text = "[" + x.text() + "," + y.text() + "," + z.text() + "]";
+    const Point line{exact_value(x.number()), exact_value(y.number()), exact_value(z.number())};
+    if (line != Point{}) claim.lines = {line};
   }
   if (claim.lines.empty()) {
-    const std::string found = direction.is_string() ? direction.get<std::string>() : direction.dump();
     throw Fault{"claim.direction: expected three numbers, an axis, or 'axis', found " +
-                kernels::printable(found, readable)};
+                (direction.is_string() ? kernels::printable(direction.text(), readable) : shown(direction))};
   }
 }
 
-void read_statements(const Json& stated, const Tokens& tokens, PublishedClaim& claim) {
-  if (!stated.is_object())
-    throw Fault{"claim: expected an object, found " + kernels::printable(stated.dump(), readable)};
-  if (stated.contains("status") && stated["status"].is_string())
-    claim.status = status_named(stated["status"].get<std::string>());
+/// The field, if it is a number.
+const Json* number_in(const Json& object, std::string_view field) {
+  const Json* const value = object.find(field);
+  return value && value->is_number() ? value : nullptr;
+}
+
+void read_statements(const Json& stated, PublishedClaim& claim) {
+  if (!stated.is_object()) throw Fault{"claim: expected an object, found " + shown(stated)};
+  claim.status = status_named(text_of(stated, "status"));
   const auto length = [&](const std::string& field) -> std::optional<WrittenNumber> {
-    if (!stated.contains(field)) return std::nullopt;
-    if (!stated[field].is_number())
-      throw Fault{"claim." + field + ": expected a number, found " +
-                  kernels::printable(stated[field].dump(), readable)};
-    return written(tokens.at("/claim/" + field), field);
+    const Json* const value = stated.find(field);
+    if (!value) return std::nullopt;
+    if (!value->is_number()) throw Fault{"claim." + field + ": expected a number, found " + shown(*value)};
+    return written(value->text(), field);
   };
   claim.depth = length("depth");
   claim.distance = length("distance");
   claim.below = length("depth_below");
-  if (stated.contains("tol") && stated["tol"].is_number()) claim.tolerance = length("tol")->value;
-  if (stated.contains("direction")) read_direction(stated["direction"], tokens, claim);
+  if (number_in(stated, "tol")) claim.tolerance = length("tol")->value;
+  if (const Json* const direction = stated.find("direction")) read_direction(*direction, claim);
 }
 
 bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
-
-std::string text_of(const Json& object, const char* field) {
-  return object.contains(field) && object[field].is_string() ? object[field].get<std::string>() : "";
-}
 
 constexpr std::size_t digits = 40;  // of the enclosures that claims, which have 17 at most, are compared with
 
@@ -291,7 +240,7 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
   CaseItem item = parse_case(text, name, line);
   if (!item.ok()) return item.error();
   const kernels::DefaultFloatEnvironment environment;
-  const Json json = Json::parse(text);  // it is JSON, as it was a case
+  const Json json = text::read_json(text).value;  // it is JSON, as it was a case
   PublishedClaim claim;
   claim.bodies = std::get<Case>(std::move(item.outcome));
   const Body &a = claim.bodies.a, &b = claim.bodies.b;
@@ -301,14 +250,12 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
   claim.source = text_of(json, "source");
   claim.kind = text_of(json, "kind");
   claim.note = text_of(json, "note");
-  if (json.contains("numeric") && json["numeric"].is_object()) {
-    const Json& found = json["numeric"];
-    if (found.contains("signed_penetration") && found["signed_penetration"].is_number())
-      claim.numeric = found["signed_penetration"].get<double>();
-  }
-  if (!json.contains("claim")) return InputError(name, line, "expected a field 'claim', found none");
+  if (const Json* const numeric = json.find("numeric"))
+    if (const Json* const found = number_in(*numeric, "signed_penetration")) claim.numeric = found->number();
+  const Json* const stated = json.find("claim");
+  if (!stated) return InputError(name, line, "expected a field 'claim', found none");
   try {
-    read_statements(json["claim"], Tokens(text), claim);
+    read_statements(*stated, claim);
   } catch (const Fault& fault) {
     return InputError(name, line, fault.sentence);
   }

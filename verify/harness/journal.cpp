@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "fathom/files.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/text/json_value.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -54,23 +54,26 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
   return kept;
 }
 
-using Json = nlohmann::json;
+using Json = text::JsonValue;
 
 constexpr int digits_of_binary32 = 24, digits_of_binary64 = 53;
 
 /// Returns the type of a line of a report; empty if it is none.
 std::string type_of(const Json& line) {
-  if (!line.is_object() || line.value("schema", Json()) != "fathom/verdict/1" || !line.contains("type")) return "";
-  return line["type"].is_string() ? line["type"].get<std::string>() : "";
+  const Json *const schema = line.find("schema"), *const type = line.find("type");
+  const bool is_ours = schema && schema->is_string() && schema->string() == "fathom/verdict/1";
+  return is_ours && type && type->is_string() ? type->string() : "";
+}
+
+Json value_on(std::string_view line) {
+  text::JsonRead read = text::read_json(line);
+  return read.whole ? std::move(read.value) : Json();
 }
 
 void flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& fields) {
-  if (!json.is_object()) {
-    fields[path] =
-        json.is_string() ? json.get<std::string>() : json.dump(-1, ' ', true, Json::error_handler_t::replace);
-    return;
-  }
-  for (const auto& [name, value] : json.items()) flatten(value, path.empty() ? name : path + '.' + name, fields);
+  if (!json.is_object()) fields[path] = json.is_string() ? json.string() : json.written().text();
+  for (const auto& [name, value] : json.fields())
+    flatten(*value, path.empty() ? std::string(name) : path + '.' + std::string(name), fields);
 }
 
 /// Of the points.
@@ -82,11 +85,8 @@ bool header_says_binary32(const std::map<std::string, std::string>& header) {
 }
 
 void take_header(const Json& header, ReportFile& report) {
-  Json lasting = header;
-  for (const char* name : {"schema", "type", "command"}) lasting.erase(name);
-  for (const char* name : {"type", "protocol"})
-    if (lasting.contains("subject") && lasting["subject"].is_object()) lasting["subject"].erase(name);
-  flatten(lasting, "", report.header);
+  flatten(header, "", report.header);
+  for (const char* name : {"schema", "type", "command", "subject.type", "subject.protocol"}) report.header.erase(name);
   const bool is_binary32 = header_says_binary32(report.header);
   report.unit_roundoff = std::ldexp(1, -(is_binary32 ? digits_of_binary32 : digits_of_binary64));
 }
@@ -96,7 +96,7 @@ bool take_line(std::string_view text, ReportFile& report) {
   report.whole = false;
   if (std::optional<Outcome> outcome = read_outcome(text)) report.outcomes.push_back(*std::move(outcome));
   else if (read_unattributed(text)) ++report.unattributed;
-  else if (type_of(Json::parse(text, nullptr, false)) == "summary") report.whole = true;
+  else if (type_of(value_on(text)) == "summary") report.whole = true;
   else return false;
   return true;
 }
@@ -177,7 +177,7 @@ ReportFile read_report(const std::string& path) {
     const std::string_view line = std::string_view(text).substr(begin, end - begin);
     ++number;
     if (number == 1) {
-      const Json header = Json::parse(line, nullptr, false);
+      const Json header = value_on(line);
       if (type_of(header) != "header")
         throw InputError(path, 1,
                          "expected the header of a report, schema fathom/verdict/1, found " + kernels::shown(line));

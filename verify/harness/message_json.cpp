@@ -2,10 +2,8 @@
 #include "verify/harness/message_json.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <limits>
-#include <set>
 
 #include "fathom/numbers.hpp"
 #include "verify/harness/protocol.hpp"
@@ -23,18 +21,9 @@ bool same_word(std::string_view text, std::string_view lower) {
   return true;
 }
 
-/// The string that starts at `from`, a quotation mark, with both of its marks.
-std::string_view string_at(std::string_view text, std::size_t from) {
-  for (std::size_t i = from + 1; i < text.size(); ++i) {
-    if (text[i] == '\\') ++i;
-    else if (text[i] == '"') return text.substr(from, i + 1 - from);
-  }
-  return text.substr(from);
-}
-
-/// The bare word that starts at `from`; "nan(0x8000)" is one.
-std::string_view word_at(std::string_view text, std::size_t from) {
-  std::size_t end = from;
+/// The bare word that a text begins with; "nan(0x8000)" is one.
+std::string_view first_word(std::string_view text) {
+  std::size_t end = 0;
   const auto belongs = [&](char c) {
     return is_letter(c) || is_digit(c) || c == '+' || c == '-' || c == '.' || c == '_' || c == '#';
   };
@@ -43,7 +32,7 @@ std::string_view word_at(std::string_view text, std::size_t from) {
     const std::size_t close = text.find(')', end);
     if (close != std::string_view::npos) end = close + 1;
   }
-  return text.substr(from, end - from);
+  return text.substr(0, end);
 }
 
 /// "nan", or with what C calls a sequence of characters: "nan(0x8000)".
@@ -84,32 +73,26 @@ std::string with_exponent_in_reach(std::string_view text) {
   return std::string(text.substr(0, digits)) + (in_reach ? std::string(text.substr(digits)) : largest);
 }
 
-using Json = nlohmann::json;
+using Json = JsonValue;
 constexpr std::size_t shown_bytes = 200;
 
-/// A number as it was written, which a parser of JSON would round: a type of value that no text
-/// makes.
-Json number_as_written(const std::string& text) { return Json::binary({text.begin(), text.end()}); }
+/// A field that an object in the value has twice; or "".
+std::string repeated_field(const Json& value) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < value.items().size(); ++i) {
+    if (value.is_object()) names.push_back(value.key(i));
+    if (std::string within = repeated_field(value.items()[i]); !within.empty()) return within;
+  }
+  std::ranges::sort(names);
+  const auto twice = std::ranges::adjacent_find(names);
+  return twice == names.end() ? "" : std::string(*twice);
+}
 
 }  // namespace
 
-WithoutNumbers without_numbers(std::string_view text) {
-  WithoutNumbers result;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::string_view piece = text[i] == '"' ? string_at(text, i) : word_at(text, i);
-    if (piece.empty()) {
-      result.text += text[i++];
-      continue;
-    }
-    if (text[i] != '"' && looks_like_a_number(piece)) {
-      result.text += std::to_string(result.numbers.size());
-      result.numbers.emplace_back(piece);
-    } else {
-      result.text += piece;
-    }
-    i += piece.size();
-  }
-  return result;
+std::size_t number_word(std::string_view text) {
+  const std::string_view word = first_word(text);
+  return looks_like_a_number(word) ? word.size() : 0;
 }
 
 std::optional<double> read_number(std::string_view text, Precision precision) {
@@ -133,77 +116,52 @@ void refuse(const std::string& expected, const std::string& found) {
   throw ProtocolError("expected " + expected + ", found " + found);
 }
 
-bool is_number(const Json& value) { return value.is_binary(); }
-std::string written(const Json& number) { return {number.get_binary().begin(), number.get_binary().end()}; }
-
-/// As JSON, but with numbers as they were written.
 std::string dumped(const Json& value) {
-  if (is_number(value)) return written(value);
-  if (!value.is_structured()) return value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (value.is_number()) return value.text();
+  if (!value.is_array() && !value.is_object()) return value.written().text();
   std::string text;
-  for (const auto& [key, part] : value.items()) {
-    text += text.empty() ? "" : ",";
-    text +=
-        (value.is_object() ? Json(key).dump(-1, ' ', true, Json::error_handler_t::replace) + ':' : "") + dumped(part);
-  }
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ",") + part; };
+  if (value.is_array())
+    for (const Json& item : value.items()) add(dumped(item));
+  for (const auto& [key, part] : value.fields()) add(text::Json(key).text() + ':' + dumped(*part));
   return value.is_object() ? '{' + text + '}' : '[' + text + ']';
 }
 
 std::string shown_json(const Json& value) { return '\'' + kernels::printable(dumped(value), shown_bytes) + '\''; }
 
-/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no
-/// line costs more than a few times its length.
-Json json_on(std::string_view line, std::string* repeated) {
-  constexpr int deepest = 8;
-  const WithoutNumbers rest = without_numbers(line);
-  std::array<std::set<std::string>, deepest + 2> names;  // of the object at each depth
-  const auto keep = [&](int depth, Json::parse_event_t event, Json& value) {
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == Json::parse_event_t::object_start && level + 1 < names.size()) names[level + 1].clear();
-    if (repeated && event == Json::parse_event_t::key && level < names.size())
-      if (auto name = value.get<std::string>(); !names[level].insert(name).second && repeated->empty())
-        *repeated = std::move(name);
-    if (event == Json::parse_event_t::value && value.is_number_unsigned())
-      value = number_as_written(rest.numbers.at(value.get<std::size_t>()));
-    return depth <= deepest;
-  };
-  return Json::parse(rest.text, keep, false);
+Json json_on(std::string_view line) {
+  text::JsonRead read = text::read_json(line, number_word);
+  return read.whole ? std::move(read.value) : Json();
 }
 
 Json object_on(std::string_view line) {
   if (line.find('\0') != std::string_view::npos)
     refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
-  std::string repeated;
-  Json object = json_on(line, &repeated);
+  Json object = json_on(line);
   if (!object.is_object())
     throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
-  if (!repeated.empty()) refuse("each field once", kernels::shown(repeated) + " twice");
+  if (const std::string repeated = repeated_field(object); !repeated.empty())
+    refuse("each field once", kernels::shown(repeated) + " twice");
   return object;
 }
 
-/// Null is no way to leave a field out: it is what many a program writes for NaN.
-const Json* field(const Json& object, const char* name) {
-  const auto found = object.find(name);
-  return found == object.end() ? nullptr : &*found;
-}
-
 std::string text_in(const Json& object, const char* name, const char* of) {
-  const Json* value = field(object, name);
+  const Json* value = object.find(name);
   if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
   if (!value->is_string()) refuse(fmt::format("a text for \"{}\" in {}", name, of), shown_json(*value));
-  return value->get<std::string>();
+  return value->text();
 }
 
 bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise) {
-  const Json* value = field(object, name);
+  const Json* value = object.find(name);
   if (!value && otherwise) return *otherwise;
   if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
   if (!value->is_boolean()) refuse(fmt::format("true or false for \"{}\" in {}", name, of), shown_json(*value));
-  return value->get<bool>();
+  return value->boolean();
 }
 
 const Json& object_in(const Json& object, const char* name, const char* of) {
-  const Json* value = field(object, name);
+  const Json* value = object.find(name);
   if (!value || !value->is_object())
     refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
   return *value;
@@ -211,21 +169,23 @@ const Json& object_in(const Json& object, const char* name, const char* of) {
 
 double number_of(const Json& value, const char* name, Precision precision) {
   std::optional<double> number;
-  if (is_number(value) || value.is_string())
-    number = read_number(is_number(value) ? written(value) : value.get<std::string>(), precision);
+  if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
   if (!number)
     refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
   return *number;
 }
 
-std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
-  const Json* value = field(object, name);
-  if (!value) return std::nullopt;
+Triple triple_of(const Json& value, const char* name, Precision precision) {
   Triple triple;
-  if (!value->is_array() || value->size() != triple.size())
-    refuse(fmt::format("three numbers for \"{}\"", called), shown_json(*value));
-  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of((*value)[i], called, precision);
+  if (value.items().size() != triple.size() || !value.is_array())
+    refuse(fmt::format("three numbers for \"{}\"", name), shown_json(value));
+  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of(value.items()[i], name, precision);
   return triple;
+}
+
+std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
+  const Json* value = object.find(name);
+  return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
 }
 
 }  // namespace fathom::harness

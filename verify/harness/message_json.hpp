@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,17 +13,16 @@
 
 #include "fathom/judge.hpp"
 #include "kernels/messages.hpp"
+#include "reference/text/json_value.hpp"
 #include "verify/judge/fields.hpp"
 
 namespace fathom::harness {
 
-/// A text whose numbers have been taken out, so that no JSON reader rounds them.
-struct WithoutNumbers {
-  std::string text;                  ///< each number is replaced by its index in `numbers`
-  std::vector<std::string> numbers;  ///< as they were written
-};
-/// Takes out every bare word that starts like a number, or is a spelling of NaN or infinity.
-WithoutNumbers without_numbers(std::string_view text);
+using text::JsonValue;
+
+/// How many of the bytes that a text begins with are a number, even one that JSON does not have:
+/// every bare word that starts like a number, or is a spelling of NaN or infinity.
+std::size_t number_word(std::string_view text);
 
 /// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling
 /// of NaN or infinity with or without a sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)",
@@ -38,41 +36,32 @@ std::optional<std::string> read_integer(std::string_view text);
 /// Throws ProtocolError: "expected ..., found ...".
 [[noreturn]] void refuse(const std::string& expected, const std::string& found);
 
-/// Whether this is a number as it was written, which a parser of JSON would round: a type of value
-/// that no text makes.
-bool is_number(const nlohmann::json& value);
-std::string written(const nlohmann::json& number);
-
 /// As JSON, but with numbers as they were written; and in quotes for messages.
-std::string dumped(const nlohmann::json& value);
-std::string shown_json(const nlohmann::json& value);
+std::string dumped(const JsonValue& value);
+std::string shown_json(const JsonValue& value);
 
-/// The JSON on the line. What is nested deeper than any message of ours is left out, so that no
-/// line costs more than a few times its length. `repeated`, if given, becomes the first name that
-/// an object has twice: readers differ in which of the two they take.
-nlohmann::json json_on(std::string_view line, std::string* repeated = nullptr);
-/// The same, which must be an object, each with its fields once.
-nlohmann::json object_on(std::string_view line);
-
-/// The field, or null. A field that is null is no way to leave it out: it is what many a program
-/// writes for NaN.
-const nlohmann::json* field(const nlohmann::json& object, const char* name);
+/// The JSON on the line, its numbers as they were written; null if it is none.
+JsonValue json_on(std::string_view line);
+/// The same, which must be an object, each with its fields once: readers differ in which of two
+/// they take.
+JsonValue object_on(std::string_view line);
 
 // Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the
 // object in the message.
-std::string text_in(const nlohmann::json& object, const char* name, const char* of);
-bool flag_in(const nlohmann::json& object, const char* name, const char* of,
-             std::optional<bool> otherwise = std::nullopt);
-const nlohmann::json& object_in(const nlohmann::json& object, const char* name, const char* of);
+std::string text_in(const JsonValue& object, const char* name, const char* of);
+bool flag_in(const JsonValue& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt);
+const JsonValue& object_in(const JsonValue& object, const char* name, const char* of);
 /// A number, or a text of one, rounded to the precision; NaN and infinities too.
-double number_of(const nlohmann::json& value, const char* name, Precision precision);
+double number_of(const JsonValue& value, const char* name, Precision precision);
 /// Three of them; nullopt if the field is not there.
-std::optional<Triple> triple_in(const nlohmann::json& object, const char* name, const char* called,
-                                Precision precision);
+std::optional<Triple> triple_in(const JsonValue& object, const char* name, const char* called, Precision precision);
+
+/// Of a value, not of a field: `name` is what it is called.
+Triple triple_of(const JsonValue& value, const char* name, Precision precision);
 
 /// The value of one of the words of its type.
 template <class Value>
-Value word_in(const nlohmann::json& object, const char* name, const char* of) {
+Value word_in(const JsonValue& object, const char* name, const char* of) {
   const std::string text = text_in(object, name, of);
   std::vector<std::string_view> expected;
   for (const auto& [word, value] : judging::words_of(Value())) {

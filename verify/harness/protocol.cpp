@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <span>
@@ -57,13 +56,13 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
 
 // ---- what subjects answer ----
 
-using Json = nlohmann::json;
+using Json = JsonValue;
 
 /// A text, or an integer.
 std::string id_in(const Json& reply) {
-  const Json* id = field(reply, "id");
-  if (!id || !is_number(*id)) return text_in(reply, "id", "the reply");
-  const std::optional<std::string> integer = read_integer(written(*id));
+  const Json* id = reply.find("id");
+  if (!id || !id->is_number()) return text_in(reply, "id", "the reply");
+  const std::optional<std::string> integer = read_integer(id->text());
   if (!integer) refuse("a text or an integer for \"id\" in the reply", shown_json(*id));
   return *integer;
 }
@@ -73,7 +72,7 @@ std::string reason_in(const Json& reply, const char* name) {
   std::vector<std::string_view> others = judging::names_of(judging::reply_fields);
   others.insert(others.end(), {"hull", "unsupported", "failed"});
   for (const std::string_view other : others)
-    if (other != name && field(reply, std::string(other).c_str()))
+    if (other != name && reply.find(other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
   return text_in(reply, name, "the reply");
 }
@@ -81,57 +80,55 @@ std::string reason_in(const Json& reply, const char* name) {
 /// The vertices of one used hull, if there is one.
 std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name, const char* called,
                                            Precision precision) {
-  const Json* list = field(object, name);
+  const Json* list = object.find(name);
   if (!list) return std::nullopt;
-  if (!list->is_array() || list->empty())
+  if (!list->is_array() || list->items().empty())
     refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
   std::vector<Triple> vertices;
-  for (const Json& vertex : *list) {
-    const std::optional<Triple> point = triple_in({{"vertex", vertex}}, "vertex", called, precision);
-    if (!std::ranges::all_of(*point, [](double x) { return std::isfinite(x); }))
+  for (const Json& vertex : list->items()) {
+    vertices.push_back(triple_of(vertex, called, precision));
+    if (!std::ranges::all_of(vertices.back(), [](double x) { return std::isfinite(x); }))
       refuse(fmt::format("finite numbers for \"{}\"", called), shown_json(vertex));
-    vertices.push_back(*point);
   }
   return vertices;
 }
 
 /// What is beside an answer.
 void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
-  if (const Json* hull = field(object, "hull")) {
+  if (const Json* hull = object.find("hull")) {
     if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
     answer.hull_a = hull_in(*hull, "a", "hull.a", points);
     answer.hull_b = hull_in(*hull, "b", "hull.b", points);
   }
-  const Json* time = field(object, "microseconds");
+  const Json* time = object.find("microseconds");
   if (!time) return;
-  const std::optional<double> value =
-      is_number(*time) ? read_number(written(*time), Precision::binary64) : std::nullopt;
+  const std::optional<double> value = time->is_number() ? read_number(time->text(), Precision::binary64) : std::nullopt;
   if (value && std::isfinite(*value) && *value >= 0) answer.microseconds = value;
   else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
 }
 
 std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
-  if (!list.is_array() || list.empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
+  if (!list.is_array() || list.items().empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
   std::vector<ContactPoint> contacts;
-  for (const Json& each : list) {
+  for (const Json& each : list.items()) {
     const std::optional<Triple> position =
         each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
     if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
     contacts.push_back({*position, {}});
-    if (const Json* depth = field(each, "depth")) contacts.back().depth = number_of(*depth, "depth", precision);
+    if (const Json* depth = each.find("depth")) contacts.back().depth = number_of(*depth, "depth", precision);
   }
   return contacts;
 }
 
 // A field of a reply, if it is there: of the object, by its name there; `called` in messages.
 void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<double>& value) {
-  if (const Json* found = field(object, name)) value = number_of(*found, called, precision);
+  if (const Json* found = object.find(name)) value = number_of(*found, called, precision);
 }
 void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<Triple>& value) {
   value = triple_in(object, name, called, precision);
 }
 void read(const Json& object, const char* name, const char*, Precision precision, std::vector<ContactPoint>& contacts) {
-  if (const Json* found = field(object, name)) contacts = contacts_in(*found, precision);
+  if (const Json* found = object.find(name)) contacts = contacts_in(*found, precision);
 }
 void read(const Json& object, const char* name, const char*, Precision, bool& value) {
   value = flag_in(object, name, "the reply");
@@ -145,7 +142,7 @@ Reply read_answer(const Json& object, Precision precision) {
     const Json* of = &object;
     if (dot != path.npos) {
       const std::string whole = path.substr(0, dot);
-      of = field(object, whole.c_str());
+      of = object.find(whole);
       if (of && !of->is_object()) refuse(fmt::format("an object for \"{}\"", whole), shown_json(*of));
     }
     if (of) read(*of, path.c_str() + (dot == path.npos ? 0 : dot + 1), path.c_str(), precision, reply.*row.member);
@@ -162,7 +159,7 @@ std::string misspelt(const Json& reply) {
   known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
   const auto fields = [](const Json& object) {
     std::vector<std::string> names;
-    for (const auto& [name, value] : object.items()) names.push_back(name);
+    for (const auto& [name, value] : object.fields()) names.emplace_back(name);
     return names;
   };
   std::string remark = kernels::near_misses(fields(reply), known);
@@ -170,15 +167,13 @@ std::string misspelt(const Json& reply) {
     if (const std::string inside = kernels::near_misses(fields(object), names); !inside.empty())
       remark += (remark.empty() ? "" : "; ") + inside;
   };
-  if (const Json* witness = field(reply, "witness")) look_inside(*witness, of_witness);
-  if (const Json* contacts = field(reply, "contacts"))
-    for (const Json& contact : *contacts) look_inside(contact, of_contact);
+  if (const Json* witness = reply.find("witness")) look_inside(*witness, of_witness);
+  if (const Json* contacts = reply.find("contacts"))
+    for (const Json& contact : contacts->items()) look_inside(contact, of_contact);
   return remark;
 }
 
 // ---- what subjects say of themselves ----
-
-using Json = nlohmann::json;
 
 // What is missing keeps its usual value, if the row says when it is there.
 void read(const Json& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
@@ -192,8 +187,7 @@ Conventions conventions_in(const Json& hello) {
   Conventions conventions;
   judging::for_each_field(judging::conventions_fields, [&](const auto& row) {
     const std::string name(row.name);
-    if (!row.there || field(said, name.c_str()))
-      read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
+    if (!row.there || said.find(name)) read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
   });
   return conventions;
 }
@@ -201,11 +195,11 @@ Conventions conventions_in(const Json& hello) {
 std::set<std::string> promises_in(const Json& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
-  for (const Json& promise : list) {
-    if (promise != "depth" && promise != "direction" && promise != "witness" && promise != "contacts" &&
-        promise != "distance")
+  constexpr std::array<std::string_view, 5> known = {"depth", "direction", "witness", "contacts", "distance"};
+  for (const Json& promise : list.items()) {
+    if (!promise.is_string() || std::ranges::find(known, promise.string()) == known.end())
       refuse("depth, direction, witness, contacts, distance in \"promises\" in the hello", shown_json(promise));
-    promises.insert(promise.get<std::string>());
+    promises.insert(promise.string());
   }
   return promises;
 }
@@ -213,8 +207,8 @@ std::set<std::string> promises_in(const Json& list) {
 std::set<std::string> shapes_in(const Json& list) {
   std::set<std::string> shapes;
   if (!list.is_array()) refuse("a list for \"shapes\" in its capabilities", shown_json(list));
-  for (const Json& word : list) {
-    const std::string name = word.is_string() ? word.get<std::string>() : "";
+  for (const Json& word : list.items()) {
+    const std::string name = word.is_string() ? word.text() : "";
     const files::NamedShape named = files::named_shape(name);
     if (name != margin_word && name != pieces_word && (!named.shape || named.rounded))
       refuse(fmt::format("{}, {}, {} in \"shapes\" in its capabilities", files::list_of_shapes(), margin_word,
@@ -227,7 +221,7 @@ std::set<std::string> shapes_in(const Json& list) {
 
 void read_capabilities(const Json& capabilities, SubjectInfo& info) {
   info.wants_faces = flag_in(capabilities, "faces", "its capabilities", false);
-  if (const Json* shapes = field(capabilities, "shapes")) info.shapes = shapes_in(*shapes);
+  if (const Json* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
 }
 
 /// A type for both, or one for points and one for answers.
@@ -235,13 +229,13 @@ NumberFormat format_in(const Json& hello) {
   const auto type = [](const Json& object, const char* name, const char* of) {
     return word_in<Precision>(object, name, of);
   };
-  const Json* said = field(hello, "precision");
+  const Json* said = hello.find("precision");
   if (!said || !said->is_object()) return type(hello, "precision", "the hello");
   return {type(*said, "points", "the hello's precision"), type(*said, "answers", "the hello's precision")};
 }
 
 mpq_class radius_in(const Json& value) {
-  const double radius = is_number(value) ? number_of(value, "rounding", Precision::binary64) : -1;
+  const double radius = value.is_number() ? number_of(value, "rounding", Precision::binary64) : -1;
   if (!std::isfinite(radius) || radius < 0) refuse("a radius of at least 0 for \"rounding\"", shown_json(value));
   return exact_value(radius);
 }
@@ -250,12 +244,12 @@ mpq_class radius_in(const Json& value) {
 std::map<std::string, mpq_class> rounding_in(const Json& said) {
   if (!said.is_object()) return {{"", radius_in(said)}};
   std::map<std::string, mpq_class> result;
-  for (const auto& [word, value] : said.items()) {
+  for (const auto& [word, value] : said.fields()) {
     const files::NamedShape named = files::named_shape(word);
     if (word != vertices_word && (!named.shape || named.rounded))
       refuse(fmt::format("{}, {} in \"rounding\" in the hello", vertices_word, files::list_of_shapes()),
              kernels::shown(word));
-    result[word] = radius_in(value);
+    result[std::string(word)] = radius_in(*value);
   }
   return result;
 }
@@ -296,8 +290,8 @@ SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
   const Json object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", kernels::shown(line));
   SubjectAnswer answer{id_in(object), Failed()};
-  if (field(object, "unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
-  else if (field(object, "failed")) answer.said = Failed{reason_in(object, "failed")};
+  if (object.find("unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
+  else if (object.find("failed")) answer.said = Failed{reason_in(object, "failed")};
   else {
     answer.said = read_answer(object, format.answers);
     answer.remark = misspelt(object);
@@ -316,21 +310,22 @@ SubjectInfo read_hello(std::string_view line) {
   info.name = text_in(hello, "name", of);
   info.version = text_in(hello, "version", of);
   if (info.name.empty()) refuse("a name in the hello", "an empty one");
-  if (field(hello, "library")) info.library = text_in(hello, "library", of);
+  if (hello.find("library")) info.library = text_in(hello, "library", of);
   info.format = format_in(hello);
   info.conventions = conventions_in(hello);
-  if (field(hello, "capabilities")) read_capabilities(object_in(hello, "capabilities", of), info);
-  if (field(hello, "settings"))
-    for (const auto& [key, value] : object_in(hello, "settings", of).items())
-      info.settings[key] = value.is_string() ? value.get<std::string>() : dumped(value);
-  if (const Json* promises = field(hello, "promises")) info.promises = promises_in(*promises);
-  if (const Json* rounding = field(hello, "rounding")) info.rounding = rounding_in(*rounding);
+  if (hello.find("capabilities")) read_capabilities(object_in(hello, "capabilities", of), info);
+  if (hello.find("settings"))
+    for (const auto& [key, value] : object_in(hello, "settings", of).fields())
+      info.settings[std::string(key)] = value->is_string() ? value->text() : dumped(*value);
+  if (const Json* promises = hello.find("promises")) info.promises = promises_in(*promises);
+  if (const Json* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
   return info;
 }
 
 bool is_hello(std::string_view line) {
   const Json object = json_on(line);
-  return object.is_object() && object.value("type", Json()) == "hello";
+  const Json* const type = object.find("type");
+  return type && type->is_string() && type->string() == "hello";
 }
 
 }  // namespace fathom::harness

@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "reference/text/json_value.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report_fields.hpp"
@@ -16,23 +16,21 @@
 namespace fathom::harness {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using judging::fields_of;
+using text::Json;
 
 // ---- out ----
 
-std::string dumped(const Json& json) { return json.dump(-1, ' ', true, Json::error_handler_t::replace); }
-
 Json line_of(const char* type) { return {{"schema", "fathom/verdict/1"}, {"type", type}}; }
 
-Json json_of(bool value) { return value; }
+Json json_of(bool value) { return Json::boolean(value); }
 Json json_of(long value) { return value; }
 Json json_of(std::size_t value) { return value; }
 Json json_of(const std::string& value) { return value; }
 Json json_of(Verdict value) { return name(value); }
 Json json_of(Accuracy value) { return name(value); }
 Json json_of(const mpq_class& value) { return exact_text(value); }
-Json json_of(const std::array<std::uint32_t, 2>& pair) { return {pair[0], pair[1]}; }
+Json json_of(const std::array<std::uint32_t, 2>& pair) { return Json::array({pair[0], pair[1]}); }
 Json json_of(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -44,19 +42,27 @@ Json json_of(const NumberFormat& format) {
   if (format.points == format.answers) return name(format.points);
   return {{"points", name(format.points)}, {"answers", name(format.answers)}};
 }
-Json json_of(const std::set<std::string>& words) { return words; }
-Json json_of(const std::map<std::string, std::string>& texts) { return texts; }
-Json json_of(const std::map<std::string, mpq_class>& rounding) {
-  Json json;
-  for (const auto& [word, radius] : rounding) (word.empty() ? json : json[word]) = round_binary64(radius);
+Json json_of(const std::set<std::string>& words) {
+  return Json::array_of(words, [](const std::string& word) { return Json(word); });
+}
+Json json_of(const std::map<std::string, std::string>& texts) {
+  Json json = Json::object();
+  for (const auto& [key, text] : texts) json[key] = text;
   return json;
 }
-Json json_of(const Triple& t) { return {json_of(t[0]), json_of(t[1]), json_of(t[2])}; }
+Json json_of(const std::map<std::string, mpq_class>& rounding) {
+  Json json;
+  for (const auto& [word, radius] : rounding)
+    if (word.empty()) json = round_binary64(radius);
+    else json[word] = round_binary64(radius);
+  return json;
+}
+Json json_of(const Triple& t) { return Json::array({json_of(t[0]), json_of(t[1]), json_of(t[2])}); }
 Json json_of(const Between& value) { return {{"low", json_of(value.low)}, {"high", json_of(value.high)}}; }
 Json json_of(const std::optional<Status>& value) { return value ? name(*value) : "undecided"; }
 Json json_of(const UnionBounds& bounds) {
   return {{"squared", exact_text(bounds.deepest_pair)},
-          {"pieces", {bounds.a, bounds.b}}};  // the hulls have a field of their own
+          {"pieces", Json::array({bounds.a, bounds.b})}};  // the hulls have a field of their own
 }
 Json json_of(const std::array<std::size_t, verdict_count>& verdicts) {
   Json json = Json::object();
@@ -75,15 +81,27 @@ template <class Struct>
 requires requires(const Struct* it) { fields_of(it); }
 Json json_of(const Struct& of);
 
-/// Writes the fields that the struct has; "witness.a" into the object "witness".
+/// Writes the fields that the struct has; "witness.a" and "witness.b", which stand side by side in
+/// its table, into one object "witness".
 template <class Struct>
 void write_fields(Json& json, const Struct& of) {
+  std::string_view whole;
+  Json parts;
+  const auto close = [&] {
+    if (!whole.empty()) json[whole] = parts;
+    whole = {};
+    parts = Json();
+  };
   judging::for_each_field(fields_of(&of), [&](const auto& field) {
     if (!judging::has(field, of)) return;
     const std::size_t dot = field.name.find('.');
-    Json& into = dot == field.name.npos ? json : json[std::string(field.name.substr(0, dot))];
-    into[std::string(field.name.substr(dot == field.name.npos ? 0 : dot + 1))] = json_of(judging::value_of(field, of));
+    const std::string_view within = dot == field.name.npos ? "" : field.name.substr(0, dot);
+    if (within != whole) close();
+    whole = within;
+    (whole.empty() ? json : parts)[field.name.substr(whole.empty() ? 0 : dot + 1)] =
+        json_of(judging::value_of(field, of));
   });
+  close();
 }
 
 template <class Struct>
@@ -103,9 +121,7 @@ Json json_of(const T* value) {
 }
 template <class T>
 Json json_of(const std::vector<T>& list) {
-  Json json = Json::array();
-  for (const T& item : list) json.push_back(json_of(item));
-  return json;
+  return Json::array_of(list, [](const T& item) { return json_of(item); });
 }
 Json json_of(const std::vector<Tally::Line>& parts) {
   Json json;
@@ -117,38 +133,46 @@ template <class Struct>
 std::string line(const char* type, const Struct& of) {
   Json json = line_of(type);
   write_fields(json, of);
-  return dumped(json);
+  return json.text();
 }
 
 // ---- in ----
 
-using Read = nlohmann::json;
+using Read = text::JsonValue;
 
 /// What is not exactly as it was written.
 struct Unreadable {};
 
-void take(const Read& json, bool& value) { value = json.get<bool>(); }
-void take(const Read& json, long& value) { value = json.get<long>(); }
-void take(const Read& json, std::size_t& value) { value = json.get<std::size_t>(); }
-void take(const Read& json, std::string& value) { value = json.get<std::string>(); }
+void take(const Read& json, bool& value) { value = json.boolean(); }
+void take(const Read& json, long& value) {
+  constexpr double exact_up_to = 0x1p53;
+  if (!json.is_number() || json.kind() == Read::Kind::real || std::abs(json.number()) >= exact_up_to)
+    throw Unreadable();
+  value = static_cast<long>(json.number());
+}
+void take(const Read& json, std::size_t& value) { value = json.natural(); }
+void take(const Read& json, std::uint32_t& value) {
+  value = static_cast<std::uint32_t>(json.natural(std::numeric_limits<std::uint32_t>::max()));
+}
+void take(const Read& json, std::string& value) { value = json.string(); }
 void take(const Read& json, double& value) {
   if (json.is_number()) {
-    value = json.get<double>();
+    value = json.number();
     return;
   }
-  const std::string text = json.get<std::string>();
+  const std::string& text = json.string();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (text == "nan") value = std::numeric_limits<double>::quiet_NaN();
   else if (text == "inf" || text == "-inf") value = text == "inf" ? infinity : -infinity;
   else throw Unreadable();
 }
 void take(const Read& json, mpq_class& value) {
-  const ParsedNumber parsed = parse_number(json.get_ref<const std::string&>(), Decimals::exact);
+  const ParsedNumber parsed = parse_number(json.string(), Decimals::exact);
   if (!parsed.value) throw Unreadable();
   value = *parsed.value;
 }
 void take(const Read& json, Verdict& value) {
-  const std::optional<Verdict> verdict = verdict_named(json.get_ref<const std::string&>());
+  const std::optional<Verdict> verdict = verdict_named(json.string());
   if (!verdict) throw Unreadable();
   value = *verdict;
 }
@@ -156,12 +180,12 @@ void take(const Read& json, Accuracy& value) {
   for (const Accuracy a :
        {Accuracy::correctly_rounded, Accuracy::ulps_4, Accuracy::u_r_16, Accuracy::millionth, Accuracy::tolerance}) {
     value = a;
-    if (json.get_ref<const std::string&>() == name(a)) return;
+    if (json.string() == name(a)) return;
   }
   throw Unreadable();
 }
 void take(const Read& json, std::optional<Status>& value) {
-  const std::string& word = json.get_ref<const std::string&>();
+  const std::string& word = json.string();
   value = status_named(word);
   if (!value && word != "undecided") throw Unreadable();
 }
@@ -169,7 +193,8 @@ void take(const Read& json, Triple& value) {
   for (std::size_t i = 0; i < value.size(); ++i) take(json.at(i), value[i]);
 }
 void take(const Read& json, std::array<std::uint32_t, 2>& pair) {
-  pair = {json.at(0).get<std::uint32_t>(), json.at(1).get<std::uint32_t>()};
+  take(json.at(0), pair[0]);
+  take(json.at(1), pair[1]);
 }
 void take(const Read& json, Between& value) {
   take(json.at("low"), value.low);
@@ -177,8 +202,8 @@ void take(const Read& json, Between& value) {
 }
 void take(const Read& json, UnionBounds& bounds) {
   take(json.at("squared"), bounds.deepest_pair);
-  bounds.a = json.at("pieces").at(0).get<std::uint32_t>();
-  bounds.b = json.at("pieces").at(1).get<std::uint32_t>();
+  take(json.at("pieces").at(0), bounds.a);
+  take(json.at("pieces").at(1), bounds.b);
 }
 template <class T>
 void take(const Read& json, std::vector<T>& list);
@@ -191,9 +216,8 @@ void take(const Read& json, Struct& to);
 /// The field, by its name or its path; null if it is not there.
 const Read* found(const Read& json, std::string_view path) {
   const std::size_t dot = path.find('.');
-  const auto at = json.find(std::string(path.substr(0, dot)));
-  if (at == json.end()) return nullptr;
-  return dot == path.npos ? &*at : found(*at, path.substr(dot + 1));
+  const Read* const at = json.find(path.substr(0, dot));
+  return !at || dot == path.npos ? at : found(*at, path.substr(dot + 1));
 }
 
 template <class Struct>
@@ -215,28 +239,32 @@ void take(const Read& json, std::optional<T>& value) {
 template <class T>
 void take(const Read& json, std::vector<T>& list) {
   list.clear();
-  for (const Read& item : json) take(item, list.emplace_back());
+  for (const Read& item : json.items()) take(item, list.emplace_back());
 }
 
 /// Returns nullopt if the text is not what `line` writes.
 template <class Struct>
 std::optional<Struct> read_line(std::string_view text, const char* type) try {
-  const Read json = Read::parse(text);
-  if (json.at("schema") != "fathom/verdict/1" || json.at("type") != type) return std::nullopt;
+  const Read json = text::parsed_json(text);
+  if (json.at("schema").string() != "fathom/verdict/1" || json.at("type").string() != type) return std::nullopt;
   Struct result;
   take(json, result);
   return result;
-} catch (const Read::exception&) {
+} catch (const text::JsonFault&) {
   return std::nullopt;
 } catch (const Unreadable&) {
   return std::nullopt;
 }
 
-/// What must not change from a run to the one that goes on with its report.
-Read lasting(std::string_view header) {
-  Read json = Read::parse(header, nullptr, false);
-  if (json.is_object()) json.erase("command");
-  return json;
+/// What must not change from a run to the one that goes on with its report; empty if it is no
+/// object.
+std::map<std::string, std::string> lasting(std::string_view header) {
+  std::map<std::string, std::string> fields;
+  const text::JsonRead read = text::read_json(header);
+  if (read.whole)
+    for (const auto& [key, value] : read.value.fields()) fields[std::string(key)] = value->written().text();
+  fields.erase("command");
+  return fields;
 }
 
 }  // namespace
@@ -266,38 +294,39 @@ std::string summary_line(const Totals& totals) { return line("summary", totals);
 std::string hello_text(const SubjectInfo& info) {
   Json json{{"type", "hello"}, {"protocol", protocol_name}};
   write_fields(json, info);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.text();
 }
 
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from) {
   Json json = line_of("header");
   json["fathom"] = from.version;
   json["command"] = from.command;
-  json["subject"] = Json::parse(hello_text(info));
-  json["tolerance"] = {{"relative", exact_text(tolerance.relative)},
-                       {"absolute", exact_text(tolerance.absolute)},
-                       {"ulps", tolerance.ulps}};
+  json["subject"] = Json::written(hello_text(info));
+  json["tolerance"] = Json{{"relative", exact_text(tolerance.relative)},
+                           {"absolute", exact_text(tolerance.absolute)},
+                           {"ulps", tolerance.ulps}};
   if (from.fit) json["fit"] = exact_text(*from.fit);
   json["policy"] = judging::policy_text(tolerance.policy);
-  for (const Method method : from.second) json["methods"].push_back(name(method));
-  return dumped(json);
+  if (!from.second.empty())
+    json["methods"] = Json::array_of(from.second, [](Method method) { return Json(name(method)); });
+  return json.text();
 }
 
 bool same_run(std::string_view header, std::string_view other) {
-  const Read one = lasting(header);
-  return one.is_object() && one == lasting(other);
+  const std::map<std::string, std::string> one = lasting(header);
+  return !one.empty() && one == lasting(other);
 }
 
 std::optional<std::string> difference(const Judgement& x, const Judgement& y) {
-  const Json one = json_of(x), other = json_of(y);
-  const auto shown = [](const Json& fields, const std::string& key) {
-    return fields.contains(key) ? fields.at(key).dump() : "nothing";
+  const Read one = text::read_json(json_of(x).text()).value, other = text::read_json(json_of(y).text()).value;
+  const auto shown = [](const Read& fields, std::string_view key) {
+    const Read* const value = fields.find(key);
+    return value ? value->written().text() : "nothing";
   };
-  for (const Json* fields : {&one, &other}) {
-    for (const auto& [key, value] : fields->items())
-      if (shown(one, key) != shown(other, key))
+  for (const Read* fields : {&one, &other})
+    for (std::size_t i = 0; i < fields->items().size(); ++i)
+      if (const std::string_view key = fields->key(i); shown(one, key) != shown(other, key))
         return fmt::format("judgement.{}: {} and {}", key, shown(one, key), shown(other, key));
-  }
   return std::nullopt;
 }
 

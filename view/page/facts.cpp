@@ -21,32 +21,43 @@ constexpr std::size_t most_optima = 20, most_union_optima = 50;
 /// The value of a field; null if the object has none, or is none.
 const Data& at(const Data& object, std::string_view key) {
   static const Data none;
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found == object.end() ? none : *found;
+  const Data* const found = object.find(key);
+  return found ? *found : none;
+}
+
+/// The items as `write` makes texts of them: "(1, 2, 3)".
+template <class Write>
+std::string bracketed(const std::vector<Data>& items, Write write) {
+  std::string result;
+  for (const Data& item : items) result += (result.empty() ? "" : ", ") + write(item);
+  return "(" + result + ")";
 }
 
 std::string plain(const Data& value) {
   if (value.is_null()) return "-";
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // 1, not 1.0, as in the text of answers
-  if (!value.is_array()) return value.dump();
-  std::string result;
-  for (const Data& item : value) result += (result.empty() ? "" : ", ") + plain(item);
-  return "(" + result + ")";
+  if (value.is_string()) return value.string();
+  if (value.kind() == Data::Kind::real) return fmt::format("{}", value.number());  // 1, not 1.0, as in texts of answers
+  return value.is_array() ? bracketed(value.items(), plain) : value.written(Data::Order::given).text();
+}
+
+std::string shown_text(const std::string& text) {
+  if (text.size() <= longest) return picture::markup(text);
+  return picture::markup(fmt::format("{}... ({} characters)", text.substr(0, longest), text.size()));
 }
 
 /// Points of a body, as "1, 5, 7".
 std::string point_list(const Data& ids) {
-  if (!ids.is_array() || ids.empty()) return "-";
+  if (ids.items().empty()) return "-";
   std::string result;
-  for (const Data& id : ids) {
+  for (const Data& id : ids.items()) {
     if (result.size() > 200) return result + ", ...";
     result += (result.empty() ? "" : ", ") + shown(id);
   }
   return result;
 }
 
-bool is(const Data& depth, std::string_view status) { return at(depth, "status") == status; }
+bool is_word(const Data& value, std::string_view word) { return value.is_string() && value.string() == word; }
+bool is(const Data& depth, std::string_view status) { return is_word(at(depth, "status"), status); }
 
 // ---- of convex bodies ----
 
@@ -58,7 +69,8 @@ const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint"
 std::string decimal_length(const Data& length) {
   if (at(length, "value").is_number()) return shown(at(length, "value"));
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
-    return at(rounded, "rn") == "inf" ? "more than the largest binary64" : "less than the least positive binary64";
+    return is_word(at(rounded, "rn"), "inf") ? "more than the largest binary64"
+                                             : "less than the least positive binary64";
   return "";
 }
 
@@ -70,7 +82,7 @@ std::string length_text(const Data& depth) {
   const auto bound = [&](std::string_view key) {
     const Data& value = at(bounds, key);
     if (!value.is_number()) return std::string("infinity");
-    return shown(apart ? Data(-value.get<double>()) : value);
+    return apart ? shown(Data(Data::Kind::real, -value.number())) : shown(value);
   };
   return apart ? fmt::format("{} to {}", bound("high"), bound("low"))
                : fmt::format("{} to {}", bound("low"), bound("high"));
@@ -81,7 +93,7 @@ std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
   if (const Data& exact = at(length, "exact"); !exact.is_null())
-    text += "exactly  " + picture::markup(exact.dump()) + "\n";
+    text += "exactly  " + picture::markup(exact.written(Data::Order::given).text()) + "\n";
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")),
                         shown(at(rounded, "rd")), shown(at(rounded, "ru")));
@@ -91,7 +103,7 @@ std::string exact_length(const Data& length) {
 /// Exact numbers of shapes are objects.
 std::string exact_place(const Data& value) {
   if (value.is_null()) return "";
-  return folded("exact", value.is_array() ? shown(value) : picture::markup(value.dump()));
+  return folded("exact", value.is_array() ? shown(value) : picture::markup(value.written(Data::Order::given).text()));
 }
 
 std::string contact_text(const Data& contact) {
@@ -101,8 +113,8 @@ std::string contact_text(const Data& contact) {
 }
 
 std::string size_text(const Data& lengths) {
-  if (!lengths.is_array() || lengths.size() != 3) return "not finite";
-  return fmt::format("{} x {} x {}", shown(lengths[0]), shown(lengths[1]), shown(lengths[2]));
+  if (!lengths.is_array() || lengths.items().size() != 3) return "not finite";
+  return fmt::format("{} x {} x {}", shown(lengths.at(0)), shown(lengths.at(1)), shown(lengths.at(2)));
 }
 
 void add_about(FactList& rows, const Data& depth) {
@@ -111,14 +123,14 @@ void add_about(FactList& rows, const Data& depth) {
     rows.add("size_a", "size of A", size_text(at(sizes, "a")));
     rows.add("size_b", "size of B", size_text(at(sizes, "b")));
   }
-  if (const Data& flat = at(depth, "flat"); flat.is_array() && !flat.empty())
-    rows.add("flat", "no interior", flat.size() == 2 ? "A and B" : flat[0] == "a" ? "A" : "B");
+  if (const Data& flat = at(depth, "flat"); flat.is_array() && !flat.items().empty())
+    rows.add("flat", "no interior", flat.items().size() == 2 ? "A and B" : is_word(flat.at(0), "a") ? "A" : "B");
   rows.add("method", "method", shown(at(depth, "method")));
 }
 
 std::uint64_t optima_count(const Data& depth) {
   const Data& count = at(depth, "optima_count");
-  return count.is_number() ? count.get<std::uint64_t>() : at(depth, "optima").size();
+  return count.is_natural() ? count.natural() : at(depth, "optima").items().size();
 }
 
 /// The cone's generators, if there are several: the optima are then a continuum. Empty if there is
@@ -127,28 +139,29 @@ std::string continuum(const Data& depth) {
   const Data& cone = at(depth, "optimal_cone");
   if (!cone.is_object()) return "";
   const Data &rays = at(cone, "rays"), &lineality = at(cone, "lineality");
-  if (lineality == "all") return "every direction";
-  if (lineality == "none" && rays.size() == 1) return "";
+  if (is_word(lineality, "all")) return "every direction";
+  if (is_word(lineality, "none") && rays.items().size() == 1) return "";
   std::string result;
   const auto add = [&](const std::string& part) {
     result += (result.empty() ? "all directions between " : ", ") + part;
   };
-  if (lineality == "plane" && rays.empty()) return "every direction orthogonal to " + shown(at(cone, "axis"));
-  if (lineality == "plane") add("those orthogonal to " + shown(at(cone, "axis")));
-  if (lineality == "line") add("both along " + shown(at(cone, "axis")));
-  for (const Data& ray : rays) add(shown(ray));
+  if (is_word(lineality, "plane") && rays.items().empty())
+    return "every direction orthogonal to " + shown(at(cone, "axis"));
+  if (is_word(lineality, "plane")) add("those orthogonal to " + shown(at(cone, "axis")));
+  if (is_word(lineality, "line")) add("both along " + shown(at(cone, "axis")));
+  for (const Data& ray : rays.items()) add(shown(ray));
   return result;
 }
 
 /// How many shortest ways out there are, as far as the answer tells: bounds do not.
 std::string count_of_ways(const Data& depth) {
-  if (at(depth, "method") == "enclosure") return "";
+  if (is_word(at(depth, "method"), "enclosure")) return "";
   if (const std::string all = continuum(depth); !all.empty()) return all;
   return std::to_string(optima_count(depth));
 }
 
 std::string optima_table(const Data& depth) {
-  const Data& optima = at(depth, "optima");
+  const std::vector<Data>& optima = at(depth, "optima").items();
   if (optima.size() < 2) return "";
   Table table("Shortest ways out", {"#", "'contact", "'A's points", "'B's points", "'direction"});
   for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_optima); ++i) {
@@ -167,26 +180,25 @@ std::string optima_table(const Data& depth) {
 // ---- of unions ----
 
 const Data& distance_of(const Data& depth) { return at(at(depth, "apart"), "distance"); }
-const Data& optima_of(const Data& depth) { return at(depth, "optima"); }
+const std::vector<Data>& optima_of(const Data& depth) { return at(depth, "optima").items(); }
 
 /// An exact place, each coordinate rounded once; a number that binary64 does not hold as it is.
 std::string decimals(const Data& place) {
-  Data rounded = Data::array();
-  for (const Data& coordinate : place) {
-    const double value = round_binary64(mpq_class(coordinate.get<std::string>())) + 0.0;
-    rounded.push_back(std::isfinite(value) ? Data(value) : coordinate);
-  }
-  return shown(rounded);
+  return shown_text(bracketed(place.items(), [](const Data& coordinate) {
+    const double value = round_binary64(mpq_class(coordinate.string())) + 0.0;
+    return std::isfinite(value) ? fmt::format("{}", value) : coordinate.string();
+  }));
 }
 
 /// "piece 1 of A, piece 2 of B".
 std::string pieces_text(const Data& pieces) {
   return fmt::format("piece {} of <span class=\"key-a\">A</span>, piece {} of <span class=\"key-b\">B</span>",
-                     pieces.at(0).dump(), pieces.at(1).dump());
+                     pieces.at(0).text(), pieces.at(1).text());
 }
 
 std::string clearance_text(const Data& optimum) {
-  return at(optimum, "clearance") == true ? "yes" : "none: an exact fit";
+  const Data& clearance = at(optimum, "clearance");
+  return clearance.is_boolean() && clearance.boolean() ? "yes" : "none: an exact fit";
 }
 
 void add_overlap(FactList& rows, const Data& depth) {
@@ -216,11 +228,7 @@ void add_distance(FactList& rows, const Data& depth) {
 
 }  // namespace
 
-std::string shown(const Data& value) {
-  const std::string text = plain(value);
-  if (text.size() <= longest) return picture::markup(text);
-  return picture::markup(fmt::format("{}... ({} characters)", text.substr(0, longest), text.size()));
-}
+std::string shown(const Data& value) { return shown_text(plain(value)); }
 
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -297,12 +305,12 @@ std::string union_facts(const Data& depth, const stages::UnionStages& stages) {
 }
 
 std::string union_optima(const Data& depth) {
-  const Data& optima = optima_of(depth);
+  const std::vector<Data>& optima = optima_of(depth);
   if (!is(depth, "penetrating") || optima.size() < 2) return "";
   Table table("Shortest ways out", {"#", "'A moves by", "'clearance", "pairs that touch"});
   for (std::size_t i = 0; i < std::min<std::size_t>(optima.size(), most_union_optima); ++i)
     table.add({std::to_string(i + 1), decimals(at(optima[i], "translation")), clearance_text(optima[i]),
-               std::to_string(at(optima[i], "contacts").size())},
+               std::to_string(at(optima[i], "contacts").items().size())},
               fmt::format("data-optimum=\"{}\"", i));
   const std::string more =
       optima.size() > most_union_optima

@@ -137,9 +137,9 @@ std::string left_out_section(const std::vector<std::string>& sentences) {
 }
 
 Data parsed(const std::string& depth) {
-  Data result = Data::parse(depth, nullptr, false);
-  if (!result.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
-  return result;
+  text::JsonRead read = text::read_json(depth);
+  if (!read.whole || !read.value.is_object()) throw std::invalid_argument("the answer of a page is no JSON object");
+  return std::move(read.value);
 }
 
 /// The page with its style, its script and its policy. `main` is markup, and so are the heading and
@@ -173,10 +173,10 @@ std::string assembled(const AnySheet& sheet, std::string_view command, const std
 /// The exact squares that the stages leave out, of canonical pairs with one crossing: an array
 /// beside `pairs`.
 std::string squares(const stages::Stages& stages) {
-  Data result = Data::array();
-  for (const stages::StagedPair& pair : stages.pairs)
-    result.push_back(pair.closest && pair.crossings() == 1 ? Data(exact_text(pair.closest->squared)) : Data());
-  return result.dump();
+  const auto square = [](const stages::StagedPair& pair) {
+    return pair.closest && pair.crossings() == 1 ? text::Json(exact_text(pair.closest->squared)) : text::Json();
+  };
+  return text::Json::array_of(stages.pairs, square).text();
 }
 
 }  // namespace

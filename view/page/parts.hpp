@@ -4,16 +4,16 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "reference/text/json_value.hpp"
 #include "view/stages/union_stages.hpp"
 
 namespace fathom::page {
 
-using Data = nlohmann::ordered_json;
+using Data = text::JsonValue;
 
 /// Returns the text with each {{name}} replaced by the value of that name, which is put in as it
 /// is: a gap in a value is none. Throws std::logic_error if a name has no value.

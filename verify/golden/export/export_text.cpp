@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "kernels/messages.hpp"
+#include "reference/text/json_value.hpp"
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
@@ -18,15 +18,15 @@
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::json;
+using Json = text::JsonValue;
 using Triples = std::vector<std::array<double, 3>>;
 
 /// A text of the given characters: exports quote it as it is.
 std::string plain_text(const Json& value, std::string_view characters) {
-  const std::string* text = value.get_ptr<const std::string*>();
-  if (!text || text->empty() || text->find_first_not_of(characters) != text->npos)
-    throw NotARecord("expected a text as the schema says, found " + kernels::shown(value.dump()));
-  return *text;
+  const std::string text = value.is_string() ? value.string() : "";
+  if (text.empty() || text.find_first_not_of(characters) != text.npos)
+    throw NotARecord("expected a text as the schema says, found " + kernels::shown(value.written().text()));
+  return text;
 }
 
 /// A hexadecimal float; from_chars wants it without sign and prefix.
@@ -45,13 +45,13 @@ double hexadecimal(const Json& value) {
 }
 
 std::array<double, 3> triple(const Json& value) {
-  if (!value.is_array() || value.size() != 3) throw NotARecord("expected three numbers, found something else");
-  return {hexadecimal(value[0]), hexadecimal(value[1]), hexadecimal(value[2])};
+  if (value.items().size() != 3) throw NotARecord("expected three numbers, found something else");
+  return {hexadecimal(value.at(0)), hexadecimal(value.at(1)), hexadecimal(value.at(2))};
 }
 
 Triples points(const Json& body) {
   Triples result;
-  for (const Json& vertex : body.at("vertices")) result.push_back(triple(vertex));
+  for (const Json& vertex : body.at("vertices").items()) result.push_back(triple(vertex));
   if (result.empty()) throw NotARecord("expected at least one point, found none");
   return result;
 }
@@ -90,7 +90,7 @@ void read_answer(const Json& expected, ExportCase& result) {
   const double value = hexadecimal(length.at("f64").at("rn"));
   result.signed_depth = apart ? -value : value;
   result.squared = plain_text(length.at("squared"), digits);
-  for (const Json& optimum : expected.at("optima")) {
+  for (const Json& optimum : expected.at("optima").items()) {
     result.directions.push_back(unit(optimum));
     if (std::string kind = contact_in(optimum); std::ranges::find(result.contacts, kind) == result.contacts.end())
       result.contacts.push_back(std::move(kind));
@@ -101,8 +101,8 @@ void read_answer(const Json& expected, ExportCase& result) {
 std::vector<std::string> flags_in(const Json& record) {
   const std::vector<std::string_view> known = flag_names();
   std::vector<std::string> flags;
-  for (const Json& flag : record.at("flags")) {
-    flags.push_back(flag.get<std::string>());
+  for (const Json& flag : record.at("flags").items()) {
+    flags.push_back(flag.string());
     if (std::ranges::find(known, flags.back()) == known.end())
       throw NotARecord("expected a known flag, found " + kernels::shown(flags.back()));
   }
@@ -110,8 +110,8 @@ std::vector<std::string> flags_in(const Json& record) {
 }
 
 std::string group_of(const Json& source) {
-  const std::string kind = source.at("kind").get<std::string>();
-  return kind == "family" ? source.at("name").get<std::string>() : kind;
+  const std::string kind = source.at("kind").string();
+  return kind == "family" ? source.at("name").string() : kind;
 }
 
 bool all_finite(const ExportCase& result) {
@@ -122,23 +122,24 @@ bool all_finite(const ExportCase& result) {
 
 std::optional<ExportCase> export_case(std::string_view line) {
   try {
-    const Json record = Json::parse(line);
-    const Json& formats = record.at("formats");
-    if (std::find(formats.begin(), formats.end(), "binary64") == formats.end()) return std::nullopt;
+    const Json record = text::parsed_json(line);
+    const std::vector<Json>& formats = record.at("formats").items();
+    const auto is = [](std::string_view name) { return [name](const Json& format) { return format.text() == name; }; };
+    if (std::ranges::none_of(formats, is("binary64"))) return std::nullopt;
     ExportCase result;
     result.name = plain_text(record.at("id"), "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
     result.group = group_of(record.at("source"));
     result.flags = flags_in(record);
     for (const Json& format : formats)
-      if (format != "exact") result.formats.push_back(plain_text(format, "binary3264"));
+      if (!is("exact")(format)) result.formats.push_back(plain_text(format, "binary3264"));
     result.a = points(record.at("a"));
     result.b = points(record.at("b"));
     result.size = std::max(longest_side(result.a), longest_side(result.b));
     result.largest = std::max(largest_coordinate(result.a), largest_coordinate(result.b));
     read_answer(record.at("expected"), result);
     return all_finite(result) ? std::optional(std::move(result)) : std::nullopt;
-  } catch (const Json::exception& error) {
-    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
+  } catch (const text::JsonFault& fault) {
+    throw NotARecord(std::string("expected a record, found a fault: ") + fault.what());
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -12,6 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/messages.hpp"
+#include "reference/text/json_value.hpp"
 #include "verify/check/check.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/records/facts.hpp"
@@ -94,29 +95,23 @@ std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace
 
 namespace {
 
-using Json = nlohmann::json;
-
-const std::string& text(const Json& value, const char* what) {
-  if (!value.is_string()) throw NotARecord(std::string("expected ") + what + " as text, found " + value.type_name());
-  return value.get_ref<const std::string&>();
-}
+using Json = text::JsonValue;
 
 mpq_class number(const Json& value) {
-  ParsedNumber parsed = parse_number(text(value, "an exact number"), Decimals::exact);
+  ParsedNumber parsed = parse_number(value.string(), Decimals::exact);
   if (!parsed.value) throw NotARecord(parsed.error);
   return *std::move(parsed.value);
 }
 
 Point point(const Json& value) {
-  if (!value.is_array() || value.size() != 3) throw NotARecord("expected three coordinates, found something else");
-  return {number(value[0]), number(value[1]), number(value[2])};
+  if (value.items().size() != 3) throw NotARecord("expected three coordinates, found something else");
+  return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
 }
 
 Body body(const Json& value) {
-  const Json& vertices = value.at("vertices");
-  if (!vertices.is_array() || vertices.empty()) throw NotARecord("expected at least one point, found none");
   Body result;
-  for (const Json& vertex : vertices) result.points.push_back(point(vertex));
+  for (const Json& vertex : value.at("vertices").items()) result.points.push_back(point(vertex));
+  if (result.points.empty()) throw NotARecord("expected at least one point, found none");
   return result;
 }
 
@@ -141,44 +136,61 @@ void read_source(const Json& source, Claimed& claimed) {
   Recipe& recipe = claimed.recipe;
   recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
                                    Source::shape_catalogue, Source::union_family, Source::union_catalogue},
-                        text(source.at("kind"), "a kind"));
-  recipe.name = text(source.at("name"), "a name");
+                        source.at("kind").string());
+  recipe.name = source.at("name").string();
   if (from_family(recipe.source)) {
-    recipe.size = unsigned_number<unsigned>(source.at("size").dump());
-    recipe.seed = unsigned_number<std::uint64_t>(text(source.at("seed"), "a seed"));
+    recipe.size = static_cast<unsigned>(source.at("size").natural(std::numeric_limits<unsigned>::max()));
+    recipe.seed = unsigned_number<std::uint64_t>(source.at("seed").string());
   }
-  claimed.form = named(std::array{Form::given, Form::binary64, Form::binary32}, text(source.at("form"), "a form"));
+  claimed.form = named(std::array{Form::given, Form::binary64, Form::binary32}, source.at("form").string());
 }
 
 std::optional<Witness> read_witness(const Json& expected) {
-  const Json& holder = expected.contains("distance") ? expected.at("distance") : expected;
-  if (!holder.contains("witness")) return std::nullopt;
-  const Json& witness = holder.at("witness");
-  return Witness{point(witness.at("a")), point(witness.at("b"))};
+  const Json* const distance = expected.find("distance");
+  const Json* const witness = (distance ? *distance : expected).find("witness");
+  if (!witness) return std::nullopt;
+  return Witness{point(witness->at("a")), point(witness->at("b"))};
 }
 
 /// Returns what `take` finds in the line.
 template <class Take>
 auto read(std::string_view line, Take take) {
   try {
-    return take(Json::parse(line));
-  } catch (const Json::exception& error) {
-    throw NotARecord(std::string("expected a record, found a fault: ") + error.what());
+    return take(text::parsed_json(line));
+  } catch (const text::JsonFault& fault) {
+    throw NotARecord(std::string("expected a record, found a fault: ") + fault.what());
   }
-}
-
-std::string path_in_words(const std::string& pointer) {
-  std::string result;
-  for (const char c : pointer) {
-    if (c != '/') result += c;
-    else if (!result.empty()) result += '.';
-  }
-  return result.empty() ? "the line" : result;
 }
 
 std::string shortened(const std::string& value) {
   constexpr std::size_t most = 80;
   return value.size() <= most ? value : value.substr(0, most) + "...";
+}
+
+/// The first difference of two values, at the place `path`: fields by their names, then those that
+/// `found` has more; nullopt if there is none.
+std::optional<std::string> difference(const Json* expected, const Json* found, const std::string& path) {
+  const auto within = [&path](const std::string& part) { return path.empty() ? part : path + '.' + part; };
+  const auto shown = [](const Json* value) {
+    return value ? shortened(value->written().text()) : std::string("nothing");
+  };
+  if (expected && found && expected->is_object() && found->is_object()) {
+    for (const auto& [key, value] : expected->fields())
+      if (auto step = difference(value, found->find(key), within(std::string(key)))) return step;
+    for (const auto& [key, value] : found->fields())
+      if (!expected->find(key)) return difference(nullptr, value, within(std::string(key)));
+    return std::nullopt;
+  }
+  if (expected && found && expected->is_array() && found->is_array()) {
+    const auto item = [](const Json* list, std::size_t i) {
+      return i < list->items().size() ? &list->items()[i] : nullptr;
+    };
+    for (std::size_t i = 0; item(expected, i) || item(found, i); ++i)
+      if (auto step = difference(item(expected, i), item(found, i), within(std::to_string(i)))) return step;
+    return std::nullopt;
+  }
+  if (expected && found && expected->written().text() == found->written().text()) return std::nullopt;
+  return (path.empty() ? "the line" : path) + ": expected " + shown(expected) + ", found " + shown(found);
 }
 
 }  // namespace
@@ -187,12 +199,12 @@ Claimed read_record(std::string_view line) {
   return read(line, [](const Json& record) {
     Claimed claimed;
     read_source(record.at("source"), claimed);
-    claimed.id = text(record.at("id"), "an id");
+    claimed.id = record.at("id").string();
     if (kind_of(claimed.recipe.source) == Kind::polytopes) {
       claimed.hulls = {body(record.at("a")), body(record.at("b"))};
       claimed.witness = read_witness(record.at("expected"));
     }
-    claimed.certificate_sha256 = text(record.at("certificate").at("sha256"), "a sum");
+    claimed.certificate_sha256 = record.at("certificate").at("sha256").string();
     return claimed;
   });
 }
@@ -200,9 +212,10 @@ Claimed read_record(std::string_view line) {
 std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
   return read(line, [](const Json& record) -> std::pair<Surd, Surd> {
     const Json& value = record.at("expected").at("signed_depth");
-    if (value.contains("bounds")) return {{number(value.at("bounds").at(0)), 0}, {number(value.at("bounds").at(1)), 0}};
+    if (const Json* const bounds = value.find("bounds"))
+      return {{number(bounds->at(0)), 0}, {number(bounds->at(1)), 0}};
     const Json& exact = value.at("exact");
-    const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact.at("sign").get<int>()};
+    const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact_value(exact.at("sign").number())};
     return {surd, surd};
   });
 }
@@ -210,21 +223,17 @@ std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
 std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line) {
   return read(line, [](const Json& record) -> std::pair<std::uint32_t, std::uint32_t> {
     const Json& pieces = record.at("expected").at("distance").at("pieces");
-    return {pieces.at(0).get<std::uint32_t>(), pieces.at(1).get<std::uint32_t>()};
+    const auto piece = [&](std::size_t i) {
+      return static_cast<std::uint32_t>(pieces.at(i).natural(std::numeric_limits<std::uint32_t>::max()));
+    };
+    return {piece(0), piece(1)};
   });
 }
 
 std::string first_difference(std::string_view expected, std::string_view found) {
-  const Json right = Json::parse(expected, nullptr, false), given = Json::parse(found, nullptr, false);
-  const Json steps = Json::diff(right, given);
-  if (steps.empty())
-    return "expected each field once, in the order and form in which records are written, found another text";
-  const std::string pointer = steps[0].at("path").get<std::string>();
-  const Json::json_pointer at(pointer);
-  const auto shown = [&at](const Json& record) {
-    return record.contains(at) ? shortened(record.at(at).dump()) : std::string("nothing");
-  };
-  return path_in_words(pointer) + ": expected " + shown(right) + ", found " + shown(given);
+  const text::JsonRead right = text::read_json(expected), given = text::read_json(found);
+  if (auto step = difference(&right.value, given.whole ? &given.value : nullptr, "")) return *std::move(step);
+  return "expected each field once, in the order and form in which records are written, found another text";
 }
 
 std::string_view id_in(std::string_view line) {

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <system_error>
@@ -31,7 +30,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
+using text::JsonValue;
 
 constexpr std::size_t digits = 64;
 
@@ -88,14 +88,13 @@ std::string contents_text(const Dataset& dataset) {
 
 std::string dataset_text(const Dataset& dataset) {
   const std::string content = digest::digest_of(contents_text(dataset)).sha256;
-  Json shards = Json::array();
-  for (const Manifest& shard : dataset.shards) shards.push_back(manifest_json(shard));
   const Json json = {
       {"schema", "fathom/golden-dataset/1"},
       {"name", "fathom golden data " + std::string(name_of(dataset.level))},
       {"version", dataset.version},
       {"licence", "CC0-1.0"},
-      {"generator", {{"name", "fathom"}, {"data_version", dataset.version}, {"seed", std::to_string(dataset.seed)}}},
+      {"generator",
+       Json{{"name", "fathom"}, {"data_version", dataset.version}, {"seed", std::to_string(dataset.seed)}}},
       {"level", name_of(dataset.level)},
       {"cite",
        fmt::format("The fathom developers: fathom golden data {}, version {}, seed {}. CC0-1.0. Content SHA-256: {}",
@@ -103,22 +102,21 @@ std::string dataset_text(const Dataset& dataset) {
       {"content_sha256", content},
       {"recipes", total(dataset, &Manifest::recipes)},
       {"records", records_in(dataset)},
-      {"schemas",
-       {{"dataset.json", "dataset.schema.json"},
-        {"golden-*.json", "shard.schema.json"},
-        {"golden-*.jsonl.zst", "golden.schema.json"}}},
-      {"shards", shards}};
-  return json.dump(2) + '\n';
+      {"schemas", Json{{"dataset.json", "dataset.schema.json"},
+                       {"golden-*.json", "shard.schema.json"},
+                       {"golden-*.jsonl.zst", "golden.schema.json"}}},
+      {"shards", Json::array_of(dataset.shards, manifest_json)}};
+  return json.indented() + '\n';
 }
 
 std::optional<Dataset> parse_dataset(std::string_view text) {
   try {
-    const Json json = Json::parse(text);
+    const JsonValue json = text::parsed_json(text);
     Dataset dataset;
-    dataset.level = find_level(json.at("level").get<std::string>()).value();
-    dataset.version = json.at("version").get<std::string>();
-    dataset.seed = std::stoull(json.at("generator").at("seed").get<std::string>());
-    for (const Json& shard : json.at("shards")) dataset.shards.push_back(manifest_of(shard));
+    dataset.level = find_level(json.at("level").string()).value();
+    dataset.version = json.at("version").string();
+    dataset.seed = std::stoull(json.at("generator").at("seed").string());
+    for (const JsonValue& shard : json.at("shards").items()) dataset.shards.push_back(manifest_of(shard));
     if (dataset_text(dataset) == text) return dataset;
   } catch (const std::exception&) {  // no JSON, or other fields than ours
   }
@@ -128,21 +126,19 @@ std::optional<Dataset> parse_dataset(std::string_view text) {
 // ---- agreement.json ----
 
 std::string agreement_text(const Agreement& agreement) {
-  Json methods = Json::array();
-  for (const Method method : agreement.methods) methods.push_back(name(method));
   const Json json = {{"schema", "fathom/golden-agreement/2"},
                      {"content_sha256", agreement.content_sha256},
                      {"records", agreement.records},
-                     {"methods", methods}};
-  return json.dump(2) + '\n';
+                     {"methods", Json::array_of(agreement.methods, [](Method method) { return Json(name(method)); })}};
+  return json.indented() + '\n';
 }
 
 std::optional<Agreement> parse_agreement(std::string_view text) {
   try {
-    const Json json = Json::parse(text);
-    Agreement agreement{json.at("content_sha256").get<std::string>(), json.at("records").get<std::size_t>(), {}};
-    for (const Json& method : json.at("methods"))
-      agreement.methods.push_back(solve::second_method(method.get<std::string>()).value());
+    const JsonValue json = text::parsed_json(text);
+    Agreement agreement{json.at("content_sha256").string(), json.at("records").natural(), {}};
+    for (const JsonValue& method : json.at("methods").items())
+      agreement.methods.push_back(solve::second_method(method.string()).value());
     if (!agreement.methods.empty() && agreement_text(agreement) == text) return agreement;
   } catch (const std::exception&) {  // no JSON, or other fields than ours
   }

@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -22,7 +21,8 @@
 namespace fathom::golden {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using text::Json;
+using text::JsonValue;
 
 Json file_json(const ShardFile& entry) {
   return {{"name", entry.name},
@@ -32,10 +32,10 @@ Json file_json(const ShardFile& entry) {
           {"content_sha256", entry.content.sha256}};
 }
 
-ShardFile file_of(const Json& json) {
-  return {json.at("name").get<std::string>(),
-          {json.at("bytes").get<std::uint64_t>(), json.at("sha256").get<std::string>()},
-          {json.at("content_bytes").get<std::uint64_t>(), json.at("content_sha256").get<std::string>()}};
+ShardFile file_of(const JsonValue& json) {
+  return {json.at("name").string(),
+          {json.at("bytes").natural(), json.at("sha256").string()},
+          {json.at("content_bytes").natural(), json.at("content_sha256").string()}};
 }
 
 }  // namespace
@@ -44,9 +44,7 @@ std::span<const std::string_view> suffixes_of(Level level) {
   return std::span(shard_suffixes).first(kind_of(level) == Kind::polytopes ? 3 : 2);
 }
 
-nlohmann::ordered_json manifest_json(const Manifest& manifest) {
-  Json files = Json::array();
-  for (const ShardFile& entry : manifest.files) files.push_back(file_json(entry));
+Json manifest_json(const Manifest& manifest) {
   return {{"schema", "fathom/golden-shard/1"},
           {"name", manifest.name},
           {"level", name_of(manifest.level)},
@@ -55,28 +53,28 @@ nlohmann::ordered_json manifest_json(const Manifest& manifest) {
           {"recipes", manifest.recipes},
           {"records", manifest.records},
           {"zstd", manifest.zstd},
-          {"files", files}};
+          {"files", Json::array_of(manifest.files, file_json)}};
 }
 
-Manifest manifest_of(const nlohmann::ordered_json& json) {
+Manifest manifest_of(const JsonValue& json) {
   Manifest manifest;
-  manifest.name = json.at("name").get<std::string>();
-  manifest.level = find_level(json.at("level").get<std::string>()).value();
-  manifest.version = json.at("version").get<std::string>();
-  manifest.seed = std::stoull(json.at("seed").get<std::string>());
-  manifest.recipes = json.at("recipes").get<std::size_t>();
-  manifest.records = json.at("records").get<std::size_t>();
-  manifest.zstd = json.at("zstd").get<std::string>();
+  manifest.name = json.at("name").string();
+  manifest.level = find_level(json.at("level").string()).value();
+  manifest.version = json.at("version").string();
+  manifest.seed = std::stoull(json.at("seed").string());
+  manifest.recipes = json.at("recipes").natural();
+  manifest.records = json.at("records").natural();
+  manifest.zstd = json.at("zstd").string();
   for (std::size_t i = 0; i < suffixes_of(manifest.level).size(); ++i)
     manifest.files.push_back(file_of(json.at("files").at(i)));
   return manifest;
 }
 
-std::string manifest_text(const Manifest& manifest) { return manifest_json(manifest).dump(2) + '\n'; }
+std::string manifest_text(const Manifest& manifest) { return manifest_json(manifest).indented() + '\n'; }
 
 std::optional<Manifest> parse_manifest(std::string_view text) {
   try {
-    Manifest manifest = manifest_of(Json::parse(text));
+    Manifest manifest = manifest_of(text::parsed_json(text));
     if (manifest_text(manifest) == text) return manifest;
   } catch (const std::exception&) {  // no JSON, or other fields than ours
   }

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "reference/text/json_value.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/records/record.hpp"
@@ -57,10 +57,10 @@ std::string manifest_text(const Manifest& manifest);
 std::optional<Manifest> parse_manifest(std::string_view text);
 
 /// The same as a value, for the page that holds several.
-nlohmann::ordered_json manifest_json(const Manifest& manifest);
+text::Json manifest_json(const Manifest& manifest);
 
 /// Throws std::exception if a field is missing or of another kind; ignores unknown fields.
-Manifest manifest_of(const nlohmann::ordered_json& json);
+Manifest manifest_of(const text::JsonValue& json);
 
 /// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a
 /// sentence, or nullopt.

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include "reference/text/json.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/text.hpp"
 #include "view/picture/markup.hpp"
@@ -100,7 +100,7 @@ void add_report(Lines& lines, const char* which, const ReportFile& report) {
 
 // ---- as JSON: diff.schema.json ----
 
-using Json = nlohmann::ordered_json;
+using text::Json;
 
 Json number(double value) {
   if (std::isfinite(value)) return value;
@@ -108,9 +108,14 @@ Json number(double value) {
 }
 
 Json report_json(const ReportFile& report) {
-  return {{"file", report.path},         {"header", report.header},
-          {"whole", report.whole},       {"cases", report.outcomes.size()},
-          {"repeated", report.repeated}, {"unattributed", report.unattributed}};
+  Json header = Json::object();
+  for (const auto& [field, value] : report.header) header[field] = value;
+  return {{"file", report.path},
+          {"header", header},
+          {"whole", Json::boolean(report.whole)},
+          {"cases", report.outcomes.size()},
+          {"repeated", report.repeated},
+          {"unattributed", report.unattributed}};
 }
 
 Json changes_json(const std::vector<Change>& changes) {
@@ -122,7 +127,7 @@ Json changes_json(const std::vector<Change>& changes) {
     json["new"] = name(change.new_verdict);
     if (change.old_error) json["old_error"] = number(*change.old_error);
     if (change.new_error) json["new_error"] = number(*change.new_error);
-    json["other_points"] = change.other_points;
+    json["other_points"] = Json::boolean(change.other_points);
     list.push_back(json);
   }
   return list;
@@ -278,23 +283,24 @@ Lines diff_text(const ReportFile& before, const ReportFile& after, const ReportD
 
 std::string diff_json(const ReportFile& before, const ReportFile& after, const ReportDiff& diff) {
   Json json = {{"schema", "fathom/diff/1"}, {"old", report_json(before)}, {"new", report_json(after)}};
-  json["header"] = Json::object();
+  Json header = Json::object(), verdicts = Json::object();
   for (const HeaderDifference& difference : diff.header)
-    json["header"][difference.field] = {{"old", difference.old_value}, {"new", difference.new_value}};
+    header[difference.field] = Json{{"old", difference.old_value}, {"new", difference.new_value}};
+  json["header"] = header;
   json["both"] = diff.new_row.total;
   json["only_old"] = diff.only_old;
   json["only_new"] = diff.only_new;
   json["other_points"] = diff.other_points;
-  json["verdicts"] = Json::object();
   for (std::size_t i = 0; i < verdict_count; ++i) {
     const std::size_t then = diff.old_row.verdicts[i], now = diff.new_row.verdicts[i];
-    if (then + now > 0) json["verdicts"][std::string(name(static_cast<Verdict>(i)))] = {{"old", then}, {"new", now}};
+    if (then + now > 0) verdicts[name(static_cast<Verdict>(i))] = Json{{"old", then}, {"new", now}};
   }
+  json["verdicts"] = verdicts;
   json["newly_failing"] = changes_json(diff.newly_failing);
   json["newly_passing"] = changes_json(diff.newly_passing);
   json["another_verdict"] = changes_json(diff.otherwise);
   json["largest_changes"] = changes_json(diff.errors);
-  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return json.text();
 }
 
 std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
