@@ -100,7 +100,7 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("bindings/c/answers.cpp", "std::erase(text, ' ');", "std::erase(text, '+');", "c_tests"),
     ("bindings/python/src/questions.cpp", "root_binary64(found.bound_squared(), Rounding::rd)",
      "root_binary64(found.bound_squared(), Rounding::ru)", "python"),
-    ("cli/commands/depth.cpp", "*request.digits * 3322UL / 1000 + 4;", "*request.digits * 332UL / 1000 + 4;",
+    ("cli/commands/depth.cpp", "*request.form.digits * 3322UL / 1000 + 4;", "*request.form.digits * 332UL / 1000 + 4;",
      "cli_shapes_test"),
     ("cli/io/certificate_file.cpp", "if (!names_.insert(name).second) refuse", "if (names_.count(name) > 2) refuse",
      "cli_certificate_test"),
