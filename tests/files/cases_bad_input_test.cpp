@@ -86,7 +86,8 @@ TEST(BadCase, Syntax) {
         << number;
   EXPECT_TRUE(complaint("{\"id\":\"\xff\"}")
                   .starts_with("expected JSON, found a syntax error at column 8: expected UTF-8, found "));
-  EXPECT_EQ(complaint("{\"a\":\n1,}").substr(0, 4), "expe");
+  EXPECT_STREQ(parse_case("{\"a\":\n1,}", "c").error().what(),
+               "c:2: expected JSON, found a syntax error at column 3: expected a field's name in quotes, found '}'");
   const std::string sentence = complaint("{\"id\":\"" + std::string(1000, 'x'));
   EXPECT_LT(sentence.size(), 300u);
 }
