@@ -215,7 +215,7 @@ TEST(Infinitesimal, MayBeItsOwnOperand) {
   law("self", [](const Infinitesimal& s, const Infinitesimal&, const Infinitesimal&) {
     Infinitesimal twice = s, none = s, squared = s, same = s;
     twice += twice;
-    none -= none;
+    none -= *&none;
     squared *= squared;
     same = *&same;
     RC_ASSERT(twice == 2 * s);
