@@ -145,7 +145,7 @@ parse_all() {
 # Of what the launcher asks for, the libraries are those of arm64, but for such as are of all architectures; compilers are this machine's.
 cross_build() {
   local libraries
-  mapfile -t libraries < <(. "$root/cmake/launcher.sh" && packages depth build | grep -E '^(lib|nlohmann)')
+  mapfile -t libraries < <(. "$root/cmake/launcher.sh" && packages depth build | grep '^lib')
   inside there bash -euc 'export DEBIAN_FRONTEND=noninteractive
     apt-get -q update >/data/log
     for name; do

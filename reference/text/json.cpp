@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <utility>
 
@@ -71,31 +70,18 @@ std::string quoted(std::string_view string) {
 }
 
 /// The shortest digits that read back as the number, always with a point or an exponent: 0.5, 2.0,
-/// 1e-07, 1.5e+20.
+/// 1e-05, 1.5e+20.
 std::string decimal(double value) {
-  constexpr int leading_zeros = 3, longest_integer = 15;  // that are written without an exponent
   if (!std::isfinite(value)) return "null";
-  if (value == 0) return std::signbit(value) ? "-0.0" : "0.0";
+  const double size = std::abs(value);
+  const bool in_place = value == 0 || (size >= 1e-4 && size < 1e15);
   std::array<char, 32> buffer;
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value), std::chars_format::scientific).ptr;
-  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-  const std::size_t letter = scientific.find('e');
-  const int exponent = std::atoi(std::string(scientific.substr(letter + 1)).c_str());
-  std::string digits(scientific.substr(0, letter));
-  if (digits.size() > 1) digits.erase(1, 1);
-  const int count = static_cast<int>(digits.size()), point = exponent + 1;  // the place of the point among them
-  if (point > longest_integer || point < -leading_zeros) {
-    if (count > 1) digits.insert(1, ".");
-    digits += fmt::format("e{}{:02}", exponent < 0 ? '-' : '+', std::abs(exponent));
-  } else if (point <= 0) {
-    digits.insert(0, "0." + std::string(static_cast<std::size_t>(-point), '0'));
-  } else if (point < count) {
-    digits.insert(static_cast<std::size_t>(point), ".");
-  } else {
-    digits += std::string(static_cast<std::size_t>(point - count), '0') + ".0";
-  }
-  return (value < 0 ? "-" : "") + digits;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 in_place ? std::chars_format::fixed : std::chars_format::scientific)
+                       .ptr;
+  std::string digits(buffer.data(), end);
+  if (in_place && digits.find('.') == digits.npos) digits += ".0";
+  return digits;
 }
 
 }  // namespace
