@@ -6,12 +6,25 @@ import unittest
 from fractions import Fraction
 
 from explain_test import Page, numbers
-from harness import DATA, CliTest, changed
+from harness import DATA, CliTest, box, changed
 from schemas import validator
-from pieces_test import PLATE, SLOT, obj
 
 VALIDATOR = validator("union_stages")
 COMB, KEY = str(DATA / "comb.obj"), str(DATA / "key.obj")
+FACES = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
+
+
+def obj(*boxes):
+    """Boxes as the tools for convex decomposition write them: a group each, with vertices of its own."""
+    text = ""
+    for k, corners in enumerate(boxes):
+        text += f"o convex_{k}\n" + "".join("v {} {} {}\n".format(*p) for p in box(*corners))
+        text += "".join("f " + " ".join(str(8 * k + i) for i in face) + "\n" for face in FACES)
+    return text
+
+
+SLOT = obj([[-9, -5, -5], [0, 5, 5]], [[1, -5, -5], [10, 5, 5]])
+PLATE = obj([[0.75, -1, -1], [1.75, 1, 1]])
 CUBE = obj([[-1, -1, -1], [1, 1, 1]])
 SLABS = obj([[-9, -9, -2], [9, 9, 0]], [[-9, -9, 0], [9, 9, 2]])
 APART = obj([[50, 0, 0], [51, 1, 1]], [[3.75, 0, 0], [4, 1, 1]])

@@ -6,7 +6,8 @@ The commands of a page run in turn in a folder of its own, which holds the files
 What fathom writes to stderr is marked by "! ", and an exit code other than 0 is shown as [exit 2]; "..." stands for
 any text in a line, and alone for any lines. `refused fathom ...` shows of a usual refusal its sentence alone: no
 output, exit code 2, one line that begins "fathom: ", and at most the line that names the page of help. Of anything
-else it shows all. The version of the program is VERSION.
+else it shows all. `told FIELD...` shows fields of lines of JSON (told.py), and cases.sh makes cases. The version of the
+program is VERSION.
 
     transcripts.py PAGE...            the differences, and exit code 1 if there are some
     transcripts.py --write PAGE...    makes the pages show what is printed now: read the change before it is committed
@@ -27,8 +28,11 @@ VERSION = os.environ["FATHOM_VERSION"]
 PATIENCE = 300  # seconds until a hung process is given up; no test depends on how long anything takes
 PROGRAMS = {"fathom": "FATHOM_EXECUTABLE", "fathom-depth": "FATHOM_DEPTH_EXECUTABLE", "fathom-check": "FATHOM_CHECK"}
 
-# A program of fathom: its stderr and its exit code follow what it prints, past pipes and redirections of its stdout.
-PRELUDE = r"""
+# Cases, and `told`. A program of fathom: its stderr and its exit code follow what it prints, past pipes and redirections of its stdout.
+PRELUDE = f"""
+told() {{ "{sys.executable}" -B "$FATHOM_ROOT/tests/cli/told.py" "$@"; }}
+. "$FATHOM_ROOT/tests/cli/cases.sh"
+""" + r"""
 heard() {
   local code=0 line notes=$HEARD.$BASHPID
   command "$@" 2>"$notes" || code=$?
