@@ -79,6 +79,25 @@ class Subjects(CertifyTest):
         run = json.loads(next(line for line in said if '"run"' in line)[2:])
         self.assertEqual((len(run["a"]["faces"]), "faces" in run["b"]), (6, False))
 
+    def test_shapes_and_unions_on_the_wire(self):
+        """As messages to a subject that declares them, which says of all that they are apart."""
+        program = self.file("apart.py", "import sys\nsys.path.insert(0, sys.argv[1])\nimport fathom_subject\n"
+                            "fathom_subject.run(lambda a, b: fathom_subject.Reply(False), name='apart', version='1',"
+                            " shapes=['sphere', 'margin', 'pieces'])\n")
+        ball = {"shape": "sphere", "radius": 1, "pose": {"quaternion": [1, 0, 0, 0], "translation": [9, 0, 0]}}
+        cube, other = {"vertices": UNIT}, {"vertices": box([3, 0, 0], [4, 1, 1])}
+        pairs = [({**ball, "shape": "rounded_sphere", "margin": 0.5}, cube), ({"pieces": [other, {"vertices": box([2, 0, 0], [3, 1, 1])}]}, cube)]
+        _, _, said = self.traffic([sys.executable, "-B", program, str(ROOT / "verify/subjects/kit")],
+                                  "".join(json.dumps({"a": a, "b": b}) + "\n" for a, b in pairs))
+        round_one, union = (json.loads(line[2:]) for line in said if '"run"' in line)
+        self.assertEqual(round_one["a"], {**ball, "margin": 0.5})
+        self.assertEqual(union["a"]["pieces"][0], other)
+        check = validator(SUBJECT, ("run",))
+        for damage in ({"margin": 0}, {"shape": "rounded_sphere"}, {"radius": None}, {"radius": "1"}, {"color": 1},
+                       {"shape": "cylinder", "half_length": 1}):
+            self.assertFalse(check.is_valid({**round_one, "a": {**round_one["a"], **damage}}), damage)
+        self.assertFalse(check.is_valid({**union, "a": {"pieces": union["a"]["pieces"][:1]}}))
+
     def test_the_page_tells_the_truth(self):
         """The example of PROTOCOL.md, replayed."""
         page = (ROOT / "verify" / "PROTOCOL.md").read_text()

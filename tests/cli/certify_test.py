@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom certify: its options, its exit codes, its bar of progress."""
 import json
+import math
 import os
 import pty
+import re
 import shutil
 import subprocess
 import unittest
@@ -113,6 +115,17 @@ class Runs(CertifyTest):
         self.assertEqual(len(names), len(set(names)))
         self.assertIn("libccd-epa", names)
         self.refused("certify", "--adapter", "libccd", DATA / "real_cases.jsonl")
+
+    def test_adapters_of_unions(self):
+        """The key is one half deep in a piece of the comb, and that is not enough."""
+        for name in ("libccd-epa", "fcl-signed"):
+            with self.subTest(name):
+                if re.search(rf"^{name} .*not built", self.answer("certify", "--list-adapters"), re.MULTILINE):
+                    self.skipTest(f"{name} is not built")
+                _, lines, err = self.certify("--adapter", name, DATA / "unions.jsonl")
+                self.assertEqual(lines[1]["id"], "key_in_comb")
+                self.assertEqual(lines[1]["verdict"], "too-shallow", err)
+                self.assertAlmostEqual(lines[1]["judgement"]["deeper"], math.sqrt(2.5), places=3)
 
     def test_adapter_without_its_packages(self):
         """A copy of the program has nothing beside it."""

@@ -33,7 +33,7 @@ def shown(value):
     return value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
 
 
-for line in sys.stdin:
+for line in sys.stdin.readlines():  # all of it first: what fathom says besides is then shown before, in every run
     check_lines(line)
     told = [at(json.loads(line), field.split(".")) for field in sys.argv[1:]]
     if any(value is not ABSENT for value in told):
