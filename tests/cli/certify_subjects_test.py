@@ -86,7 +86,8 @@ class Subjects(CertifyTest):
                             " shapes=['sphere', 'margin', 'pieces'])\n")
         ball = {"shape": "sphere", "radius": 1, "pose": {"quaternion": [1, 0, 0, 0], "translation": [9, 0, 0]}}
         cube, other = {"vertices": UNIT}, {"vertices": box([3, 0, 0], [4, 1, 1])}
-        pairs = [({**ball, "shape": "rounded_sphere", "margin": 0.5}, cube), ({"pieces": [other, {"vertices": box([2, 0, 0], [3, 1, 1])}]}, cube)]
+        pairs = [({**ball, "shape": "rounded_sphere", "margin": 0.5}, cube),
+                 ({"pieces": [other, {"vertices": box([2, 0, 0], [3, 1, 1])}]}, cube)]
         _, _, said = self.traffic([sys.executable, "-B", program, str(ROOT / "verify/subjects/kit")],
                                   "".join(json.dumps({"a": a, "b": b}) + "\n" for a, b in pairs))
         round_one, union = (json.loads(line[2:]) for line in said if '"run"' in line)

@@ -35,7 +35,7 @@ told() {{ "{sys.executable}" -B "$FATHOM_ROOT/tests/cli/told.py" "$@"; }}
 """ + r"""
 heard() {
   local code=0 line notes=$HEARD.$BASHPID
-  command "$@" 2>"$notes" || code=$?
+  command "$@" 2>"$notes" 9>&- || code=$?
   while IFS= read -r line || [ "$line" ]; do printf '! %s\n' "$line"; done <"$notes" >&9
   if ((code)); then echo "[exit $code]" >&9; fi
   return $code

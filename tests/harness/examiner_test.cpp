@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subjects written as lines of shell. What the liar of tests/cli/certify_liar_test.py does is not
+// Subjects written as lines of shell. What the liar of tests/cli/transcripts/certify.md does is not
 // done again here.
 
 #include "verify/harness/examiner.hpp"
