@@ -5,7 +5,7 @@ box() {
   for z in "$3" "$6"; do for y in "$2" "$5"; do for x in "$1" "$4"; do all+=,[$x,$y,$z]; done; done; done
   echo "{\"vertices\":[${all#,}]}"
 }
-pair() { echo "{\"id\":\"$1\",\"a\":$2,\"b\":$3}"; }
+pair() { echo "{\"schema\":\"fathom/case/1\",\"id\":\"$1\",\"a\":$2,\"b\":$3}"; }
 pieces() { local IFS=,; echo "{\"pieces\":[$*]}"; }
 
 # Two boxes that are 1/2 - N/1000 deep; `boxes N 1000` is one that liar.py knows. `liar WAY [SECONDS]` is the command that runs it.

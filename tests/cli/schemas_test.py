@@ -48,6 +48,16 @@ TEETH = {
     "ray": [({"status": "penetrating"}, set(), [
         (["factor"], "0"), (["factor"], "-1"), (["normal"], None), (["status"], "disjoint"), (["ray"], ["1", "0"]),
         (["more"], 1), (["witness"], None), (["steps"], -1)])],
+    "study": [
+        ({"squared": "1/16"}, set(), [
+            (["status"], "inside"), (["squared"], "0.5"), (["predicates", "x_order", "zero"], -1), (["more"], 1),
+            (["coincidences", "ties", "listed"], [{"a": [[]], "b": []}]), (["bodies", "a", "rank"], 4),
+            (["predicates", "x_order", "decided_by"], [{"monomial": "e1", "name": "E44", "count": 1}])]),
+        ({"signed_depth": PRESENT}, {"cores"}, [
+            (["more"], 1), (["status"], "inside"), (["contact", "a", "feature"], "nose")])],
+    "union": [({"status": "penetrating"}, {"hull"}, [
+        (["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["extra"], 1),
+        (["optima", 0, "translation", 0], 0.5), (["deepest_pair", "pieces"], [0])])],
 }
 
 

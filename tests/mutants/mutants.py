@@ -74,7 +74,7 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/files/pose.cpp", "result[i % 3][i / 3] = pose[i / 4][i % 4];", "result[i / 3][i % 3] = pose[i / 4][i % 4];",
      "files_tests"),
     ("reference/output/answer_json.cpp", "if (low == high) return length(low * low, digits);",
-     "if (low == high) return length(low, digits);", "cli_shapes_test"),
+     "if (low == high) return length(low, digits);", "cli_transcript_shapes"),
     # certificates: the writer, and the checkers, which share nothing with it
     ("reference/certificate/certificate.cpp", "certificate.weights_b = std::move(origin.b);",
      "certificate.weights_b = certificate.weights_a;", "certificate_tests"),
@@ -101,9 +101,9 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("bindings/python/src/questions.cpp", "root_binary64(found.bound_squared(), Rounding::rd)",
      "root_binary64(found.bound_squared(), Rounding::ru)", "python"),
     ("cli/commands/depth.cpp", "*request.form.digits * 3322UL / 1000 + 4;", "*request.form.digits * 332UL / 1000 + 4;",
-     "cli_shapes_test"),
+     "cli_transcript_shapes"),
     ("cli/io/certificate_file.cpp", "if (!names_.insert(name).second) refuse", "if (names_.count(name) > 2) refuse",
-     "cli_certificate_test"),
+     "cli_transcript_certificate"),
 ]]
 
 
