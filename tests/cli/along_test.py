@@ -2,15 +2,13 @@
 """fathom depth --along: one exact continuous curve, the same as text, CSV, JSON and chart."""
 import csv
 import io
-import os
 import re
-import subprocess
 import unittest
 import xml.etree.ElementTree as xml
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from harness import DATA, EXECUTABLE, PATIENCE, UNIT, CliTest, box, case, changed
+from harness import DATA, UNIT, CliTest, box, case, changed
 from schemas import validator
 
 VALIDATOR = validator("along")
@@ -104,15 +102,6 @@ class Along(CliTest):
             self.assertTrue(all(depth["low"] < depth["high"] and "exact" not in depth for depth in depths))
             widths.append(max(depth["high"] - depth["low"] for depth in depths))
         self.assertLess(widths[1], widths[0])
-
-    def test_the_alone_program_says_the_same(self):
-        arguments = ["depth", "--along=2,0,0", "--csv", "--steps", "8", "--svg"]
-        said = []
-        for i, program in enumerate((EXECUTABLE, os.environ["FATHOM_DEPTH_EXECUTABLE"])):
-            picture = self.folder / f"{i}.svg"
-            done = subprocess.run([program, *arguments, picture, CUBE, ICOSAHEDRON], capture_output=True, timeout=PATIENCE, check=True)
-            said.append((done.stdout, done.stderr, picture.read_bytes()))
-        self.assertEqual(*said)
 
 
 class Forms(CliTest):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """fathom certify: adapters, the bar of progress, help. Verdicts and exit codes: transcripts/certify.md."""
-import json
 import math
 import os
 import pty
