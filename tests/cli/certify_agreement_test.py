@@ -3,8 +3,8 @@
 import json
 import unittest
 
-from certify_harness import CertifyTest, boxes, liar
-from certify_schemas import SUBJECT, VERDICT, validator
+from certify_harness import CertifyTest, boxes
+from certify_schemas import SUBJECT, validator
 
 
 class Agreement(CertifyTest):
@@ -92,100 +92,6 @@ class Agreement(CertifyTest):
                      '{"type":"reply","id":"7","overlap":"true"}'):
             self.assertFalse(self.takes(line), line)
         self.assertTrue(self.takes('{"type":"reply","id":7.0,"overlap":true}'))
-
-    def test_distances(self):
-        """Of the boxes, which are 0.5 apart."""
-        hello = json.dumps({**self.HELLO, "promises": ["distance"]})
-        bodies = {"id": "7", "a": {"vertices": [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]},
-                  "b": {"vertices": [[x, y, z] for x in (1.5, 2.5) for y in (0, 1) for z in (0, 1)]}}
-        for reply, verdict, says in (({"distance": 0.5}, "pass", "right: 0.5 is claimed, the distance is 0.5 (correctly rounded)"),
-                                     ({"distance": 0.75}, "too-far", "too far by 0.25"),
-                                     ({"distance": 0.25}, "too-near", "too near by 0.25"),
-                                     ({"distance": 0.5, "direction": [1, 0, 0]}, "wrong-sign", "the direction points the wrong way"),
-                                     ({"distance": 0.5, "witness": {"a": [1, 0, 0], "b": [1.5, 1, 0]}}, "witness-off",
-                                      "miss the distance by"),
-                                     ({}, "inconsistent", "inconsistent: the hello promises distance, and the reply has none")):
-            with self.subTest(reply):
-                replies = self.file("replies.jsonl", hello + "\n" + json.dumps({**self.REPLY, "overlap": False, **reply}) + "\n")
-                _, lines, _ = self.certify("--replay", replies, "-", stdin=json.dumps(bodies) + "\n")
-                self.assertEqual(lines[1]["verdict"], verdict)
-                self.assertIn(says, lines[1]["judgement"]["sentence"])
-                self.assertEqual(lines[1]["judgement"]["distance_squared"], "1/4")
-                self.assertEqual(lines[2]["judged"]["distance"], 1 if "distance" in reply else 0)
-
-    def test_claims_and_policies(self):
-        """The boxes overlap by 0.5 along x, and by 1 along y, which is answered."""
-        separating = {**self.HELLO, "conventions": {**self.HELLO["conventions"], "claims": "separating"}}
-        reply = json.dumps({**self.REPLY, "depth": 1, "direction": [0, 1, 0]})
-        for hello, policy, verdict in ((self.HELLO, None, "too-deep"), (self.HELLO, "declared", "too-deep"),
-                                       (self.HELLO, "minimum", "too-deep"), (self.HELLO, "separating", "pass"), (separating, None, "pass"),
-                                       (separating, "minimum", "too-deep"), (self.HELLO, "within=100%", "pass"),
-                                       (separating, "within=99.999%", "too-deep")):
-            with self.subTest((hello["conventions"], policy)):
-                replies = self.file("replies.jsonl", json.dumps(hello) + "\n" + reply + "\n")
-                more = [] if policy is None else ["--policy", policy]
-                for again in ([], ["--method", "exact"]):
-                    code, lines, err = self.certify("--replay", replies, "-", *more, *again, stdin=boxes(0).replace("box::0", "7"))
-                    self.assertEqual((code, lines[1]["verdict"]), (0 if verdict == "pass" else 1, verdict), err)
-                    for line in lines:
-                        validator(VERDICT).validate(line)
-                    self.assertEqual(lines[0]["policy"], {None: "declared", "within=99.999%": "within=99999/1000%"}.get(policy, policy))
-                    self.assertEqual(lines[1]["judgement"]["dearer"], 1)
-                    self.assertEqual(lines[1]["judgement"].get("longer", False), verdict == "pass")
-                    self.assertEqual(lines[2]["dearer"], {"answers": 1, "median": 1, "worst": 1, "longer_pass": int(verdict == "pass")})
-        _, table, _ = self.run_cli("certify", "--replay", replies, "-", "--policy", "separating", stdin=boxes(0).replace("box::0", "7"))
-        self.assertIn("price        median 1 above the depth, worst 1, of 1 direction; 1 longer translation passes by the policy", table)
-        self.assertIn("claims: separating", " ".join(table.split()))
-        for policy in ("", "within=5", "within=-1%", "manifold"):
-            code, _, err = self.certify("--replay", replies, "-", "--policy", policy, stdin=boxes(0))
-            self.assertEqual(code, 2)
-            self.assertIn("declared, minimum, separating or within=P%", err)
-
-    def test_solid_and_metre_sized(self):
-        """Of four cases: both, flat, too small, and one whose bodies touch, a unit and 101 units long."""
-        def pair(name, b, scale=1):
-            a = [[x * scale, y * scale, z * scale] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-            return json.dumps({"id": name, "a": {"vertices": a},
-                               "b": {"vertices": [[x * scale, y * scale, z * scale] for x, y, z in b]}}) + "\n"
-        solid, flat = [[0.5, 0, 0], [2, 0, 0], [0.5, 1, 0], [0.5, 0, 1]], [[0.5, 0, 0], [2, 0, 0], [0.5, 1, 0]]
-        cases = pair("both", solid) + pair("flat", flat) + pair("small", solid,
-                                                                1 / 256) + pair("long", [[1, 0, 0], [102, 0, 0], [1, 1, 0], [1, 0, 1]])
-        _, lines, _ = self.certify("--subject", liar("honest"), "-", stdin=cases)
-        found = {line["id"]: (line["solid"], line["metre_sized"]) for line in lines if line["type"] == "case"}
-        self.assertEqual(found, {"both": (True, True), "flat": (False, True), "small": (True, False), "long": (True, False)})
-        parts = lines[-1]["parts"]
-        self.assertEqual({name: part["cases"] for name, part in parts.items()}, {"solid": 3, "metre_sized": 2, "solid_and_metre_sized": 1})
-        for part in parts.values():
-            self.assertEqual(sum(part["verdicts"].values()), part["cases"])
-            self.assertEqual(part["passed"] + part["failed"] + part["unsupported"], part["cases"])
-        _, table, _ = self.run_cli("certify", "--subject", liar("honest"), "-", stdin=cases)
-        rows = [line.split()[:2] for line in table.splitlines()]
-        for row in (["all", "4"], ["solid", "3"], ["metre-sized", "2"], ["both", "1"]):
-            self.assertIn(row, rows)
-
-    def test_promises(self):
-        hello = json.dumps({**self.HELLO, "promises": ["depth", "direction", "witness"]})
-        direction, witness = {"direction": [-1, 0, 0]}, {"witness": {"a": [1, 0, 0], "b": [0.5, 0, 0]}}
-        for reply, verdict, says in (({"depth": 0.5, **direction, **witness}, "pass", "right"),
-                                     ({**direction, **witness}, "inconsistent",
-                                      "inconsistent: the hello promises depth, and the reply has none"),
-                                     ({"depht": 0.5}, "inconsistent", "inconsistent: the hello promises depth, direction, witness, and"),
-                                     ({"depth": 0.5, **direction, "witness": {"a": [1, 0, 0]}}, "inconsistent",
-                                      "inconsistent: the hello promises witness"),
-                                     ({"depth": 0.25, **direction}, "too-shallow",
-                                      "inconsistent: the hello promises witness, and the reply has none"),
-                                     ({"overlap": False}, "false-separation", "said to be apart"),
-                                     ({"overlap": False, "distance": 1}, "false-separation",
-                                      "too far by 1: 1 is claimed, the distance is 0")):
-            with self.subTest(reply):
-                replies = self.file("replies.jsonl", hello + "\n" + json.dumps({**self.REPLY, **reply}) + "\n")
-                _, lines, _ = self.certify("--replay", replies, "-", stdin=boxes(0).replace("box::0", "7"))
-                self.assertEqual(lines[0]["subject"]["promises"], ["depth", "direction", "witness"])
-                self.assertEqual(lines[1]["verdict"], verdict)
-                self.assertIn(says, lines[1]["judgement"]["sentence"])
-                self.assertEqual("inconsistent" in lines[1]["judgement"]["findings"], "promises" in says)
-                for line in lines:
-                    validator(VERDICT).validate(line)
 
 
 if __name__ == "__main__":
