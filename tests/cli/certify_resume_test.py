@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever is killed at whatever moment: no verdict that was found is lost, none is found twice."""
+"""Whatever is killed at whatever moment: no verdict is lost, none is found twice. Reports that go on: transcripts/certify_resume.md."""
 import json
 import os
 import pathlib
@@ -14,7 +14,6 @@ import xml.etree.ElementTree
 from certify_harness import CertifyTest, boxes, liar
 from harness import EXECUTABLE, PATIENCE
 
-BALL = {"shape": "sphere", "radius": 1}
 COUNT = 40
 STREAM = "".join(boxes(i, marked=i % 10 == 3) for i in range(COUNT))
 EXPECTED = {f"box::{i}": "too-deep" if i % 10 == 3 else "pass" for i in range(COUNT)}
@@ -170,64 +169,6 @@ class Killed(CertifyTest):
                              cases, lines=1)
         self.assertEqual(out, "")
         self.assertFalse(page.exists())
-
-
-class Resumed(CertifyTest):
-    def run_again(self, *more, cases=STREAM, way="too-deep", resume=True):
-        return self.run_cli("certify", "--report", self.folder / "r", *(["--resume"] if resume else []), "--subject", liar(way), *more,
-                            self.file("cases.jsonl", cases))
-
-    def test_nothing_is_run_again(self):
-        first = self.run_again(resume=False)
-        before = (self.folder / "r").read_text()
-        again = self.run_again()
-        self.assertEqual((first[0], again[0]), (1, 1))
-        self.assertEqual(first[1], again[1], "the same table")
-        self.assertEqual((self.folder / "r").read_text(), before)
-        _, lines, _ = self.certify("--report", self.folder / "r", "--resume", "--subject", liar("too-deep"), self.folder / "cases.jsonl")
-        self.assertEqual(self.verdicts(lines), EXPECTED)
-
-    def test_nor_is_what_fathom_declines(self):
-        """Beyond the precision, of a shape that is not declared; and what the subject declines."""
-        cases = (boxes(0).replace("[[1,", "[[1e39,") + boxes(1, marked=True) +
-                 json.dumps({"id": "ball", "a": BALL, "b": BALL}) + "\n" + boxes(2))
-        for way in ("binary32", "unsupported"):
-            with self.subTest(way):
-                (self.folder / "r").unlink(missing_ok=True)
-                first = self.run_again(resume=False, cases=cases, way=way)
-                before = (self.folder / "r").read_text()
-                self.assertEqual(before.count('"type":"case"'), 4)
-                for _ in range(2):
-                    self.assertEqual(self.run_again(cases=cases, way=way), first)
-                    self.assertEqual((self.folder / "r").read_text(), before)
-
-    def test_more_and_changed_cases(self):
-        self.run_again(cases=boxes(0) + boxes(1))
-        self.run_again(cases=boxes(0) + boxes(1, marked=True) + boxes(2))
-        lines = [json.loads(line) for line in (self.folder / "r").read_text().splitlines()]
-        self.assertEqual([(line["id"], line["verdict"]) for line in lines if line["type"] == "case" and line["id"] == "box::1"],
-                         [("box::1", "pass"), ("box::1", "too-deep")])
-        self.assertEqual(sum(line["type"] == "case" for line in lines), 4)
-        self.assertEqual(lines[-1]["cases"], 3)
-
-    def test_refusals(self):
-        self.run_again(resume=False)
-        before = (self.folder / "r").read_text()
-        code, out, err = self.run_again(resume=False)
-        self.assertEqual((code, out), (2, ""))
-        self.assertIn("--resume goes on with a report that is there", err)
-        for more, way in ((["--tol-rel", "1/7"], "too-deep"), (["--policy", "minimum"], "too-deep"), ([], "binary32")):
-            code, out, err = self.run_again(*more, way=way)
-            self.assertEqual((code, out), (2, ""))
-            self.assertIn("r:1: this report is of another subject, version, setting, tolerance or policy", err)
-        self.assertEqual((self.folder / "r").read_text(), before)
-
-    def test_a_report_may_be_replaced(self):
-        self.run_again(resume=False, cases=boxes(0) + boxes(1))
-        code, _, err = self.run_again("--overwrite", resume=False, cases=boxes(2))
-        lines = [json.loads(line) for line in (self.folder / "r").read_text().splitlines()]
-        self.assertEqual((code, [line["id"] for line in lines if line["type"] == "case"], lines[-1]["cases"]), (0, ["box::2"], 1), err)
-        self.assertIn("--overwrite", self.run_again(resume=False, cases=boxes(2))[2], "the refusal names the way out")
 
 
 if __name__ == "__main__":

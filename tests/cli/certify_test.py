@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""fathom certify: adapters, the bar of progress, help. Verdicts and exit codes: transcripts/certify.md."""
+"""fathom certify: adapters, the bar of progress. Verdicts and exit codes: transcripts/certify.md."""
 import math
 import os
 import pty
@@ -62,17 +62,6 @@ class Bar(CertifyTest):
         seen = os.read(ours, 1 << 20)
         os.close(ours)
         self.assertRegex(seen, rb"^\r\x1b\[K\d+ cases, [0-9.]+/s, \d+ s, 0 failed, worst error [0-9.e-]+")
-
-
-class Usage(CertifyTest):
-    def test_help(self):
-        out = self.answer("certify", "--help")
-        for option in ("--subject", "--adapter", "--replay", "--jobs", "--time-out", "--tol-rel", "--report", "--resume", "--json",
-                       "--metamorphic", "--expect-fail", "--max-errors", "--junit", "--html", "--certificates", "--shrink",
-                       "--list-adapters"):
-            self.assertIn(option, out)
-        self.assertLess(out.index("Examples"), out.index("Usage"))
-        self.assertLessEqual(max(map(len, out.splitlines())), 120)
 
 
 if __name__ == "__main__":

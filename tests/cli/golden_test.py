@@ -3,7 +3,6 @@
 import copy
 import json
 import os
-import pathlib
 import resource
 import signal
 import subprocess
@@ -258,31 +257,6 @@ class Accidents(GoldenTest):
         code, _, err = self.generate(folder / "letter.txt")
         self.assertEqual(code, 3)
         self.assertIn("letter.txt", err)
-
-
-class Words(GoldenTest):
-    def test_help(self):
-        for words, text in (([], "fathom golden verify data"), (["generate"], "--shard"), (["verify"], "every certificate")):
-            out = self.answer("golden", *words, "--help")
-            self.assertTrue(out.startswith("Examples\n"), out)
-            self.assertIn(text, out)
-
-    def test_wrong_words(self):
-        out = str(self.folder / "never")
-        for words, sentence in (
-                ([], "golden expects a task: generate, verify"), (["make"], "unknown task 'make' of golden"),
-                (["generate"], "--level"), (["generate", "--level", "L0"], "--out"), (["generate", "--out", out], "--level"),
-                (["generate", "--level", "L4", "--out", out], "expected L0, L1, L2, L3, P0, P1 or U0, found 'L4'"),
-                (["generate", "--level", "L0", "--out", out, "--seed", "-1"], "--seed"),
-                (["generate", "--level", "L0", "--out", out, "--seed", "18446744073709551616"],
-                 "expected an integer from 0 to 2^64 - 1, found"),
-                (["generate", "--level", "L0", "--out", out, "--jobs", "0"], "expected an integer from 1 to 1024"),
-                (["generate", "--level", "L0", "--out", out, "more"], "more"), (["generate", "--level", "L0", "--out", ""], "--out"),
-                *((["generate", "--level", "L0", "--out", out, "--shard", part], "expected i/n with 1 <= i <= n")
-                  for part in ("0/2", "3/2", "1", "/", "1/0", "a/b", "1/2/3", "-1/2")),
-                (["verify"], "verify expects a folder"), (["verify", out], "cannot read the folder"), (["verify", out, out], out)):
-            self.assertIn(sentence, self.refused("golden", *words), words)
-        self.assertFalse(pathlib.Path(out).exists())
 
 
 if __name__ == "__main__":
