@@ -2,7 +2,7 @@
 // The page of `fathom explain`: it shows, turns, moves, answers to keys, remembers what was chosen, fits, prints, and can be read by all.
 import assert from 'node:assert/strict';
 import { drawn, explained, meshes, stored } from './explained.mjs';
-import { accessible, colours, fits, onPage, prints, withoutWebGl } from './lib.mjs';
+import { accessible, colours, fits, onPage, prints, shadows, withoutWebGl } from './lib.mjs';
 
 const gallery = (id) => () => explained(stored('docs/gallery/cases.jsonl', id)).page;
 const plain = () => explained(meshes('cube-icosahedron', 'tests/data/cube.off', 'tests/data/icosahedron.off')).page;
@@ -24,6 +24,8 @@ for (const [name, page] of Object.entries(looks)) {
       await started(open);
       await fits(open);
       await accessible(open);
+      const shadowed = await shadows(open);
+      if (width === 390 && page === fans) assert.ok(shadowed, 'law: on a phone the tables scroll');
     });
 }
 

@@ -104,6 +104,14 @@ export async function fits(page) {
   assert.ok(wide <= inner, `law: no horizontal overflow; ${wide} > ${inner} pixels: ${wider.join(' ')}`);
 }
 
+/** Law: what scrolls sideways says so by a shadow at its edge, which what lies there uncovers. Returns how many do. */
+export async function shadows(page) {
+  const backgrounds = await page.evaluate(() => [...document.querySelectorAll('.wide')].filter((e) => e.scrollWidth > e.clientWidth)
+    .map((e) => getComputedStyle(e)).map((style) => `${style.backgroundAttachment} ${style.backgroundImage}`));
+  for (const shown of backgrounds) assert.match(shown, /^local, local, scroll, scroll linear-gradient/, 'law: a table that scrolls has a shadow');
+  return backgrounds.length;
+}
+
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
 
 /** Law: axe-core finds nothing serious. It is injected by evaluate, since the page's policy forbids scripts of others. */

@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { accessible, fathom, fits, made, onPage, prints, root } from './lib.mjs';
+import { accessible, fathom, fits, made, onPage, prints, root, shadows } from './lib.mjs';
 
 const known = new Map();
 
@@ -33,6 +33,7 @@ for (const [name, make] of [['a study', one], ['studies', stream]])
       await page.evaluate(() => document.querySelectorAll('details').forEach((each) => { each.open = true; }));
       await fits(page);
       await accessible(page);
+      assert.ok((await shadows(page)) || width > 390, 'law: on a phone the tables scroll');
     });
 
 const spoken = (name) => name.replaceAll('_', ' ').replace(/ of ([ab])$/, (_, body) => ` of ${body.toUpperCase()}`);

@@ -117,7 +117,8 @@ std::string block(std::string_view id, const std::string& json) {
 
 /// The colours and pictures of all pages, and the layout of this one.
 const std::string& whole_style() {
-  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + std::string(style());
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() +
+                                  std::string(picture::scroll_style()) + std::string(style());
   return text;
 }
 

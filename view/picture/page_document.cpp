@@ -48,7 +48,7 @@ std::string policy_element(std::span<const std::string_view> scripts, std::span<
 // The document around a page.
 
 std::string page(const std::string& title, const std::string& body) {
-  const std::string style = colour_style() + picture_style() + std::string(page_style());
+  const std::string style = colour_style() + picture_style() + std::string(scroll_style()) + std::string(page_style());
   const std::array<std::string_view, 1> scripts{page_script()}, styles{style};
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}"
@@ -89,7 +89,7 @@ pre.wrap { white-space: pre-wrap; overflow-wrap: anywhere; }
   border-radius: 5px; padding: .2rem .55rem; max-width: 100%; box-sizing: border-box; } .filter output { color: var(--soft); }
 button { cursor: pointer; background: var(--shade); } .copying { margin: .75rem 0 .25rem; min-height: 0; } .copying > span { color: var(--soft); }
 
-.wide { overflow-x: auto; } .tall { overflow: auto; max-height: 34rem; border-bottom: 1px solid var(--line); }
+.tall { overflow: auto; max-height: 34rem; border-bottom: 1px solid var(--line); }
 table { border-collapse: separate; border-spacing: 0; font-size: .9rem; }
 th, td { padding: .25rem .55rem; border-bottom: 1px solid var(--line); text-align: right; vertical-align: top; font-variant-numeric: tabular-nums; }
 td { white-space: nowrap; } td.text { white-space: normal; min-width: 24rem; font-family: inherit; font-size: inherit; } td.name { text-align: left; }
@@ -116,7 +116,7 @@ svg.chart line.limit { stroke: var(--ink); stroke-dasharray: 3 3; }
 @media (max-width: 36rem) { tbody th.id { min-width: 9rem; } body { padding: .75rem; } article { padding: .7rem; } .facts dl { grid-template-columns: minmax(0, 1fr); gap: 0; }
   .facts dd { margin-bottom: .3rem; } dl.settings { grid-template-columns: minmax(0, 1fr); gap: 0; } details.part > :not(summary) { margin-left: .5rem; margin-right: .5rem; } }
 @media print { html { font-size: 11px; } body { max-width: none; padding: 0; } .pairs svg { width: 49%; } article, figure, tr { break-inside: avoid; }
-  h2, h3, h4 { break-after: avoid; } pre, .tall { max-height: none; } .wide, .tall { overflow: visible; } thead th { position: static; }
+  h2, h3, h4 { break-after: avoid; } pre, .tall { max-height: none; } .tall { overflow: visible; } thead th { position: static; }
   button, .filter { display: none; } * { print-color-adjust: exact; } }
 )";
 }

@@ -83,6 +83,18 @@ std::string colour_style() {
       properties(&Colour::light), properties(&Colour::dark));
 }
 
+// Two shadows stay at the edges; two covers of the ground's colour move with what is scrolled, and
+// hide them where it ends.
+std::string_view scroll_style() {
+  return R"(.wide { max-width: 100%; overflow-x: auto; background:
+  linear-gradient(to right, var(--ground) 50%, transparent) left / 3rem 100% no-repeat local,
+  linear-gradient(to left, var(--ground) 50%, transparent) right / 3rem 100% no-repeat local,
+  linear-gradient(to right, var(--soft), transparent) left / .5rem 100% no-repeat scroll,
+  linear-gradient(to left, var(--soft), transparent) right / .5rem 100% no-repeat scroll; }
+@media print { .wide { overflow: visible; background: none; } }
+)";
+}
+
 std::string_view light_colour(std::string_view name) {
   const auto found = std::ranges::find(colours, name, &Colour::name);
   if (found == colours.end()) throw std::out_of_range("no colour is called " + std::string(name));

@@ -15,6 +15,10 @@ namespace fathom::picture {
 /// else.
 std::string colour_style();
 
+/// The rules for what scrolls sideways by itself, of class "wide": at an edge a shadow says that
+/// more lies beyond it, as a phone shows no bar.
+std::string_view scroll_style();
+
 /// The colour that a property has in light pages: light_colour("a") is that of --a. Throws
 /// std::out_of_range for other names.
 std::string_view light_colour(std::string_view name);
