@@ -238,18 +238,18 @@ def touching(points, rays, differences, lineality=()):
 
 def sizes_of_format_2():
     wide = [f"0 0 {2**319_998}"]
-    deep = f"0 1/{2**200_000} 0 -1/{3**50_000}"
+    deep, high = f"0 1/{2**200_000} 0 -1/{3**50_000}", f"-{7**100_000}/{2**300_000}"
     yield from pair("inner points", lambda k: second(wide, inner=[deep] + ["0 0 0 0"] * k), 1_000, 30_000)
     yield from pair("atoms", lambda k: second(wide, terms=[["disc 0 0 0 1 0 0 1/3 0 0"] * k]), 1_000, 10_000)
     yield from pair("balls", lambda k: second(wide, terms=[["ball 0 0 0 1 0 0 1/3 0 0 1 2 3"] * k]), 1_000, 10_000)
-    yield from pair("heights", lambda k: second(heights=[f"-{7**100_000}/{2**300_000}"] + ["1/5"] * k), 1_000, 30_000)
+    yield from pair("heights", lambda k: second(heights=[high] + ["1/5"] * k), 1_000, 30_000)
     yield from pair("facets and vertices", lambda k: second(wide, vertices=["0 0"] * k, facets=["0"] * k), 100, 10_000)
     yield from pair("differences", lambda k: touching(wide, [], ["0 0"] * k), 100, 30_000)
 
 
 def works_of_format_2():
     points = [f"1/3 {2**100 - 1} -{2**70}/5"] * 30_000
-    inner = f"0 1/{7**30_000} 0 0"
+    inner, high, steep = f"0 1/{7**30_000} 0 0", f"1/{3**40_000}", f"{7**3_000} 0 0"
     yield from pair("rays", lambda k: touching(points, [f"1 -{2**40} 1"] + ["1 0 0"] * k, ["0 0"] * 7), 1_000, 900_000)
     yield from pair("lineality", lambda k: touching(points, [], ["0 0"], ["1 0 0", f"0 0 {2**90}"] * k), 1_000, 900_000)
     yield from pair("differences", lambda k: touching(points, ["1 2 3"] * 40, ["0 0"] * k), 1_000, 90_000)
@@ -257,7 +257,7 @@ def works_of_format_2():
     yield from pair("places", lambda k: second(points, terms=[["point 0 0 0"]] * 9, inner=[inner + " 0 0 0 0" * 8] +
                                                ["0 0 0 0" + " 0 0 0 0" * 8] * k),
                     10, 90_000)
-    yield from pair("heights", lambda k: second(points, heights=[f"1/{3**40_000}"], directions=[f"{7**3_000} 0 0", ZERO],
+    yield from pair("heights", lambda k: second(points, heights=[high], directions=[steep, ZERO],
                                                 terms=[["point 0 0 0"] * k]),
                     1_000, 900_000)
     claim, wide = f"signed_bounds {7**6_000}/{3**1000} {11**3_000}/{2**2_000}", points[:3_000] + [f"{2**4_000} 0 0"]
