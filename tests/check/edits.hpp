@@ -8,7 +8,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "verify/check/check.hpp"
 
@@ -30,23 +29,6 @@ inline std::string edited(std::string text, const std::string& from, const std::
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-/// One edit of a genuine certificate, and what is found.
-struct Edit {
-  std::string from, to;
-  Outcome outcome;
-  std::size_t line;
-  std::string reason;
-};
-
-inline void expect_found(const std::string& text, const std::vector<Edit>& edits) {
-  for (const Edit& edit : edits) {
-    const Verdict verdict = verify(edited(text, edit.from, edit.to));
-    EXPECT_EQ(verdict.outcome, edit.outcome) << edit.from << " -> " << edit.to << ": " << verdict_line(verdict, "x");
-    EXPECT_EQ(verdict.line, edit.line) << edit.from << " -> " << edit.to << ": " << verdict_line(verdict, "x");
-    EXPECT_NE(verdict.reason.find(edit.reason), std::string::npos) << edit.reason << " / " << verdict.reason;
-  }
 }
 
 }  // namespace fathom_check
