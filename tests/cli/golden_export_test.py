@@ -14,7 +14,7 @@ from fractions import Fraction
 
 import jsonschema  # Debian: python3-jsonschema
 from golden_release import COMMITTED, packed, repair, unpacked
-from harness import EXECUTABLE, ROOT, CliTest
+from harness import EXECUTABLE, ROOT, UNIT, CliTest
 
 KIT = ROOT / "verify" / "golden" / "kit"
 sys.path.insert(0, str(KIT))
@@ -127,6 +127,8 @@ class Export(CliTest):
         jsonschema.Draft202012Validator.check_schema(schema)
         path = self.export("--exclude", "ties,disjoint")
         jsonschema.Draft202012Validator(schema).validate(json.loads(path.read_text()))
+        own = self.answer("golden", "export", "--format", "json", self.file("own.jsonl", json.dumps({"id": "own", "a": {"vertices": UNIT}, "b": {"vertices": UNIT}})))
+        jsonschema.Draft202012Validator(schema).validate(json.loads(own))
         source = json.loads(path.read_text())["source"]
         self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.2.0",
                                   "command": "fathom golden export --format json --exclude ties,disjoint"})
@@ -242,62 +244,6 @@ class Export(CliTest):
             record = self.records[case.name]
             self.assertEqual((case.family, [*case.formats]), (group(record), [f for f in record["formats"] if f != "exact"]))
             self.assertEqual(set(case.contacts), contacts(record))
-
-    def test_the_certificates_of_an_export_are_about_its_cases(self):
-        proofs = self.folder / "export.cert"
-        path = self.export("--only", "ties,disjoint", "--count", "40", "--certificates", proofs)
-        names = [case.name for case in fathom_golden.read(path)]
-        lines = self.answer("check", "--case", path, proofs).splitlines()
-        self.assertEqual([line.split()[-1] for line in lines], names)
-        self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines))
-        export = json.loads(path.read_text())
-        export["cases"][7]["a"][0][1] += 0.5
-        path.write_text(json.dumps(export))
-        code, out, _ = self.run_cli("check", "--case", path, proofs)
-        self.assertEqual((code, [line.split()[1] for line in out.splitlines()].count("REFUSED")), (1, 1))
-        export["cases"][7]["a"] = {"vertices": []}
-        path.write_text(json.dumps(export))
-        self.assertEqual(self.run_cli("check", "--case", path, proofs)[0], 2)
-
-    def test_own_cases(self):
-        cube = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-        moved = lambda x: [[p[0] + x, p[1], p[2]] for p in cube]
-        cases = [{"id": "half", "a": {"vertices": cube}, "b": {"vertices": moved(0.5)}},
-                 {"id": "apart", "a": {"vertices": cube}, "b": {"vertices": cube, "pose": [[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0]]}},
-                 {"id": "third", "a": {"vertices": cube}, "b": {"vertices": moved(0.5)[:7] + [["1/3", 0, 0]]}}]
-        path, proofs = self.folder / "my cases.jsonl", self.folder / "own.cert"
-        path.write_text("".join(json.dumps(case) + "\n" for case in cases))
-        code, out, err = self.run_cli("golden", "export", "--format", "json", "--certificates", proofs, path)
-        self.assertEqual((code, err), (0, "fathom: 2 of 2 fitting records; of all 3, 1 are beyond binary64, 0 are excluded, 0 have more "
-                                          "points\n"))
-        export = json.loads(out)
-        schema = json.loads((ROOT / "verify/golden/golden-export.schema.json").read_text())
-        jsonschema.Draft202012Validator(schema).validate(export)
-        self.assertEqual(export["source"], {"file": "my cases.jsonl", "command": "fathom golden export --format json"})
-        self.assertNotIn("licence", export)
-        self.assertEqual([(case["name"], case["signed_depth"], case["contacts"], case["family"]) for case in export["cases"]],
-                         [("half", 0.5, ["facet-facet"], "own"), ("apart", -2.0, [], "own")])
-        (self.folder / "own.json").write_text(out)
-        self.assertEqual(self.answer("check", "--case", self.folder / "own.json", proofs),
-                         "s VERIFIED penetrating depth_squared=1/4 optima=1 half\ns VERIFIED disjoint signed_depth=-sqrt(4)+0 apart\n")
-        for format in ("c", "rust", "csv"):
-            self.assertIn("half", self.answer("golden", "export", "--format", format, path))
-        self.assertEqual(self.run_cli("golden", "export", "--format", "json", "-", stdin=path.read_text())[0], 0)
-        ball = {"shape": "sphere", "radius": 1}
-        unplain = json.dumps({**cases[0], "id": "a b"})
-        for line, sentence in ((unplain, ":4: expected an id of letters, digits and . _ - alone, found 'a b'"),
-                               (json.dumps(cases[0]), ":4: the id 'half' occurred before"), ("{", ":4: "),
-                               (json.dumps({"id": "s", "a": ball, "b": ball}), ":4: exports are of polytopes")):
-            wrong = self.folder / "wrong.jsonl"
-            wrong.write_text(path.read_text() + line + "\n")
-            self.assertIn("wrong.jsonl" + sentence, self.refused("golden", "export", "--format", "c", wrong), line)
-
-    def test_what_is_left_out_is_counted(self):
-        code, _, err = self.run_cli("golden", "export", "--format", "csv", *SAMPLE, COMMITTED)
-        rounded = sum("binary64" not in record["formats"] for record in self.records.values())
-        self.assertEqual(code, 0)
-        self.assertRegex(err, rf"^fathom: 50 of \d+ fitting records; of all {len(self.records)}, {rounded} are beyond binary64, "
-                              r"\d+ are excluded, \d+ have more points\n$")
 
     def test_wrong_folders(self):
         def changed(change, all_sums_right=False):
