@@ -8,10 +8,8 @@ import xml.etree.ElementTree as xml
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from harness import DATA, UNIT, CliTest, box, case, changed
-from schemas import validator
+from harness import DATA, CliTest, box
 
-VALIDATOR = validator("along")
 CUBE, ICOSAHEDRON = str(DATA / "cube.off"), str(DATA / "icosahedron.off")
 NAME = "{http://www.w3.org/2000/svg}"
 # Bodies, and a path that leads through touching: exactly at a step, or between two.
@@ -47,14 +45,6 @@ class Along(CliTest):
             self.assertEqual(([value["step"] for value in found["values"]], found["id"]), (list(range(steps + 1)), f"{a} {b}"))
             self.assertEqual([Fraction(value["s"]) for value in found["values"]], [Fraction(i, steps) for i in range(steps + 1)])
             self.assertEqual([Fraction(part) for part in found["along"]], vector(path))
-
-    def test_the_schema_has_teeth(self):
-        good = self.curve(*PATHS[0])
-        for path, value in ((["steps"], 0), (["values", 0, "s"], "0.5"), (["values", 0, "status"], "inside"), (["values", 0, "value"], "1"),
-                            (["values", 0, "signed_depth", "exact", "root"], "-1"), (["values", 0, "more"], 1), (["along"], ["1", "0"])):
-            self.assertFalse(VALIDATOR.is_valid(changed(good, path, value)), path)
-        for field in good:
-            self.assertFalse(VALIDATOR.is_valid({key: good[key] for key in good if key != field}), field)
 
     def test_each_step_is_the_answer_of_depth(self):
         for a, b, path, steps in PATHS + [CURVED]:
@@ -167,27 +157,6 @@ class Forms(CliTest):
             found, rows, _, chart = self.forms(a, b, path, 4)
             self.assertEqual(len(rows), 5)
             self.assertNotIn("nan", xml.tostring(chart).decode())
-
-
-class Cases(CliTest):
-    def test_a_case_of_a_file(self):
-        path = self.file("cases.jsonl", case(UNIT, box([3, 0, 0], [4, 1, 1]), id="far") + case(UNIT, UNIT, id="same"))
-        found = self.result("depth", "--along", "2,0,0", "--steps", 4, "--case", "same", path)
-        self.assertEqual(([value["value"] for value in found["values"]], found["id"]), ([1, 0.5, 0, -0.5, -1], "same"))
-        only = self.file("only.json", case(UNIT, UNIT, id="only"))
-        self.assertEqual(self.result("depth", "--along", "2,0,0", "--steps", 4, only)["id"], "only")
-        err = self.refused("depth", "--along", "2,0,0", path)
-        self.assertIn("--case ID", err)
-        self.assertIn("'none'", self.refused("depth", "--along", "2,0,0", "--case", "none", path))
-
-    def test_depth_of_one_case(self):
-        path = self.file("cases.jsonl", case(UNIT, box([3, 0, 0], [4, 1, 1]), id="far") + case(UNIT, UNIT, id="same") + "{}\n")
-        self.assertEqual(self.result("depth", "--case", "same", path)["depth"]["squared"], "1")
-        self.assertTrue(self.answer("depth", "--case", "far", path).startswith("disjoint\n"))
-        picture = self.folder / "same.svg"
-        self.answer("depth", "--case", "same", "--svg", picture, path)
-        self.assertIn("<svg", picture.read_text())
-        self.assertIn("found two bodies", self.refused("depth", "--case", "same", CUBE, CUBE))
 
 
 if __name__ == "__main__":

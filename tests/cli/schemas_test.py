@@ -48,6 +48,9 @@ TEETH = {
     "ray": [({"status": "penetrating"}, set(), [
         (["factor"], "0"), (["factor"], "-1"), (["normal"], None), (["status"], "disjoint"), (["ray"], ["1", "0"]),
         (["more"], 1), (["witness"], None), (["steps"], -1)])],
+    "along": [({"steps": 4}, set(), [
+        (["steps"], 0), (["values", 0, "s"], "0.5"), (["values", 0, "status"], "inside"), (["values", 0, "value"], "1"),
+        (["values", 0, "signed_depth", "exact", "root"], "-1"), (["values", 0, "more"], 1), (["along"], ["1", "0"])])],
     "study": [
         ({"squared": "1/16"}, set(), [
             (["status"], "inside"), (["squared"], "0.5"), (["predicates", "x_order", "zero"], -1), (["more"], 1),
