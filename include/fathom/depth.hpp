@@ -249,6 +249,12 @@ struct Depth : BodyFacts {
   /// Points with b - a = translation(): in the faces of the optimum's contact, or a common point
   /// twice. nullopt if disjoint: see distance()->witness.
   [[nodiscard]] std::optional<Witness> witness() const;
+
+  /// The shortest translation of A by which the bodies touch: translation(), or that of the
+  /// distance.
+  [[nodiscard]] Point contact_translation() const;
+  /// Points with b - a = contact_translation(): witness(), or that of the distance.
+  [[nodiscard]] Witness contact_points() const;
 };
 
 /// Returns whether two bodies penetrate, touch or are disjoint, and how deep or how far apart they

@@ -103,8 +103,7 @@ Part<Vector> Answer::direction() const {
 }
 
 Part<SurdPoint> Answer::translation() const {
-  if (const Depth* const depth = std::get_if<Depth>(&found))
-    return {coordinates(depth->distance() ? depth->distance()->translation : depth->translation())};
+  if (const Depth* const depth = std::get_if<Depth>(&found)) return {coordinates(depth->contact_translation())};
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
     const std::vector<AlongNormal> all = shapes->translations();
     if (all.empty()) return {{}, only_bounds};
@@ -117,8 +116,7 @@ Part<SurdPoint> Answer::translation() const {
 }
 
 Part<SurdWitness> Answer::witness() const {
-  if (const Depth* const depth = std::get_if<Depth>(&found))
-    return {surds(coordinates(depth->distance() ? depth->distance()->witness : depth->witness().value()))};
+  if (const Depth* const depth = std::get_if<Depth>(&found)) return {surds(coordinates(depth->contact_points()))};
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
     const std::optional<RoundedWitness> witness = shapes->witness();
     if (!witness) return {{}, only_bounds};

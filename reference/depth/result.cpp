@@ -132,6 +132,10 @@ std::optional<Witness> Depth::witness() const {
   return penetration() ? std::optional(penetration()->witness()) : std::nullopt;
 }
 
+Point Depth::contact_translation() const { return distance() ? distance()->translation : translation(); }
+
+Witness Depth::contact_points() const { return distance() ? distance()->witness : *witness(); }
+
 mpq_class signed_square(const Depth& depth) {
   return depth.distance() ? mpq_class(-depth.distance()->squared) : depth.squared();
 }

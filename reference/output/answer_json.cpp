@@ -75,7 +75,7 @@ Json place(const RoundedPoint& point) { return point_object(point); }
 
 /// For each listed optimum, or of the distance: moving A by it, the bodies touch.
 std::vector<Point> ways_of(const Depth& depth) {
-  if (depth.distance()) return {depth.distance()->translation};
+  if (depth.distance()) return {depth.contact_translation()};
   std::vector<Point> ways;
   for (const Optimum& optimum : depth.optima()) ways.push_back(optimum.translation());
   return ways;
@@ -86,9 +86,7 @@ std::vector<AlongNormal> ways_of(const SignedDepth& depth) { return depth.transl
 Point staying(const Depth&) { return {}; }
 AlongNormal staying(const SignedDepth& depth) { return {depth.direction(), 0, 0}; }
 
-std::optional<Witness> witness_of(const Depth& depth) {
-  return depth.distance() ? depth.distance()->witness : depth.witness();
-}
+std::optional<Witness> witness_of(const Depth& depth) { return depth.contact_points(); }
 std::optional<RoundedWitness> witness_of(const SignedDepth& depth) { return depth.witness(); }
 
 template <class SomeWitness>

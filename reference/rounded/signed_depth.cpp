@@ -138,9 +138,6 @@ std::optional<Status> status_of(int low_sign, int high_sign) {
 // h(n) / <n,n>, where (h(n) / <n,n>) n is known.
 mpq_class factor(const Point& translation, const Vector& n) { return dot(n, translation) / dot(n, n); }
 
-// Points a and b of cores with b - a = (h(n) / <n,n>) n, n the direction.
-Witness witness_of(const Depth& cores) { return cores.distance() ? cores.distance()->witness : *cores.witness(); }
-
 }  // namespace
 
 SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOptions& options) {
@@ -216,7 +213,7 @@ Counters SignedDepth::counters() const {
 std::optional<RoundedWitness> SignedDepth::witness() const {
   if (!exact() || std::holds_alternative<Bracket>(core)) return std::nullopt;
   const Depth* const cores = std::get_if<Depth>(&core);
-  const Witness found = cores != nullptr ? witness_of(*cores) : std::get<PlaneSupport>(core).witness;
+  const Witness found = cores != nullptr ? cores->contact_points() : std::get<PlaneSupport>(core).witness;
   const Vector n = direction();
   return RoundedWitness{{found.a, n, -radius_a}, {found.b, n, radius_b}};
 }

@@ -204,7 +204,7 @@ struct RoundedMaker {
     if (meeting == Meeting::apart) return at({5, 1, mpq_class(1, 2)});
     // Moved back by the shortest way out, or in.
     const Depth depth = penetration_depth(core_of(first), core_of(second));
-    const Point t = depth.distance() ? depth.distance()->translation : depth.translation();
+    const Point t = depth.contact_translation();
     return at({-t.x, -t.y, -t.z});
   }
 };

@@ -60,9 +60,8 @@ Triple some_direction(const Depth& depth, Random& random) {
 /// what is just allowed, or not quite.
 void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& naive, Precision precision,
                  Random& random) {
-  const std::optional<Witness> points =
-      truth.depth.distance() ? truth.depth.distance()->witness : truth.depth.witness();
-  if (!points || truth.a.size() > 8 || truth.b.size() > 8) return;
+  if (truth.a.size() > 8 || truth.b.size() > 8) return;
+  const Witness points = truth.depth.contact_points();
   const Vector& n = truth.depth.direction();
   const mpf_class length = sqrt(mpf_class(dot(n, n), 600));
   const auto moved = [&](const Point& p, const mpf_class& way) {
@@ -75,8 +74,8 @@ void add_witness(Reply& reply, const Truth& truth, const testing::NaiveJudge& na
   const auto some_way = [&] {
     return mpf_class((random.coin() ? naive.witness_tol() : naive.gap_tol()) * static_cast<int>(random.between(-1, 1)));
   };
-  if (random.between(0, 3) != 0) reply.witness_a = moved(points->a, some_way());
-  if (random.between(0, 3) != 0) reply.witness_b = moved(points->b, some_way());
+  if (random.between(0, 3) != 0) reply.witness_a = moved(points.a, some_way());
+  if (random.between(0, 3) != 0) reply.witness_b = moved(points.b, some_way());
 }
 
 /// Where the bodies meet at the translation, or less than it inside, moved by about the tolerance;

@@ -153,6 +153,10 @@ inline kernels::Report check(const Depth& depth, std::span<const Point> a, std::
                 "flat flags");
   std::visit([&](const auto& outcome) { check(outcome, a, b, report); }, depth.outcome);
   const std::optional<Witness> witness = depth.witness();
+  const Witness points = depth.contact_points();
+  report.expect(points.b - points.a == depth.contact_translation() &&
+                    (depth.distance() ? points == depth.distance()->witness : points == witness),
+                "points by whose difference the bodies touch");
   if (const Penetration* penetration = depth.penetration()) {
     const Optimum& first = penetration->optima.front();
     report.expect(depth.status() == Status::penetrating && depth.squared() == penetration->squared() &&

@@ -170,7 +170,7 @@ PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {
   const Depth& depth = pair.depth;
   const Distance* distance = depth.distance();
   const Contact* contact = depth.contact();
-  const Witness witness = distance ? distance->witness : *depth.witness();
+  const Witness witness = depth.contact_points();
   Points touch_a{witness.a}, touch_b{witness.b};
   if (contact) touch_a = chosen(pair.a, contact->a), touch_b = chosen(pair.b, contact->b);
   mpq_class extent = 0;

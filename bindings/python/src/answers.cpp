@@ -60,8 +60,7 @@ py::object normal(const PairAnswer& asked) {
 
 /// Of polytopes and unions; of a search that was stopped the shortest that was found.
 std::optional<Point> rational_translation(const PairAnswer& asked) {
-  if (const Depth* const depth = asked.depth())
-    return depth->distance() ? depth->distance()->translation : depth->translation();
+  if (const Depth* const depth = asked.depth()) return depth->contact_translation();
   const UnionDepth* const unions = asked.of_unions();
   if (!unions) return std::nullopt;
   return unions->apart ? unions->apart->distance.translation : unions->optima.front().translation;
@@ -83,8 +82,7 @@ py::object rounded_point(const RoundedPoint& p, bool exact) {
 }
 
 py::object witness_in_python(const PairAnswer& asked, bool exact) {
-  if (const Depth* const depth = asked.depth())
-    return witness(depth->distance() ? depth->distance()->witness : depth->witness(), exact);
+  if (const Depth* const depth = asked.depth()) return witness(std::optional(depth->contact_points()), exact);
   if (const UnionDepth* const unions = asked.of_unions())
     return witness(unions->apart ? std::optional(unions->apart->distance.witness) : std::nullopt, exact);
   const std::optional<RoundedWitness> found = asked.of_shapes()->witness();
