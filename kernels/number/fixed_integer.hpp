@@ -48,6 +48,13 @@ class FixedInteger {
   }
   ~FixedInteger() = default;
 
+  /// From `count` limbs, the lowest first.
+  static FixedInteger of_limbs(const mp_limb_t* limbs, int count, bool negative) {
+    FixedInteger result;
+    while (count > 0 && limbs[count - 1] == 0) --count;
+    result.assign(limbs, negative ? -count : count);
+    return result;
+  }
   /// value * 2^shift.
   static FixedInteger shifted(long value, unsigned shift) {
     FixedInteger result(value);

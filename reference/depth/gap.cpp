@@ -124,7 +124,7 @@ std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const poly
   if (workspace == nullptr) workspace = &own.emplace();
   Workspace::Parts& parts = *workspace->parts;
   if (polytope::place_narrow(a, b, parts.pair)) {
-    const polytope::NarrowBodies bodies(parts.pair, a, b, parts.scan);
+    const polytope::NarrowBodies<polytope::NarrowInteger> bodies(parts.pair, a, b, parts.scan);
     if (auto found = second_nearest(context, bodies, penetration, *workspace)) return std::move(*found);
   }
   std::vector<Point> room_a, room_b;

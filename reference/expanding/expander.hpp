@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,19 +40,36 @@ using polytope::to_vector;
 
 /// The vector without the common factor of its components.
 inline Vector without_factor(const Vector& v) { return primitive(v); }
-template <unsigned Bits>
-Vector without_factor(const Vec3<kernels::FixedInteger<Bits>>& v) {
+template <class Integer>
+Vector without_factor(const Vec3<Integer>& v) {
   if (kernels::bit_length(v) > 63) return primitive(to_vector(v));
   const std::int64_t x = v.x.to_word(), y = v.y.to_word(), z = v.z.to_word(),
                      factor = std::max<std::int64_t>(std::gcd(std::gcd(x, y), z), 1);
   return {x / factor, y / factor, z / factor};
 }
 
+/// What holds squared distances, and products of them: word integers do not.
+template <class Integer>
+struct SquareOf {
+  using type = Integer;
+};
+template <kernels::WordInteger Integer>
+struct SquareOf<Integer> {
+  using type = polytope::NarrowInteger;
+};
+
 /// A squared distance from O, as a quotient, and a binary64 number that the distance does not
 /// exceed.
-template <class Integer>
+template <class Square>
 struct Radius {
-  Integer numerator, denominator;
+  Square numerator, denominator;
+  double from_above;
+};
+
+/// The distance of a facet's plane, height / sqrt(length), and such a number.
+template <class Integer>
+struct FacetDistance {
+  Integer height, length;
   double from_above;
 };
 
@@ -59,6 +77,7 @@ template <class Differences>
 class Expander {
  public:
   using Integer = typename Differences::Integer;
+  using Square = typename SquareOf<Integer>::type;
   using Plane = ExactPlane<Integer>;
   using Corner = SurfaceVertex<Integer>;
 
@@ -78,18 +97,15 @@ class Expander {
   /// Leaves triangles in all nearest facets of P in the memory.
   ExpansionEnd find_nearest() {
     memory_.nearest.clear();
-    std::optional<Radius<Integer>>& radius = nearest_;
-    radius.reset();
-    return grow([&](TriangleId t) { return radius && beyond(t, *radius, false); },
+    nearest_.reset();
+    return grow([&](TriangleId t) { return nearest_ && beyond(t, *nearest_, false); },
                 [&](TriangleId t) {
-                  const Plane& plane = surface_.plane(t);
-                  const Integer square = plane.height * plane.height, length = dot(plane.normal, plane.normal);
-                  const int order =
-                      radius ? cmp(Integer(square * radius->denominator), Integer(radius->numerator * length)) : -1;
+                  const int order = nearest_ ? compare_distance(t, *nearest_) : -1;
                   if (order > 0) return true;
                   if (order < 0) {
                     memory_.nearest.clear();
-                    radius = radius_of(square, length);
+                    const double from_above = radius_of(squared_height(t), squared_length(t)).from_above;
+                    nearest_ = {surface_.plane(t).height, length_of(t), from_above};
                   }
                   memory_.nearest.push_back(t);
                   return true;
@@ -98,7 +114,7 @@ class Expander {
 
   /// Expands until Q holds the ball. Sets `holds` to whether P does.
   ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
-    const Radius<Integer> radius = radius_of(Integer(squared.get_num()), Integer(squared.get_den()));
+    const Radius<Square> radius = radius_of(Square(squared.get_num()), Square(squared.get_den()));
     bool met = false;  // a facet of P that cuts the ball
     const ExpansionEnd end = grow([&](TriangleId t) { return beyond(t, radius, true); },
                                   [&](TriangleId) {
@@ -112,11 +128,10 @@ class Expander {
   /// Expands until Q's triangles are no nearer than `next`, which shrinks to each facet distance
   /// found, ignoring facets at `depth`.
   ExpansionEnd find_next(const mpq_class& depth, mpq_class& next) {
-    Radius<Integer> radius = radius_of(Integer(next.get_num()), Integer(next.get_den()));
+    Radius<Square> radius = radius_of(Square(next.get_num()), Square(next.get_den()));
     return grow([&](TriangleId t) { return beyond(t, radius, true); },
                 [&](TriangleId t) {
-                  const Plane& plane = surface_.plane(t);
-                  const Integer square = plane.height * plane.height, length = dot(plane.normal, plane.normal);
+                  const Square square = squared_height(t), length = squared_length(t);
                   const mpq_class squared = kernels::ratio(to_mpz(square), to_mpz(length));
                   if (squared != depth) {
                     next = squared;
@@ -157,7 +172,8 @@ class Expander {
     std::uint32_t last = UINT32_MAX;
     for (const auto& [facet, t] : memory_.facets)
       if (std::exchange(last, facet) != facet) directions.insert(without_factor(surface_.plane(t).normal));
-    return {to_mpz(nearest_->numerator), to_mpz(nearest_->denominator), std::move(directions)};
+    const mpz_class height = to_mpz(nearest_->height);
+    return {height * height, to_mpz(nearest_->length), std::move(directions)};
   }
 
   [[nodiscard]] const SideCounts& sides() const { return surface_.sides(); }
@@ -170,7 +186,7 @@ class Expander {
     return {d, std::move(exact), rounded};
   }
 
-  [[nodiscard]] Radius<Integer> radius_of(const Integer& numerator, const Integer& denominator) const {
+  [[nodiscard]] Radius<Square> radius_of(const Square& numerator, const Square& denominator) const {
     return {numerator, denominator, kernels::root_from_above(numerator, denominator, differences_.exponent())};
   }
 
@@ -214,20 +230,34 @@ class Expander {
   double estimated_distance(TriangleId t) {
     const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
     if (rounded.trustworthy()) return rounded.estimated_distance();
-    const Plane& plane = surface_.plane(t);
-    const double distance = kernels::root_from_above(Integer(plane.height * plane.height),
-                                                     Integer(dot(plane.normal, plane.normal)), differences_.exponent());
-    return sgn(plane.height) < 0 ? -distance : distance;
+    const double distance = kernels::root_from_above(squared_height(t), squared_length(t), differences_.exponent());
+    return sgn(surface_.plane(t).height) < 0 ? -distance : distance;
+  }
+
+  Square squared_height(TriangleId t) {
+    const std::conditional_t<std::is_same_v<Square, Integer>, const Square&, Square> height(surface_.plane(t).height);
+    return height * height;
+  }
+  Integer length_of(TriangleId t) { return dot(surface_.plane(t).normal, surface_.plane(t).normal); }
+  Square squared_length(TriangleId t) { return Square(length_of(t)); }
+
+  // The sign of the distance of the triangle's plane from O, less the other. O lies below both.
+  int compare_distance(TriangleId t, const Radius<Square>& other) {
+    return cmp(Square(squared_height(t) * other.denominator), Square(other.numerator * squared_length(t)));
+  }
+  int compare_distance(TriangleId t, const FacetDistance<Integer>& other) {
+    const Integer mine = length_of(t);
+    if (mine == other.length) return cmp(surface_.plane(t).height, other.height);
+    const Square height(other.height);
+    return cmp(Square(squared_height(t) * Square(other.length)), Square(height * height * Square(mine)));
   }
 
   // Whether O lies below the plane, at a greater distance than the radius, or perhaps an equal one.
-  bool beyond(TriangleId t, const Radius<Integer>& radius, bool or_equal) {
+  template <class Distance>
+  bool beyond(TriangleId t, const Distance& radius, bool or_equal) {
     if (surface_.triangles()[t].rounded.surely_beyond(radius.from_above)) return true;
-    const Plane& plane = surface_.plane(t);
-    if (sgn(plane.height) <= 0) return false;
-    const Integer mine = plane.height * plane.height * radius.denominator,
-                  limit = radius.numerator * dot(plane.normal, plane.normal);
-    const int order = cmp(mine, limit);
+    if (sgn(surface_.plane(t).height) <= 0) return false;
+    const int order = compare_distance(t, radius);
     return or_equal ? order >= 0 : order > 0;
   }
 
@@ -245,7 +275,7 @@ class Expander {
     const kernels::RoundedPlane& plane = surface_.triangles()[t].rounded;
     if (plane.trustworthy()) return differences_.likely_extreme(plane.estimated_normal());
     const Vec3<Integer>& exact = surface_.plane(t).normal;
-    return differences_.likely_extreme(kernels::image(exact, kernels::binary_exponent(exact)));
+    return differences_.likely_extreme(kernels::image(exact, kernels::bit_length(exact)));
   }
 
   bool expand(const Corner& above, TriangleId t) {
@@ -261,7 +291,7 @@ class Expander {
   Memory<Integer>& memory_;
   Surface<Integer>& surface_;
   std::size_t budget_;
-  std::optional<Radius<Integer>> nearest_;
+  std::optional<FacetDistance<Integer>> nearest_;
 };
 
 }  // namespace fathom::expanding
@@ -270,10 +300,20 @@ namespace fathom {
 
 /// What a Workspace holds.
 struct Workspace::Parts {
+  expanding::Memory<kernels::Integer127> small;
+  expanding::Memory<kernels::Integer255> middle;
   expanding::Memory<polytope::NarrowInteger> narrow;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
   polytope::NarrowPair pair;  ///< for the caller of an expansion, which leaves it alone
+
+  template <class Integer>
+  expanding::Memory<Integer>& memory() {
+    if constexpr (std::is_same_v<Integer, kernels::Integer127>) return small;
+    else if constexpr (std::is_same_v<Integer, kernels::Integer255>) return middle;
+    else if constexpr (std::is_same_v<Integer, mpz_class>) return wide;
+    else return narrow;
+  }
 };
 
 }  // namespace fathom

@@ -20,7 +20,7 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 namespace fathom::expanding {
 namespace {
 
-using polytope::NarrowDifferences;
+using NarrowDifferences = polytope::NarrowDifferences<polytope::NarrowInteger>;
 
 void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("an expanding polytope of an empty body");
@@ -201,12 +201,19 @@ Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCl
                        [&](auto& differences, auto& memory) { return nearest(context, differences, memory, budget); });
 }
 
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies, std::size_t budget,
-                               Workspace* workspace) {
+template <class Integer>
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+                               std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
-  NarrowDifferences differences = bodies.differences();
-  return nearest(context, differences, (*scratch).narrow, budget);
+  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  return nearest(context, differences, (*scratch).template memory<Integer>(), budget);
 }
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&,
+                                        std::size_t, Workspace*);
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&,
+                                        std::size_t, Workspace*);
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+                                        std::size_t, Workspace*);
 
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
                                       const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
@@ -244,7 +251,8 @@ std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, co
   });
 }
 
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context,
+                                                   const polytope::NarrowBodies<polytope::NarrowInteger>& bodies,
                                                    const mpq_class& nearest, const mpq_class& bound,
                                                    Workspace& workspace) {
   if (!fits(bodies.exponent(), bits_of(bound))) return std::nullopt;

@@ -47,8 +47,9 @@ struct Expansion {
 /// a narrow lattice but the result, once it has grown. Throws Interrupted.
 Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
-/// The same on a narrow lattice.
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+/// The same on a narrow lattice, in each of its integers.
+template <class Integer>
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same in integers of any size: the twin, and the way for lattices that are not narrow.
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
@@ -85,7 +86,8 @@ std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, co
                                                    Workspace& workspace);
 /// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt
 /// if `bound` has too many bits for it.
-std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies& bodies,
+std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context,
+                                                   const polytope::NarrowBodies<polytope::NarrowInteger>& bodies,
                                                    const mpq_class& nearest, const mpq_class& bound,
                                                    Workspace& workspace);
 

@@ -388,15 +388,16 @@ bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   return true;
 }
 
-const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u) {
-  const kernels::DirectionImage v = kernels::direction_image_for(u, body.exponent_);
-  kernels::near_extreme(body.images(), v, *body.memory_);
-  std::vector<std::uint32_t>& near = body.memory_->near;
+template <class Integer>
+const std::vector<std::uint32_t>& NarrowPoints<Integer>::extreme(const Vec3<Integer>& u) const {
+  const kernels::DirectionImage v = kernels::direction_image_for(u, exponent_);
+  kernels::near_extreme(images_, v, *memory_);
+  std::vector<std::uint32_t>& near = memory_->near;
   if (near.size() == 1 || v.slack == 0) return near;
   std::size_t kept = 0;
-  NarrowInteger most;
+  Integer most;
   for (const std::uint32_t i : near) {
-    const NarrowInteger value = dot(u, body[i]);
+    const Integer value = dot(u, (*this)[i]);
     const int order = kept == 0 ? 1 : cmp(value, most);
     if (order < 0) continue;
     if (order > 0) {
@@ -409,22 +410,32 @@ const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const
   return near;
 }
 
-mpq_class NarrowBodies::over_unit(NarrowInteger n) const {
+template <class Integer>
+mpq_class NarrowBodies<Integer>::over_unit(const Integer& n) const {
   mpq_class q;
   if (sgn(n) == 0) return q;
-  const unsigned shared = std::min(pair_.shift, n.trailing_zeros());
-  n.divide_by_power(shared);
-  q.get_num() = n.to_mpz();
+  NarrowInteger numerator(n);
+  const unsigned shared = std::min(pair_.shift, numerator.trailing_zeros());
+  numerator.divide_by_power(shared);
+  q.get_num() = numerator.to_mpz();
   q.get_den() <<= pair_.shift - shared;
   return q;
 }
 
-PlacedPair NarrowBodies::frame() const {
+template <class Integer>
+PlacedPair NarrowBodies<Integer>::frame() const {
   PlacedPair pair;
   pair.denominator = units();
   pair.origin = given_b_[0].exact();
   return pair;
 }
+
+template class NarrowPoints<kernels::Integer127>;
+template class NarrowPoints<kernels::Integer255>;
+template class NarrowPoints<NarrowInteger>;
+template class NarrowBodies<kernels::Integer127>;
+template class NarrowBodies<kernels::Integer255>;
+template class NarrowBodies<NarrowInteger>;
 
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
                                std::uint32_t Difference::*side) {

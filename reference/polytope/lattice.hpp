@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/number/word_integer.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
 
@@ -84,15 +86,16 @@ std::vector<Point> exact_points(std::span<const std::array<double, 3>> body);
 using Difference = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Integers of any kind as those of any size.
-inline Vector to_vector(const Vector& v) { return v; }
-template <unsigned Bits>
-Vector to_vector(const Vec3<kernels::FixedInteger<Bits>>& v) {
-  return {v.x.to_mpz(), v.y.to_mpz(), v.z.to_mpz()};
-}
 inline const mpz_class& to_mpz(const mpz_class& n) { return n; }
 template <unsigned Bits>
 mpz_class to_mpz(const kernels::FixedInteger<Bits>& n) {
   return n.to_mpz();
+}
+using kernels::to_mpz;
+inline const Vector& to_vector(const Vector& v) { return v; }
+template <class Integer>
+Vector to_vector(const Vec3<Integer>& v) {
+  return {to_mpz(v.x), to_mpz(v.y), to_mpz(v.z)};
 }
 
 /// The integers of a body's points.
@@ -191,6 +194,12 @@ using NarrowInteger = kernels::FixedInteger<3072>;
 
 /// A coordinate fits a word if |c| < 2^most_word_bits, and then a difference does too.
 inline constexpr long most_word_bits = 62;
+/// Word integers hold all that is computed from coordinates of at most so many bits, but for squared
+/// distances: <N,N> for the normal N of a triangle of differences, at most 4w + 10 bits.
+template <kernels::WordInteger Integer>
+inline constexpr long most_bits_for = (Integer::most_bits - 10) / 4;
+static_assert(most_bits_for<kernels::Integer127> == 29 && most_bits_for<kernels::Integer255> == 61);
+static_assert(most_bits_for<kernels::Integer255> < most_word_bits);
 
 /// One body's points on a narrow lattice, with their images.
 struct NarrowCloud {
@@ -217,36 +226,42 @@ struct NarrowPair {
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
 /// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent
-/// is at most most_narrow_bits. Scans are made in `memory`.
+/// is at most most_narrow_bits; in words if the integers are. Scans are made in `memory`.
+template <class Integer>
 class NarrowPoints {
  public:
   NarrowPoints(const NarrowCloud& cloud, long exponent, kernels::ScanMemory& memory)
       : images_(cloud.images()), words_(cloud.words), fixed_(cloud.points), exponent_(exponent), memory_(&memory) {}
-  NarrowPoints(const kernels::PointCloud& cloud, kernels::ScanMemory& memory)
+  NarrowPoints(const kernels::PointCloud& cloud,
+               kernels::ScanMemory& memory) requires std::same_as<Integer, NarrowInteger>
       : images_(cloud.images()), integers_(cloud.points()), exponent_(cloud.exponent()), memory_(&memory) {}
 
   [[nodiscard]] std::size_t size() const { return images_.size(); }
   [[nodiscard]] const kernels::Images& images() const { return images_; }
   [[nodiscard]] long exponent() const { return exponent_; }
-  [[nodiscard]] Vec3<NarrowInteger> operator[](std::size_t i) const {
-    if (in_words()) return widened(words_[i]);
-    return integers_.empty() ? widened(fixed_[i]) : widened(integers_[i]);
+  [[nodiscard]] Vec3<Integer> operator[](std::size_t i) const {
+    if constexpr (!kernels::WordInteger<Integer>)
+      if (!in_words()) return integers_.empty() ? widened(fixed_[i]) : widened(integers_[i]);
+    return widened(words_[i]);
   }
 
-  friend Vec3<NarrowInteger> difference(const NarrowPoints& a, const NarrowPoints& b, Difference d) {
+  friend Vec3<Integer> difference(const NarrowPoints& a, const NarrowPoints& b, Difference d) {
     if (!a.in_words()) return b[d.second] - a[d.first];
     return widened(b.words_[d.second] - a.words_[d.first]);
   }
   /// The indices of all points that maximise <u, p>, ascending, until the next call. u is not zero.
   /// Exact.
-  friend const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<NarrowInteger>& u);
+  friend const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<Integer>& u) {
+    return body.extreme(u);
+  }
 
  private:
   [[nodiscard]] bool in_words() const { return !words_.empty(); }
   template <class NT>
-  static Vec3<NarrowInteger> widened(const Vec3<NT>& p) {
-    return {NarrowInteger(p.x), NarrowInteger(p.y), NarrowInteger(p.z)};
+  static Vec3<Integer> widened(const Vec3<NT>& p) {
+    return {Integer(p.x), Integer(p.y), Integer(p.z)};
   }
+  const std::vector<std::uint32_t>& extreme(const Vec3<Integer>& u) const;
 
   kernels::Images images_;
   std::span<const Vec3<std::int64_t>> words_;
@@ -256,10 +271,12 @@ class NarrowPoints {
   kernels::ScanMemory* memory_;
 };
 /// The same values as those of Differences, without allocation.
-using NarrowDifferences = DifferencesOf<NarrowPoints>;
+template <class Integer>
+using NarrowDifferences = DifferencesOf<NarrowPoints<Integer>>;
 
 /// Bodies on a narrow lattice, with their points as they were given: only those that an answer
 /// names become rationals.
+template <class Integer>
 class NarrowBodies {
  public:
   /// All must outlive it. `pair` is what place_narrow made of the points.
@@ -270,11 +287,11 @@ class NarrowBodies {
         given_a_(given_a),
         given_b_(given_b) {}
 
-  NarrowPoints a, b;
+  NarrowPoints<Integer> a, b;
 
   [[nodiscard]] long exponent() const { return pair_.exponent; }
-  [[nodiscard]] NarrowDifferences differences() const { return {a, b}; }
-  [[nodiscard]] mpq_class over_unit(NarrowInteger n) const;
+  [[nodiscard]] NarrowDifferences<Integer> differences() const { return {a, b}; }
+  [[nodiscard]] mpq_class over_unit(const Integer& n) const;
   [[nodiscard]] mpz_class units() const { return mpz_class(1) << pair_.shift; }
   [[nodiscard]] GivenPoint point_of_a(std::size_t i) const { return given_a_[i]; }
   [[nodiscard]] GivenPoint point_of_b(std::size_t i) const { return given_b_[i]; }
@@ -285,6 +302,17 @@ class NarrowBodies {
   const NarrowPair& pair_;
   Points given_a_, given_b_;
 };
+
+/// Calls f with the bodies in the shortest integers that hold everything.
+template <class F>
+auto with_narrow_bodies(const NarrowPair& pair, const Points& a, const Points& b, kernels::ScanMemory& memory, F f) {
+  const bool words = !pair.a.words.empty();
+  if (words && pair.exponent <= most_bits_for<kernels::Integer127>)
+    return f(NarrowBodies<kernels::Integer127>(pair, a, b, memory));
+  if (words && pair.exponent <= most_bits_for<kernels::Integer255>)
+    return f(NarrowBodies<kernels::Integer255>(pair, a, b, memory));
+  return f(NarrowBodies<NarrowInteger>(pair, a, b, memory));
+}
 
 /// What the points of one body weigh in a convex combination of differences: `side` is
 /// Difference::first for A.

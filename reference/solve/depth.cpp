@@ -82,11 +82,12 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
   Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
   if (!polytope::place_narrow(a, b, parts.pair)) return {};
-  const polytope::NarrowBodies bodies(parts.pair, a, b, parts.scan);
-  expanding::Expansion expansion =
-      expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
-  if (expansion.end != expanding::ExpansionEnd::proved) return {NarrowEnd::failed, std::nullopt};
-  return {NarrowEnd::answered, certified_depth(context, bodies, std::move(expansion), options)};
+  return polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
+    expanding::Expansion expansion =
+        expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
+    if (expansion.end != expanding::ExpansionEnd::proved) return NarrowResult{NarrowEnd::failed, std::nullopt};
+    return NarrowResult{NarrowEnd::answered, certified_depth(context, bodies, std::move(expansion), options)};
+  });
 }
 
 // Bodies on a narrow lattice are answered there if an expanding polytope can. Otherwise they are

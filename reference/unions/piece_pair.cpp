@@ -29,8 +29,9 @@ polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, c
                                      kernels::ScanMemory&) {
   return {a, b};
 }
-polytope::NarrowDifferences differences_of(FixedNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                           kernels::ScanMemory& memory) {
+polytope::NarrowDifferences<polytope::NarrowInteger> differences_of(FixedNumbers, const kernels::PointCloud& a,
+                                                                    const kernels::PointCloud& b,
+                                                                    kernels::ScanMemory& memory) {
   return {{a, memory}, {b, memory}};
 }
 

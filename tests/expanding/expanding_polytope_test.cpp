@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -202,7 +203,7 @@ TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolidAndTheSameWithAllIntegers) {
     polytope::Differences search{clouds.a, clouds.b};
     const auto start = starting_tetrahedron(search);
     ASSERT_EQ(start.has_value(), polytope::affine_rank(differences) == 3) << i;
-    polytope::NarrowDifferences narrow{{clouds.a, memory}, {clouds.b, memory}};
+    polytope::NarrowDifferences<polytope::NarrowInteger> narrow{{clouds.a, memory}, {clouds.b, memory}};
     ASSERT_EQ(starting_tetrahedron(narrow), start) << i;
     ++(start ? solid : flat);
     if (!start) continue;
@@ -319,6 +320,42 @@ TEST(FixedIntegers, HoldTheLargestNumbers) {
     const Expansion fixed = nearest_by_expansion(context, clouds.a, clouds.b);
     ASSERT_EQ(fixed.end, ExpansionEnd::proved);
     expect_same(fixed, nearest_by_expansion_in_mpz(context, clouds.a, clouds.b));
+  }
+}
+
+/// The same for integers of two words and of four; the first point of B is amid the others, so that
+/// it may be the origin.
+TEST(WordIntegers, HoldTheLargestNumbers) {
+  kernels::Context context;
+  Workspace workspace;
+  Random random(4);
+  for (const auto& [bits, kinds] : {std::pair(polytope::most_bits_for<kernels::Integer127>, 3),
+                                    std::pair(polytope::most_bits_for<kernels::Integer127> + 1, 2),
+                                    std::pair(polytope::most_bits_for<kernels::Integer255>, 2),
+                                    std::pair(polytope::most_bits_for<kernels::Integer255> + 1, 1)}) {
+    const mpz_class most = testing::power_of_two(static_cast<unsigned long>(bits)) - (kinds == 1 ? 1 : 0);
+    for (int i = 0; i < 200; ++i) {
+      std::vector<Point> a, b{{0, 0, 0}};
+      const auto coordinate = [&](unsigned negative) {
+        const mpq_class size = random() % 3 == 0 ? mpz_class(most - 1) : most;
+        return negative != 0 ? mpq_class(-size) : size;
+      };
+      // Of some pairs alternate corners alone: their differences span the largest triangles.
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        if (i % 2 == 1 && std::popcount(corner) % 2 == 0) continue;
+        const Point p{coordinate(corner & 1U), coordinate(corner & 2U), coordinate(corner & 4U)};
+        a.push_back(i % 4 == 1 ? -p : p);
+        b.push_back(p);
+      }
+      polytope::NarrowPair pair;
+      ASSERT_TRUE(polytope::place_narrow(a, b, pair));
+      ASSERT_EQ(pair.exponent, bits);
+      const polytope::PlacedPair clouds = polytope::place(a, b);
+      const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b);
+      ASSERT_EQ(twin.end, ExpansionEnd::proved);
+      ASSERT_EQ(expect_same_in_all_integers(pair, a, b, unlimited, workspace, twin), kinds);
+      if (HasFailure()) FAIL() << i << ", " << bits << " bits";
+    }
   }
 }
 

@@ -34,8 +34,6 @@ void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 namespace fathom::expanding {
 namespace {
 
-using polytope::NarrowDifferences;
-
 struct Counts {
   std::size_t placing, search;
 };
@@ -44,10 +42,12 @@ Counts allocations_of(kernels::Context& context, const Case& input, Workspace::P
   const std::size_t before = allocations;
   if (!polytope::place_narrow(input.a.points, input.b.points, parts.pair)) return {0, 0};
   const std::size_t placed = allocations;
-  const polytope::NarrowBodies bodies(parts.pair, input.a.points, input.b.points, parts.scan);
-  NarrowDifferences differences = bodies.differences();
-  Expander<NarrowDifferences> expander(context, differences, parts.narrow, 1000);
-  if (expander.start()) expander.find_nearest();
+  const auto search = [&]<class Integer>(const polytope::NarrowBodies<Integer>& bodies) {
+    polytope::NarrowDifferences<Integer> differences = bodies.differences();
+    Expander expander(context, differences, parts.memory<Integer>(), 1000);
+    if (expander.start()) expander.find_nearest();
+  };
+  polytope::with_narrow_bodies(parts.pair, input.a.points, input.b.points, parts.scan, search);
   return {placed - before, allocations - placed};
 }
 

@@ -23,6 +23,24 @@ inline void expect_same(const Expansion& x, const Expansion& y) {
   EXPECT_EQ(x.sides_exact, y.sides_exact);
 }
 
+/// Compares the search with all integers that hold the pair's, with its twin; returns with how many.
+inline int expect_same_in_all_integers(const polytope::NarrowPair& pair, const polytope::Points& a,
+                                       const polytope::Points& b, std::size_t budget, Workspace& workspace,
+                                       const Expansion& twin) {
+  kernels::ScanMemory memory;
+  kernels::Context context;
+  const auto in = [&]<class Integer>(Integer) {
+    const polytope::NarrowBodies<Integer> bodies(pair, a, b, memory);
+    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin);
+  };
+  in(polytope::NarrowInteger());
+  if (pair.a.words.empty() || pair.exponent > polytope::most_bits_for<kernels::Integer255>) return 1;
+  in(kernels::Integer255(0));
+  if (pair.exponent > polytope::most_bits_for<kernels::Integer127>) return 2;
+  in(kernels::Integer127(0));
+  return 3;
+}
+
 /// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on
 /// a narrow lattice that shifts find.
 inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, Workspace& workspace) {
@@ -34,11 +52,7 @@ inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, W
   expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
   polytope::NarrowPair pair;
   const bool narrow = polytope::place_narrow(input.a.points, input.b.points, pair);
-  kernels::ScanMemory memory;
-  if (narrow) {
-    const polytope::NarrowBodies bodies(pair, input.a.points, input.b.points, memory);
-    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin);
-  }
+  if (narrow) expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
   return {twin.end, narrow};
 }
 

@@ -183,7 +183,7 @@ std::vector<Point> exact(const Doubles& body) {
 
 void expect_cloud(const NarrowCloud& cloud, const kernels::PointCloud& expected) {
   kernels::ScanMemory memory;
-  const NarrowPoints points(cloud, expected.exponent(), memory);
+  const NarrowPoints<NarrowInteger> points(cloud, expected.exponent(), memory);
   ASSERT_EQ(points.size(), expected.size());
   ASSERT_EQ(cloud.words.size() + cloud.points.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -291,7 +291,7 @@ TEST(NarrowDifferences, AreThoseOfClouds) {
       for (Vector& p : *body) p = testing::random_vector(random, bits);
     const PlacedPair pair = place_integers(a, b);
     Differences expected{pair.a, pair.b};
-    NarrowDifferences differences{{pair.a, memory}, {pair.b, memory}};
+    NarrowDifferences<NarrowInteger> differences{{pair.a, memory}, {pair.b, memory}};
     const Vector u = i % 20 == 0 ? Vector{0, 0, 0} : testing::random_vector(random, 1 + random() % 300);
     const Vec3<NarrowInteger> fixed{NarrowInteger(u.x), NarrowInteger(u.y), NarrowInteger(u.z)};
     const Difference d = differences.extreme(fixed);
