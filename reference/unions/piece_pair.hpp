@@ -17,8 +17,8 @@ namespace fathom::unions {
 
 /// The differences of two clouds, by the scans of these numbers.
 template <class Numbers>
-using DifferencesIn = std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>, polytope::NarrowDifferences,
-                                         polytope::Differences>;
+using DifferencesIn = std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>,
+                                         polytope::NarrowDifferences<polytope::NarrowInteger>, polytope::Differences>;
 
 /// A facet of Q, or a part of one.
 template <class Numbers>
