@@ -91,6 +91,14 @@ struct CrossingEdges {
   std::array<GivenPoint, 2> a, b;  ///< the ends of the edge of A, and of that of B
 };
 
+/// Faces that overlap, seen along the direction of the contact: a facet and a facet or an edge. A
+/// vector v stands for the point origin + v / units.
+struct OverlappingFaces {
+  std::vector<Vector> a, b;  ///< the corners of the face of A, and of that of B
+  mpz_class units;
+  Point origin;
+};
+
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary
 /// of P. Each corner is a corner of at least three facets, and no two facets lie in one plane.
 struct InnerPolytope {
@@ -105,9 +113,8 @@ struct Penetration {
   /// one per direction, sorted lexicographically on it; at least one, at most Options::optima
   std::vector<Optimum> optima;
   std::size_t unlisted = 0;  ///< further optima, whose directions follow those of `optima`
-  /// What the witness follows from: the faces of the first optimum's contact where they are simple,
-  /// else the witness itself.
-  std::variant<CornerOfA, CornerOfB, CrossingEdges, Witness> meeting;
+  /// What the witness follows from: the faces of the first optimum's contact.
+  std::variant<CornerOfA, CornerOfB, CrossingEdges, OverlappingFaces> meeting;
   std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
 
   // Computed when asked for.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A face of a body is the hull of the body's extreme points in a direction: the hull of the whole
-// body is not needed.
+// A face of a body is spanned by the body's extreme points in a direction: the hull of the body is
+// not needed.
 #include "reference/depth/contact.hpp"
 
 #include <stdexcept>
@@ -12,10 +12,9 @@ namespace fathom::depth {
 namespace {
 
 ExtremeFace face(const kernels::PointCloud& body, const Vector& u) {
-  const std::vector<std::uint32_t> ids = kernels::extreme_points(body, u);
-  std::vector<Vector> points;
-  for (const std::uint32_t i : ids) points.push_back(body[i]);
-  return face_of(ids, std::move(points));
+  ExtremeFace face{{}, face_corners(body, u)};
+  for (const std::uint32_t i : face.ids) face.points.push_back(body[i]);
+  return face;
 }
 
 }  // namespace
@@ -31,14 +30,6 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   if (corners_of_b >= 3) return corners_of_a == 1 ? ContactKind::vertex_facet : ContactKind::edge_facet;
   if (corners_of_a == 2 && corners_of_b == 2) return ContactKind::edge_edge;
   throw std::logic_error("the faces in an optimal direction do not span a facet");
-}
-
-ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points) {
-  if (ids.size() == 1 || (ids.size() == 2 && points[0] != points[1]))
-    return {std::move(points), {ids.begin(), ids.end()}};
-  polytope::Polytope hull = polytope::convex_hull(points);
-  for (std::uint32_t& id : hull.input_ids) id = ids[id];
-  return {std::move(hull.vertices), std::move(hull.input_ids)};
 }
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) {
@@ -78,7 +69,7 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
   return Witness{combination(pair, faces.a.points, common.a), combination(pair, faces.b.points, common.b)};
 }
 
-FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
+Witness overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {
   const Vector apart = faces.b.points.front() - faces.a.points.front();
   std::optional<Witness> common = meeting_points(pair, faces, dot(n, apart) * n, dot(n, n));
   if (!common) throw std::logic_error("the faces in an optimal direction do not meet");

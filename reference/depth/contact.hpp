@@ -14,6 +14,7 @@
 
 #include "fathom/depth.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/polytope/polygon.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::depth {
@@ -33,18 +34,14 @@ struct FacingFaces {
   ExtremeFace a, b;
 };
 
-/// The face that is spanned by points which are all extreme in one direction, given their ids,
-/// ascending.
-ExtremeFace face_of(std::span<const std::uint32_t> ids, std::vector<Vector> points);
-
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 
 /// The contact of any two faces.
 Contact contact_of(FacingFaces faces);
 
-/// What the witness of a nearest facet follows from, given the faces in its direction n, where they
-/// are not simple: they overlap.
-FaceMeeting overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
+/// Points of two faces whose planes are orthogonal to n, with b - a a multiple of n: they overlap,
+/// seen along n.
+Witness overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces);
 
 /// The kind of contact of faces with these numbers of corners. Throws std::logic_error if they do
 /// not span a facet.
@@ -58,6 +55,14 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
 /// Returns the rational position of a convex combination of lattice points.
 Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
 
+/// The corners of the face of a body in direction u, ascending; of equal points the lowest index.
+template <class Body, class Integer>
+std::vector<std::uint32_t> face_corners(const Body& body, const Vec3<Integer>& u) {
+  std::vector<std::uint32_t> ids = polytope::polygon_corners(body, extreme_points(body, u), u);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 /// The contacts of bodies on any lattice, PlacedPair or NarrowBodies.
 template <class Bodies>
 class Contacts {
@@ -68,7 +73,7 @@ class Contacts {
   /// faces do not span a facet.
   [[nodiscard]] Optimum optimum(const Vector& n) const {
     const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
-    std::vector<std::uint32_t> a = corners(bodies_.a, -u), b = corners(bodies_.b, u);
+    std::vector<std::uint32_t> a = face_corners(bodies_.a, -u), b = face_corners(bodies_.b, u);
     const Integer height = dot(u, bodies_.differences()[{a.front(), b.front()}]);
     const ContactKind kind = kind_of(a.size(), b.size());
     return {n, bodies_.over_unit(height), {kind, std::move(a), std::move(b)}};
@@ -83,19 +88,13 @@ class Contacts {
     if (b.size() == 1) return CornerOfB{of_b(0)};
     if (a.size() == 1) return CornerOfA{of_a(0)};
     if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
-    return overlap(bodies_.frame(), optimum.direction, {{points(bodies_.a, a), a}, {points(bodies_.b, b), b}});
+    const polytope::PlacedPair frame = bodies_.frame();
+    return OverlappingFaces{points(bodies_.a, a), points(bodies_.b, b), frame.denominator, frame.origin};
   }
 
  private:
   using Body = std::remove_cvref_t<decltype(std::declval<const Bodies&>().a)>;
   using Integer = polytope::IntegerOf<Body>;
-
-  // Of the face in direction u.
-  static std::vector<std::uint32_t> corners(const Body& body, const Vec3<Integer>& u) {
-    std::vector<std::uint32_t> ids = extreme_points(body, u);
-    if (ids.size() == 1 || (ids.size() == 2 && body[ids[0]] != body[ids[1]])) return ids;
-    return face_of(ids, points(body, ids)).ids;
-  }
 
   static std::vector<Vector> points(const Body& body, const std::vector<std::uint32_t>& ids) {
     std::vector<Vector> points;

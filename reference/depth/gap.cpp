@@ -4,6 +4,7 @@
 // edges, the second by an expanding polytope.                              [proofs/gap.md, lemma 1]
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/polytope.hpp"
+#include "reference/polytope/polygon.hpp"
 
 namespace fathom::depth {
 namespace {
@@ -25,23 +26,12 @@ using Vectors = std::vector<Vec3<Integer>>;
 template <class Integer>
 Vectors<Integer> edge_directions(const Vectors<Integer>& points, const Vec3<Integer>& n) {
   if (points.size() == 1) return {};
-  if (points.size() == 2) return {points[1] - points[0], points[0] - points[1]};
-  if (points.size() == 3) {
-    const Vec3<Integer> u = points[1] - points[0], v = points[2] - points[0];
-    return sgn(det(u, v, n)) > 0 ? Vectors<Integer>{u, v - u, -v} : Vectors<Integer>{v, u - v, -u};
-  }
-  std::vector<Vector> exact;
-  exact.reserve(points.size());
-  for (const Vec3<Integer>& p : points) exact.push_back(expanding::to_vector(p));
-  const polytope::Polytope face = polytope::convex_hull(exact);
-  const bool reversed = dot(face.facets.front().normal, expanding::to_vector(n)) < 0;
+  std::vector<std::uint32_t> cycle(points.size());
+  std::iota(cycle.begin(), cycle.end(), 0U);
+  cycle = polytope::polygon_corners(points, std::move(cycle), n);
   Vectors<Integer> directions;
-  directions.reserve(face.edges.size());
-  for (const polytope::Edge& edge : face.edges) {
-    const Vector along = face.vertices[edge.to] - face.vertices[edge.from];
-    const Vec3<Integer> d{Integer(along.x), Integer(along.y), Integer(along.z)};
-    directions.push_back(reversed ? -d : d);
-  }
+  for (std::size_t i = 0; i < cycle.size(); ++i)
+    directions.push_back(points[cycle[(i + 1) % cycle.size()]] - points[cycle[i]]);
   return directions;
 }
 

@@ -6,7 +6,9 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
+#include "reference/depth/contact.hpp"
 
 namespace fathom {
 
@@ -90,7 +92,11 @@ mpq_class Penetration::squared() const {
 
 Witness Penetration::witness() const {
   const Optimum& first = optima.front();
-  return std::visit(Overloaded{[](const Witness& found) { return found; },
+  return std::visit(Overloaded{[&](const OverlappingFaces& faces) {
+                                 const kernels::DefaultFloatEnvironment environment;
+                                 const polytope::PlacedPair frame{faces.units, faces.origin, {}, {}};
+                                 return depth::overlap(frame, first.direction, {{faces.a, {}}, {faces.b, {}}});
+                               },
                                [&](const CornerOfA& a) {
                                  return Witness{a.point.exact(), a.point.exact() + first.translation()};
                                },

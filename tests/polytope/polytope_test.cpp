@@ -15,7 +15,9 @@
 #include <tuple>
 
 #include "reference/polytope/hull_naive.hpp"
+#include "reference/polytope/polygon.hpp"
 #include "tests/support/property.hpp"
+#include "tests/support/vectors.hpp"
 
 namespace fathom::polytope {
 namespace {
@@ -303,6 +305,32 @@ TEST(ConvexHull, ReorderedInputGivesTheSameHullUnderNewIds) {
     }
     RC_ASSERT(back == expected);
   }));
+}
+
+/// Few places on a plane's grid, so that most points repeat others or lie on a line with them.
+TEST(PolygonCorners, AreTheCornersOfTheHullAroundTheDirection) {
+  std::mt19937_64 random(11);
+  std::array<int, 4> corners{};
+  for (int i = 0; i < 3000; ++i) {
+    const Vector u = testing::random_direction(random, 1 + random() % 3), along = testing::random_vector(random, 2),
+                 e = cross(u, along), f = cross(u, e), from = testing::random_vector(random, 40);
+    Points points;
+    const auto step = [&] { return mpz_class(static_cast<long>(random() % 4)); };
+    for (std::size_t k = 1 + random() % 9; k > 0; --k) points.push_back(from + step() * e + step() * f);
+    std::vector<std::uint32_t> ids(points.size());
+    std::iota(ids.begin(), ids.end(), 0U);
+    std::vector<std::uint32_t> cycle = polygon_corners(points, ids, u);
+    const std::size_t size = cycle.size();
+    for (std::size_t k = 0; size >= 3 && k < size; ++k) {
+      const Vector &p = points[cycle[k]], &q = points[cycle[(k + 1) % size]], &r = points[cycle[(k + 2) % size]];
+      ASSERT_GT(dot(cross(q - p, r - q), u), 0) << i;
+    }
+    std::sort(cycle.begin(), cycle.end());
+    const Polytope hull = convex_hull(points);
+    ASSERT_TRUE(std::equal(cycle.begin(), cycle.end(), hull.input_ids.begin(), hull.input_ids.end())) << i;
+    ++corners[std::min<std::size_t>(size, 4) - 1];
+  }
+  EXPECT_GT(*std::min_element(corners.begin(), corners.end()), 100);
 }
 
 }  // namespace
