@@ -388,6 +388,17 @@ bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   return true;
 }
 
+PlacedPair widened(const NarrowPair& pair, Point origin) {
+  const auto cloud = [&](const NarrowCloud& narrow) {
+    std::vector<Vector> points;
+    points.reserve(narrow.x.size());
+    for (const Vec3<std::int64_t>& p : narrow.words) points.push_back({p.x, p.y, p.z});
+    for (const Vec3<NarrowCoordinate>& p : narrow.points) points.push_back(to_vector(p));
+    return kernels::PointCloud(std::move(points), pair.exponent);
+  };
+  return {mpz_class(1) << pair.shift, std::move(origin), cloud(pair.a), cloud(pair.b)};
+}
+
 template <class Integer>
 const std::vector<std::uint32_t>& NarrowPoints<Integer>::extreme(const Vec3<Integer>& u) const {
   const kernels::DirectionImage v = kernels::direction_image_for(u, exponent_);

@@ -225,6 +225,9 @@ struct NarrowPair {
 /// std::invalid_argument if a coordinate in binary64 is no finite number.
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
+/// The same points of the same lattice as integers of any size. `origin` is the first point of B.
+PlacedPair widened(const NarrowPair& pair, Point origin);
+
 /// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent
 /// is at most most_narrow_bits; in words if the integers are. Scans are made in `memory`.
 template <class Integer>
@@ -235,6 +238,10 @@ class NarrowPoints {
   NarrowPoints(const kernels::PointCloud& cloud,
                kernels::ScanMemory& memory) requires std::same_as<Integer, NarrowInteger>
       : images_(cloud.images()), integers_(cloud.points()), exponent_(cloud.exponent()), memory_(&memory) {}
+  /// `words` are the points of the cloud.
+  NarrowPoints(const kernels::PointCloud& cloud, std::span<const Vec3<std::int64_t>> words,
+               kernels::ScanMemory& memory) requires kernels::WordInteger<Integer>
+      : images_(cloud.images()), words_(words), exponent_(cloud.exponent()), memory_(&memory) {}
 
   [[nodiscard]] std::size_t size() const { return images_.size(); }
   [[nodiscard]] const kernels::Images& images() const { return images_; }

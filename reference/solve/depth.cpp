@@ -82,34 +82,37 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
   Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
   if (!polytope::place_narrow(a, b, parts.pair)) return {};
-  return polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
+  NarrowResult result;
+  polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
     expanding::Expansion expansion =
         expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
-    if (expansion.end != expanding::ExpansionEnd::proved) return NarrowResult{NarrowEnd::failed, std::nullopt};
-    return NarrowResult{NarrowEnd::answered, certified_depth(context, bodies, std::move(expansion), options)};
+    if (expansion.end == expanding::ExpansionEnd::proved)
+      result.depth = certified_depth(context, bodies, std::move(expansion), options);
   });
+  if (!result.depth) result.pair = polytope::widened(parts.pair, b[0].exact());
+  return result;
 }
 
-// Bodies on a narrow lattice are answered there if an expanding polytope can. Otherwise they are
-// placed on any lattice, or the deciding points answer if a common lattice would be too fine.
+// Bodies on a narrow lattice are answered there if an expanding polytope can, else on the same
+// lattice by the exact method. On any other lattice the method decides, or the deciding points
+// answer if a common lattice would be too fine.
 PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                          const Options& options) {
   depth::require_listed(options.optima);
   NarrowResult narrow = depth_on_narrow_lattice(context, a, b, options);
   if (narrow.depth) return {std::move(*narrow.depth), std::nullopt};
-  // After an expansion has failed on a narrow lattice, another one would fail too.
-  const auto answer = [&](polytope::PlacedPair pair) {
-    Depth depth =
-        narrow.end == NarrowEnd::failed ? exact_depth(context, pair, options) : depth_by_method(context, pair, options);
+  const auto answer = [&](auto method, polytope::PlacedPair pair) {
+    Depth depth = method(context, pair, options);
     return PlacedDepth{std::move(depth), std::move(pair)};
   };
+  if (narrow.pair) return answer(exact_depth, std::move(*narrow.pair));
   std::vector<Point> room_a, room_b;
   const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
   if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
-    return answer(std::move(*slim));
+    return answer(depth_by_method, std::move(*slim));
   if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
     return {std::move(*depth), std::nullopt};
-  return answer(polytope::place(exact_a, exact_b, &context));
+  return answer(depth_by_method, polytope::place(exact_a, exact_b, &context));
 }
 
 }  // namespace fathom::solve

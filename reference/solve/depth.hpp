@@ -15,15 +15,12 @@ namespace fathom::solve {
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
-enum class NarrowEnd {
-  answered,
-  failed,     ///< the expanding polytope gave up, and would do so on any lattice
-  not_tried,  ///< the method does not ask for it, or the lattice is not narrow
-};
-
+/// What the search on a narrow lattice has come to; nothing if the method does not ask for it, or the
+/// lattice is not narrow.
 struct NarrowResult {
-  NarrowEnd end = NarrowEnd::not_tried;
   std::optional<Depth> depth;
+  /// The same lattice, if the expanding polytope gave up. It would do so on any.
+  std::optional<polytope::PlacedPair> pair;
 };
 
 /// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow

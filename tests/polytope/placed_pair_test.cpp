@@ -199,6 +199,13 @@ void expect_placed(const NarrowPair& pair, const PlacedPair& expected) {
   EXPECT_EQ(testing::power_of_two(pair.shift), expected.denominator);
   expect_cloud(pair.a, expected.a);
   expect_cloud(pair.b, expected.b);
+  const PlacedPair wide = widened(pair, expected.origin);
+  EXPECT_EQ(wide.denominator, expected.denominator);
+  EXPECT_EQ(wide.exponent(), expected.exponent());
+  for (const auto& [x, y] : {std::pair(&wide.a, &expected.a), std::pair(&wide.b, &expected.b)}) {
+    EXPECT_EQ(x->points(), y->points());
+    EXPECT_TRUE(std::ranges::equal(x->xs(), y->xs()));
+  }
 }
 
 /// Numbers around 2^scale, with a few bits or with all.
