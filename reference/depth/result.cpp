@@ -92,7 +92,8 @@ mpq_class Penetration::squared() const {
 
 Witness Penetration::witness() const {
   const Optimum& first = optima.front();
-  return std::visit(Overloaded{[&](const OverlappingFaces& faces) {
+  return std::visit(Overloaded{[](const Witness& given) { return given; },
+                               [&](const OverlappingFaces& faces) {
                                  const kernels::DefaultFloatEnvironment environment;
                                  const polytope::PlacedPair frame{faces.units, faces.origin, {}, {}};
                                  return depth::overlap(frame, first.direction, {{faces.a, {}}, {faces.b, {}}});

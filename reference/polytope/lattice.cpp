@@ -425,10 +425,9 @@ template <class Integer>
 mpq_class NarrowBodies<Integer>::over_unit(const Integer& n) const {
   mpq_class q;
   if (sgn(n) == 0) return q;
-  NarrowInteger numerator(n);
-  const unsigned shared = std::min(pair_.shift, numerator.trailing_zeros());
-  numerator.divide_by_power(shared);
-  q.get_num() = numerator.to_mpz();
+  q.get_num() = to_mpz(n);
+  const auto shared = static_cast<unsigned>(std::min<mp_bitcnt_t>(pair_.shift, mpz_scan1(q.get_num_mpz_t(), 0)));
+  mpz_tdiv_q_2exp(q.get_num_mpz_t(), q.get_num_mpz_t(), shared);
   q.get_den() <<= pair_.shift - shared;
   return q;
 }

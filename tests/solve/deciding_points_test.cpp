@@ -326,10 +326,7 @@ void expect_named(const std::function<Depth()>& make, const std::vector<Change>&
 }
 
 Penetration& in(Depth& depth) { return std::get<Penetration>(depth.outcome); }
-/// A witness that is `off` from the right one, with the same translation.
-void move_witness(Depth& depth, const Point& off) {
-  in(depth).meeting.emplace<CornerOfA>(CornerOfA{{in(depth).witness().a + off}});
-}
+Witness& with_another_witness(Depth& depth) { return in(depth).meeting.emplace<Witness>(in(depth).witness()); }
 
 TEST(Disagreement, NamesTheFieldOfPenetration) {
   ASSERT_EQ(penetrating().optima().size(), 4u);
@@ -347,13 +344,8 @@ TEST(Disagreement, NamesTheFieldOfPenetration) {
                 {"optima[1].contact", [](Depth& d) { in(d).optima[1].contact.kind = ContactKind::edge_edge; }},
                 {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.a.pop_back(); }},
                 {"optima[0].contact", [](Depth& d) { in(d).optima[0].contact.b.front() += 9; }},
-                {"witness",
-                 [](Depth& d) {
-                   move_witness(d, {0, 1, 0});
-                 }},
-                {"witness", [](Depth& d) {
-                   move_witness(d, {0, 0, 1});
-                 }}});
+                {"witness", [](Depth& d) { with_another_witness(d).a.y += 1; }},
+                {"witness", [](Depth& d) { with_another_witness(d).b.z += 1; }}});
 }
 
 TEST(Disagreement, NamesTheFieldOfTouchingAndDisjointBodies) {
