@@ -31,7 +31,8 @@ void tell(const mpq_class& x) {
   } else {
     std::cout << ", distance^2 = " << depth.distance()->squared;
   }
-  std::cout << ", signed " << fathom::signed_square(depth) << "\n";
+  std::cout << ", signed " << fathom::signed_square(depth) << "; moved by x = " << depth.contact_translation().x
+            << " they touch at x = " << depth.contact_points().b.x << "\n";
 }
 
 int main() {
@@ -47,9 +48,9 @@ int main() {
   std::cout << (fathom::status_named("touching") == fathom::Status::touching) << "\n";  // the words can be read back
 }
 
-//> at 2: disjoint, distance^2 = 1/4, signed -1/4
-//> at 3/2: touching in (1, 1/2, 1/2), signed 0
-//> at 5/4: penetrating, depth^2 = 1/16, shortest ways out: 1, the first of kind vertex-facet, from corner 1 at x = 3/4 to x = 1, the next facet^2 = 9/32, signed 1/16
-//> at 1/2: penetrating, depth^2 = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the next facet^2 = 9/8, signed 1
+//> at 2: disjoint, distance^2 = 1/4, signed -1/4; moved by x = -1/2 they touch at x = 1
+//> at 3/2: touching in (1, 1/2, 1/2), signed 0; moved by x = 0 they touch at x = 1
+//> at 5/4: penetrating, depth^2 = 1/16, shortest ways out: 1, the first of kind vertex-facet, from corner 1 at x = 3/4 to x = 1, the next facet^2 = 9/32, signed 1/16; moved by x = 1/4 they touch at x = 1
+//> at 1/2: penetrating, depth^2 = 1, shortest ways out: 6, the first of kind vertex-facet, from corner 0 at x = 1 to x = 0, the next facet^2 = 9/8, signed 1; moved by x = -1 they touch at x = 0
 //> the cube in itself: 6 ways out, 2 of them listed
 //> 1

@@ -113,8 +113,8 @@ struct Penetration {
   /// one per direction, sorted lexicographically on it; at least one, at most Options::optima
   std::vector<Optimum> optima;
   std::size_t unlisted = 0;  ///< further optima, whose directions follow those of `optima`
-  /// What the witness follows from: the faces of the first optimum's contact; or the witness itself,
-  /// where it was read.
+  /// What the witness follows from: the faces of the first optimum's contact; or the witness
+  /// itself, where it was read.
   std::variant<CornerOfA, CornerOfB, CrossingEdges, OverlappingFaces, Witness> meeting;
   std::optional<InnerPolytope> inner;  ///< proves the depth; only after Method::certificate
 

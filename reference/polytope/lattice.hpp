@@ -194,8 +194,8 @@ using NarrowInteger = kernels::FixedInteger<3072>;
 
 /// A coordinate fits a word if |c| < 2^most_word_bits, and then a difference does too.
 inline constexpr long most_word_bits = 62;
-/// Word integers hold all that is computed from coordinates of at most so many bits, but for squared
-/// distances: <N,N> for the normal N of a triangle of differences, at most 4w + 10 bits.
+/// Word integers hold all that is computed from coordinates of at most so many bits, but for
+/// squared distances: <N,N> for the normal N of a triangle of differences, at most 4w + 10 bits.
 template <kernels::WordInteger Integer>
 inline constexpr long most_bits_for = (Integer::most_bits - 10) / 4;
 static_assert(most_bits_for<kernels::Integer127> == 29 && most_bits_for<kernels::Integer255> == 61);

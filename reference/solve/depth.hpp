@@ -15,8 +15,8 @@ namespace fathom::solve {
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
-/// What the search on a narrow lattice has come to; nothing if the method does not ask for it, or the
-/// lattice is not narrow.
+/// What the search on a narrow lattice has come to; nothing if the method does not ask for it, or
+/// the lattice is not narrow.
 struct NarrowResult {
   std::optional<Depth> depth;
   /// The same lattice, if the expanding polytope gave up. It would do so on any.

@@ -23,7 +23,7 @@ inline void expect_same(const Expansion& x, const Expansion& y) {
   EXPECT_EQ(x.sides_exact, y.sides_exact);
 }
 
-/// Compares the search with all integers that hold the pair's, with its twin; returns with how many.
+/// Compares the search in all integers that hold the pair's with its twin; returns how many do.
 inline int expect_same_in_all_integers(const polytope::NarrowPair& pair, const polytope::Points& a,
                                        const polytope::Points& b, std::size_t budget, Workspace& workspace,
                                        const Expansion& twin) {
