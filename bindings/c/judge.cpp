@@ -207,8 +207,8 @@ void put_word(To&, const mpq_class&) {}    // the squares of the truth, which si
 To judgement_of(const Judgement& from, const RoundedDepth& truth) {
   To to;
   fathom_judgement_init(&to);
-  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
-    const auto& value = judging::value_of(field, from);
+  text::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    const auto& value = text::value_of(field, from);
     if constexpr (requires { put_word(to, value); }) put_word(to, value);
     else put(to, *place_of(field.name), value);
   });
@@ -222,8 +222,8 @@ To judgement_of(const Judgement& from, const RoundedDepth& truth) {
 constexpr bool places_are_complete() {
   std::size_t found = 0;
   bool all = true;
-  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
-    using Value = std::decay_t<decltype(judging::value_of(field, std::declval<const Judgement&>()))>;
+  text::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    using Value = std::decay_t<decltype(text::value_of(field, std::declval<const Judgement&>()))>;
     constexpr bool is_word = requires(To & to, const Value& value) { put_word(to, value); };
     if (place_of(field.name)) ++found;
     else if (!is_word) all = false;

@@ -21,7 +21,7 @@
 #include "fathom/certificate.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/output/json_values.hpp"
+#include "reference/output/result_fields.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -32,22 +32,6 @@ std::string claim_text(const claims::PublishedClaim& claim, const claims::Judged
   for (const claims::Statement& statement : judged.statements)
     text += fmt::format("\n  {}: {}; {}", statement.text, claims::verdict_name(statement.finding), statement.truth);
   return text;
-}
-
-/// One line of the schema fathom/claim/1, without its newline.
-std::string claim_json(const claims::PublishedClaim& claim, const claims::JudgedClaim& judged) {
-  Json statements = Json::array();
-  for (const claims::Statement& statement : judged.statements)
-    statements.push_back(
-        {{"text", statement.text}, {"finding", claims::verdict_name(statement.finding)}, {"truth", statement.truth}});
-  Json result = {{"schema", "fathom/claim/1"}, {"fathom", FATHOM_VERSION}, {"id", claim.bodies.id},
-                 {"source", claim.source},     {"kind", claim.kind},       {"note", claim.note}};
-  result["verdict"] = claims::verdict_name(judged.finding());
-  result["signed_depth"] = output::signed_depth_object(judged.truth);
-  if (claim.numeric) result["numeric"] = *claim.numeric;
-  result["direction"] = output::exact(judged.truth.direction());
-  result["statements"] = statements;
-  return result.text();
 }
 
 using claims::Finding;
@@ -102,7 +86,8 @@ ExitCode run_claims(const Given& given) {
     const PublishedClaim& published = std::get<PublishedClaim>(claim);
     const JudgedClaim judged = claims::judge_claim(published);
     proofs.write(published, judged);
-    print(json ? claim_json(published, judged) : fitted(claim_text(published, judged), 4));
+    print(json ? output::line_of("fathom/claim/1", FATHOM_VERSION, claims::ClaimLine{published, judged})
+               : fitted(claim_text(published, judged), 4));
     ++counts[claims::verdict_name(judged.finding())];
     ++judged_claims;
     if (judged.finding() == Finding::wrong) code = std::max(code, judged_wrong);

@@ -86,27 +86,29 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const A
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies,
                         const AnswerForm& form) {
   const ApproxPenetration* const found = depth.penetration();
-  Json result = output::result_head(id, name(depth.status()));
   const kernels::Roundings most = kernels::roundings_of_root(depth.squared()),
                            least = kernels::roundings_of_root(depth.bound_squared());
-  result["signed_depth"] = output::signed_depth_object(signed_bounds(depth.status(), least, most));
-  const Json size = output::length(depth.squared(), most, form.digits);
-  result["depth"] = size;
-  result["translation"] = output::exact(depth.translation());
-  result["direction"] = output::exact(depth.direction());
-  result["contact"] = found ? output::contact_object(found->contact) : Json();
-  result["witness"] = found && found->witness ? output::witness_object(*found->witness) : Json();
-  output::add_rounded(result, depth.direction(), coordinates(depth.translation()),
-                      output::coordinates_of(found ? found->witness : std::nullopt));
-  result["optima"] = Json::array();
-  add_bodies(result, bodies);
-  result["flat"] = output::flat_array(depth);
-  result["method"] = "approx";
-  result["delta"] = exact_text(depth.delta);
-  result["rays"] = rays(depth);
-  result["bound"] = output::length(depth.bound_squared(), least, form.digits);
-  if (form.width) result["width"] = size;
-  return result.text();
+  const auto witness = found ? found->witness : std::nullopt;
+  output::Result result{id,
+                        name(depth.status()),
+                        output::signed_depth_object(signed_bounds(depth.status(), least, most)),
+                        output::length(depth.squared(), most, form.digits),
+                        output::exact(depth.translation()),
+                        output::exact(depth.direction()),
+                        found ? output::contact_object(found->contact) : Json(),
+                        witness ? output::witness_object(*witness) : Json(),
+                        output::unit_f64(depth.direction()),
+                        output::translation_f64(std::optional(depth.translation())),
+                        output::witness_f64(witness)};
+  result.sizes = output::sizes_object(bodies.sizes);
+  result.hull = output::hull_object(bodies.hull);
+  result.flat = output::flat_array(depth);
+  result.method = "approx";
+  result.delta = exact_text(depth.delta);
+  result.rays = rays(depth);
+  result.bound = output::length(depth.bound_squared(), least, form.digits);
+  if (form.width) result.width = result.depth;
+  return output::result_line(result);
 }
 
 struct ApproxRequest : BodiesRequest {

@@ -150,38 +150,41 @@ std::string pair_json(const AnsweredCase& answered, const Found& found, const Sh
                       {"translation", i == 0 ? translation_json : place(ways[i])},
                       {"contact", cores ? contact_object(cores->optima[i].contact) : contact}});
 
-  Json result = result_head(answered.id, answered.answer.status_name());
-  result["signed_depth"] = lengths.signed_depth;
-  result["depth"] = lengths.depth;
-  result["translation"] = translation_json;
-  result["direction"] = direction_json;
-  result["contact"] = contact;
-  result["witness"] = witness_json(shown_witness);
-  add_rounded(result, direction, translation ? std::optional(rounded::coordinates(*translation)) : std::nullopt,
-              coordinates_of(shown_witness));
-  result["optima"] = optima;
+  Result result{answered.id,
+                answered.answer.status_name(),
+                lengths.signed_depth,
+                lengths.depth,
+                translation_json,
+                direction_json,
+                contact,
+                witness_json(shown_witness),
+                unit_f64(direction),
+                translation_f64(translation),
+                witness_f64(shown_witness),
+                optima};
   if (shown.optima)
-    result["optima_count"] = cores                           ? cores->optima.size() + cores->unlisted
-                             : status == Status::penetrating ? ways.size()
-                                                             : 0;
+    result.optima_count = cores                           ? cores->optima.size() + cores->unlisted
+                          : status == Status::penetrating ? ways.size()
+                                                          : 0;
   if constexpr (std::is_same_v<Found, SignedDepth>)
-    if (found.cone) result["optimal_cone"] = cone_object(*found.cone);
+    if (found.cone) result.optimal_cone = cone_object(*found.cone);
   if (status == Status::disjoint) {
-    Json distance = lengths.distance;
+    Json& distance = result.distance.emplace(lengths.distance);
     distance["direction"] = direction_json;
     distance["translation"] = first ? place(*first) : Json();
     distance["witness"] = witness_json(witness);
-    add_rounded(distance, direction, first ? std::optional(rounded::coordinates(*first)) : std::nullopt,
-                coordinates_of(witness));
-    result["distance"] = distance;
+    distance["unit_f64"] = result.unit_f64;
+    distance["translation_f64"] = translation_f64(first);
+    distance["witness_f64"] = witness_f64(witness);
   }
-  add_bodies(result, answered.bodies);
-  result["flat"] = flat_array(answered.facts);
-  result["method"] = method_name(found);
-  if (shown.counters) result["counters"] = counters_object(counters_of(found));
-  if (shown.certificate) result["certificate"] = answered.certificate;
-  if (shown.width) result["width"] = lengths.depth;
-  return result.text();
+  result.sizes = sizes_object(answered.bodies.sizes);
+  result.hull = hull_object(answered.bodies.hull);
+  result.flat = flat_array(answered.facts);
+  result.method = method_name(found);
+  if (shown.counters) result.counters = counters_object(counters_of(found));
+  if (shown.certificate) result.certificate = answered.certificate;
+  if (shown.width) result.width = lengths.depth;
+  return result_line(result);
 }
 
 // ---- unions ----
@@ -215,33 +218,29 @@ std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, co
     optima.push_back(optimum_json(depth.optima[i]));
   const UnionBounds& bounds = *depth.bounds;
   const UnionCounters& c = depth.counters;
-  Json result{{"schema", "fathom/union/1"},
-              {"fathom", FATHOM_VERSION},
-              {"id", answered.id},
-              {"status", name(depth.status)},
-              {"complete", Json::boolean(depth.complete)},
-              {"depth", depth.complete ? length(depth.low, shown.digits) : Json()},
-              {"low", length(depth.low, shown.digits)},
-              {"high", length(depth.high, shown.digits)},
-              {"optima", optima},
-              {"apart", depth.apart ? distance_json(*depth.apart, shown) : Json()},
-              {"deepest_pair", Json{{"depth", length(bounds.deepest_pair, std::nullopt)},
-                                    {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}}},
-              {"hulls", length(bounds.hulls, std::nullopt)},
-              {"counters", Json{{"nodes", c.nodes},
-                                {"nearest_points", c.nearest_points},
-                                {"pairs", c.pairs},
-                                {"pairs_touched", c.pairs_touched}}}};
-  add_hull(result, answered.bodies.hull);
-  if (shown.certificate && depth.complete) result["certificate"] = answered.certificate;
-  return result.text();
+  UnionResult result{answered.id,
+                     name(depth.status),
+                     depth.complete,
+                     depth.complete ? length(depth.low, shown.digits) : Json(),
+                     length(depth.low, shown.digits),
+                     length(depth.high, shown.digits),
+                     optima,
+                     depth.apart ? distance_json(*depth.apart, shown) : Json(),
+                     {{"depth", length(bounds.deepest_pair, std::nullopt)},
+                      {"pieces", std::vector<std::uint32_t>{bounds.a, bounds.b}}},
+                     length(bounds.hulls, std::nullopt),
+                     {{"nodes", c.nodes},
+                      {"nearest_points", c.nearest_points},
+                      {"pairs", c.pairs},
+                      {"pairs_touched", c.pairs_touched}},
+                     hull_object(answered.bodies.hull)};
+  if (shown.certificate && depth.complete) result.certificate = answered.certificate;
+  return line_of("fathom/union/1", FATHOM_VERSION, result);
 }
 
 }  // namespace
 
-Json result_head(const std::string& id, std::string_view status) {
-  return {{"schema", result_schema}, {"fathom", FATHOM_VERSION}, {"id", id}, {"status", status}};
-}
+std::string result_line(const Result& result) { return line_of(result_schema, FATHOM_VERSION, result); }
 
 std::string_view method_name(const Depth& depth) { return depth.method ? name(*depth.method) : "shallow"; }
 

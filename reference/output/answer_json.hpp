@@ -10,6 +10,7 @@
 
 #include "fathom/answer.hpp"
 #include "reference/output/json_values.hpp"
+#include "reference/output/result_fields.hpp"
 
 namespace fathom::output {
 
@@ -37,9 +38,8 @@ std::string answer_json(const AnsweredCase& answered, const Shown& shown);
 /// Returns the line for a case of a stream that has no result.
 std::string json_error(const std::string& id, std::size_t line, std::string_view error);
 
-/// The first fields of every result, exact or approximate: the schema, the version of fathom, the
-/// id, the status.
-Json result_head(const std::string& id, std::string_view status);
+/// One line, without its newline, of an answer about two polytopes or shapes, exact or approximate.
+std::string result_line(const Result& result);
 
 /// The word for the method that answered.
 std::string_view method_name(const Depth& depth);

@@ -54,15 +54,6 @@ Json finite_array(const std::optional<std::array<double, 3>>& values) {
   return Json::array({(*values)[0], (*values)[1], (*values)[2]});
 }
 
-/// Each coordinate to the nearest binary64; null if one is beyond all finite numbers.
-Json numbers(const rounded::Coordinates& values) { return finite_array(rounded::nearest_binary64(values)); }
-
-Json sizes_object(const shapes::BodySizes& sizes) {
-  Json result = {{"a", finite_array(sizes.a)}};
-  if (!sizes.one_body) result["b"] = finite_array(sizes.b);
-  return result;
-}
-
 Json object_of(const polytope::Dents& dents) {
   return {{"convex", Json::boolean(false)},
           {"volume_ratio", dents.volume_ratio ? number(*dents.volume_ratio) : Json()},
@@ -163,12 +154,8 @@ Json point_object(const RoundedPoint& point) {
           {"distance", Json::plain(exact_text(point.distance))}};
 }
 
-void add_rounded(Json& result, const Vector& direction, const std::optional<rounded::Coordinates>& translation,
-                 const std::optional<rounded::CoordinatePair>& witness) {
-  result["unit_f64"] = numbers(rounded::unit(direction));
-  result["translation_f64"] = translation ? numbers(*translation) : Json();
-  result["witness_f64"] = witness ? Json{{"a", numbers(witness->front())}, {"b", numbers(witness->back())}} : Json();
-}
+Json numbers(const rounded::Coordinates& values) { return finite_array(rounded::nearest_binary64(values)); }
+Json unit_f64(const Vector& direction) { return numbers(rounded::unit(direction)); }
 
 Json contact_object(const Contact& contact) {
   return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}};
@@ -191,19 +178,20 @@ AboutBodies about_bodies(const Case& input, bool one_body) {
   return {shapes::sizes_of(input.a, input.b), {shapes::hull_fact(input.a), shapes::hull_fact(input.b)}};
 }
 
-void add_bodies(Json& result, const AboutBodies& bodies) {
-  result["sizes"] = sizes_object(bodies.sizes);
-  add_hull(result, bodies.hull);
+Json sizes_object(const shapes::BodySizes& sizes) {
+  Json result = {{"a", finite_array(sizes.a)}};
+  if (!sizes.one_body) result["b"] = finite_array(sizes.b);
+  return result;
 }
 
-void add_hull(Json& result, const shapes::HullFacts& facts) {
-  if (!facts.a && !facts.b && !facts.pieces_a && !facts.pieces_b) return;  // no mesh was compared
+std::optional<Json> hull_object(const shapes::HullFacts& facts) {
+  if (!facts.a && !facts.b && !facts.pieces_a && !facts.pieces_b) return std::nullopt;  // no mesh was compared
   Json hull = Json::object();
   if (facts.a) hull["a"] = object_of(*facts.a);
   if (facts.b) hull["b"] = object_of(*facts.b);
   if (facts.pieces_a) hull["a"] = array_of(*facts.pieces_a);
   if (facts.pieces_b) hull["b"] = array_of(*facts.pieces_b);
-  result["hull"] = hull;
+  return hull;
 }
 
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error) {

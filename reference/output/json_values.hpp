@@ -63,15 +63,21 @@ Json point_object(const RoundedPoint& point);
 
 // ---- the same in binary64 ----
 
-template <class SomeWitness>
-std::optional<rounded::CoordinatePair> coordinates_of(const std::optional<SomeWitness>& witness) {
-  return witness ? std::optional(rounded::coordinates(*witness)) : std::nullopt;
-}
+// Null of what there is not, and of what is beyond all finite numbers.
 
-/// Adds the fields "unit_f64", "translation_f64" and "witness_f64", which stand beside exact ones;
-/// null of what there is not, and of what is beyond all finite numbers.
-void add_rounded(Json& result, const Vector& direction, const std::optional<rounded::Coordinates>& translation,
-                 const std::optional<rounded::CoordinatePair>& witness);
+/// Each coordinate to the nearest.
+Json numbers(const rounded::Coordinates& values);
+Json unit_f64(const Vector& direction);
+template <class Translation>
+Json translation_f64(const std::optional<Translation>& translation) {
+  return translation ? numbers(rounded::coordinates(*translation)) : Json();
+}
+template <class SomeWitness>
+Json witness_f64(const std::optional<SomeWitness>& witness) {
+  if (!witness) return {};
+  const rounded::CoordinatePair points = rounded::coordinates(*witness);
+  return {{"a", numbers(points.front())}, {"b", numbers(points.back())}};
+}
 
 // ---- contacts and bodies ----
 
@@ -87,9 +93,9 @@ struct AboutBodies {
 
 AboutBodies about_bodies(const Case& input, bool one_body);
 
-/// The fields "sizes" and, if a body is a mesh with faces or has such pieces, "hull".
-void add_bodies(Json& result, const AboutBodies& bodies);
-void add_hull(Json& result, const shapes::HullFacts& facts);
+Json sizes_object(const shapes::BodySizes& sizes);
+/// Of bodies that are meshes with faces, or have such pieces.
+std::optional<Json> hull_object(const shapes::HullFacts& facts);
 
 // ---- no result ----
 

@@ -16,6 +16,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "reference/output/result_fields.hpp"
+#include "verify/claims/claims.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report_fields.hpp"
@@ -25,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using judging::fields_of;
-using judging::for_each_field;
+using text::for_each_field;
 using Names = std::vector<std::string>;
 
 std::string file_of(const std::string& path) {
@@ -100,7 +102,7 @@ template <class Struct>
 Names names_in(const Struct& of, bool whole = false) {
   Names names;
   for_each_field(fields_of(&of), [&](const auto& field) {
-    if (!judging::has(field, of)) return;
+    if (!text::has(field, of)) return;
     std::string name(field.name.substr(0, whole ? field.name.npos : field.name.find('.')));
     if (names.empty() || names.back() != name) names.push_back(std::move(name));
   });
@@ -145,7 +147,7 @@ TEST(Fields, DifferInTheirOwnNames) {
     EXPECT_FALSE(difference(all, all));
     for_each_field(judging::judgement_fields, [&](const auto& field) {
       if constexpr (std::decay_t<decltype(field)>::stored) {
-        if (!judging::has(field, all) || field.name == "signed_depth") return;
+        if (!text::has(field, all) || field.name == "signed_depth") return;
         Judgement other = all;
         other.*field.member = Judgement().*field.member;
         const std::string found = difference(all, other).value_or("no difference");
@@ -198,7 +200,7 @@ void expect_described(const Json& object, const Names& first = {}) {
     if (expected.empty() || expected.back() != name) expected.push_back(name);
     ASSERT_TRUE(object["properties"].contains(name)) << "law: the schema has " << name;
     const Json& property = object["properties"][name];
-    const std::string expected_kind = kind(judging::value_of(field, all));
+    const std::string expected_kind = kind(text::value_of(field, all));
     const bool is_of_one_kind = name == field.name && !expected_kind.empty() && expected_kind != "string";
     EXPECT_TRUE(!is_of_one_kind || kind_in(property) == expected_kind)
         << name << ": " << property << ", " << expected_kind;
@@ -222,6 +224,29 @@ TEST(Fields, AreInTheSchemas) {
   const Json protocol = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["reply"]["properties"];
   for (const std::string& name : names_in(filled<Reply>()))
     EXPECT_TRUE(protocol.contains(name)) << "law: the protocol has " << name;
+}
+
+/// Each field in order, with its meaning.
+template <class... Rows>
+void expect_described(const std::tuple<Rows...>& table, const Json& object, const Names& first) {
+  Names expected = first;
+  for_each_field(table, [&](const auto& field) {
+    expected.emplace_back(field.name);
+    EXPECT_EQ(object["properties"].value(expected.back(), Json::object()).value("description", ""), field.meaning)
+        << "law: the schema has " << field.name;
+  });
+  EXPECT_EQ(keys_of(object["properties"]), expected) << "law: the schema has the fields of the table";
+  EXPECT_EQ(object.value("additionalProperties", true), false);
+}
+
+TEST(Fields, OfResultsAndClaimsAreInTheirSchemas) {
+  const Names head{"schema", "fathom"};
+  const auto schema = [](const std::string& path) { return Json::parse(file_of(path)); };
+  expect_described(output::result_fields, schema("reference/output/result.schema.json")["$defs"]["result"], head);
+  expect_described(output::union_result_fields, schema("reference/output/union.schema.json")["$defs"]["union"], head);
+  const Json claim = schema("verify/claims/claim.schema.json");
+  expect_described(claims::claim_fields, claim, head);
+  expect_described(claims::statement_fields, claim["properties"]["statements"]["items"], {});
 }
 
 TEST(Fields, OfTheSummaryAreInTheSchema) {
@@ -250,7 +275,7 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   const Json json = Json::parse(text),
              schema = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["hello"];
   Names expected{"type", "protocol"};
-  for (const std::string_view name : judging::names_of(hello_fields)) expected.emplace_back(name);
+  for (const std::string_view name : text::names_of(hello_fields)) expected.emplace_back(name);
   EXPECT_EQ(keys_of(json), expected);
   EXPECT_EQ(keys_of(schema["properties"]), expected) << "law: the schema has the fields of the table";
   EXPECT_EQ(keys_of(json["conventions"]), names_in(all.conventions));
@@ -273,13 +298,12 @@ TEST(Fields, OfAJudgementAreOnThePageOfAFailure) {
     const std::string page = failure_article(subject, {outcome, Case{"a text", {}, {}}, ""}, "f1");
     for_each_field(judging::judgement_fields, [&](const auto& field) {
       if constexpr (requires { field.label; }) {
-        const bool is_there =
-            !judging::has(field, *outcome.judgement) || page.find(std::string(field.label)) != page.npos;
+        const bool is_there = !text::has(field, *outcome.judgement) || page.find(std::string(field.label)) != page.npos;
         EXPECT_TRUE(is_there) << "law: the residuals have " << field.name;
       }
-      using Value = std::decay_t<decltype(judging::value_of(field, *outcome.judgement))>;
+      using Value = std::decay_t<decltype(text::value_of(field, *outcome.judgement))>;
       constexpr bool is_exact = std::is_same_v<Value, mpq_class> || std::is_same_v<Value, std::optional<mpq_class>>;
-      if (!is_exact || !judging::has(field, *outcome.judgement)) return;
+      if (!is_exact || !text::has(field, *outcome.judgement)) return;
       const std::string name(field.name.substr(0, field.name.size() - std::string_view("_squared").size()));
       EXPECT_TRUE(page.find('\n' + name + "^2 = ") != page.npos || page.find('>' + name + "^2 = ") != page.npos)
           << "law: the exact numbers have " << field.name;
@@ -296,8 +320,7 @@ TEST(Fields, OfAJudgementAreInVerdictsMd) {
   for_each_field(judging::judgement_fields, [&](const auto& field) {
     std::ostringstream entry;
     entry << "- `" << field.name << '`' << (field.unit.empty() ? "" : ", ") << field.unit
-          << (field.since == judging::first_version ? "" : ", since " + std::string(field.since)) << ": "
-          << field.meaning;
+          << (field.since == text::first_version ? "" : ", since " + std::string(field.since)) << ": " << field.meaning;
     EXPECT_NE(page.find(entry.str()), std::string::npos) << "law: the page has this entry:\n" << entry.str();
   });
 }
@@ -327,7 +350,7 @@ TEST(Fields, OfAJudgementAreInPythonsClass) {
   for (std::sregex_iterator at(body.begin(), body.end(), row), end; at != end; ++at)
     found.push_back((*at)[1].str() + ": " + (*at)[2].str());
   for_each_field(judging::judgement_fields, [&](const auto& field) {
-    using Value = std::decay_t<decltype(judging::value_of(field, std::declval<const Judgement&>()))>;
+    using Value = std::decay_t<decltype(text::value_of(field, std::declval<const Judgement&>()))>;
     expected.push_back(std::string(field.name) + ": " + annotation<Value>());
   });
   EXPECT_EQ(found, expected) << "law: Python's class has the fields of the table, in order";

@@ -8,11 +8,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/output/json_values.hpp"
+#include "reference/output/result_fields.hpp"
 
 namespace fathom::claims {
 
@@ -72,5 +75,54 @@ std::string_view verdict_name(const std::optional<Finding>& finding);
 /// infinite; there the way along the line, until the bodies touch, may be longer by the tolerance,
 /// or at an angle to the normal that the rounding explains. Throws as signed_depth does.
 JudgedClaim judge_claim(const PublishedClaim& claim);
+
+// ---- as JSON: claim.schema.json ----
+
+inline constexpr std::tuple statement_fields{
+    text::field("text", &Statement::text, "", "What is stated."),
+    text::Derived<Statement, std::string_view>{"finding", [](const Statement& of) { return verdict_name(of.finding); },
+                                               "", "Whether it is so."},
+    text::field("truth", &Statement::truth, "", "For people.")};
+static_assert(text::stored_fields(statement_fields) + 1 == text::member_count<Statement>(),
+              "each member of Statement has its row");
+constexpr const auto& fields_of(const Statement*) { return statement_fields; }
+
+/// A claim and what was found about it.
+struct ClaimLine {
+  const PublishedClaim& claim;
+  const JudgedClaim& judged;
+};
+
+inline constexpr std::tuple
+    claim_fields{
+        text::Derived<ClaimLine, std::string>{"id", [](const ClaimLine& of) { return of.claim.bodies.id; }, "",
+                                              "Of the claim."},
+        text::Derived<ClaimLine, std::string>{"source", [](const ClaimLine& of) { return of.claim.source; }, "",
+                                              "Where the claim was published."},
+        text::Derived<ClaimLine, std::string>{"kind", [](const ClaimLine& of) { return of.claim.kind; }, "",
+                                              "Of the source: test, issue."},
+        text::Derived<ClaimLine, std::string>{"note", [](const ClaimLine& of) { return of.claim.note; }, "",
+                                              "For people."},
+        text::Derived<ClaimLine, std::string_view>{
+            "verdict", [](const ClaimLine& of) { return verdict_name(of.judged.finding()); }, "", "On all statements."},
+        text::Derived<ClaimLine, text::Json>{
+            "signed_depth", [](const ClaimLine& of) { return output::signed_depth_object(of.judged.truth); }, "length",
+            "The truth."},
+        text::Derived<ClaimLine, std::optional<double>>{
+            "numeric", [](const ClaimLine& of) { return of.claim.numeric; }, "length",
+            "The signed depth that whoever collected the claim found in doubles: shown, never used."},
+        text::Derived<ClaimLine, text::Json>{
+            "direction", [](const ClaimLine& of) { return output::exact(of.judged.truth.direction()); },
+            "", "One that attains the truth, or its upper bound."},
+        text::
+            Derived<ClaimLine, text::Json>{
+                "statements",
+                [](const ClaimLine& of) {
+                  return text::Json::array_of(of.judged.statements, [](const Statement& statement) {
+                    return output::with_fields(text::Json::object(), statement);
+                  });
+                },
+                "", "What the claim states that can be decided. Of these the verdict is made: wrong if one is wrong."}};
+constexpr const auto& fields_of(const ClaimLine*) { return claim_fields; }
 
 }  // namespace fathom::claims

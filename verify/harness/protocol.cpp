@@ -69,7 +69,7 @@ std::string id_in(const Json& reply) {
 
 /// The reason in the place of an answer.
 std::string reason_in(const Json& reply, const char* name) {
-  std::vector<std::string_view> others = judging::names_of(judging::reply_fields);
+  std::vector<std::string_view> others = text::names_of(judging::reply_fields);
   others.insert(others.end(), {"hull", "unsupported", "failed"});
   for (const std::string_view other : others)
     if (other != name && reply.find(other))
@@ -136,7 +136,7 @@ void read(const Json& object, const char* name, const char*, Precision, bool& va
 
 Reply read_answer(const Json& object, Precision precision) {
   Reply reply;
-  judging::for_each_field(judging::reply_fields, [&](const auto& row) {
+  text::for_each_field(judging::reply_fields, [&](const auto& row) {
     const std::string path(row.name);
     const std::size_t dot = path.find('.');
     const Json* of = &object;
@@ -153,8 +153,8 @@ Reply read_answer(const Json& object, Precision precision) {
 /// Of all objects of a reply.
 std::string misspelt(const Json& reply) {
   constexpr std::string_view of_witness[] = {"a", "b"};
-  const std::vector<std::string_view> of_contact = judging::names_of(judging::contact_fields);
-  std::vector<std::string_view> known = judging::names_of(judging::reply_fields);
+  const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
+  std::vector<std::string_view> known = text::names_of(judging::reply_fields);
   known.insert(known.begin(), {"type", "id"});
   known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
   const auto fields = [](const Json& object) {
@@ -185,7 +185,7 @@ void read(const Json& said, const char* name, const char* of, Value& value) {
 Conventions conventions_in(const Json& hello) {
   const Json& said = object_in(hello, "conventions", "the hello");
   Conventions conventions;
-  judging::for_each_field(judging::conventions_fields, [&](const auto& row) {
+  text::for_each_field(judging::conventions_fields, [&](const auto& row) {
     const std::string name(row.name);
     if (!row.there || said.find(name)) read(said, name.c_str(), "the hello's conventions", conventions.*row.member);
   });

@@ -15,8 +15,8 @@
 
 namespace fathom::harness {
 
-using judging::Derived;
-using judging::field;
+using text::Derived;
+using text::field;
 
 // ---- a subject: its hello ----
 
@@ -38,7 +38,7 @@ inline constexpr std::tuple hello_fields{
           [](const SubjectInfo& it) { return !it.rounding.empty(); }),
     field("settings", &SubjectInfo::settings, "", "Shown in reports only.", "",
           [](const SubjectInfo& it) { return !it.settings.empty(); })};
-static_assert(judging::stored_fields(hello_fields) == judging::member_count<SubjectInfo>(),
+static_assert(text::stored_fields(hello_fields) == text::member_count<SubjectInfo>(),
               "each member of SubjectInfo has its row");
 constexpr const auto& fields_of(const SubjectInfo*) { return hello_fields; }
 
@@ -54,14 +54,14 @@ inline constexpr std::tuple hulls_fields{
     Derived<AboutHulls, double>{"grown", [](const AboutHulls& hulls) { return root(hulls.grown_squared); }, "length",
                                 "The largest distance of a used vertex from the asked body, correctly rounded."},
     field("grown_squared", &AboutHulls::grown_squared, "length^2", "Its square.")};
-static_assert(judging::stored_fields(hulls_fields) == judging::member_count<AboutHulls>(),
+static_assert(text::stored_fields(hulls_fields) == text::member_count<AboutHulls>(),
               "each member of AboutHulls has its row");
 
 inline constexpr std::tuple pieces_fields{field("pairs", &AboutPieces::pairs, "", "How many were put."),
                                           field("answer_of", &AboutPieces::answer_of, "", "A piece of A and one of B."),
                                           field("query", &AboutPieces::query, "", "The reply as one about these two.")};
 // Two: an array is made from its members where members are counted.
-static_assert(judging::stored_fields(pieces_fields) == 3, "each member of AboutPieces has its row");
+static_assert(text::stored_fields(pieces_fields) == 3, "each member of AboutPieces has its row");
 
 /// In the order of JSON. `dwarfed` is not written: it follows from the radii.
 inline constexpr std::tuple outcome_fields{
@@ -93,7 +93,7 @@ inline constexpr std::tuple outcome_fields{
           "The same answer by the hulls that the subject says it used; how far they are from the asked bodies."),
     field("pieces", &Outcome::pieces, "",
           "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them.")};
-static_assert(judging::stored_fields(outcome_fields) + 1 == judging::member_count<Outcome>(),
+static_assert(text::stored_fields(outcome_fields) + 1 == text::member_count<Outcome>(),
               "each member of Outcome has its row");
 
 constexpr const auto& fields_of(const AboutHulls*) { return hulls_fields; }
@@ -103,7 +103,7 @@ constexpr const auto& fields_of(const Outcome*) { return outcome_fields; }
 inline constexpr std::tuple unattributed_fields{
     field("after", &Unattributed::after, "", "The id of the last case that the process had answered; absent if none."),
     field("detail", &Unattributed::detail, "", "What it did.")};
-static_assert(judging::stored_fields(unattributed_fields) == judging::member_count<Unattributed>());
+static_assert(text::stored_fields(unattributed_fields) == text::member_count<Unattributed>());
 constexpr const auto& fields_of(const Unattributed*) { return unattributed_fields; }
 
 // ---- the summary ----
@@ -117,7 +117,7 @@ inline constexpr std::tuple coverage_fields{
     field("witness", &Coverage::witness, "", "Beside a depth."),
     field("contacts", &Coverage::contacts, "", "Beside a depth."),
     field("distance", &Coverage::distance, "", "Of answers that say that the bodies are apart.")};
-static_assert(judging::stored_fields(coverage_fields) + 2 == judging::member_count<Coverage>());
+static_assert(text::stored_fields(coverage_fields) + 2 == text::member_count<Coverage>());
 
 inline constexpr std::tuple times_fields{
     Derived<Times, std::size_t>{"answers", [](const Times& times) { return times.count(); }, "",
@@ -161,7 +161,7 @@ inline constexpr std::tuple union_count_fields{
           [](const UnionCount& unions) { return !unions.times.id.empty(); }),
     field("by", &UnionCount::by, "length", "Of those: the depth less the answer.", "",
           [](const UnionCount& unions) { return !unions.by.id.empty(); })};
-static_assert(judging::stored_fields(union_count_fields) == judging::member_count<UnionCount>());
+static_assert(text::stored_fields(union_count_fields) == text::member_count<UnionCount>());
 
 /// What a row says of prices.
 struct Dearer {
@@ -210,7 +210,7 @@ inline constexpr std::tuple totals_fields{
     field("parts", &Totals::parts, "", "Of the cases that belong to each.", "",
           [](const Totals& it) { return !it.parts.empty(); })};
 // Those that are pointers are handed out as what they point to.
-static_assert(std::tuple_size_v<decltype(totals_fields)> == judging::member_count<Totals>(),
+static_assert(std::tuple_size_v<decltype(totals_fields)> == text::member_count<Totals>(),
               "each member of Totals has its row");
 
 constexpr const auto& fields_of(const Coverage*) { return coverage_fields; }

@@ -92,14 +92,13 @@ void write_fields(Json& json, const Struct& of) {
     whole = {};
     parts = Json();
   };
-  judging::for_each_field(fields_of(&of), [&](const auto& field) {
-    if (!judging::has(field, of)) return;
+  text::for_each_field(fields_of(&of), [&](const auto& field) {
+    if (!text::has(field, of)) return;
     const std::size_t dot = field.name.find('.');
     const std::string_view within = dot == field.name.npos ? "" : field.name.substr(0, dot);
     if (within != whole) close();
     whole = within;
-    (whole.empty() ? json : parts)[field.name.substr(whole.empty() ? 0 : dot + 1)] =
-        json_of(judging::value_of(field, of));
+    (whole.empty() ? json : parts)[field.name.substr(whole.empty() ? 0 : dot + 1)] = json_of(text::value_of(field, of));
   });
   close();
 }
@@ -223,10 +222,10 @@ const Read* found(const Read& json, std::string_view path) {
 template <class Struct>
 requires requires(const Struct* it) { fields_of(it); }
 void take(const Read& json, Struct& to) {
-  judging::for_each_field(fields_of(&to), [&](const auto& field) {
+  text::for_each_field(fields_of(&to), [&](const auto& field) {
     if constexpr (std::decay_t<decltype(field)>::stored) {
       if (const Read* value = found(json, field.name)) take(*value, to.*field.member);
-      else if (judging::has(field, to)) throw Unreadable();
+      else if (text::has(field, to)) throw Unreadable();
     }
   });
   if constexpr (std::is_same_v<Struct, Judgement>)

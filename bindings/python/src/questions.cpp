@@ -288,10 +288,10 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
     return judging::judged(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance, &monitor);
   });
   py::dict result("passed"_a = passes(found.verdict));
-  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
-    const bool is_flag = std::is_same_v<std::decay_t<decltype(judging::value_of(field, found))>, bool>;
+  text::for_each_field(judging::judgement_fields, [&](const auto& field) {
+    const bool is_flag = std::is_same_v<std::decay_t<decltype(text::value_of(field, found))>, bool>;
     result[py::str(std::string(field.name))] =
-        is_flag || judging::has(field, found) ? in_python(judging::value_of(field, found)) : py::object(py::none());
+        is_flag || text::has(field, found) ? in_python(text::value_of(field, found)) : py::object(py::none());
   });
   return result;
 }

@@ -167,7 +167,7 @@ std::string residual_list(const Judgement& judgement) {
     findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
   const bool has_price = judgement.price_squared || judgement.price;  // unions have none
-  judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
+  text::for_each_field(judging::judgement_fields, [&](const auto& field) {
     if constexpr (requires { field.label, number_text(judgement.*field.member, field.unit); }) {
       if (field.label.empty()) return;
       const bool is_of_unions = field.name == "inconsistency" && !has_price;
@@ -227,9 +227,9 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
   const std::optional<Truth>& truth = known.truth;
   if (outcome.judgement) {
     const Judgement& judgement = *outcome.judgement;
-    judging::for_each_field(judging::judgement_fields, [&](const auto& field) {
-      if (!judging::has(field, judgement)) return;
-      const auto& value = judging::value_of(field, judgement);
+    text::for_each_field(judging::judgement_fields, [&](const auto& field) {
+      if (!text::has(field, judgement)) return;
+      const auto& value = text::value_of(field, judgement);
       using Value = std::decay_t<decltype(value)>;
       if constexpr (std::is_same_v<Value, mpq_class>) add(field.name, value);
       if constexpr (std::is_same_v<Value, std::optional<mpq_class>>) add(field.name, *value);
