@@ -209,6 +209,14 @@ std::optional<double> quick_number(std::string_view token, Decimals decimals) {
   return nearest;
 }
 
+double nearest_binary64(std::string_view decimal) {
+  double nearest = 0;
+  if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), nearest).ec == std::errc()) return nearest;
+  const bool is_negative = decimal.starts_with('-');
+  const bool is_large = Decimal(scan(decimal.substr(is_negative ? 1 : 0), is_decimal_digit, 'e')).magnitude() > 0;
+  return !is_large ? 0 : is_negative ? -HUGE_VAL : HUGE_VAL;
+}
+
 }  // namespace fathom::kernels
 
 namespace fathom {

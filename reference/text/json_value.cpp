@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "kernels/messages.hpp"
+#include "kernels/number/parse.hpp"
 
 namespace fathom::text {
 namespace {
@@ -20,22 +21,6 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 bool is_of_word(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == '+' ||
          c == '-';
-}
-
-/// Whether a decimal that is no binary64 is too large for one, not too small: by the place of its
-/// first digit that is not 0.
-bool is_huge(std::string_view decimal) {
-  const std::size_t letter = std::min(decimal.find_first_of("eE"), decimal.size());
-  const std::string_view digits = decimal.substr(0, letter);
-  const std::size_t point = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
-  const long place = static_cast<long>(point) - static_cast<long>(first);
-  std::string_view exponent = decimal.substr(std::min(letter + 1, decimal.size()));
-  const bool down = exponent.starts_with('-');
-  if (down || exponent.starts_with('+')) exponent.remove_prefix(1);
-  long size = 0;
-  if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), size).ec == std::errc::result_out_of_range)
-    return !down;
-  return place + (down ? -size : size) > 0;
 }
 
 void append_utf8(std::string& text, unsigned code) {
@@ -115,16 +100,16 @@ std::uint64_t JsonValue::natural(std::uint64_t most) const {
   return value;
 }
 
-Json JsonValue::written(Order order) const {
+Json JsonValue::written(Form form) const {
   if (is_string()) return {text()};
-  if (kind_ == Kind::real) return {number_};
-  if (is_array()) return Json::array_of(items(), [order](const JsonValue& item) { return item.written(order); });
+  if (kind_ == Kind::real && form == Form::canonical) return {number_};
+  if (is_array()) return Json::array_of(items(), [form](const JsonValue& item) { return item.written(form); });
   if (!is_object()) return Json::written(text());
   Json result = Json::object();
-  if (order == Order::names)
-    for (const auto& [name, value] : fields()) result[name] = value->written(order);
+  if (form != Form::given)
+    for (const auto& [name, value] : fields()) result[name] = value->written(form);
   else
-    for (std::size_t i = 0; i < items().size(); ++i) result[key(i)] = items()[i].written(order);
+    for (std::size_t i = 0; i < items().size(); ++i) result[key(i)] = items()[i].written(form);
   return result;
 }
 
@@ -254,10 +239,8 @@ class JsonBuilder {
                                               : JsonValue(kind, std::to_string(value), number));
   }
   bool real(std::string_view text) {
-    double number = 0;
-    const std::errc error = std::from_chars(text.data(), text.data() + text.size(), number).ec;
-    const bool is_too_large = std::isinf(number) || (error != std::errc() && is_huge(text));
-    if (!is_too_large) return add({JsonValue::Kind::real, std::string(text), error == std::errc() ? number : 0});
+    const double number = kernels::nearest_binary64(text);
+    if (std::isfinite(number)) return add({JsonValue::Kind::real, std::string(text), number});
     left_out_ = 0;
     add_value({JsonValue::Kind::real, std::string(text)}).too_large = true;
     return false;

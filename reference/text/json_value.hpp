@@ -68,10 +68,12 @@ class JsonValue {
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::uint64_t natural(std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) const;
 
-  /// Written anew, in one line. With fields in the order of their names, two values with the same
-  /// fields and numbers have the same text.
-  enum class Order { names, given };
-  [[nodiscard]] Json written(Order order = Order::names) const;
+  /// canonical: fields by their names and numbers as the nearest binary64, so that equal values
+  /// have the same text. sorted: fields by their names, numbers as they were written. given: all as
+  /// it was written.
+  enum class Form { canonical, sorted, given };
+  /// Written anew, in one line.
+  [[nodiscard]] Json written(Form form = Form::canonical) const;
 
   bool too_deep = false;   ///< this array or object lies in so many others that it was not read
   bool too_large = false;  ///< this number is beyond binary64; it is the last value of its text that was read

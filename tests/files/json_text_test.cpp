@@ -42,7 +42,7 @@ bool agree(const std::string& text) {
   if (read.whole && !twin.is_discarded()) {
     // Of numbers that both read alike; some have several shortest texts.
     EXPECT_EQ(Library::parse(read.value.written().text()), twin) << text;
-    EXPECT_EQ(Library::parse(read.value.written(JsonValue::Order::given).text()), twin) << text;
+    EXPECT_EQ(Library::parse(read.value.written(JsonValue::Form::given).text()), twin) << text;
   }
   return read.whole;
 }

@@ -347,6 +347,20 @@ bool quick(const std::string& token, Decimals decimals) {
   return true;
 }
 
+TEST(NearestBinary64, IsThatOfTheNaiveReaderAndHasNoLongestNumber) {
+  for (const char* token :
+       {"0.0", "-2.5", "1e308", "17976931348623157e292", "4.9e-324", "1e-400", "-1e-400", "0.001e-399"})
+    EXPECT_EQ(mpq_class(nearest_binary64(token)), *parse_number(token, Decimals::binary64).value) << token;
+  const std::string zeros(2'000'000, '0');
+  EXPECT_EQ(nearest_binary64("1" + zeros + "e-2000000"), 1);
+  EXPECT_EQ(nearest_binary64("0." + zeros + "25e2000000"), 0.25);
+  EXPECT_EQ(nearest_binary64("0." + zeros + "1"), 0);
+  for (const std::string& token : {std::string("1e400"), "1" + zeros, "0." + zeros + "1e2001000"})
+    EXPECT_EQ(nearest_binary64(token), HUGE_VAL);
+  EXPECT_EQ(nearest_binary64("-1e99999999999999999999"), -HUGE_VAL);
+  EXPECT_EQ(nearest_binary64("1e-99999999999999999999"), 0);
+}
+
 TEST(QuickNumber, TakesWhatMeshesHold) {
   for (const char* token : {"0", "-0", "007", "9007199254740992", "-9007199254740992"}) {
     EXPECT_TRUE(quick(token, Decimals::binary64)) << token;

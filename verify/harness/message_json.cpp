@@ -116,18 +116,9 @@ void refuse(const std::string& expected, const std::string& found) {
   throw ProtocolError("expected " + expected + ", found " + found);
 }
 
-std::string dumped(const Json& value) {
-  if (value.is_number()) return value.text();
-  if (!value.is_array() && !value.is_object()) return value.written().text();
-  std::string text;
-  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ",") + part; };
-  if (value.is_array())
-    for (const Json& item : value.items()) add(dumped(item));
-  for (const auto& [key, part] : value.fields()) add(text::Json(key).text() + ':' + dumped(*part));
-  return value.is_object() ? '{' + text + '}' : '[' + text + ']';
+std::string shown_json(const Json& value) {
+  return '\'' + kernels::printable(value.written(Json::Form::sorted).text(), shown_bytes) + '\'';
 }
-
-std::string shown_json(const Json& value) { return '\'' + kernels::printable(dumped(value), shown_bytes) + '\''; }
 
 Json json_on(std::string_view line) {
   text::JsonRead read = text::read_json(line, number_word);

@@ -36,8 +36,7 @@ std::optional<std::string> read_integer(std::string_view text);
 /// Throws ProtocolError: "expected ..., found ...".
 [[noreturn]] void refuse(const std::string& expected, const std::string& found);
 
-/// As JSON, but with numbers as they were written; and in quotes for messages.
-std::string dumped(const JsonValue& value);
+/// For messages: in quotes, with numbers as they were written.
 std::string shown_json(const JsonValue& value);
 
 /// The JSON on the line, its numbers as they were written; null if it is none.

@@ -316,7 +316,8 @@ SubjectInfo read_hello(std::string_view line) {
   if (hello.find("capabilities")) read_capabilities(object_in(hello, "capabilities", of), info);
   if (hello.find("settings"))
     for (const auto& [key, value] : object_in(hello, "settings", of).fields())
-      info.settings[std::string(key)] = value->is_string() ? value->text() : dumped(*value);
+      info.settings[std::string(key)] =
+          value->is_string() ? value->text() : value->written(JsonValue::Form::sorted).text();
   if (const Json* promises = hello.find("promises")) info.promises = promises_in(*promises);
   if (const Json* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
   return info;

@@ -37,7 +37,7 @@ std::string plain(const Data& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.string();
   if (value.kind() == Data::Kind::real) return fmt::format("{}", value.number());  // 1, not 1.0, as in texts of answers
-  return value.is_array() ? bracketed(value.items(), plain) : value.written(Data::Order::given).text();
+  return value.is_array() ? bracketed(value.items(), plain) : value.written(Data::Form::given).text();
 }
 
 std::string shown_text(const std::string& text) {
@@ -93,7 +93,7 @@ std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
   if (const Data& exact = at(length, "exact"); !exact.is_null())
-    text += "exactly  " + picture::markup(exact.written(Data::Order::given).text()) + "\n";
+    text += "exactly  " + picture::markup(exact.written(Data::Form::given).text()) + "\n";
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
     text += fmt::format("binary64 {} to nearest\n         {} down\n         {} up\n", shown(at(rounded, "rn")),
                         shown(at(rounded, "rd")), shown(at(rounded, "ru")));
@@ -103,7 +103,7 @@ std::string exact_length(const Data& length) {
 /// Exact numbers of shapes are objects.
 std::string exact_place(const Data& value) {
   if (value.is_null()) return "";
-  return folded("exact", value.is_array() ? shown(value) : picture::markup(value.written(Data::Order::given).text()));
+  return folded("exact", value.is_array() ? shown(value) : picture::markup(value.written(Data::Form::given).text()));
 }
 
 std::string contact_text(const Data& contact) {
