@@ -2,11 +2,9 @@
 #include "reference/text/json_value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "kernels/messages.hpp"
 #include "kernels/number/parse.hpp"
