@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/nearest.hpp"
 #include "kernels/predicates/perturbation.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
@@ -35,11 +37,13 @@ Involved Subject::involved(std::vector<Feature> own, std::vector<Feature> others
   return {std::move(own), std::move(others)};
 }
 
-// ---- parallel edges and common normals ----
-
-// Parallel edges and common normals: equal primitive vectors, found by sorting.
-
 namespace {
+
+// ---- parallel edges and common normals: equal primitive vectors, found by sorting ----
+
+/// What belongs to each of some directions.
+template <class T>
+using ByDirection = std::map<Vector, T, kernels::NearestPlanes::LexicographicOrder>;
 
 /// The one of u and -u whose first component other than zero is positive, primitive: equal for
 /// parallel vectors alone.
@@ -59,8 +63,6 @@ bool coplanar(const Subjects& subjects, gaussian::NodeId of_a, gaussian::NodeId 
   return dot(facet.normal,
              a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(subjects.b, of_b).begin]]) == 0;
 }
-
-}  // namespace
 
 void find_parallel_edges(const Subjects& subjects, Findings& findings) {
   ByDirection<gaussian::PerColour<std::vector<gaussian::ArcId>>> groups;
@@ -97,8 +99,6 @@ void find_common_normals(const Subjects& subjects, Findings& findings) {
 
 // Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z =
 // (0, 0, 1).
-
-namespace {
 
 /// Whether u, a direction on the arc's great circle, lies inside the arc, its ends excluded.
 bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
@@ -153,8 +153,6 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, Fi
         findings.add(Coincidence::crossings_on_equator, lying.involved({lying.feature(i)}, {passing.feature(j)}));
   }
 }
-
-}  // namespace
 
 void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, Findings& findings) {
   const kernels::UnperturbedKernel kernel(context.counters.predicates);
@@ -213,8 +211,6 @@ void find_verticals(const Subjects& subjects, Findings& findings) {
 
 // ---- the study ----
 
-namespace {
-
 BodySize size_of(const polytope::Polytope& body) {
   return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()};
 }
@@ -265,12 +261,11 @@ Feature face(const polytope::Polytope& body, const Vector& u) {
   return points;
 }
 
-void find_contacts(const polytope::Polytope& a, const polytope::Polytope& b, const Vector& units, const Depth& depth,
-                   Findings& findings) {
+void find_contacts(const Subjects& subjects, const Vector& units, const Depth& depth, Findings& findings) {
   if (depth.touch()) {
     const Vector& n = depth.touch()->direction;
     const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
-    findings.add(Coincidence::touching_features, {{face(a, -u)}, {face(b, u)}});
+    findings.add(Coincidence::touching_features, {{face(subjects.a.body, -u)}, {face(subjects.b.body, u)}});
   }
   if (depth.optima().size() < 2) return;
   for (const Optimum& optimum : depth.optima())
@@ -278,6 +273,22 @@ void find_contacts(const polytope::Polytope& a, const polytope::Polytope& b, con
 }
 
 }  // namespace
+
+std::uint64_t pairs_to_test(const Subjects& subjects) {
+  const auto &a = subjects.a.diagram, &b = subjects.b.diagram;
+  return std::uint64_t{a.nodes.size()} * b.arcs.size() + std::uint64_t{b.nodes.size()} * a.arcs.size();
+}
+
+void find_coincidences(kernels::Context& context, const Subjects& subjects, const Vector& units, const Depth& depth,
+                       Findings& findings, std::uint64_t most_pairs) {
+  context.report("coincidences");
+  find_parallel_edges(subjects, findings);
+  find_common_normals(subjects, findings);
+  if (pairs_to_test(subjects) <= most_pairs) find_normals_on_arcs(context, subjects, findings);
+  find_equator_hits(subjects, findings);
+  find_verticals(subjects, findings);
+  find_contacts(subjects, units, depth, findings);
+}
 
 Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
             const StudyOptions& options) {
@@ -296,15 +307,9 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
   result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates
                                                                    : predicates_of(diagram_a, diagram_b);
 
-  context.report("coincidences");
   const Subjects subjects{{gaussian::Colour::a, body_a, diagram_a}, {gaussian::Colour::b, body_b, diagram_b}};
   Findings findings(result, options.listed);
-  find_parallel_edges(subjects, findings);
-  find_common_normals(subjects, findings);
-  find_normals_on_arcs(context, subjects, findings);
-  find_equator_hits(subjects, findings);
-  find_verticals(subjects, findings);
-  find_contacts(body_a, body_b, units, result.depth, findings);
+  find_coincidences(context, subjects, units, result.depth, findings);
   return result;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "fathom/study.hpp"
 #include "kernels/context.hpp"
-#include "kernels/nearest.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 
 namespace fathom::studies {
@@ -18,10 +18,6 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
 // ---- the searches ----
 
 // What the searches of a study share: the bodies with their diagrams, and the list of coincidences.
-
-/// What belongs to each of some directions.
-template <class T>
-using ByDirection = std::map<Vector, T, kernels::NearestPlanes::LexicographicOrder>;
 
 /// A body and its Gaussian diagram, that of its reflection for A.
 struct Subject {
@@ -81,12 +77,12 @@ class Findings {
   std::size_t most_;
 };
 
-/// Finds the kinds that are seen in space.
-void find_parallel_edges(const Subjects& subjects, Findings& findings);
-void find_common_normals(const Subjects& subjects, Findings& findings);
-/// Finds the kinds that are seen on the sphere. The first reports its progress.
-void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, Findings& findings);
-void find_equator_hits(const Subjects& subjects, Findings& findings);
-void find_verticals(const Subjects& subjects, Findings& findings);
+/// How many pairs of a node and an arc the search for normals on arcs looks at.
+std::uint64_t pairs_to_test(const Subjects& subjects);
+
+/// Finds the coincidences of two bodies of this depth, whose axes have `units`, of all kinds; normals
+/// on arcs only if there are at most so many pairs to test. Reports its progress.
+void find_coincidences(kernels::Context& context, const Subjects& subjects, const Vector& units, const Depth& depth,
+                       Findings& findings, std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace fathom::studies

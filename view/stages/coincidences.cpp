@@ -9,7 +9,6 @@
 
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "reference/chart/chart.hpp"
-#include "reference/depth/contact.hpp"
 #include "verify/study/study.hpp"
 #include "view/stages/parts.hpp"
 
@@ -154,40 +153,17 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
 }
 
 constexpr std::size_t most_listed = 20;           // of a kind, as `fathom study` lists
-constexpr std::uint64_t most_tests = 50'000'000;  // of nodes against arcs, a second or two
-
-/// How many pairs of a node and an arc the search for normals on arcs looks at.
-std::uint64_t tests(const studies::Subjects& subjects) {
-  const auto &a = subjects.a.diagram, &b = subjects.b.diagram;
-  return std::uint64_t{a.nodes.size()} * b.arcs.size() + std::uint64_t{b.nodes.size()} * a.arcs.size();
-}
-
-void find_contacts(const StagesSource& subject, studies::Findings& findings) {
-  const Depth& depth = subject.exact.depth;
-  if (depth.touch()) {
-    const depth::FacingFaces faces = depth::facing_faces(subject.pair, depth.touch()->direction);
-    findings.add(Coincidence::touching_features, {{faces.a.ids}, {faces.b.ids}});
-  }
-  if (depth.optima().size() < 2) return;
-  for (const Optimum& optimum : depth.optima())
-    findings.add(Coincidence::ties, {{optimum.contact.a}, {optimum.contact.b}});
-}
+constexpr std::uint64_t most_pairs = 50'000'000;  // of nodes and arcs, a second or two
 
 Study study_of(const StagesSource& subject, const studies::Subjects& subjects, Stages& stages) {
   Study study;
   studies::Findings findings(study, most_listed);
-  subject.context.report("coincidences");
-  studies::find_parallel_edges(subjects, findings);
-  studies::find_common_normals(subjects, findings);
-  if (tests(subjects) <= most_tests) studies::find_normals_on_arcs(subject.context, subjects, findings);
-  else
+  studies::find_coincidences(subject.context, subjects, {1, 1, 1}, subject.exact.depth, findings, most_pairs);
+  if (const std::uint64_t pairs = studies::pairs_to_test(subjects); pairs > most_pairs)
     stages.left_out.push_back(
         fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
                     "study looks at all.",
-                    tests(subjects)));
-  studies::find_equator_hits(subjects, findings);
-  studies::find_verticals(subjects, findings);
-  find_contacts(subject, findings);
+                    pairs));
   return study;
 }
 
