@@ -17,7 +17,6 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "kernels/vector.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -34,7 +33,7 @@ mpq_class shifted(const mpz_class& value, long exponent) {
 
 /// Around sqrt(x), x > 0, to `bits` bits or one more.
 RationalInterval enclosed_root(const mpq_class& x, long bits) {
-  const long shift = bits - (bit_length(x.get_num()) - bit_length(x.get_den())) / 2;
+  const long shift = bits - binary_order(x) / 2;
   mpz_class numerator = x.get_num(), denominator = x.get_den();
   if (shift >= 0) numerator <<= static_cast<mp_bitcnt_t>(2 * shift);
   else denominator <<= static_cast<mp_bitcnt_t>(-2 * shift);

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "kernels/vector.hpp"
+
 namespace fathom::kernels {
 
 bool in_lowest_terms(const mpq_class& value) {
@@ -42,6 +44,8 @@ std::optional<Dyadic> dyadic(const mpq_class& value) {
 }
 
 double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+long binary_order(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
 
 // Numbers of the format are m 2^e with |m| < 2^53, e >= -1074 and |m 2^e| < 2^1024.
 std::optional<double> in_binary64(const mpq_class& value) {

@@ -20,6 +20,9 @@ inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
   return result;
 }
 
+/// A k with 2^(k-1) < |q| < 2^(k+1). For q != 0.
+long binary_order(const mpq_class& q);
+
 // All exact arithmetic relies on lowest terms, which the public functions check: GMP computes
 // wrongly with mpq_class(2, -4).
 

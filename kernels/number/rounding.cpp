@@ -16,7 +16,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/vector.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 namespace {
@@ -47,9 +47,6 @@ mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {
   return quotient;
 }
 
-/// 2^(k-1) < q < 2^(k+1). For q > 0.
-long magnitude(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
-
 /// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of
 /// the format's least number.
 long cut_exponent(long low, const Format& format) {
@@ -59,14 +56,14 @@ long cut_exponent(long low, const Format& format) {
 static_assert(sizeof(unsigned long) >= sizeof(Cut::bits), "get_ui() would lose bits");
 
 Cut cut_value(const mpq_class& q, const Format& format) {
-  Cut cut{0, cut_exponent(magnitude(q) - 1, format), false};
+  Cut cut{0, cut_exponent(binary_order(q) - 1, format), false};
   cut.bits = scaled_floor(q, cut.exponent, cut.rest).get_ui();
   return cut;
 }
 
 Cut cut_root(const mpq_class& q, const Format& format) {
   // sqrt(q) > 2^((k-1)/2); the shift halves towards minus infinity.
-  Cut cut{0, cut_exponent((magnitude(q) - 1) >> 1, format), false};
+  Cut cut{0, cut_exponent((binary_order(q) - 1) >> 1, format), false};
   bool rest_of_floor = false;
   const mpz_class square = scaled_floor(q, 2 * cut.exponent, rest_of_floor);
   mpz_class root, rest_of_root;

@@ -152,7 +152,8 @@ std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, con
   const bool exact = std::all_of(heights.begin(), heights.end(), [](const TermHeight& h) { return h.exact; });
   mpq_class sum;
   for (const TermHeight& h : heights) sum += h.height;
-  const long spare = 4 + binary_order(mpq_class(mpz_class(heights.size()))) - binary_order(mpq_class(dot(n, n))) / 2;
+  const long spare =
+      4 + kernels::binary_order(mpq_class(mpz_class(heights.size()))) - kernels::binary_order(mpq_class(dot(n, n))) / 2;
   const long finest = goal.finest(signed_square(sum, n)) + spare;
   std::vector<mpq_class> result;
   for (const TermHeight& h : heights)

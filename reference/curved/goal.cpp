@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -34,11 +35,6 @@ mpz_class rounded_up(const mpq_class& value) {
   return result;
 }
 
-long binary_order(const mpq_class& value) {
-  return static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
-         static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
-}
-
 Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
     : status_bits_(status_bits),
       extent_(std::move(extent)),
@@ -48,7 +44,7 @@ Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
 
 long Goal::finest(const mpq_class& x) const {
   if (extent_ == 0 && x == 0) return 0;
-  const long order = extent_ == 0 ? binary_order(x) / 2 - 1 : binary_order(extent_);
+  const long order = extent_ == 0 ? kernels::binary_order(x) / 2 - 1 : kernels::binary_order(extent_);
   return static_cast<long>(status_bits_) + 6 - order;
 }
 

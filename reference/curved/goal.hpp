@@ -42,7 +42,5 @@ class Goal {
 mpq_class shifted(const mpq_class& value, long exponent);
 /// The least integer >= value.
 mpz_class rounded_up(const mpq_class& value);
-/// About the binary logarithm of |value|, which is not 0: off by less than 1.
-long binary_order(const mpq_class& value);
 
 }  // namespace fathom::curved

@@ -9,6 +9,7 @@
 
 #include "fathom/files.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -106,8 +107,6 @@ Side side_of(const LatticeTerm& term, mpz_class Vector::*coordinate) {
   return side;
 }
 
-long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
-
 }  // namespace
 
 Lattice lattice(const std::vector<Term>& a, const std::vector<Term>& b, unsigned fine) {
@@ -129,7 +128,7 @@ Lattice lattice(const std::vector<Term>& a, const std::vector<Term>& b, unsigned
     largest = std::max({largest, mpz_class(abs(sum.low)), mpz_class(abs(sum.high))});
     result.extent = std::max(result.extent, mpz_class(sum.high - sum.low));
   }
-  result.exponent = bit_length(largest) + static_cast<long>(fine);
+  result.exponent = std::max(1L, kernels::bit_length(largest)) + static_cast<long>(fine);
   mpq_div_2exp(result.fine_unit.get_mpq_t(), result.unit.get_mpq_t(), fine);
   return result;
 }

@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/vector.hpp"
+
 namespace fathom::curved {
 namespace {
-
-std::size_t bit_length(const mpz_class& n) { return sgn(n) == 0 ? 0 : mpz_sizeinbase(n.get_mpz_t(), 2); }
-
-std::size_t bit_length(const Vector& v) { return std::max({bit_length(v.x), bit_length(v.y), bit_length(v.z)}); }
 
 // n * 2^shift, truncated towards 0.
 void shift_towards_zero(mpz_class& n, long shift) {
@@ -45,7 +43,7 @@ polytope::Difference Oracle::extreme(const Vector& u) {
 }
 
 Vector Oracle::shortened(const Vector& n) const {
-  const long shift = static_cast<long>(lattice_.fine) + 10 - static_cast<long>(bit_length(n));
+  const long shift = static_cast<long>(lattice_.fine) + 10 - kernels::bit_length(n);
   Vector result = n;
   if (shift < 0)
     for (mpz_class* c : {&result.x, &result.y, &result.z}) shift_towards_zero(*c, shift);
@@ -117,15 +115,15 @@ void Oracle::find_greatest(const LatticeTerm& term, const Vector& n) {
 }
 
 void Oracle::set_local(const LatticeAtom& atom, const Vector& n, unsigned precision, Pick& pick) {
-  std::size_t bits = 0;
+  long bits = 0;
   for (std::size_t k = 0; k < atom.axes.size(); ++k) {
     set_product(slope_[k], n, atom.axes[k]);
-    bits = std::max(bits, bit_length(slope_[k]));
+    bits = std::max(bits, kernels::bit_length(slope_[k]));
   }
   if (bits == 0) return;
   square_ = 0;
   for (std::size_t k = 0; k < atom.axes.size(); ++k) {
-    shift_towards_zero(slope_[k], static_cast<long>(precision) + 12 - static_cast<long>(bits));
+    shift_towards_zero(slope_[k], static_cast<long>(precision) + 12 - bits);
     mpz_addmul(square_.get_mpz_t(), slope_[k].get_mpz_t(), slope_[k].get_mpz_t());
   }
   mpz_sqrtrem(root_.get_mpz_t(), rest_.get_mpz_t(), square_.get_mpz_t());

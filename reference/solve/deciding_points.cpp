@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kernels/filters/support.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -22,8 +23,6 @@ namespace {
 constexpr long grid_bits = 128;  // of the largest coordinate
 constexpr int most_rounds = 100;
 constexpr std::size_t worth_a_guess = 32;  // points: of fewer, more than half decide
-
-long bits(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
 // q * 2^shift, truncated.
 mpz_class truncated(const mpq_class& q, long shift) {
@@ -44,7 +43,7 @@ struct Rounded {
       for (const Point& p : body) {
         context.check();
         for (const mpq_class& c : {mpq_class(p.x - origin.x), mpq_class(p.y - origin.y), mpq_class(p.z - origin.z)})
-          if (c != 0) size = std::max(size, bits(c.get_num()) - bits(c.get_den()));
+          if (c != 0) size = std::max(size, kernels::binary_order(c));
       }
     }
     const long shift = grid_bits - size;

@@ -17,6 +17,8 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/depth/naive.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -202,7 +204,7 @@ TEST(Hair, OverlapsByAPowerOfTwoWithOneOptimumOfAnyKind) {
     ASSERT_EQ(depth.optima().size(), 1U) << input.id;
     kinds.insert(depth.contact()->kind);
     const mpq_class share = depth.squared() / dot(depth.direction(), depth.direction());
-    const long log = binary_logarithm(share) / 2;
+    const long log = kernels::binary_order(share) / 2;
     EXPECT_LE(log, -38) << input.id;
     thinnest = std::min(thinnest, log);
     EXPECT_GT(*second_nearest_squared(input.a.points, input.b.points, *depth.penetration()),
@@ -220,7 +222,7 @@ TEST(Hair, GapsAreBetweenTheFeatures) {
     const Depth depth = solved(input);
     ASSERT_EQ(depth.status(), Status::disjoint) << input.id;
     const Vector& n = depth.distance()->direction;
-    EXPECT_LE(binary_logarithm(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
+    EXPECT_LE(kernels::binary_order(depth.distance()->squared / dot(n, n)) / 2, -58) << input.id;
     const polytope::PlacedPair placed = polytope::place(input.a.points, input.b.points);
     const std::size_t a = kernels::extreme_points_naive(placed.a.points(), -n).size(),
                       b = kernels::extreme_points_naive(placed.b.points(), n).size();

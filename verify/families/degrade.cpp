@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -206,9 +207,7 @@ void touching_translation(Bodies& bodies, Random&) {
 void snapped_to_lattice(Bodies& bodies, Random&) {
   const mpq_class size = extent(bodies);
   if (sgn(size) == 0) return;
-  const long exponent = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
-                        static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
-  const long unit = exponent - 3;  // 2^(exponent - 1) < size < 2^(exponent + 1)
+  const long unit = kernels::binary_order(size) - 3;
   for (Body* body : {&bodies.a, &bodies.b})
     for (Point& p : body->points.edit()) p = {snapped(p.x, unit), snapped(p.y, unit), snapped(p.z, unit)};
 }

@@ -10,6 +10,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/shallow_surface.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -41,7 +42,7 @@ mpq_class square(const Vector& v) { return {dot(v, v)}; }
 /// sqrt(numerator / denominator) to eight significant bits, from below.
 mpq_class short_quotient_of_roots(const mpq_class& numerator, const mpq_class& denominator) {
   const mpq_class quotient = numerator / denominator;
-  const long scale = 8 - binary_logarithm(quotient) / 2;
+  const long scale = 8 - kernels::binary_order(quotient) / 2;
   const mpq_class scaled_up = times_power_of_two(quotient, 2 * scale);
   const mpz_class whole = scaled_up.get_num() / scaled_up.get_den();
   return times_power_of_two(mpq_class(mpz_class(sqrt(whole))), -scale);
@@ -82,7 +83,7 @@ mpq_class rough(const mpq_class& positive) { return short_quotient_of_roots(mpq_
 
 /// Down to a multiple of a power of 2 of about unit / 64.
 mpq_class snapped(const mpq_class& value, const mpq_class& unit) {
-  const long bits = 6 - binary_logarithm(unit);
+  const long bits = 6 - kernels::binary_order(unit);
   const mpq_class scaled_up = times_power_of_two(value, bits);
   mpz_class whole;
   mpz_fdiv_q(whole.get_mpz_t(), scaled_up.get_num_mpz_t(), scaled_up.get_den_mpz_t());
@@ -146,11 +147,6 @@ Bodies lenses(const Lenses& plan, Random& random, unsigned points) {
   b.add_rim(plan.b_bottom, mpq_class(plan.b_top - plan.b_bottom));
   a.add_rim(plan.a_bottom, mpq_class(plan.a_top - plan.a_bottom));
   return {a.body, b.body};
-}
-
-long binary_logarithm(const mpq_class& x) {
-  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
-         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
 }
 
 Vector random_integer_direction(Random& random, long bound) {
@@ -366,7 +362,7 @@ Bodies rounding_boundary(const FloatFormat& format, Random& random, unsigned n) 
   Lenses plan = axis ? along_an_axis(b, side, random) : in_any_direction(b, side, random);
   // The way out in direction -n is longer by six percent at least.
   const mpq_class height = plan.b_top - plan.a_bottom;
-  const long log = binary_logarithm(height);
+  const long log = kernels::binary_order(height);
   plan.b_bottom = times_power_of_two(1, log - 3);
   plan.a_top =
       plan.b_bottom + quotient_of_roots(mpq_class(height * height), 1, 10 - log) + times_power_of_two(1, log - 3);

@@ -281,9 +281,6 @@ struct Lenses {
 /// of 2 with about 20 bits, except for the four numbers times n.
 Bodies lenses(const Lenses& plan, Random& random, unsigned points);
 
-/// The binary logarithm of |x|, to within 1; x is not 0.
-long binary_logarithm(const mpq_class& x);
-
 /// A random integer direction with components up to `bound`.
 Vector random_integer_direction(Random& random, long bound);
 

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::harness {
 namespace {
@@ -21,13 +23,12 @@ void make_plain(files::NamedBody& words) {
 }  // namespace
 
 long exponent_of(const mpq_class& value) {
-  const long guess = static_cast<long>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
-                     static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
-  return abs(value) < scaled(1, guess) ? guess - 1 : guess;  // 2^(guess-1) < |value| < 2^(guess+1)
+  const long guess = kernels::binary_order(value);
+  return abs(value) < scaled(1, guess) ? guess - 1 : guess;
 }
 
 long lowest_bit(const mpq_class& value) {
-  if (value.get_den() != 1) return 1 - static_cast<long>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+  if (value.get_den() != 1) return 1 - kernels::bit_length(value.get_den());
   return static_cast<long>(mpz_scan1(value.get_num_mpz_t(), 0));
 }
 

@@ -21,12 +21,9 @@ constexpr Digits digits_of(Precision precision) {
 
 mpq_class power_of_two(long exponent) { return scaled(1, exponent); }
 
-long bit_length(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
-
 /// The e with 2^e <= sqrt(squared) < 2^(e+1). For a square above 0.
 long exponent_of_root(const mpq_class& squared) {
-  long e =
-      (bit_length(squared.get_num()) - bit_length(squared.get_den()) - 1) >> 1;  // at most that, and short by 1 at most
+  long e = (kernels::binary_order(squared) - 1) >> 1;  // at most that, and short by 1 at most
   while (power_of_two(2 * (e + 1)) <= squared) ++e;
   return e;
 }

@@ -10,6 +10,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/solve/depth.hpp"
 #include "view/stages/parts.hpp"
@@ -25,8 +26,6 @@ constexpr int near_origin = 4;
 constexpr long comfortable_exponent = 300;
 
 mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
-
-long bits(const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
 
 mpq_class times_power_of_two(mpq_class value, long exponent) {
   if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
@@ -290,7 +289,7 @@ StagedScale scale_of(const Point& origin, const mpq_class& extent) {
   if (distance > near_origin * extent) scale.center = origin;
   const mpq_class& size = distance > near_origin * extent ? extent : std::max(extent, distance);
   if (size == 0) return scale;
-  const long exponent = bits(size.get_num()) - bits(size.get_den());
+  const long exponent = kernels::binary_order(size);
   if (std::abs(exponent) > comfortable_exponent) scale.exponent = -exponent;
   return scale;
 }
@@ -315,7 +314,7 @@ Place Placing::vector(const Point& v) const { return {scaled(v.x, scale_), scale
 double Placing::length(const mpq_class& squared) const { return scaled_root(squared, scale_); }
 
 Place unit(const Vector& direction) {
-  const long most = std::max({bits(direction.x), bits(direction.y), bits(direction.z)});
+  const long most = kernels::bit_length(direction);
   const Place v{component(direction.x, most), component(direction.y, most), component(direction.z, most)};
   const double length = std::hypot(v[0], v[1], v[2]);
   return {v[0] / length + 0.0, v[1] / length + 0.0, v[2] / length + 0.0};

@@ -188,9 +188,7 @@ bool depth_outside(const Look& look) {
 
 /// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.
 mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
-  const long length =
-      static_cast<long>(mpz_sizeinbase(q.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(q.get_den_mpz_t(), 2));
-  const long shift = bits + 1 - length / 2;
+  const long shift = bits + 1 - kernels::binary_order(q) / 2;
   const mpq_class scaled = q * power_of_two(2 * shift);
   const mpz_class square = scaled.get_num() / scaled.get_den();
   mpz_class root = sqrt(square);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fathom/depth.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
@@ -21,7 +22,8 @@ namespace {
 
 constexpr std::size_t small_bits = 10;
 
-std::size_t bits(const mpz_class& value) { return mpz_sizeinbase(value.get_mpz_t(), 2); }
+/// At least 1: a coordinate of 0 is as short as one of 1.
+std::size_t bits(const mpz_class& value) { return static_cast<std::size_t>(std::max(1L, kernels::bit_length(value))); }
 
 std::size_t parts_of(const files::NamedBody& words) {
   std::size_t parts = words.fields.vertices.size() + words.fields.numbers.size() + (words.matrix ? 1 : 0);
