@@ -80,8 +80,8 @@ class Findings {
 /// How many pairs of a node and an arc the search for normals on arcs looks at.
 std::uint64_t pairs_to_test(const Subjects& subjects);
 
-/// Finds the coincidences of two bodies of this depth, whose axes have `units`, of all kinds; normals
-/// on arcs only if there are at most so many pairs to test. Reports its progress.
+/// Finds the coincidences of two bodies of this depth, whose axes have `units`, of all kinds;
+/// normals on arcs only if there are at most so many pairs to test. Reports its progress.
 void find_coincidences(kernels::Context& context, const Subjects& subjects, const Vector& units, const Depth& depth,
                        Findings& findings, std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max());
 
