@@ -152,7 +152,7 @@ RoundedCosts rounded_costs(const std::pair<Shape, Shape>& pair) {
   double cores = std::numeric_limits<double>::infinity(), rounded = cores;
   for (int i = 0; i < rounds; ++i) {
     cores = std::min(cores, time_of([&] { return penetration_depth(core_a, core_b, options.cores); }));
-    rounded = std::min(rounded, time_of([&] { return signed_depth(a, b, options); }));
+    rounded = std::min(rounded, time_of([&] { return signed_depth(pair.first, pair.second, options); }));
   }
   return {rounded, cores, rounded / cores};
 }
