@@ -95,8 +95,8 @@ struct CrossingEdges {
 /// vector v stands for the point origin + v / units.
 struct OverlappingFaces {
   std::vector<Vector> a, b;  ///< the corners of the face of A, and of that of B
-  mpz_class units;
-  Point origin;
+  mpz_class units;           ///< > 0
+  Point origin;              ///< the first point of B
 };
 
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary
