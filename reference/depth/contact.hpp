@@ -88,7 +88,7 @@ class Contacts {
     if (b.size() == 1) return CornerOfB{of_b(0)};
     if (a.size() == 1) return CornerOfA{of_a(0)};
     if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
-    const polytope::PlacedPair frame = bodies_.frame();
+    const polytope::PlacedPair& frame = bodies_.frame();  // of a wide lattice the bodies themselves: no copy
     return OverlappingFaces{points(bodies_.a, a), points(bodies_.b, b), frame.denominator, frame.origin};
   }
 
