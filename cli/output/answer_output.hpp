@@ -19,25 +19,11 @@ using output::AboutBodies;
 using output::AnsweredCase;
 using text::Json;
 
-// ---- text: answer_text.cpp ----
-
 /// Several lines, without the last newline.
 std::string answer_block(const AnsweredCase& answered, const AnswerForm& form);
 
 /// One line, which begins with the id, without its newline.
 std::string answer_line(const AnsweredCase& answered, const AnswerForm& form);
-
-/// Appends what the run did, stage by stage.
-void add_counters(std::vector<Row>& rows, const Counters& counters);
-
-/// Whether cores touch such that not one direction is optimal but all of a cone.
-bool has_continuum(const SignedDepth& depth);
-
-/// The status and the length that goes with it: "penetrating: depth 0.5", "disjoint: distance 2",
-/// "undecided: signed depth from ...".
-std::string shape_length_text(const SignedDepth& depth);
-
-// ---- a picture: answer_picture.cpp ----
 
 /// What a picture of two bodies and their answer, which is complete, shows.
 picture::PairScene answer_scene(const Case& bodies, const Answer& answer);

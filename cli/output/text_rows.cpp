@@ -181,8 +181,7 @@ void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts) {
   if (const std::string dents = shapes::dents_text(facts); !dents.empty()) rows.emplace_back("hull", dents);
 }
 
-std::string enclosure_text(const mpq_class& squared, unsigned digits) {
-  const Enclosure enclosure = enclose_root(squared, digits);
+std::string enclosure_text(const Enclosure& enclosure) {
   return fmt::format("[{}, {}]", enclosure.low, enclosure.high);
 }
 

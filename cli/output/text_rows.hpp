@@ -103,7 +103,11 @@ Row flat_note();
 void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies);
 void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts);
 
-/// "[low, high]" to that many digits.
-std::string enclosure_text(const mpq_class& squared, unsigned digits);
+/// "[low, high]".
+std::string enclosure_text(const Enclosure& enclosure);
+/// Of the root, to that many digits.
+inline std::string enclosure_text(const mpq_class& squared, unsigned digits) {
+  return enclosure_text(enclose_root(squared, digits));
+}
 
 }  // namespace fathom::cli

@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First what an answer tells, piece by piece, of bodies of any kinds; then the three forms that put
+// the pieces in their order: several lines, one line, and the text below a picture.
+#include "cli/output/answer_output.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "fathom/numbers.hpp"
+#include "kernels/context.hpp"
+#include "kernels/number/irrational.hpp"
+#include "reference/files/shape_names.hpp"
+#include "view/picture/paint.hpp"
+
+namespace fathom::cli {
+namespace {
+
+using Rows = std::vector<Row>;
+using Parts = std::vector<std::string>;
+
+const Depth* polytopes(const Answer& answer) { return std::get_if<Depth>(&answer.found); }
+const SignedDepth* shapes_of(const Answer& answer) { return std::get_if<SignedDepth>(&answer.found); }
+const UnionDepth* unions(const Answer& answer) { return std::get_if<UnionDepth>(&answer.found); }
+
+// ---- lengths ----
+
+/// A length, and what is asked for beside it; empty texts if nothing is.
+struct Length {
+  std::string what, value;
+  std::string exact_label = {}, exactly = {}, enclosure = {};
+};
+
+Length root_length(const std::string& what, const mpq_class& squared, const AnswerForm& form, bool enclosed = true) {
+  return {what, root_text(squared), what + "^2", form.exact ? exact_text(squared) : "",
+          form.digits && enclosed ? enclosure_text(squared, *form.digits) : ""};
+}
+
+/// The signed depth of bodies that are not apart, or the distance of those that are.
+Length surd_length(const std::string& what, const SignedDepth& depth, bool apart, const AnswerForm& form) {
+  if (const Surd* const exactly = depth.exact()) {
+    const Surd value = apart ? negated(*exactly) : *exactly;
+    return {what, surd_text(value), "exactly", form.exact ? kernels::exact_surd_text(value) : "",
+            form.digits ? enclosure_text(enclose(value, *form.digits)) : ""};
+  }
+  const Bounds& bounds = *depth.bounds();
+  const mpq_class low = apart ? mpq_class(-bounds.high) : bounds.low,
+                  high = apart ? mpq_class(-bounds.low) : bounds.high;
+  Length length{what,
+                fmt::format("from {} to {}", round_binary64(low, Rounding::rd), round_binary64(high, Rounding::ru))};
+  if (form.digits)  // rounded outward
+    length.enclosure =
+        enclosure_text({enclose(Surd{low, 0}, *form.digits).low, enclose(Surd{high, 0}, *form.digits).high});
+  return length;
+}
+
+std::vector<Length> lengths_of(const Depth& depth, const AnswerForm& form) {
+  const Distance* const apart = depth.distance();
+  std::vector<Length> lengths{root_length(quantity(form), depth.squared(), form, !apart)};
+  if (apart) lengths.push_back(root_length("distance", apart->squared, form));
+  return lengths;
+}
+
+std::vector<Length> lengths_of(const SignedDepth& depth, const AnswerForm& form) {
+  const std::optional<Status> status = depth.status();
+  if (!status)
+    return {{"signed depth", fmt::format("from {} to {}: deep if positive, apart if negative", depth.low_binary64(),
+                                         depth.high_binary64())}};
+  if (status != Status::disjoint) return {surd_length(quantity(form), depth, false, form)};
+  return {{quantity(form), "0"}, surd_length("distance", depth, true, form)};
+}
+
+std::vector<Length> lengths_of(const UnionDepth& depth, const AnswerForm& form) {
+  if (!depth.complete) return {root_length("at least", depth.low, form), root_length("at most", depth.high, form)};
+  std::vector<Length> lengths{root_length("depth", depth.low, form)};
+  if (depth.apart) lengths.push_back(root_length("distance", depth.apart->distance.squared, form));
+  return lengths;
+}
+
+/// The last one is that of the status.
+std::vector<Length> lengths_of(const Answer& answer, const AnswerForm& form) {
+  return std::visit([&](const auto& found) { return lengths_of(found, form); }, answer.found);
+}
+
+// ---- ways and places ----
+
+/// Of A: the first shortest way out of B, or until it touches; empty if only bounds are known.
+std::string way_of_a(const Answer& answer, bool exact) {
+  if (const Depth* const depth = polytopes(answer)) return place_text(depth->contact_translation(), exact);
+  if (const SignedDepth* const depth = shapes_of(answer)) {
+    const std::vector<AlongNormal> ways = depth->translations();
+    return ways.empty() ? "" : place_text(ways.front(), exact);
+  }
+  const UnionDepth& depth = std::get<UnionDepth>(answer.found);
+  if (depth.apart) return place_text(depth.apart->distance.translation, exact);
+  return depth.optima.empty() ? "" : place_text(depth.optima.front().translation, exact);
+}
+
+void add_way(Rows& rows, const Answer& answer, const AnswerForm& form) {
+  const std::string way = way_of_a(answer, form.exact);
+  if (way.empty() || form.width || answer.status() == Status::touching) return;
+  rows.emplace_back(answer.status() == Status::disjoint ? "A to B" : "translation", way);
+}
+
+/// The points of the answer; of unions the pieces that are nearest.
+void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
+  const std::string what = answer.status() == Status::disjoint ? "nearest" : "witness";
+  const auto add = [&](const auto& points) {
+    add_points(rows, what, place_text(points.a, form.exact), place_text(points.b, form.exact), form.width);
+  };
+  if (const UnionDepth* const depth = unions(answer)) {
+    if (depth->apart)
+      rows.emplace_back("between", fmt::format("piece {} of A, piece {} of B", depth->apart->a, depth->apart->b));
+  } else if (const Depth* const depth = polytopes(answer)) {
+    if (depth->distance()) add(depth->contact_points());
+    else add_witness(rows, *depth->witness(), form);
+  } else if (const std::optional<RoundedWitness> witness = shapes_of(answer)->witness()) {
+    add(*witness);
+  }
+}
+
+// ---- contacts ----
+
+constexpr std::size_t most_contacts = 8;  // that text lists
+constexpr std::size_t most_below_picture = 3;
+
+/// Of pieces, each in the words of `one`; behind the first `most`, in those of `more`, how many more
+/// there are.
+Parts contact_texts(const std::vector<PieceContact>& contacts, std::size_t most, const char* one, const char* more) {
+  Parts texts;
+  for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i)
+    texts.push_back(fmt::format(fmt::runtime(one), contacts[i].a, contacts[i].b, contact_text(contacts[i].contact)));
+  if (contacts.size() > most) texts.push_back(fmt::format(fmt::runtime(more), contacts.size() - most));
+  return texts;
+}
+
+void add_contacts(Rows& rows, const Answer& answer, const AnswerForm& form) {
+  const UnionDepth* const depth = unions(answer);
+  if (!depth) {
+    if (answer.contact()) rows.emplace_back("contact", contact_text(*answer.contact(), form.width));
+  } else if (!depth->optima.empty()) {
+    const UnionOptimum& first = depth->optima.front();
+    rows.emplace_back("clearance", first.clearance ? "yes" : "none: an exact fit");
+    for (const std::string& text :
+         contact_texts(first.contacts, most_contacts, "piece {} of A, piece {} of B; {}", "and {} more pairs"))
+      rows.emplace_back(rows.back().first == "clearance" ? "touching" : "", text);
+  }
+}
+
+// ---- ties ----
+
+/// How many ways are as short, listed or not; 0 if that is not known. A pair of planes is found from
+/// both of its sides.
+std::size_t ties(const Answer& answer, const AnswerForm& form) {
+  if (unions(answer)) return answer.ways_out();
+  const std::size_t count = answer.core() ? answer.core()->optima_count() : 0;
+  return form.width ? count / 2 : count;
+}
+
+/// Whether cores touch such that not one direction is optimal but all of a cone.
+const OptimalCone* continuum(const Answer& answer) {
+  const SignedDepth* const depth = shapes_of(answer);
+  const bool one =
+      !depth || !depth->cone || (depth->cone->lineality == Lineality::none && depth->cone->rays.size() < 2);
+  return one ? nullptr : &*depth->cone;
+}
+
+std::string cone_text(const OptimalCone& cone, bool exact) {
+  Parts parts;
+  if (cone.lineality == Lineality::all) parts.emplace_back("every direction");
+  if (cone.lineality == Lineality::plane) parts.push_back("the plane orthogonal to " + way_text(cone.axis, exact));
+  if (cone.lineality == Lineality::line) parts.push_back("the line of " + way_text(cone.axis, exact));
+  for (const Vector& ray : cone.rays) parts.push_back(way_text(ray, exact));
+  return fmt::format("the cone of {}", fmt::join(parts, ", "));
+}
+
+void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
+  if (const OptimalCone* const cone = continuum(answer)) rows.emplace_back("ties", cone_text(*cone, form.exact));
+  const std::size_t count = ties(answer, form);
+  if (count == 1 && !shapes_of(answer)) rows.emplace_back("ties", "none");
+  if (count > 1)
+    rows.emplace_back("ties", fmt::format("{} {}; the first is shown, --json lists all", count,
+                                          unions(answer) ? "translations"
+                                          : form.width   ? "pairs of planes"
+                                                         : "nearest facets"));
+}
+
+// ---- what was done ----
+
+/// Which method answered, and why if it is not the one that was tried first; empty if there was no
+/// choice.
+std::string method_text(const Answer& answer, const AnswerForm& form) {
+  if (unions(answer)) return "";
+  if (const SignedDepth* const depth = shapes_of(answer)) return std::string(output::method_name(*depth));
+  const Depth& depth = *polytopes(answer);
+  if (depth.status() != Status::penetrating) return "";
+  const std::string ran(output::method_name(depth));
+  if (depth.method == Method::certificate)
+    return fmt::format("{}: an inner polytope of {} facets", ran, depth.counters.inner_facets);
+  return form.by_default ? ran + ": the inner polytope took too many points" : ran;
+}
+
+/// Stage by stage. Of the stages that ran: what another method would have counted is no 0.
+void add_counters(Rows& rows, const Counters& counters) {
+  std::vector<std::string_view> stages;
+  Rows counts;
+  for (const kernels::StageCounts& stage : kernels::counts_by_stage(counters)) {
+    if (!stage.ran()) continue;
+    stages.push_back(stage.stage);
+    for (const kernels::Count& count : stage.counts) counts.emplace_back(count.name, fmt::format("{}", count.value));
+  }
+  rows.emplace_back("counted", fmt::format("{}", fmt::join(stages, ", ")));
+  rows.insert(rows.end(), counts.begin(), counts.end());
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& tiers = counters.predicates[i];
+    if (tiers.calls == 0) continue;
+    rows.emplace_back(predicate_names[i],
+                      fmt::format("{} calls, {} exact, {} zero", tiers.calls, tiers.exact, tiers.zero));
+  }
+}
+
+Rows counter_rows(const Answer& answer) {
+  Rows rows;
+  if (const UnionDepth* const depth = unions(answer)) {
+    const UnionCounters& c = depth->counters;
+    rows.emplace_back("counted", fmt::format("{} cells split, {} nearest points, {} of {} pairs of pieces looked at",
+                                             c.nodes, c.nearest_points, c.pairs_touched, c.pairs));
+  } else if (const Depth* const depth = polytopes(answer)) {
+    add_counters(rows, depth->counters);
+  } else {
+    add_counters(rows, shapes_of(answer)->counters());
+  }
+  return rows;
+}
+
+/// The bounds beside the depth of unions that penetrate; null for all else.
+const UnionBounds* bounds_beside(const Answer& answer) {
+  const UnionDepth* const depth = unions(answer);
+  return depth && depth->bounds && depth->status == Status::penetrating ? &*depth->bounds : nullptr;
+}
+
+// ---- below a picture ----
+
+constexpr std::string_view until_touching = "arrow: the way of A until it touches B, and its outline there, dashed.";
+constexpr std::string_view out_of_b =
+    "arrow: the shortest way of A out of B, and its outline there, dashed; thick: the faces in contact.";
+
+/// What the parts of a picture are.
+std::string legend(const picture::PairScene& scene) {
+  std::string result = scene.has_edges() ? "A toned, B hatched, hidden edges dashed" : "A toned, B hatched";
+  if (!scene.moves()) return result + "; the dot: where they touch.";
+  return fmt::format("{}; {}", result, scene.status == Status::disjoint ? until_touching : out_of_b);
+}
+
+std::string legend_of_unions(const picture::PairScene& scene) {
+  const std::string bodies =
+      "A toned, B hatched; thin: the edges of pieces, hidden ones dashed; deeper: the pieces that ";
+  if (!scene.moves() && scene.status != Status::disjoint)
+    return bodies + "touch; the dot: one of the places where they do.";
+  return scene.status == Status::disjoint ? fmt::format("{}are nearest; {}", bodies, until_touching)
+                                          : fmt::format("{}touch after the way out; {}", bodies, out_of_b);
+}
+
+std::string way_caption(const Answer& answer, const AnswerForm& form) {
+  const UnionDepth* const depth = unions(answer);
+  if (answer.status() == Status::disjoint)
+    return "A to B: " + way_of_a(answer, form.exact) +
+           (depth ? fmt::format(", between piece {} of A and piece {} of B", depth->apart->a, depth->apart->b) : "");
+  std::string text = "translation of A: " + way_of_a(answer, form.exact);
+  if (continuum(answer)) text += "; a continuum of ways is as short";
+  else if (const std::size_t count = ties(answer, form); count > 1)
+    text += fmt::format("; {} ways are as short", count);
+  if (depth && !depth->optima.front().clearance) text += "; an exact fit, without clearance";
+  return text;
+}
+
+Parts contact_captions(const Answer& answer) {
+  const UnionDepth* const depth = unions(answer);
+  if (!depth) return answer.contact() ? Parts{"contact: " + contact_text(*answer.contact())} : Parts{};
+  if (depth->optima.empty()) return {};
+  return contact_texts(depth->optima.front().contacts, most_below_picture, "piece {} of A touches piece {} of B: {}",
+                       "and {} more pairs of pieces touch");
+}
+
+}  // namespace
+
+std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
+  const Answer& answer = answered.answer;
+  Rows rows;
+  for (const Length& length : lengths_of(answer, form)) {
+    rows.emplace_back(length.what, length.value);
+    if (!length.exactly.empty()) rows.emplace_back(length.exact_label, length.exactly);
+    if (!length.enclosure.empty()) rows.emplace_back("enclosure", length.enclosure);
+  }
+  const bool places_first = answer.status() == Status::disjoint && !shapes_of(answer);
+  if (places_first) add_places(rows, answer, form), add_way(rows, answer, form);
+  if (!unions(answer)) rows.emplace_back("direction", way_text(*answer.direction(), form.exact));
+  if (!places_first) add_way(rows, answer, form);
+  add_contacts(rows, answer, form);
+  if (!places_first) add_places(rows, answer, form);
+  add_ties(rows, answer, form);
+  if (const UnionBounds* const bounds = bounds_beside(answer)) {
+    rows.emplace_back("deepest pair", fmt::format("{}: piece {} of A, piece {} of B", root_text(bounds->deepest_pair),
+                                                  bounds->a, bounds->b));
+    rows.emplace_back("hulls", root_text(bounds->hulls));
+  }
+  if (unions(answer)) add_hull(rows, answered.bodies.hull);
+  else add_bodies(rows, answered.bodies);
+  if (std::string method = method_text(answer, form); !method.empty()) rows.emplace_back("method", std::move(method));
+  if (std::string flat = flat_text(answered.facts, form.width); !flat.empty())
+    rows.emplace_back("flat", std::move(flat));
+  if (polytopes(answer) && answered.facts.flat_a && answer.status() == Status::penetrating) rows.push_back(flat_note());
+  if (form.counters) std::ranges::move(counter_rows(answer), std::back_inserter(rows));
+  return aligned(form.width ? "" : answer.complete() ? std::string(answer.status_name()) : "interrupted", rows);
+}
+
+std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
+  const Answer& answer = answered.answer;
+  const std::vector<Length> lengths = lengths_of(answer, form);
+  if (!answer.complete())
+    return case_line(answered.id, {"interrupted", "depth at least " + lengths[0].value, "at most " + lengths[1].value});
+  const UnionDepth* const union_depth = unions(answer);
+  const bool deep = answer.status() == Status::penetrating;
+  Parts parts;
+  if (!form.width) parts.emplace_back(answer.status_name());
+  for (const Length& length : lengths) {
+    parts.push_back(length.what + " " + length.value);
+    if (!deep && !shapes_of(answer)) continue;
+    if (!length.exactly.empty()) parts.push_back(length.exact_label + " " + length.exactly);
+    if (!length.enclosure.empty()) parts.push_back((shapes_of(answer) ? "enclosure " : "in ") + length.enclosure);
+  }
+  if (!union_depth) parts.push_back("direction " + way_text(*answer.direction(), form.exact));
+  else if (deep) parts.push_back("translation " + way_of_a(answer, form.exact));
+  if (union_depth && deep && !union_depth->optima.front().clearance) parts.emplace_back("an exact fit");
+  if (polytopes(answer) && answer.contact()) parts.emplace_back(name(answer.contact()->kind));
+  if (!shapes_of(answer)) {
+    if (const std::size_t count = ties(answer, form); count > 1) parts.push_back(fmt::format("{} ties", count));
+    if (const std::string flat = flat_text(answered.facts, form.width); !flat.empty()) parts.push_back("flat " + flat);
+  }
+  if (const UnionBounds* const bounds = bounds_beside(answer))
+    parts.push_back("deepest pair " + root_text(bounds->deepest_pair));
+  if (form.counters)
+    for (const auto& [label, text] : counter_rows(answer)) parts.push_back(label + " " + text);
+  return case_line(answered.id, parts);
+}
+
+picture::PairScene answer_scene(const Case& bodies, const Answer& answer) {
+  if (const Depth* const depth = polytopes(answer))
+    return picture::scene_of({bodies.a.points, bodies.b.points, *depth});
+  if (const SignedDepth* const depth = shapes_of(answer))
+    return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth);
+  return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answer));
+}
+
+std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
+  const Answer& answer = answered.answer;
+  const picture::PairScene scene = answer_scene(bodies, answer);
+  const Length length = lengths_of(answer, {}).back();
+  Parts caption{fmt::format("{}: {} {}", answer.status_name(), length.what, length.value)};
+  if (scene.moves() && answer.translation()) caption.push_back(way_caption(answer, form));
+  std::ranges::move(contact_captions(answer), std::back_inserter(caption));
+  if (const UnionBounds* const bounds = bounds_beside(answer))
+    caption.push_back(fmt::format("deepest pair: {}, piece {} of A and piece {} of B; hulls: {}",
+                                  root_text(bounds->deepest_pair), bounds->a, bounds->b, root_text(bounds->hulls)));
+  if (!unions(answer)) caption.push_back("sizes: " + shapes::sizes_text(answered.bodies.sizes));
+  if (const std::string dents = shapes::dents_text(answered.bodies.hull); !dents.empty()) caption.push_back(dents);
+  caption.push_back(unions(answer) ? legend_of_unions(scene) : legend(scene));
+  return picture::scene_document(scene, answered.id, caption);
+}
+
+}  // namespace fathom::cli
