@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "cli/args/arguments.hpp"
 #include "cli/commands/command.hpp"
@@ -20,24 +20,34 @@ using namespace fathom::cli;
 constexpr const char* mpi_program = "fathom-mpi";
 
 /// Whether an MPI launcher started several processes, which share this command.
-bool is_shared_by_many(int argc, char** argv) {
+bool is_shared_by_many(const std::vector<std::string>& words) {
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  if (size == nullptr || std::atoi(size) < 2 || argc < 2) return false;
-  const std::string_view command = argv[1];
-  return command == "golden" || command == "certify" || command == "depth";
+  if (size == nullptr || std::atoi(size) < 2 || words.empty()) return false;
+  return words[0] == "golden" || words[0] == "certify" || words[0] == "depth";
 }
 
-ExitCode become_mpi(int argc, char** argv) {
-  become(mpi_program, {argv + 1, argv + argc});
+ExitCode become_mpi(const std::vector<std::string>& words) {
+  become(mpi_program, words);
   return failed(
       std::string(mpi_program) +
           " is not here: it is built where CMake finds Open MPI and Boost.MPI (Debian: libboost-mpi-dev, openmpi-bin)",
       bad_input);
 }
 
-ExitCode run(int argc, char** argv) {
-  if (is_shared_by_many(argc, argv)) return become_mpi(argc, argv);
-  const Arguments arguments = parse_arguments({argv + std::min(argc, 1), argv + argc});
+/// Asked by ./fathom, which builds a part that has packages of its own when it is first needed:
+/// which part the command line needs. Prints its name, or nothing.
+ExitCode tell_part(const std::vector<std::string>& words) {
+  if (is_shared_by_many(words)) print("mpi");
+  else if (const Arguments arguments = parse_arguments(words); arguments.given) {
+    if (const std::string part = part_needed(*arguments.given); !part.empty()) print(part);
+  }
+  return fine;
+}
+
+ExitCode run(const std::vector<std::string>& words) {
+  if (!words.empty() && words[0] == "--part") return tell_part({words.begin() + 1, words.end()});
+  if (is_shared_by_many(words)) return become_mpi(words);
+  const Arguments arguments = parse_arguments(words);
   return arguments.given ? run_command(*arguments.given) : said(arguments);
 }
 
@@ -49,5 +59,5 @@ int main(int argc, char** argv) {
       environment;  // a shared library may have changed it; threads inherit it
   hold_standard_streams();
   install_signal_handlers();
-  return guarded([&] { return run(argc, argv); });
+  return guarded([&] { return run({argv + std::min(argc, 1), argv + argc}); });
 }

@@ -387,8 +387,7 @@ ExitCode check(std::vector<std::string> words) {
   refuse_misspelt(words);
   const auto files = std::find(words.begin(), words.end(), "--");
   const auto has = [&](const char* option) { return std::find(words.begin(), files, option) != files; };
-  const auto proved = std::find(words.begin(), files, "--proved");
-  if (proved == files) {
+  if (!asks_for_proved(words)) {
     Threads workers(threads.value_or(usual_threads()));
     const int code = fathom_check::command_line(words, "fathom check", nullptr, &workers);
     return std::cout ? static_cast<ExitCode>(code)
@@ -397,11 +396,16 @@ ExitCode check(std::vector<std::string> words) {
   if (threads)
     throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");
   const bool compares = has("--case") || has("--results") || has("--echo"), width = has("--width");
-  words.erase(proved);
+  words.erase(std::find(words.begin(), files, "--proved"));
   return compares ? compare_and_prove(words, width) : become_proved(words);
 }
 
 }  // namespace
+
+bool asks_for_proved(const std::vector<std::string>& words) {
+  const auto files = std::find(words.begin(), words.end(), "--");
+  return std::find(words.begin(), files, "--proved") != files;
+}
 
 ExitCode run_check(const Given& given) try { return check(given.rest); } catch (const UsageFault& fault) {
   talk(std::string(fault.what()) + "\nTry: fathom check --help");

@@ -3,6 +3,9 @@
 // options has checked.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/args/arguments.hpp"
 #include "cli/io/output.hpp"
 
@@ -11,6 +14,9 @@ namespace fathom::cli {
 /// Runs the command that was given. The two programs differ here: every_command.cpp belongs to
 /// fathom, depth_alone.cpp to fathom-depth.
 ExitCode run_command(const Given& given);
+
+/// The part that the command needs beside the program, as ./fathom calls it, or "".
+std::string part_needed(const Given& given);
 
 /// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
 ExitCode run_depth(const Given& given);
@@ -35,6 +41,8 @@ ExitCode run_diff(const Given& given);
 
 /// These read the rest of the words themselves, and print what is wrong with them.
 ExitCode run_check(const Given& given);
+/// Whether the words behind `check` ask for the checker that was extracted from the Coq proof.
+bool asks_for_proved(const std::vector<std::string>& words);
 ExitCode run_golden(const Given& given);
 /// `help`, `man` and `completion`.
 ExitCode run_help(const Given& given);

@@ -11,4 +11,6 @@ ExitCode run_command(const Given& given) {
                 bad_input);
 }
 
+std::string part_needed(const Given&) { return ""; }
+
 }  // namespace fathom::cli

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the program fathom runs: every command.
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "cli/commands/command.hpp"
+#include "cli/commands/names.hpp"
 
 namespace fathom::cli {
 
@@ -17,6 +19,15 @@ ExitCode run_command(const Given& given) {
       {"golden", run_golden}, {"help", run_help},       {"man", run_help},          {"completion", run_help}};
   return std::ranges::find(commands, std::string_view(given.command), &std::pair<std::string_view, Run>::first)
       ->second(given);
+}
+
+std::string part_needed(const Given& given) {
+  if (given.command == "check") return asks_for_proved(given.rest) ? "proved" : "";
+  const std::string words = given.command == "certify" ? given.text("--adapter") : "";
+  const Adapter* const adapter = adapter_named(words);
+  if (!adapter) return "";
+  if (!adapter->program.ends_with(".mjs")) return "subjects";
+  return words.find(",version=") == std::string::npos ? "web" : "web-history";
 }
 
 }  // namespace fathom::cli

@@ -84,6 +84,11 @@ const std::vector<Adapter>& adapters() {
   return all;
 }
 
+const Adapter* adapter_named(std::string_view words) {
+  const auto adapter = std::ranges::find(adapters(), words.substr(0, words.find(',')), &Adapter::name);
+  return adapter == adapters().end() ? nullptr : &*adapter;
+}
+
 std::string program_of(const Adapter& adapter) {
   std::error_code fault;
   const fs::path folder = fs::read_symlink("/proc/self/exe", fault).parent_path();
@@ -103,8 +108,8 @@ std::string how_adapters_come() {
 
 std::string adapter_command(const std::string& words) {
   const std::string name = words.substr(0, words.find(','));
-  const auto adapter = std::ranges::find(adapters(), name, &Adapter::name);
-  if (adapter == adapters().end()) {
+  const Adapter* const adapter = adapter_named(words);
+  if (!adapter) {
     std::vector<std::string> names;
     for (const Adapter& a : adapters()) names.push_back(a.name);
     throw InputError("--adapter", 0,

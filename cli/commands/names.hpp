@@ -27,6 +27,9 @@ struct Adapter {
 
 const std::vector<Adapter>& adapters();
 
+/// Returns that of "NAME" or "NAME,key=value,...", or null.
+const Adapter* adapter_named(std::string_view words);
+
 /// Returns a sentence on how those come that are not there.
 std::string how_adapters_come();
 
