@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every stage gets beside its input: the monitor to report to, the request to stop, and the
-// counters.
+// counters; and work in two threads, each with a context of its own.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -74,5 +75,12 @@ class Context {
   Monitor* monitor_;
   std::shared_ptr<std::atomic<bool>> stopped_;
 };
+
+/// Calls both, in two threads if `worth_it`, else one after the other. `first` gets `context`; so
+/// does `second`, unless it runs in its own thread: then it gets a worker of `context`, which is
+/// joined. When this returns or throws, neither runs any more. If `first` throws, that exception is
+/// rethrown, else that of `second`.
+void run_both(bool worth_it, Context& context, const std::function<void(Context&)>& first,
+              const std::function<void(Context&)>& second);
 
 }  // namespace fathom::kernels

@@ -11,9 +11,9 @@
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/messages.hpp"
-#include "reference/approximate/directions.hpp"
+#include "reference/approximate/separation.hpp"
 #include "reference/files/file_io.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/judge/words.hpp"
 
 namespace fathom::cli {

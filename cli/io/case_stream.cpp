@@ -29,8 +29,8 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
+#include "kernels/context.hpp"
 #include "kernels/filters/all_extreme.hpp"
-#include "kernels/parallel.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/polytope/convexity.hpp"
 

@@ -31,7 +31,7 @@
 #include "fathom/files.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/files/case_json.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/golden/release/release.hpp"
 #include "verify/harness/journal.hpp"
 

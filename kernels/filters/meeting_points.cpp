@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 
@@ -43,10 +43,7 @@ double quotient(const mpz_class& v, const mpz_class& w, long exponent) {
 }
 template <unsigned Bits>
 double quotient(const FixedInteger<Bits>& v, const FixedInteger<Bits>& w, long exponent) {
-  mpz_t of_v, of_w;
-  v.view(of_v);
-  w.view(of_w);
-  return quotient(static_cast<mpz_srcptr>(of_v), static_cast<mpz_srcptr>(of_w), exponent);
+  return of_views([](mpz_srcptr n, mpz_srcptr d, long e) { return quotient(n, d, e); }, v, w, exponent);
 }
 
 // Divides a plane's equation by what its normal's components share.

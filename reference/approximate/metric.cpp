@@ -9,7 +9,6 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
-#include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/position.hpp"
 

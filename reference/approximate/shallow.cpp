@@ -12,7 +12,7 @@
 
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/approximate/directions.hpp"
+#include "reference/approximate/separation.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 

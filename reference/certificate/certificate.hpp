@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and an answer.
-// Output  its proof as exact text: an inner polytope and a supporting direction.
+// Output  its proof as exact text: an inner polytope and a supporting direction. Below: the checks of
+//         proofs, which are twins of the checkers, and the writer of all formats.
 //                                                                           [proofs/certificate.md]
 #pragma once
 
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "fathom/certificate.hpp"
+#include "fathom/depth.hpp"
+#include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/report.hpp"
+#include "kernels/vector.hpp"
 
 namespace fathom::certificate {
 
@@ -15,7 +33,10 @@ namespace fathom::certificate {
 /// checkers.
 [[nodiscard]] kernels::Report validate(const Certificate& certificate);
 
-/// The same for shapes, and all optimal directions of cores that touch by the rules of the format.
+/// The point that weights combine; what is wrong with them goes to the report.
+Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
+
+/// The same as `validate` for shapes, and all optimal directions of cores that touch by the rules of the format.
 /// Throws std::invalid_argument if a shape is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
 
@@ -25,5 +46,131 @@ ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const O
 
 /// Checks the cone by the rules of the format, in rationals.
 [[nodiscard]] kernels::Report validate(const ConeProof& proof, std::span<const Point> a, std::span<const Point> b);
+
+/// 2^k in decimal digits, for k from 0 to 63: nearly all denominators.
+struct PowerOfTwo {
+  char digits[20] = {};
+  unsigned size = 0;
+};
+
+inline constexpr std::array<PowerOfTwo, 64> powers_of_two = [] {
+  std::array<PowerOfTwo, 64> powers;
+  for (unsigned k = 0; k < 64; ++k) {
+    PowerOfTwo& power = powers[k];
+    for (std::uint64_t n = std::uint64_t{1} << k; n > 0; n /= 10) ++power.size;
+    std::uint64_t n = std::uint64_t{1} << k;
+    for (unsigned i = power.size; i > 0; n /= 10) power.digits[--i] = static_cast<char>('0' + n % 10);
+  }
+  return powers;
+}();
+
+/// Writes words and lines to a text that grows, with one blank between two words of a line; numbers
+/// of one or two limbs without GMP.
+class Writer {
+ public:
+  explicit Writer(std::size_t likely_size) : text_(likely_size, '\0') {}
+
+  Writer& word(std::string_view text) {
+    char* const at = begin_word(text.size());
+    return done(at + text.copy(at, text.size()));
+  }
+  Writer& word(std::size_t n) { return done(put(begin_word(20), std::uint64_t{n})); }
+  Writer& word(const mpz_class& n) { return done(put(begin_word(size_of(n)), n)); }
+  Writer& word(const mpq_class& q) {
+    char* at = put(begin_word(size_of(q.get_num()) + size_of(q.get_den())), q.get_num());
+    if (mpz_cmp_ui(q.get_den_mpz_t(), 1) == 0) return done(at);
+    *at++ = '/';
+    return done(put(at, q.get_den()));
+  }
+  Writer& word(double value) {
+    const kernels::Dyadic n = kernels::dyadic(value);
+    if (n.exponent > 0 || n.exponent < -63) return word(exact_value(value));
+    char* at = begin_word(48);
+    if (n.mantissa < 0) *at++ = '-';
+    at = put(at, static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
+    if (n.exponent == 0) return done(at);
+    *at++ = '/';
+    const PowerOfTwo& power = powers_of_two[static_cast<std::size_t>(-n.exponent)];
+    return done(std::copy(std::begin(power.digits), std::end(power.digits), at) - (20 - power.size));
+  }
+  template <class NT>
+  Writer& words(const Vec3<NT>& v) {
+    return word(v.x).word(v.y).word(v.z);
+  }
+  Writer& words(const Point& p) { return word(p.x).word(p.y).word(p.z); }
+  Writer& words(const std::array<double, 3>& p) { return word(p[0]).word(p[1]).word(p[2]); }
+  void end() {
+    *room(1) = '\n';
+    ++size_;
+    line_start_ = true;
+  }
+  std::string take() {
+    text_.resize(size_);
+    return std::move(text_);
+  }
+
+ private:
+  __extension__ using Double = unsigned __int128;
+  static constexpr std::uint64_t ten_to_19 = 10'000'000'000'000'000'000U;
+
+  // Where the next characters go, at most so many.
+  char* room(std::size_t most) {
+    if (text_.size() - size_ < most) text_.resize(2 * text_.size() + most);
+    return text_.data() + size_;
+  }
+  // A blank, if one is due, and where the word goes, which has at most so many characters.
+  char* begin_word(std::size_t most) {
+    char* at = room(most + 1);
+    if (!line_start_) *at++ = ' ';
+    line_start_ = false;
+    return at;
+  }
+  Writer& done(const char* end) {
+    size_ = static_cast<std::size_t>(end - text_.data());
+    return *this;
+  }
+
+  // With the sign, and what mpz_get_str needs; 2^128 has 39 digits.
+  static std::size_t size_of(const mpz_class& n) {
+    return mpz_size(n.get_mpz_t()) <= 2 ? 42 : mpz_sizeinbase(n.get_mpz_t(), 10) + 2;
+  }
+  static char* put(char* at, std::uint64_t n) { return std::to_chars(at, at + 20, n).ptr; }
+  static char* put(char* at, const mpz_class& number) {
+    const mpz_srcptr n = number.get_mpz_t();
+    if (mpz_size(n) > 2) {
+      mpz_get_str(at, 10, n);
+      return at + std::strlen(at);
+    }
+    if (mpz_sgn(n) < 0) *at++ = '-';
+    return put_two(at, static_cast<Double>(mpz_getlimbn(n, 1)) << 64 | mpz_getlimbn(n, 0));
+  }
+  static char* put_two(char* at, Double n) {
+    if (n < ten_to_19) return put(at, static_cast<std::uint64_t>(n));
+    at = put_two(at, n / ten_to_19);
+    char digits[20];
+    const char* const end = put(digits, static_cast<std::uint64_t>(n % ten_to_19));
+    at = std::fill_n(at, 19 - (end - digits), '0');
+    return std::copy(static_cast<const char*>(digits), end, at);
+  }
+
+  std::string text_;
+  std::size_t size_ = 0;
+  bool line_start_ = true;
+};
+
+/// An id as one word. Blanks are escaped too: a line may not end with one, and ids are easier to
+/// read out of a line without.
+std::string escaped(std::string_view id);
+
+template <class P>
+void write_points(Writer& out, std::string_view name, std::span<const P> points) {
+  out.word(name).word(points.size()).end();
+  for (const P& p : points) out.words(p).end();
+}
+
+// The parts that both formats have.
+
+void write_inner(Writer& out, const InnerPolytope& inner);
+void write_weights(Writer& out, std::string_view name, const std::vector<Weight>& weights);
 
 }  // namespace fathom::certificate

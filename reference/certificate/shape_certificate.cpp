@@ -12,8 +12,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/certificate/writer.hpp"
-#include "reference/rounded/half_space.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -243,20 +242,8 @@ class ShapeCheck {
   }
 
   [[nodiscard]] mpq_class squared_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const Point gap = combined(b, c_.weights_b) - combined(a, c_.weights_a);
+    const Point gap = combined(report_, b, c_.weights_b) - combined(report_, a, c_.weights_a);
     return dot(gap, gap);
-  }
-
-  Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
-    Point sum;
-    mpq_class total;
-    for (const Weight& w : weights) {
-      if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
-      total += w.weight;
-      sum = sum + w.weight * points[w.index];
-    }
-    report_.expect(total == 1, "weights do not sum to 1");
-    return sum;
   }
 
   void add(const kernels::Report& report) {

@@ -8,7 +8,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
-#include "reference/certificate/writer.hpp"
+#include "reference/certificate/certificate.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/unions/union_prover.hpp"
 

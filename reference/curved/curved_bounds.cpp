@@ -1,23 +1,289 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the bounds: directions that people like, then the nearest point of P, then a
-// polytope inside P that grows.
+// The search for the bounds: directions that people like, then the nearest point of P, then, for
+// cores that penetrate, a polytope inside P that grows.                    [proofs/shapes_curved.md]
 #include "reference/curved/curved_bounds.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "fathom/depth.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/assembly.hpp"
-#include "reference/curved/growth.hpp"
 #include "reference/curved/lattice.hpp"
 #include "reference/curved/oracle.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {
 namespace {
+
+// ---- a polytope inside P expands towards the supports of its nearest facets (lemma 2) ----
+
+/// Of a normal that is asked for without being shortened.
+constexpr long most_exact_bits = 128;
+/// After so many calls the search looks for the first time at how fast it gets on.
+constexpr std::size_t first_checkpoint = 128;
+
+/// What binary64 says of bounds, of which it decides nothing: in the lattice's coordinates times
+/// 2^-exponent.
+class Estimates {
+ public:
+  Estimates(const Lattice& lattice, const Goal& goal);
+
+  [[nodiscard]] double ceiling(const Ceiling& ceiling) const { return distance(ceiling.height, ceiling.direction); }
+  /// height / |normal|.
+  [[nodiscard]] double distance(const mpz_class& height, const Vector& normal) const;
+  /// Of the foot of O, whose square is numerator / denominator.
+  [[nodiscard]] double root(const mpz_class& numerator, const mpz_class& denominator) const;
+  /// False if the goal is out of sight.
+  [[nodiscard]] bool perhaps_met(double low, double high) const;
+  /// How far bounds of one sign may be apart.
+  [[nodiscard]] double allowed() const { return share_ * extent_; }
+  /// How fine a point has to be while the bounds differ by this.
+  [[nodiscard]] unsigned precision(double gap) const;
+
+ private:
+  long exponent_;
+  unsigned fine_;
+  double extent_, rho_, share_;
+};
+
+class Growth {
+ public:
+  /// `common`: O is known to be in P.
+  Growth(Oracle& oracle, const Goal& goal, const Estimates& estimates, bool common)
+      : oracle_(oracle), goal_(goal), estimates_(estimates), common_(common) {}
+
+  /// The points must not lie in one plane.
+  void start(const std::array<polytope::Difference, 4>& points);
+  /// Expands until the goal is met, h(n) = 0 for some n, nothing is above any facet, no call is
+  /// left, or the calls that are left will not do.
+  void run();
+
+  /// The squared distance of the nearest facet plane of Q, in the shapes' unit; nullopt if O is not
+  /// in the interior of Q. Exact.
+  [[nodiscard]] std::optional<mpq_class> squared();
+  /// Q; its vertices name points of the oracle twice.
+  InnerPolytope polytope() { return expanding::inner_polytope(surface_, merge_); }
+
+ private:
+  using Corner = expanding::SurfaceVertex<mpz_class>;
+  using TriangleId = expanding::TriangleId;
+
+  // By the squared distance, negative above O, less that of the reference: so near distances differ
+  // by many bits.
+  struct Waiting {
+    double key;
+    bool exact;  ///< it comes from the exact plane
+    TriangleId triangle;
+    bool operator<(const Waiting& other) const { return key > other.key; }
+  };
+  struct Reference {
+    mpz_class square, length;  ///< height |height| and <n,n> of some ceiling
+    double rounded = 0;        ///< their quotient
+  };
+
+  [[nodiscard]] Corner corner(polytope::Difference d) const;
+  void wait_for(TriangleId t, bool exact);
+  std::optional<Waiting> nearest();
+  void refer_to(const Ceiling& ceiling);
+  [[nodiscard]] double key(const mpz_class& height, const Vector& normal) const;
+  [[nodiscard]] double distance(double key) const;
+  bool met();
+  bool hopeless(double gap);
+  void expand(TriangleId t, double gap);
+  void ask_exactly(TriangleId t);
+
+  Oracle& oracle_;
+  const Goal& goal_;
+  const Estimates& estimates_;
+  bool common_;
+  expanding::Surface<mpz_class> surface_;
+  expanding::MergeMemory merge_;
+  std::vector<Waiting> waiting_;  // a heap
+  Reference reference_;
+  std::size_t checkpoint_ = first_checkpoint;  // a power of two
+  double last_gap_ = 0, last_factor_ = 0;      // at the one before, if any; and by how much it had shrunk there
+};
+
+Estimates::Estimates(const Lattice& lattice, const Goal& goal)
+    : exponent_(lattice.exponent), fine_(lattice.fine), share_(goal.share().get_d()) {
+  const auto scaled = [&](const mpq_class& length) { return shifted(length / lattice.fine_unit, -exponent_).get_d(); };
+  extent_ = scaled(goal.extent());
+  rho_ = scaled(goal.rho());
+}
+
+double Estimates::root(const mpz_class& numerator, const mpz_class& denominator) const {
+  return kernels::root_from_above(numerator, denominator, exponent_);
+}
+
+double Estimates::distance(const mpz_class& height, const Vector& normal) const {
+  const double magnitude = root(mpz_class(height * height), dot(normal, normal));
+  return sgn(height) < 0 ? -magnitude : magnitude;
+}
+
+bool Estimates::perhaps_met(double low, double high) const {
+  const double size = std::max({extent_, std::fabs(low + rho_), std::fabs(high + rho_)});
+  return high - low <= 2 * share_ * size + 0x1p-46;
+}
+
+unsigned Estimates::precision(double gap) const {
+  if (!(gap > 0x1p-44)) return fine_;
+  return static_cast<unsigned>(
+      std::min(std::max(6L - std::ilogb(gap), 8L), static_cast<long>(fine_)));  // few bits may be asked for
+}
+
+Growth::Corner Growth::corner(polytope::Difference d) const {
+  return {d, oracle_[d], kernels::image(oracle_[d], oracle_.exponent())};
+}
+
+void Growth::start(const std::array<polytope::Difference, 4>& points) {
+  refer_to(*oracle_.lowest());
+  surface_.start({corner(points[0]), corner(points[1]), corner(points[2]), corner(points[3])});
+  for (const TriangleId t : surface_.triangles().ids()) wait_for(t, false);
+}
+
+double Growth::key(const mpz_class& height, const Vector& normal) const {
+  const mpz_class length = dot(normal, normal);
+  const mpz_class difference = height * abs(height) * reference_.length - reference_.square * length,
+                  scale = length * reference_.length;
+  long i = 0, j = 0;
+  const double quotient = mpz_get_d_2exp(&i, difference.get_mpz_t()) / mpz_get_d_2exp(&j, scale.get_mpz_t());
+  return std::ldexp(quotient, static_cast<int>(std::max(i - j - 2 * oracle_.exponent(), -1000L)));
+}
+
+double Growth::distance(double key) const {
+  const double square = key + reference_.rounded;
+  return square < 0 ? -std::sqrt(-square) : std::sqrt(square);
+}
+
+// All keys change, but not their order.
+void Growth::refer_to(const Ceiling& ceiling) {
+  reference_ = {ceiling.height * abs(ceiling.height), dot(ceiling.direction, ceiling.direction), 0};
+  const double root = estimates_.ceiling(ceiling);
+  reference_.rounded = root * std::fabs(root);
+  std::vector<Waiting> waiting = std::move(waiting_);
+  waiting_.clear();
+  for (const Waiting& w : waiting)
+    if (surface_.triangles()[w.triangle].alive) wait_for(w.triangle, w.exact);
+}
+
+// Binary64 decides nothing but the order. Planes that are not far, and those that come first, are
+// asked for exactly.
+void Growth::wait_for(TriangleId t, bool exact) {
+  const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
+  const double far = distance(0x1p-8);
+  if (!exact && rounded.trustworthy() && rounded.estimated_distance() > far) {
+    waiting_.push_back({rounded.estimated_distance() * rounded.estimated_distance() - reference_.rounded, false, t});
+  } else {
+    const expanding::ExactPlane<mpz_class>& plane = surface_.plane(t);
+    waiting_.push_back({key(plane.height, plane.normal), true, t});
+  }
+  std::push_heap(waiting_.begin(), waiting_.end());
+}
+
+std::optional<Growth::Waiting> Growth::nearest() {
+  while (!waiting_.empty()) {
+    std::pop_heap(waiting_.begin(), waiting_.end());
+    const Waiting first = waiting_.back();
+    waiting_.pop_back();
+    if (!surface_.triangles()[first.triangle].alive) continue;
+    if (first.exact) return first;
+    wait_for(first.triangle, true);
+  }
+  return std::nullopt;
+}
+
+// A triangle that nothing is above lies as near to the boundary of P as points can: it is passed
+// over.
+void Growth::run() {
+  while (const std::optional<Waiting> first = nearest()) {
+    const Ceiling& lowest = *oracle_.lowest();
+    const double high = estimates_.ceiling(lowest), low = distance(first->key);
+    if (sgn(lowest.height) == 0 || (estimates_.perhaps_met(low, high) && met())) {
+      ask_exactly(first->triangle);
+      return;
+    }
+    if (oracle_.spent() || (oracle_.calls() >= checkpoint_ && hopeless(high - low))) return;
+    expand(first->triangle, high - low);
+    const double improved = key(oracle_.lowest()->height, oracle_.lowest()->direction);
+    if (improved < 0x1p24 * (first->key - improved)) refer_to(*oracle_.lowest());
+  }
+}
+
+bool Growth::met() {
+  std::optional<mpq_class> low = squared();
+  if (!low && common_) low = 0;
+  if (!low) return false;
+  const Ceiling& ceiling = *oracle_.lowest();
+  const mpq_class& unit = oracle_.lattice().fine_unit;
+  const mpq_class high =
+      kernels::ratio(ceiling.height * ceiling.height, dot(ceiling.direction, ceiling.direction)) * unit * unit;
+  return goal_.met(goal_.from_below(*low), goal_.from_above(high));
+}
+
+// Whether the gap is expected to stay too wide until all calls are spent. Never while the sign of
+// the bounds is open. Where optima form a continuum it shrinks by one factor whenever the calls
+// double; if it did so at the last two checkpoints, it is expected to do so again. Else it is
+// expected to shrink by that factor with every as many calls as there were between them, though it
+// will do so ever faster.
+bool Growth::hopeless(double gap) {
+  const std::size_t between = checkpoint_ / 2;
+  checkpoint_ *= 2;
+  const double factor = last_gap_ / gap, last_factor = std::exchange(last_factor_, factor);
+  last_gap_ = gap;
+  if (last_factor == 0) return false;
+  const bool by_doubling = factor < 1.2 * last_factor;
+  double expected = gap;
+  if (factor > 1.1)
+    for (std::size_t calls = oracle_.calls(); calls < oracle_.budget() && expected > estimates_.allowed();
+         calls += by_doubling ? calls : between)
+      expected /= factor;
+  if (expected <= estimates_.allowed()) return false;
+  const std::optional<mpq_class> low = squared();
+  return low && goal_.from_below(*low) > 0;
+}
+
+void Growth::expand(TriangleId t, double gap) {
+  const Vector n = oracle_.shortened(surface_.plane(t).normal);
+  for (const unsigned precision : {estimates_.precision(gap), oracle_.lattice().fine}) {
+    if (oracle_.spent()) return;
+    const Corner above = corner(oracle_.ask(n, precision));
+    if (surface_.side(t, above) <= 0) continue;
+    for (const TriangleId fresh : surface_.insert(above, t)) wait_for(fresh, false);
+    return;
+  }
+}
+
+// The facet of a core has a short normal, in which the bounds may meet.
+void Growth::ask_exactly(TriangleId t) {
+  const Vector n = primitive(surface_.plane(t).normal);
+  if (!oracle_.spent() && kernels::binary_exponent(n) <= most_exact_bits) oracle_.ask(n, oracle_.lattice().fine);
+}
+
+std::optional<mpq_class> Growth::squared() {
+  const expanding::ExactPlane<mpz_class>* nearest = nullptr;
+  double from_above = 0;
+  mpz_class square, length;
+  for (const TriangleId t : surface_.triangles().ids()) {
+    if (!surface_.triangles()[t].alive) continue;
+    if (nearest != nullptr && surface_.triangles()[t].rounded.surely_beyond(from_above)) continue;
+    const expanding::ExactPlane<mpz_class>& plane = surface_.plane(t);
+    if (plane.height <= 0) return std::nullopt;
+    if (nearest != nullptr && compare({plane.normal, plane.height}, {nearest->normal, nearest->height}) >= 0) continue;
+    nearest = &plane;
+    from_above = estimates_.root(mpz_class(plane.height * plane.height), dot(plane.normal, plane.normal));
+  }
+  const mpq_class& unit = oracle_.lattice().fine_unit;
+  return kernels::ratio(nearest->height * nearest->height, dot(nearest->normal, nearest->normal)) * unit * unit;
+}
 
 // ---- a half-space and a curved core: one support is the answer, from both sides ----
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference/depth/apart.hpp"
 
+#include "kernels/context.hpp"
 #include "kernels/number/rational.hpp"
-#include "kernels/parallel.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/parallel.hpp"
+#include "kernels/context.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/lines/grid.hpp"

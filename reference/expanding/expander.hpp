@@ -15,7 +15,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/id.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"

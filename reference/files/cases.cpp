@@ -14,8 +14,8 @@
 
 #include "kernels/float_environment.hpp"
 #include "reference/files/case_fields.hpp"
+#include "reference/files/mesh_formats.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/files/text_scanner.hpp"
 #include "reference/text/json_value.hpp"
 
 namespace fathom::files {

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "reference/files/mesh_formats.hpp"
-#include "reference/files/text_scanner.hpp"
 
 namespace fathom::files {
 namespace {

@@ -13,8 +13,8 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
+#include "reference/files/mesh_formats.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/files/text_scanner.hpp"
 
 namespace fathom::files {
 namespace {

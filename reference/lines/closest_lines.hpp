@@ -19,7 +19,6 @@
 #include "reference/canonical/canonical_subsets.hpp"
 #include "reference/chart/chart.hpp"
 #include "reference/lines/grid.hpp"
-#include "reference/lines/line_scene.hpp"
 
 namespace fathom::lines {
 

@@ -14,7 +14,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -14,7 +14,7 @@
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/rounded/half_space.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"

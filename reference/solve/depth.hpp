@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies as points in any form, or on one lattice, and the options of
 //         penetration_depth.
-// Output  the answer by the method that they ask for.
+// Output  the answer by the method that they ask for; and where the answers of two methods differ.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
@@ -41,5 +43,14 @@ struct PlacedDepth {
 /// Throws as penetration_depth does.
 PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                          const Options& options);
+
+/// Returns the first field in which the answers differ, with both values, as "optima[0].direction:
+/// (1, 0, 0) and (0, 1, 0)"; nullopt if they agree. Compared is every field that must not depend on
+/// the method: all but `inner`, `method`, the numbers of extreme points and the counters.
+std::optional<std::string> disagreement(const Depth& x, const Depth& y);
+
+/// Returns the method of that name which can answer beside automatic, to compare with: exact or
+/// naive; nullopt for other words.
+std::optional<Method> second_method(std::string_view word);
 
 }  // namespace fathom::solve

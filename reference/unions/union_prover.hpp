@@ -11,7 +11,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/union.hpp"
 #include "kernels/context.hpp"
-#include "reference/unions/placed_pieces.hpp"
+#include "reference/unions/pieces.hpp"
 #include "reference/unions/union_search.hpp"
 
 namespace fathom::unions {

@@ -17,8 +17,7 @@
 #include "fathom/union.hpp"
 #include "kernels/context.hpp"
 #include "reference/unions/least_norm.hpp"
-#include "reference/unions/piece_pair.hpp"
-#include "reference/unions/placed_pieces.hpp"
+#include "reference/unions/pieces.hpp"
 
 namespace fathom::unions {
 

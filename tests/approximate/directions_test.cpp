@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The covering property of the grid, decided exactly on its cells.
 
-#include "reference/approximate/directions.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +9,8 @@
 
 #include "kernels/nearest.hpp"
 #include "kernels/vector.hpp"
-#include "reference/approximate/body_pair.hpp"
+#include "reference/approximate/ray.hpp"
+#include "reference/approximate/separation.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/monitors.hpp"

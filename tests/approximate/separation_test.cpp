@@ -9,7 +9,6 @@
 
 #include "fathom/width.hpp"
 #include "kernels/vector.hpp"
-#include "reference/approximate/directions.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/approximate/directions.hpp"
+#include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "tests/approximate/shallow_scene.hpp"
 #include "tests/support/vectors.hpp"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"

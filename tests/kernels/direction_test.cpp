@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "kernels/filters/plane.hpp"
-#include "kernels/filters/rounded_plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"

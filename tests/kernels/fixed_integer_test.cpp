@@ -7,7 +7,7 @@
 
 #include <random>
 
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/number/wide_float.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "tests/support/exact_floats.hpp"

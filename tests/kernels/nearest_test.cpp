@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/context.hpp"
 #include "kernels/id.hpp"
 #include "kernels/messages.hpp"
-#include "kernels/parallel.hpp"
 #include "kernels/predicates/perturbed_kernel.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"

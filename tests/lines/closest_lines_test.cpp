@@ -10,8 +10,8 @@
 #include <type_traits>
 
 #include "fathom/depth.hpp"
-#include "reference/lines/line_scene.hpp"
-#include "reference/lines/line_search.hpp"
+#include "reference/lines/cutting.hpp"
+#include "reference/lines/grid.hpp"
 #include "tests/support/grids.hpp"
 
 namespace fathom::lines {

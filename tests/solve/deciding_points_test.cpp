@@ -20,7 +20,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "tests/solve/same_depth.hpp"
 #include "tests/support/exact_depth.hpp"
 #include "tests/support/prepared.hpp"

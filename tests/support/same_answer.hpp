@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::testing {
 

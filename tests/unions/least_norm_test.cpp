@@ -15,7 +15,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/files.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/unions/placed_pieces.hpp"
+#include "reference/unions/pieces.hpp"
 #include "reference/unions/union_search.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/check/check.hpp"

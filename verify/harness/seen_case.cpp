@@ -22,7 +22,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/two_ways.hpp"

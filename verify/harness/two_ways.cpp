@@ -21,7 +21,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
 #include "reference/files/shape_names.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
 #include "verify/families/families.hpp"

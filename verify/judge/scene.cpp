@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "kernels/number/rational.hpp"
-#include "reference/approximate/body_pair.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"

@@ -9,7 +9,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
-#include "reference/unions/placed_pieces.hpp"
+#include "reference/unions/pieces.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {

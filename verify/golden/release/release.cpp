@@ -17,7 +17,7 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/messages.hpp"
-#include "reference/solve/disagreement.hpp"
+#include "reference/solve/depth.hpp"
 #include "verify/digest/sha256.hpp"
 #include "verify/golden/io/files.hpp"
 #include "verify/golden/release/embedded_pages.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A piece of A and a piece of B: the polytope P_ij = B_j (+) (-A_i), known by a polytope Q inside
-// it and by planes that hold it. Both grow towards the points that are asked about, by the steps of
-// the expanding polytope, and only as far as an answer needs.
+// The pieces of two unions: all their points as integers in one common unit; and of each pair of
+// pieces the polytope P_ij.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +8,36 @@
 #include <type_traits>
 #include <vector>
 
+#include "fathom/union.hpp"
 #include "kernels/filters/meeting_points.hpp"
 #include "reference/expanding/surface.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::unions {
+
+/// All clouds have one exponent. Points of the lattice are translations of A too.
+struct PlacedPieces {
+  polytope::PlacedPair whole;  ///< all points of either body, piece after piece
+  std::vector<kernels::PointCloud> a, b;
+
+  [[nodiscard]] long exponent() const { return whole.exponent(); }
+  /// Piece i of A and piece j of B, on the common lattice.
+  [[nodiscard]] polytope::PlacedPair pair(std::uint32_t i, std::uint32_t j) const;
+
+  /// A point of the lattice in the unit of the input, and back.
+  [[nodiscard]] Point translation(const kernels::RationalPoint& p) const;
+  [[nodiscard]] kernels::RationalPoint point(const Point& translation) const;
+  /// A squared length on the lattice, numerator / denominator, in the unit of the input.
+  [[nodiscard]] mpq_class squared(const mpz_class& numerator, const mpz_class& denominator) const;
+};
+
+/// Throws std::invalid_argument if a body has no pieces, a piece has no points or no interior, or a
+/// coordinate is not in lowest terms.
+PlacedPieces place_pieces(const Pieces& a, const Pieces& b);
+
+// A piece of A and a piece of B: the polytope P_ij = B_j (+) (-A_i), known by a polytope Q inside
+// it and by planes that hold it. Both grow towards the points that are asked about, by the steps of
+// the expanding polytope, and only as far as an answer needs.
 
 /// The differences of two clouds, by the scans of these numbers.
 template <class Numbers>
