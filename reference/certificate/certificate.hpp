@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies and an answer.
-// Output  its proof as exact text: an inner polytope and a supporting direction. Below: the checks of
-//         proofs, which are twins of the checkers, and the writer of all formats.
+// Output  its proof as exact text: an inner polytope and a supporting direction. Here: the checks
+//         of proofs, which are twins of the checkers, and the writer of all formats.
 //                                                                           [proofs/certificate.md]
 #pragma once
 
@@ -33,12 +33,12 @@ namespace fathom::certificate {
 /// checkers.
 [[nodiscard]] kernels::Report validate(const Certificate& certificate);
 
-/// The point that weights combine; what is wrong with them goes to the report.
-Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
-
-/// The same as `validate` for shapes, and all optimal directions of cores that touch by the rules of the format.
+/// The same for shapes, and all optimal directions of cores that touch by the rules of the format.
 /// Throws std::invalid_argument if a shape is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
+
+/// The point that weights combine; what is wrong with them goes to the report.
+Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
 
 /// Of bodies that touch: differences b - a that leave no room for optimal directions other than
 /// those of the cone. Each difference is taken from faces of the bodies: O((m + n) r) for r rays.

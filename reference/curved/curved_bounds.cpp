@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search for the bounds: directions that people like, then the nearest point of P, then, for
-// cores that penetrate, a polytope inside P that grows.                    [proofs/shapes_curved.md]
+// cores that penetrate, a polytope inside P that grows.                   [proofs/shapes_curved.md]
 #include "reference/curved/curved_bounds.hpp"
 
 #include <algorithm>

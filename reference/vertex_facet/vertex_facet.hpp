@@ -2,7 +2,7 @@
 // Input   the charts of one hemisphere.
 // Output  for each facet normal of one body an extreme vertex of the other. With both hemispheres
 //         these are all facets of P of kind vertex-facet.        [AGHRS, PENETRATION-DEPTH, step 1]
-// Time    linear. The point location of step 1 happens in chart/locate.cpp, since the canonical
+// Time    linear. The point location of step 1 happens in chart/chart.cpp, since the canonical
 //         subsets need the places of nodes too.
 #pragma once
 

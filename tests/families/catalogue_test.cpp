@@ -20,8 +20,8 @@
 #include "tests/support/prepared.hpp"
 #include "tests/unions/naive_union.hpp"
 #include "verify/check/check.hpp"
-#include "verify/families/degrade.hpp"
 #include "verify/families/families.hpp"
+#include "verify/families/polytope_pairs.hpp"
 #include "verify/families/random.hpp"
 
 namespace {

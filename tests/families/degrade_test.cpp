@@ -2,8 +2,6 @@
 // Each degradation breaks what its name says: shown on the hulls of the result, by exact equalities
 // that fail on the generic pair.
 
-#include "verify/families/degrade.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -19,7 +19,6 @@
 #include "tests/golden/some_recipes.hpp"
 #include "tests/support/monitors.hpp"
 #include "verify/families/families.hpp"
-#include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/prove.hpp"
 #include "verify/golden/records/record.hpp"

@@ -9,8 +9,8 @@
 
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "verify/golden/records/recipe.hpp"
 #include "verify/golden/records/record.hpp"
-#include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
 namespace {

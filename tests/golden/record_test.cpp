@@ -24,7 +24,7 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/union_pairs.hpp"
 #include "verify/golden/records/prove.hpp"
-#include "verify/golden/release/real_cases.hpp"
+#include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
 namespace {

@@ -18,7 +18,6 @@
 
 #include "fathom/numbers.hpp"
 #include "tests/support/property.hpp"
-#include "verify/harness/message_json.hpp"
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/seen_case.hpp"
 

@@ -18,7 +18,6 @@
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/shrink/reproducer.hpp"
-#include "verify/harness/shrink/search.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::harness {

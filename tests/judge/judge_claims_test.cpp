@@ -14,7 +14,6 @@
 #include "tests/judge/pairs.hpp"
 #include "tests/judge/shape_pairs.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/scene.hpp"
 #include "verify/judge/words.hpp"

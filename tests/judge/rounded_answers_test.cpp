@@ -9,7 +9,7 @@
 
 #include "tests/judge/pairs.hpp"
 #include "tests/support/prepared.hpp"
-#include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
 
 namespace fathom::judging {
 namespace {

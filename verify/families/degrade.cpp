@@ -2,8 +2,6 @@
 // The ways of breaking general position, each a function on a pair of bodies; then pairs that are
 // nearly broken.
 
-#include "verify/families/degrade.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <optional>

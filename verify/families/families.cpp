@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "reference/files/piece_files.hpp"
-#include "verify/families/degrade.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/shape_pairs.hpp"
 

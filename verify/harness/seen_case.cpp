@@ -26,7 +26,6 @@
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/two_ways.hpp"
-#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"

@@ -16,7 +16,6 @@
 #include "verify/families/random.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
 

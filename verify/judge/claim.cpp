@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::judging {
@@ -27,6 +28,38 @@ std::optional<Point> point_of(const std::optional<Triple>& p, long exponent) {
   if (point && exponent != 0)
     for (mpq_class* x : {&point->x, &point->y, &point->z}) *x = scaled(*x, -exponent);
   return point;
+}
+
+struct Digits {
+  long bits, least_exponent;
+};
+
+constexpr Digits digits_of(Precision precision) {
+  return precision == Precision::binary64 ? Digits{53, -1074} : Digits{24, -149};
+}
+
+mpq_class power_of_two(long exponent) { return scaled(1, exponent); }
+
+/// The e with 2^e <= sqrt(squared) < 2^(e+1). For a square above 0.
+long exponent_of_root(const mpq_class& squared) {
+  long e = (kernels::binary_order(squared) - 1) >> 1;  // at most that, and short by 1 at most
+  while (power_of_two(2 * (e + 1)) <= squared) ++e;
+  return e;
+}
+
+mpq_class square(const mpq_class& x) { return x * x; }
+
+/// |d - sqrt(squared)| <= t.
+bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
+  return sign({d - t, -squared}) <= 0 && sign({d + t, -squared}) >= 0;
+}
+
+/// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
+bool correctly_rounded(const mpq_class& d, const mpq_class& squared, const NumberFormat& format) {
+  const mpq_class there = scaled(squared, 2 * format.exponent);
+  const double nearest =
+      format.answers == Precision::binary64 ? root_binary64(there, Rounding::rn) : root_binary32(there, Rounding::rn);
+  return std::isfinite(nearest) && exact_value(nearest) == scaled(d, format.exponent);
 }
 
 }  // namespace
@@ -107,6 +140,64 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
     if (contact.depth) claim.contact_depths.push_back(length_of_claim(*contact.depth));
   }
   return claim;
+}
+
+mpq_class ulp_at_root(const mpq_class& squared, const NumberFormat& format) {
+  const Digits digits = digits_of(format.answers);
+  const long least = digits.least_exponent - format.exponent;
+  return power_of_two(sgn(squared) == 0 ? least : std::max(exponent_of_root(squared) - digits.bits + 1, least));
+}
+
+mpq_class unit_roundoff(Precision precision) { return power_of_two(-digits_of(precision).bits); }
+
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+                     unsigned long ulps) {
+  const mpq_class most = std::max(mpq_class(ulps), mpq_class(1, 2)),
+                  of_depth = most * ulp_at_root(depth_squared, format),
+                  of_point = most * ulp_at_root(square(sizes.farthest), format),
+                  of_direction = most * 4 * unit_roundoff(format.answers) * sizes.reach;
+  return {of_depth, of_depth + of_direction, mpq_class(7, 4) * of_point, 3 * of_depth + mpq_class(7, 2) * of_point};
+}
+
+Allowance::Allowance(const mpq_class& relative, const mpq_class& depth_squared, const mpq_class& fixed)
+    : fixed_(std::max(mpq_class(0), fixed)),
+      proportional_(sgn(relative) > 0 ? mpq_class(square(relative) * depth_squared) : mpq_class(0)),
+      squared_(std::max(proportional_, square(fixed_))) {}
+
+Allowances::Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+                       const Tolerance& tolerance) {
+  for (const mpq_class* part : {&tolerance.relative, &tolerance.absolute}) kernels::require_lowest_terms(*part);
+  const mpq_class absolute = tolerance.absolute * sizes.extent;
+  const Slack slack = rounding_slack(sizes, depth_squared, format, tolerance.ulps);
+  const auto allowed = [&](const mpq_class& length) {
+    return Allowance(tolerance.relative, depth_squared, std::max(absolute, length));
+  };
+  classification = allowed(tolerance.ulps * ulp_at_root(depth_squared, format));
+  depth = allowed(slack.depth);
+  direction = allowed(slack.direction);
+  witness = allowed(slack.witness);
+  gap = allowed(slack.gap);
+}
+
+bool Allowance::above(const mpq_class& d, const mpq_class& length) const {
+  return sign({d - fixed_, -length}) > 0 && kernels::sign_of_sum(d, -length, -proportional_) > 0;
+}
+
+bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
+  return sign({-d - fixed_, length}) > 0 && kernels::sign_of_sum(-d, length, -proportional_) > 0;
+}
+
+bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
+
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r,
+                     const NumberFormat& format) {
+  if (correctly_rounded(d, depth_squared, format)) return Accuracy::correctly_rounded;
+  if (within(d, depth_squared, 4 * ulp_at_root(depth_squared, format))) return Accuracy::ulps_4;
+  if (within(d, depth_squared, 16 * u_r)) return Accuracy::u_r_16;
+  const mpq_class millionth(1, 1'000'000);  // (1 - e) depth <= d <= (1 + e) depth
+  const bool close = sgn(d) >= 0 && square(d) >= square(1 - millionth) * depth_squared &&
+                     square(d) <= square(1 + millionth) * depth_squared;
+  return close ? Accuracy::millionth : Accuracy::tolerance;
 }
 
 }  // namespace fathom::judging

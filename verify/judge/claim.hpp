@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A reply in exact numbers and in fathom's conventions: the depth of overlapping bodies is
 // positive, and A moves. Of bodies that are said to be apart, the distance stands in the depth's
-// place.
+// place. And how much a reply may be off.                                         [proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -11,7 +11,9 @@
 
 #include "fathom/body.hpp"
 #include "fathom/judge.hpp"
+#include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
 
@@ -51,5 +53,65 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
 Point exact_point(const Triple& p);
 bool is_finite(const Triple& p);
 bool is_finite(const ContactPoint& contact);
+
+// ---- how much an answer may be off, as exact comparisons of square roots ----
+
+/// The most by which the residuals of an optimum are off once its numbers are rounded: an upper
+/// bound for each.
+struct Slack {
+  mpq_class depth;      ///< |d - depth|
+  mpq_class direction;  ///< |d - price|, and travel - d
+  mpq_class witness;    ///< the distance of a witness point from its body
+  mpq_class gap;        ///< how much (b - a) misses the translation
+};
+
+/// Returns the slack of an answer whose numbers (depth, unit direction, witness points) are each
+/// off by at most `ulps` ulps, or by half an ulp, as after correct rounding, if that is more.
+Slack rounding_slack(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+                     unsigned long ulps);
+
+/// The length that a residual may have: max(relative * depth, fixed). Lengths come as rationals d,
+/// or as signed squares s: of sqrt(s), of -sqrt(-s).
+class Allowance {
+ public:
+  Allowance() = default;
+  /// Negative values count as 0.
+  Allowance(const mpq_class& relative, const mpq_class& depth_squared, const mpq_class& fixed);
+
+  /// Whether d - length, length - d, or either of them exceeds the allowance.
+  [[nodiscard]] bool above(const mpq_class& d, const mpq_class& length) const;
+  [[nodiscard]] bool below(const mpq_class& d, const mpq_class& length) const;
+  [[nodiscard]] bool off(const mpq_class& d, const mpq_class& length) const {
+    return above(d, length) || below(d, length);
+  }
+  /// Whether a length, given by its square, is within the allowance.
+  [[nodiscard]] bool negligible(const Surd& squared) const;
+  [[nodiscard]] bool negligible(const mpq_class& squared) const { return squared <= squared_; }
+  [[nodiscard]] const mpq_class& squared() const { return squared_; }
+
+ private:
+  /// proportional_ = (relative * depth)^2; squared_ is the square of the larger one
+  mpq_class fixed_, proportional_, squared_;
+};
+
+/// `classification` is the tolerance alone; for each residual it is the tolerance or the slack,
+/// whichever is larger.
+struct Allowances {
+  Allowances(const Sizes& sizes, const mpq_class& depth_squared, const NumberFormat& format,
+             const Tolerance& tolerance);
+
+  Allowance classification, depth, direction, witness, gap;
+};
+
+/// The distance from one number of the format's answers to the next where sqrt(squared) lies, as if
+/// exponents had no upper end.
+mpq_class ulp_at_root(const mpq_class& squared, const NumberFormat& format);
+
+/// 2^-53 or 2^-24.
+mpq_class unit_roundoff(Precision precision);
+
+/// Returns the best class of a depth d that is within the tolerance; u_r is u R.
+Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r,
+                     const NumberFormat& format);
 
 }  // namespace fathom::judging

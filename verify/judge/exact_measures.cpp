@@ -14,7 +14,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
-#include "verify/judge/allowance.hpp"
+#include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"
 

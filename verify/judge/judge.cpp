@@ -17,7 +17,6 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
-#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
 

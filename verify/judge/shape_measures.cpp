@@ -14,7 +14,6 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/shapes/core.hpp"
-#include "verify/judge/allowance.hpp"
 #include "verify/judge/claim.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/scene.hpp"

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -133,5 +134,31 @@ std::vector<std::string_view> flag_names();
 
 /// Returns the flags that hold. Everything in `truth` but the flags must be set.
 std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth);
+
+// ---- faces of bodies by their definition ----
+
+// Exact integers, one pass over all points, no hull of a body
+// and no filter. Contacts and witnesses of records are proved by them, independently of the answer.
+
+/// All points of both bodies as multiples of 1 / denominator.
+struct Integers {
+  mpz_class denominator = 1;  ///< positive
+  std::vector<Vector> a, b;
+};
+
+Integers integers_of(std::span<const Point> a, std::span<const Point> b);
+
+/// The face of a body in a direction.
+struct SupportingFace {
+  mpz_class height;                    ///< max <n,p>
+  std::vector<std::uint32_t> corners;  ///< indices of its extreme points, ascending; of equal points the lowest
+  std::vector<Vector> cycle;           ///< their positions: one, two, or a convex polygon in cyclic order
+};
+
+/// n is not zero, `points` not empty.
+SupportingFace face_in_direction(std::span<const Vector> points, const Vector& n);
+
+/// Whether the point p, whose unit is 1, lies in the face of points whose unit is 1 / denominator.
+bool contains(const SupportingFace& face, const Vector& n, const mpz_class& denominator, const Point& p);
 
 }  // namespace fathom::golden

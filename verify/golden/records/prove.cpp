@@ -21,7 +21,6 @@
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
 #include "verify/digest/sha256.hpp"
-#include "verify/golden/records/faces.hpp"
 #include "verify/golden/records/facts.hpp"
 #include "verify/golden/records/record.hpp"
 

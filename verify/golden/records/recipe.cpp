@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-
 #include "verify/golden/records/recipe.hpp"
 
 #include <algorithm>
@@ -8,8 +7,11 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
@@ -17,32 +19,24 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
-#include "verify/golden/release/real_cases.hpp"
 
 namespace fathom::golden {
-
-std::string_view name_of(Source source) {
-  switch (source) {
-    case Source::family: return "family";
-    case Source::catalogue: return "catalogue";
-    case Source::real: return "real";
-    case Source::shape_family: return "shape_family";
-    case Source::shape_catalogue: return "shape_catalogue";
-    case Source::union_family: return "union_family";
-    case Source::union_catalogue: break;
-  }
-  return "union_catalogue";
-}
-
-std::string id_of(const Recipe& recipe, Form form) {
-  const std::string suffix = form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : "";
-  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix;
-  return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix;
-}
-
-// ---- base cases ----
-
 namespace {
+
+std::vector<Case> read_all() {
+  constexpr std::string_view prefix = "real::";
+  std::vector<Case> cases;
+  std::string_view text = real_cases_text();
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t length = std::min(text.find('\n'), text.size());
+    CaseItem item = parse_case(text.substr(0, length), "real_cases.jsonl", line);
+    if (!item.ok()) throw item.error();
+    Case& found = cases.emplace_back(std::get<Case>(std::move(item.outcome)));
+    if (found.id.starts_with(prefix)) found.id.erase(0, prefix.size());
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return cases;
+}
 
 HullPair hulls_of(const Case& points) {
   return {{in_simplest_form(points.a.points)}, {in_simplest_form(points.b.points)}};
@@ -58,65 +52,6 @@ KnownUnion known_of_hulls(const Case& unions) {
   const Depth depth = penetration_depth(hull_of(unions.a), hull_of(unions.b));
   return {depth.status(), depth.distance() ? depth.distance()->squared : depth.squared(), depth.optima().size()};
 }
-
-}  // namespace
-
-RecordBodies base_bodies(const Recipe& recipe) {
-  const kernels::DefaultFloatEnvironment environment;
-  const std::string_view name = recipe.name;
-  const families::Family* const family = from_family(recipe.source) ? families::find_family(name) : nullptr;
-  const bool found = family != nullptr && family->kind() == kind_of(recipe.source);
-  switch (recipe.source) {
-    case Source::family:
-      if (found) return hulls_of(family->make(recipe.seed, recipe.size));
-      break;
-    case Source::catalogue:
-      if (const auto* entry = families::find_catalogue_entry(name)) return hulls_of(entry->pair);
-      break;
-    case Source::real:
-      if (const Case* const real = find_real_case(name)) return hulls_of(*real);
-      break;
-    case Source::shape_family:
-      if (found) return family->make_shapes(recipe.seed, recipe.size).pair;
-      break;
-    case Source::shape_catalogue:
-      for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
-        if (entry.shapes.id == name) return entry.shapes.pair;
-      break;
-    case Source::union_family:
-      if (found) {
-        const Case made = family->make(recipe.seed, recipe.size);
-        return name.starts_with("cut_") ? unions_of(made, known_of_hulls(made)) : unions_of(made);
-      }
-      break;
-    case Source::union_catalogue:
-      for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
-        if (entry.pair.id == name)
-          return unions_of(entry.pair, KnownUnion{entry.status, entry.squared,
-                                                  entry.status == Status::penetrating ? entry.optima : 0});
-      break;
-  }
-  constexpr std::array what{"a case", "shapes", "unions"};
-  const char* const made = what.at(static_cast<std::size_t>(kind_of(recipe.source)));
-  throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make " + made + " from");
-}
-
-GivenPoints in_simplest_form(const GivenPoints& points) {
-  if (points.in_binary64()) return points;
-  std::vector<std::array<double, 3>> same;
-  same.reserve(points.size());
-  for (const Point& p : points) {
-    const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x,
-                                z = y ? kernels::in_binary64(p.z) : y;
-    if (!z) return points;
-    same.push_back({*x, *y, *z});
-  }
-  return GivenPoints(std::move(same));
-}
-
-// ---- rounding ----
-
-namespace {
 
 using Triple = std::array<double, 3>;
 
@@ -241,6 +176,93 @@ bool fits(const Unions& unions, Form format) {
 }
 
 }  // namespace
+
+std::span<const Case> real_cases() {
+  static const std::vector<Case> cases = read_all();
+  return cases;
+}
+
+const Case* find_real_case(std::string_view name) {
+  const std::span<const Case> all = real_cases();
+  const auto found = std::ranges::find(all, name, &Case::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string_view name_of(Source source) {
+  switch (source) {
+    case Source::family: return "family";
+    case Source::catalogue: return "catalogue";
+    case Source::real: return "real";
+    case Source::shape_family: return "shape_family";
+    case Source::shape_catalogue: return "shape_catalogue";
+    case Source::union_family: return "union_family";
+    case Source::union_catalogue: break;
+  }
+  return "union_catalogue";
+}
+
+std::string id_of(const Recipe& recipe, Form form) {
+  const std::string suffix = form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : "";
+  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix;
+  return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix;
+}
+
+// ---- base cases ----
+
+RecordBodies base_bodies(const Recipe& recipe) {
+  const kernels::DefaultFloatEnvironment environment;
+  const std::string_view name = recipe.name;
+  const families::Family* const family = from_family(recipe.source) ? families::find_family(name) : nullptr;
+  const bool found = family != nullptr && family->kind() == kind_of(recipe.source);
+  switch (recipe.source) {
+    case Source::family:
+      if (found) return hulls_of(family->make(recipe.seed, recipe.size));
+      break;
+    case Source::catalogue:
+      if (const auto* entry = families::find_catalogue_entry(name)) return hulls_of(entry->pair);
+      break;
+    case Source::real:
+      if (const Case* const real = find_real_case(name)) return hulls_of(*real);
+      break;
+    case Source::shape_family:
+      if (found) return family->make_shapes(recipe.seed, recipe.size).pair;
+      break;
+    case Source::shape_catalogue:
+      for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
+        if (entry.shapes.id == name) return entry.shapes.pair;
+      break;
+    case Source::union_family:
+      if (found) {
+        const Case made = family->make(recipe.seed, recipe.size);
+        return name.starts_with("cut_") ? unions_of(made, known_of_hulls(made)) : unions_of(made);
+      }
+      break;
+    case Source::union_catalogue:
+      for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
+        if (entry.pair.id == name)
+          return unions_of(entry.pair, KnownUnion{entry.status, entry.squared,
+                                                  entry.status == Status::penetrating ? entry.optima : 0});
+      break;
+  }
+  constexpr std::array what{"a case", "shapes", "unions"};
+  const char* const made = what.at(static_cast<std::size_t>(kind_of(recipe.source)));
+  throw std::invalid_argument("there is nothing called '" + recipe.name + "' to make " + made + " from");
+}
+
+GivenPoints in_simplest_form(const GivenPoints& points) {
+  if (points.in_binary64()) return points;
+  std::vector<std::array<double, 3>> same;
+  same.reserve(points.size());
+  for (const Point& p : points) {
+    const std::optional<double> x = kernels::in_binary64(p.x), y = x ? kernels::in_binary64(p.y) : x,
+                                z = y ? kernels::in_binary64(p.z) : y;
+    if (!z) return points;
+    same.push_back({*x, *y, *z});
+  }
+  return GivenPoints(std::move(same));
+}
+
+// ---- rounding ----
 
 std::optional<RecordBodies> rounded(const RecordBodies& base, Form form) {
   const kernels::DefaultFloatEnvironment environment;

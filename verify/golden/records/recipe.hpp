@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,6 +15,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/files.hpp"
 #include "verify/families/families.hpp"
 
 namespace fathom::golden {
@@ -125,5 +127,17 @@ GivenPoints in_simplest_form(const GivenPoints& points);
 /// rounded to binary64 if that moves a number, then those rounded to binary32 if that yields yet
 /// other ones. Omits rounded ones if rounded() returns nullopt. Throws as base_bodies.
 std::vector<FormedCase> cases_of(const Recipe& recipe);
+
+// ---- the pairs of tests/data/real_cases.jsonl, compiled into the program ----
+
+/// Pairs that made libraries fail, from their issue trackers and test suites, as binary64. Ids
+/// without their common prefix "real::".
+std::span<const Case> real_cases();
+
+/// Returns nullptr if none has that name.
+const Case* find_real_case(std::string_view name);
+
+/// The text of the file.
+std::string_view real_cases_text();
 
 }  // namespace fathom::golden

@@ -11,7 +11,7 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
-#include "verify/golden/release/real_cases.hpp"
+#include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
 namespace {

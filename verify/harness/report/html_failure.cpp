@@ -16,7 +16,7 @@
 #include "verify/judge/claim.hpp"
 #include "verify/judge/fields.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/paint.hpp"
+#include "view/picture/scene.hpp"
 #include "view/picture/view.hpp"
 
 namespace fathom::harness {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/harness/shrink/search.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/two_ways.hpp"
 
 namespace fathom::harness {

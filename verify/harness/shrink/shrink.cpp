@@ -13,7 +13,6 @@
 #include "reference/polytope/polytope.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/harness/shrink/search.hpp"
 
 namespace fathom::harness {
 namespace {
