@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "cli/args/help.hpp"
-#include "cli/io/terminal.hpp"
+#include "cli/io/output.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/golden/shards/plan.hpp"

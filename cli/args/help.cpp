@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "cli/args/values.hpp"
-#include "cli/io/terminal.hpp"
+#include "cli/io/output.hpp"
 #include "verify/check/command_line.hpp"
 
 namespace fathom::cli {

@@ -17,7 +17,6 @@
 #include "cli/commands/names.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/terminal.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"

@@ -28,7 +28,6 @@
 #include "cli/io/case_stream.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/io/terminal.hpp"
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
 #include "kernels/messages.hpp"

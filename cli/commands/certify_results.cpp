@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,19 +8,22 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "cli/args/arguments.hpp"
 #include "cli/commands/certify.hpp"
+#include "cli/commands/command.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
 #include "verify/check/unreadable.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/report/diff.hpp"
 #include "verify/harness/report/html.hpp"
 #include "verify/harness/report/junit.hpp"
 #include "verify/harness/report/text.hpp"
@@ -93,6 +97,29 @@ void report(const CertifyRequest& request, const Shrunk& shrunk, const std::stri
   if (request.json) return talk(fmt::format("{}; {}", sentence, fmt::join(files, ", ")));
   print('\n' + fitted(sentence));
   for (const std::string& file : files) print("  " + file);
+}
+
+constexpr ExitCode newly_failing = static_cast<ExitCode>(1);
+constexpr std::size_t indent = 4;
+
+struct DiffRequest {
+  std::vector<std::string> reports;  ///< the old one and the new one
+  bool json = false;
+  std::string html;          ///< a path; empty: not wanted
+  std::string command_line;  ///< quoted for a shell
+};
+
+ExitCode compare(const DiffRequest& request) {
+  const harness::ReportFile before = harness::read_report(request.reports[0]),
+                            after = harness::read_report(request.reports[1]);
+  const harness::ReportDiff diff = harness::diff(before, after);
+  if (!request.html.empty())
+    CertificateFile(request.html, "page")
+        .write(harness::diff_page(before, after, diff, FATHOM_VERSION, request.command_line));
+  if (request.json) print(harness::diff_json(before, after, diff));
+  else
+    for (const std::string& line : harness::diff_text(before, after, diff)) print(fitted(line, indent));
+  return diff.newly_failing.empty() ? fine : newly_failing;
 }
 
 }  // namespace
@@ -320,6 +347,12 @@ void shrink_disagreement(const std::string& folder, const harness::Disagreement&
   if (interrupt_requested()) throw Interrupted();
   talk(fmt::format("{} and {} differ: {} points are left; {}", name(Method::automatic), found.second.name,
                    points_of(kept.pair), kept.path));
+}
+
+// fathom certify diff OLD NEW
+
+ExitCode run_diff(const Given& given) {
+  return compare({given.inputs(), given.flag("--json"), given.text("--html"), given.command_line});
 }
 
 }  // namespace fathom::cli

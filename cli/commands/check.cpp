@@ -4,8 +4,6 @@
 // development runs after the C++ checker: it gets each certificate as that one read it and compared
 // it with the user's cases and results, and must accept it too.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -13,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <unistd.h>
 #include <vector>
 
 #include "cli/args/help.hpp"
@@ -21,7 +20,6 @@
 #include "cli/io/in_order.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/process.hpp"
-#include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
 #include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"

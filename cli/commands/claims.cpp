@@ -16,7 +16,6 @@
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/io/terminal.hpp"
 #include "cli/output/answer_output.hpp"
 #include "fathom/certificate.hpp"
 #include "reference/files/file_io.hpp"

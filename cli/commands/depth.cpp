@@ -23,7 +23,6 @@
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/io/terminal.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
@@ -295,9 +294,7 @@ std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
 
 ExitCode run_along(const Given& given) {
   const AlongRequest request(given);
-  std::unique_ptr<CertificateFile> picture;
-  if (!request.svg.empty())
-    picture = std::make_unique<CertificateFile>(request.svg, "picture");  // an unwritable path fails early
+  const auto picture = wanted_file(request.svg, "picture");  // an unwritable path fails early
   const Case pair = asked_case(request, false);
   const Working working;
   Progress progress("steps");

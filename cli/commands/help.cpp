@@ -25,7 +25,6 @@
 #include "cli/commands/command.hpp"
 #include "cli/commands/names.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/terminal.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "verify/families/families.hpp"

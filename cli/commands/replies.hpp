@@ -96,7 +96,7 @@ class FilePlaces {
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
   /// Returns the file of a single case; null for a stream, or if nothing is to be written.
   [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
-    return path_.empty() || folder_ ? nullptr : std::make_unique<CertificateFile>(path_, what_);
+    return folder_ ? nullptr : wanted_file(path_, what_);
   }
   /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the
   /// cases: of two with one id, the first gets the file.

@@ -29,7 +29,6 @@
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
-#include "cli/io/terminal.hpp"
 #include "cli/output/study_output.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
@@ -341,9 +340,7 @@ class PageFile {
 
 ExitCode run_sweep(const Given& given) {
   const Sweep sweep(given);
-  std::unique_ptr<CertificateFile> picture;
-  if (!sweep.svg.empty())
-    picture = std::make_unique<CertificateFile>(sweep.svg, "picture");  // an unwritable path fails early
+  const auto picture = wanted_file(sweep.svg, "picture");  // an unwritable path fails early
   const Working working;
   std::vector<SweepRow> rows;
   ExitCode code = fine;

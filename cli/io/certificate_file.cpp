@@ -43,6 +43,10 @@ void CertificateFile::write(std::string_view text) try {
   throw OutputError(file_.path() + ": cannot write the " + what_ + ": " + error.code().message());
 }
 
+std::unique_ptr<CertificateFile> wanted_file(const std::string& path, const std::string& what) {
+  return path.empty() ? nullptr : std::make_unique<CertificateFile>(path, what);
+}
+
 CertificateFolder::CertificateFolder(std::string path, std::string what, std::string ending)
     : path_(std::move(path)), what_(std::move(what)), ending_(std::move(ending)) {
   std::error_code fault;

@@ -3,6 +3,7 @@
 // on certificates.
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ class CertificateFile {
   std::string what_;
   files::WholeFile file_;
 };
+
+/// The file at `path`, opened; null where the path is empty, as none is wanted.
+std::unique_ptr<CertificateFile> wanted_file(const std::string& path, const std::string& what);
 
 /// A folder for the certificates, or the pictures, of a stream; made if it is missing.
 class CertificateFolder {

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "cli/io/output.hpp"
-#include "cli/io/terminal.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "kernels/context.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/shape_names.hpp"
-#include "view/picture/paint.hpp"
+#include "view/picture/scene.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/io/terminal.hpp"
+#include "cli/io/output.hpp"
 #include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"

@@ -26,7 +26,7 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/paint.hpp"
+#include "view/picture/scene.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/output/text_rows.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <string_view>
 
 #include "cli/io/output.hpp"
-#include "cli/io/terminal.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"

@@ -7,8 +7,6 @@
 
 #include <stdexcept>
 
-#include "view/page/parts.hpp"
-
 namespace {
 
 using namespace fathom;

@@ -17,8 +17,8 @@
 #include "tests/support/property.hpp"
 #include "view/picture/drawn.hpp"
 #include "view/picture/markup.hpp"
-#include "view/picture/paint.hpp"
-#include "view/picture/polygon.hpp"
+#include "view/picture/scene.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "kernels/vector.hpp"
 #include "tests//support/boxes.hpp"
-#include "view/picture/paint.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -11,8 +11,8 @@
 #include "kernels/vector.hpp"
 #include "tests//support/boxes.hpp"
 #include "tests/support/matches.hpp"
-#include "view/picture/paint.hpp"
-#include "view/picture/polygon.hpp"
+#include "view/picture/scene.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

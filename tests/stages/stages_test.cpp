@@ -18,7 +18,6 @@
 #include "tests/stages/staged_cases.hpp"
 #include "tests/unions/pieces.hpp"
 #include "verify/families/families.hpp"
-#include "view/stages/union_stages.hpp"
 
 namespace fathom::stages {
 namespace {

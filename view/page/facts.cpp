@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
-#include "view/page/parts.hpp"
+#include "view/page/page.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::page {
@@ -279,7 +279,7 @@ std::string facts(const Data& depth) {
   return rows.list() + optima_table(depth);
 }
 
-// The parts of the page about unions that are made of the answer: union_parts.hpp.
+// ---- unions ----
 
 std::string union_sentence(const Data& depth) {
   if (is(depth, "penetrating")) return "A overlaps B by " + decimal_length(at(depth, "depth"));

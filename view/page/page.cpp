@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "fathom/numbers.hpp"
-#include "view/page/parts.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
 

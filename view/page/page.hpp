@@ -6,11 +6,13 @@
 //         there without scripts; with them the pictures turn, and a choice in one is lit in all.
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "reference/text/json_value.hpp"
 #include "view/stages/stages.hpp"
-#include "view/stages/union_stages.hpp"
 
 namespace fathom::page {
 
@@ -32,7 +34,7 @@ struct Sheet {
 std::string html_page(const Sheet& sheet);
 
 // Input   what is known of two unions of convex pieces: the answer, and what pictures of them show.
-// Output  one HTML page as that of page.hpp, with the sections that unions have: what happens, and
+// Output  one HTML page as that of a pair, with the sections that unions have: what happens, and
 //         why no shorter way.
 
 /// What a page about unions is made of.
@@ -48,5 +50,55 @@ struct UnionSheet {
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON
 /// object.
 std::string html_page(const UnionSheet& sheet);
+
+// ---- what pages are put together from ----
+
+using Data = text::JsonValue;
+
+/// Returns the text with each {{name}} replaced by the value of that name, which is put in as it
+/// is: a gap in a value is none. Throws std::logic_error if a name has no value.
+std::string filled(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
+
+// The files that are part of every page, as the build put them together: see
+// view/page/assemble.cmake.
+
+/// The HTML, with {{names}} where a page puts its own.
+std::string_view shell();
+/// What <main> holds: of two convex bodies, and of two unions.
+std::string_view pair_sections();
+std::string_view union_sections();
+/// The style sheet.
+std::string_view style();
+/// three.js and the page's own modules, as one script.
+std::string_view script();
+
+// Small pieces of HTML over JSON values.
+
+/// A number, a word, or (1, 2, 3) of an array, as text that is escaped; "-" for null. Very long
+/// texts are cut, and say so.
+std::string shown(const Data& value);
+
+/// "1 way", "2 ways".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
+
+// The parts of the page that are made of its data: each is HTML, and texts of others are escaped in
+// it. Numbers of the answer are copied as they stand in its JSON.
+
+/// "A overlaps B by 0.25", without markup.
+std::string answer_sentence(const Data& depth);
+/// Below the answer: ties, the kind of contact.
+std::string subtitle(const Data& depth);
+/// Decimals first, exact numbers on demand.
+std::string facts(const Data& depth);
+
+// The same about unions.
+
+/// "A overlaps B by 0.25", without markup.
+std::string union_sentence(const Data& depth);
+std::string union_subtitle(const Data& depth);
+/// Decimals first, exact numbers on demand; bounds beside the depth.
+std::string union_facts(const Data& depth, const stages::UnionStages& stages);
+/// All shortest ways out, if there are several.
+std::string union_optima(const Data& depth);
 
 }  // namespace fathom::page

@@ -7,7 +7,7 @@
 
 #include "fathom/numbers.hpp"
 #include "view/picture/drawn.hpp"
-#include "view/picture/polygon.hpp"
+#include "view/picture/view.hpp"
 
 namespace fathom::picture {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the strokes to the whole: elements, bodies and ways, panels, then pictures for pages and as
 // files.
-#include "view/picture/paint.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +8,7 @@
 #include <utility>
 
 #include "view/picture/markup.hpp"
-#include "view/picture/polygon.hpp"
+#include "view/picture/scene.hpp"
 #include "view/picture/style.hpp"
 #include "view/picture/view.hpp"
 

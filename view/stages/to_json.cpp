@@ -6,7 +6,7 @@
 
 #include "kernels/context.hpp"
 #include "reference/text/json.hpp"
-#include "view/stages/union_stages.hpp"
+#include "view/stages/stages.hpp"
 
 namespace fathom::stages {
 namespace {

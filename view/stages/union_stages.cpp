@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/stages/union_stages.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "reference/polytope/polytope.hpp"
 #include "reference/unions/pieces.hpp"
 #include "view/stages/parts.hpp"
+#include "view/stages/stages.hpp"
 
 namespace fathom::stages {
 namespace {
