@@ -4,6 +4,8 @@
 // development runs after the C++ checker: it gets each certificate as that one read it and compared
 // it with the user's cases and results, and must accept it too.
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -11,7 +13,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 #include <vector>
 
 #include "cli/args/help.hpp"

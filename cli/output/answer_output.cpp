@@ -127,8 +127,8 @@ void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
 constexpr std::size_t most_contacts = 8;  // that text lists
 constexpr std::size_t most_below_picture = 3;
 
-/// Of pieces, each in the words of `one`; behind the first `most`, in those of `more`, how many more
-/// there are.
+/// Of pieces, each in the words of `one`; behind the first `most`, in those of `more`, how many
+/// more there are.
 Parts contact_texts(const std::vector<PieceContact>& contacts, std::size_t most, const char* one, const char* more) {
   Parts texts;
   for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i)
@@ -152,8 +152,8 @@ void add_contacts(Rows& rows, const Answer& answer, const AnswerForm& form) {
 
 // ---- ties ----
 
-/// How many ways are as short, listed or not; 0 if that is not known. A pair of planes is found from
-/// both of its sides.
+/// How many ways are as short, listed or not; 0 if that is not known. A pair of planes is found
+/// from both of its sides.
 std::size_t ties(const Answer& answer, const AnswerForm& form) {
   if (unions(answer)) return answer.ways_out();
   const std::size_t count = answer.core() ? answer.core()->optima_count() : 0;

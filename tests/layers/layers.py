@@ -78,7 +78,7 @@ CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who
 LISTED = "cmake/cgal_files.txt"
 LINES = 600
 COLUMNS = {".py": 140, "": 100}  # of Python, and of comments in C++
-ONE_READER = 29  # headers with a single reader; whoever takes some away lowers it
+ONE_READER = 19  # headers with a single reader; whoever takes some away lowers it
 SOURCE = (".cpp", ".hpp")
 SCRIPTS = ("fathom", "check", ".ci/run", ".clang-format", ".clang-tidy")
 
