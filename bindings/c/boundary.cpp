@@ -27,6 +27,12 @@ constexpr std::size_t most = std::size_t{1} << 31;  // of anything that is count
 
 std::string of_point(std::size_t i) { return "point " + std::to_string(i) + ": "; }
 
+/// From 1 to 2^31 of `what`, or from 0: throws std::invalid_argument else.
+void require_count(std::size_t count, const char* what) {
+  if (count < 1 || count > most)
+    throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
+}
+
 GivenPoints points_from(const double* xyz, std::size_t count) {
   require_count(count, "points");
   require(xyz, "xyz");
@@ -105,11 +111,6 @@ char* text_for_caller(std::string_view text) {
 void require_convex(const Body& body, const std::string& name) {
   if (body.pieces)
     throw std::invalid_argument(name + ": expected a convex body, found a union of pieces: fathom_depth takes those");
-}
-
-void require_count(std::size_t count, const char* what) {
-  if (count < 1 || count > most)
-    throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
 }
 
 void require_at_most(std::size_t count, const char* what) {

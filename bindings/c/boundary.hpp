@@ -56,8 +56,6 @@ Decimals decimals_from(int decimals);
 /// Throws std::invalid_argument that begins with the name if the body is a union of pieces.
 void require_convex(const Body& body, const std::string& name);
 
-/// From 1 to 2^31 of `what`, or from 0: throws std::invalid_argument else.
-void require_count(std::size_t count, const char* what);
 void require_at_most(std::size_t count, const char* what);
 
 fathom_body handle(Body body);

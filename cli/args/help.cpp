@@ -383,6 +383,12 @@ void add_examples(Lines& lines, std::span<const Example> examples, std::size_t c
                   columns >= wide ? beside_example : below_option, columns);
 }
 
+/// "-m, --method NAME"; "--metamorphic[=LIST]".
+std::string option_title(const OptionHelp& option) {
+  return fmt::format("{}{}{}", fmt::join(option.names, ", "),
+                     option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
+}
+
 void add_options(Lines& lines, const HelpPage& page, std::size_t columns) {
   const std::size_t column = columns >= enough_for_options ? beside_option : below_option;
   lines.emplace_back();
@@ -423,11 +429,6 @@ constinit const std::span<const CommandHelp> command_table = commands;
 
 std::string full_name(const CommandHelp& command) {
   return command.name.empty() ? "fathom" : "fathom " + std::string(command.name);
-}
-
-std::string option_title(const OptionHelp& option) {
-  return fmt::format("{}{}{}", fmt::join(option.names, ", "),
-                     option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
 }
 
 HelpPage page_of(std::string_view command, std::span<const Option> table) {

@@ -58,9 +58,6 @@ inline std::string_view last_word(const CommandHelp& command) {
   return command.name.substr(command.name.rfind(' ') + 1);
 }
 
-/// "-m, --method NAME"; "--metamorphic[=LIST]".
-std::string option_title(const OptionHelp& option);
-
 /// The page of a command, or of fathom itself, whose name is "".
 HelpPage page_of(std::string_view command, std::span<const Option> table);
 

@@ -29,6 +29,23 @@ bool is_safe(unsigned char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
 }
 
+/// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and
+/// so does a leading dot. Where the name would be too long for a file, it is cut, and '~' and the
+/// SHA-256 of the id follow. Different ids make different names.
+std::string certificate_file_name(const std::string& id, const std::string& ending) {
+  std::string name;
+  for (const char c : id) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool hidden = name.empty() && c == '.';
+    if (is_safe(byte) && !hidden) name += c;
+    else name += fmt::format("%{:02X}", byte);
+  }
+  if (name.empty()) name = "%";
+  if (name.size() + ending.size() > longest_name)
+    name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
+  return name + ending;
+}
+
 }  // namespace
 
 CertificateFile::CertificateFile(const std::string& path, const std::string& what) try : what_(what), file_(path) {
@@ -61,20 +78,6 @@ std::string CertificateFolder::file(const std::string& id) {
   const std::string name = certificate_file_name(id, ending_);
   if (!names_.insert(name).second) refuse(path_ + "/" + name, "it belongs to an earlier case with the same id", what_);
   return path_ + "/" + name;
-}
-
-std::string certificate_file_name(const std::string& id, const std::string& ending) {
-  std::string name;
-  for (const char c : id) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool hidden = name.empty() && c == '.';
-    if (is_safe(byte) && !hidden) name += c;
-    else name += fmt::format("%{:02X}", byte);
-  }
-  if (name.empty()) name = "%";
-  if (name.size() + ending.size() > longest_name)
-    name = name.substr(0, kept_of_long) + '~' + digest::digest_of(id).sha256;
-  return name + ending;
 }
 
 void require_readable(const std::string& id, std::string_view certificate, const fathom_check::Limits& limits) try {

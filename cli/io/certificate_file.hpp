@@ -46,11 +46,6 @@ class CertificateFolder {
   std::set<std::string> names_;
 };
 
-/// Returns the id with `ending`. Whatever is not a letter, a digit or one of . _ - becomes %XX, and
-/// so does a leading dot. Where the name would be too long for a file, it is cut, and '~' and the
-/// SHA-256 of the id follow. Different ids make different names.
-std::string certificate_file_name(const std::string& id, const std::string& ending = ".cert");
-
 // A proof that no checker would read is none: whoever asked for it is told, and nothing is written.
 // [verify/check/FORMAT.md, section 8]
 

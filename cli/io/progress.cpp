@@ -74,6 +74,18 @@ std::string whole_parts(const std::vector<std::string>& parts, std::size_t room)
   return text;
 }
 
+/// "40 s", "3 min 20 s", "2 h 5 min".
+std::string duration_text(double seconds) {
+  constexpr double longest = 1e9;
+  const auto whole = static_cast<std::uint64_t>(std::clamp(seconds, 0.0, longest)), minutes = whole / 60,
+             hours = minutes / 60;
+  if (hours > 0) return fmt::format("{} h {} min", hours, minutes % 60);
+  return minutes > 0 ? fmt::format("{} min {} s", minutes, whole % 60) : fmt::format("{} s", whole);
+}
+
+/// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
+void line_is_open(bool open) { open_line = open; }
+
 }  // namespace
 
 void install_signal_handlers() {
@@ -93,16 +105,6 @@ Working::Working(unsigned patience) {
   ++working;
 }
 Working::~Working() { --working; }
-
-void line_is_open(bool open) { open_line = open; }
-
-std::string duration_text(double seconds) {
-  constexpr double longest = 1e9;
-  const auto whole = static_cast<std::uint64_t>(std::clamp(seconds, 0.0, longest)), minutes = whole / 60,
-             hours = minutes / 60;
-  if (hours > 0) return fmt::format("{} h {} min", hours, minutes % 60);
-  return minutes > 0 ? fmt::format("{} min {} s", minutes, whole % 60) : fmt::format("{} s", whole);
-}
 
 Progress::Progress(std::string units) : units_(std::move(units)), answers_are_seen_(is_terminal(STDOUT_FILENO)) {
   if (is_terminal(STDERR_FILENO)) painter_ = std::thread([this] { keep_drawing(); });

@@ -46,9 +46,6 @@ class Working {
 /// SIGINT ends the process early.
 void take_time_to_write();
 
-/// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
-void line_is_open(bool open);
-
 // One line on standard error, for work over a second and only on a terminal: how many of how many
 // are done, how long the rest will take, and what is being worked on. It never scrolls, and is
 // wiped at the end. It also carries Ctrl-C into a computation.
@@ -59,9 +56,6 @@ struct ProgressCount {
   std::optional<std::size_t> of;  ///< if it is known
   std::size_t before = 0;         ///< of those done: by an earlier run
 };
-
-/// "40 s", "3 min 20 s", "2 h 5 min".
-std::string duration_text(double seconds);
 
 class Progress : public StopOnInterrupt {
  public:

@@ -21,6 +21,9 @@
 namespace fathom::cli {
 namespace {
 
+/// Where the further lines of a body begin: below what follows "A  ".
+constexpr std::size_t body_column = 3;
+
 constexpr std::size_t most_monomials = 6;
 constexpr std::size_t most_indices = 12;
 constexpr std::size_t longest_exact = 40;
@@ -196,6 +199,18 @@ Json coincidences_object(const Names& names, const Coincidences& coincidences) {
   return result;
 }
 
+void add_study(Json& object, const Study& study) {
+  object["status"] = name(study.depth.status());
+  object["squared"] = exact_text(study.depth.squared());
+  object["optima"] = study.depth.optima().size();
+  object["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
+  object["predicates"] = predicates_object(study.predicates);
+  object["coincidences"] = coincidences_object(coincidence_names, study.coincidences);
+}
+
+/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
+Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
+
 }  // namespace
 
 std::string size_text(const BodySize& size) {
@@ -239,17 +254,6 @@ std::string study_line(const std::string& id, const Study& study) {
   }
   add_present(parts, coincidence_names, study.coincidences);
   return case_line(id, parts);
-}
-
-Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
-
-void add_study(Json& object, const Study& study) {
-  object["status"] = name(study.depth.status());
-  object["squared"] = exact_text(study.depth.squared());
-  object["optima"] = study.depth.optima().size();
-  object["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
-  object["predicates"] = predicates_object(study.predicates);
-  object["coincidences"] = coincidences_object(coincidence_names, study.coincidences);
 }
 
 std::string study_json(const std::string& id, const Study& study) {

@@ -19,9 +19,6 @@ namespace fathom::cli {
 
 using text::Json;
 
-/// Where the further lines of a body begin: below what follows "A  ".
-inline constexpr std::size_t body_column = 3;
-
 /// Several lines, without the last newline. `all`: with every coincidence that the study lists.
 std::string study_block(const Study& study, bool all);
 
@@ -30,10 +27,6 @@ std::string spoken(std::string_view name);
 
 /// One line, without its newline: what is not zero.
 std::string study_line(const std::string& id, const Study& study);
-
-/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
-Json study_head(const std::string& id);
-void add_study(Json& object, const Study& study);
 
 /// The same for shapes.
 std::string study_block(const ShapeStudy& study, bool all);

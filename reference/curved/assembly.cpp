@@ -26,62 +26,6 @@ mpq_class root(const mpq_class& x, long exponent, bool up) {
   return shifted(mpq_class(result), -exponent);
 }
 
-}  // namespace
-
-mpq_class shifted(const mpq_class& value, long exponent) {
-  mpq_class result = value;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
-mpz_class rounded_up(const mpq_class& value) {
-  mpz_class result;
-  mpz_cdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
-  return result;
-}
-
-Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
-    : status_bits_(status_bits),
-      extent_(std::move(extent)),
-      rho_(std::move(rho)),
-      share_(shifted(15, -static_cast<long>(bits) - 4)),
-      status_share_(shifted(15, -static_cast<long>(status_bits) - 4)) {}
-
-long Goal::finest(const mpq_class& x) const {
-  if (extent_ == 0 && x == 0) return 0;
-  const long order = extent_ == 0 ? kernels::binary_order(x) / 2 - 1 : kernels::binary_order(extent_);
-  return static_cast<long>(status_bits_) + 6 - order;
-}
-
-mpq_class Goal::from_below(const mpq_class& x) const {
-  return rho_ + (x < 0 ? mpq_class(-root(-x, finest(x), true)) : root(x, finest(x), false));
-}
-
-mpq_class Goal::from_above(const mpq_class& x) const {
-  return rho_ + (x < 0 ? mpq_class(-root(-x, finest(x), false)) : root(x, finest(x), true));
-}
-
-mpq_class Goal::exact_or_below(const mpq_class& x) const {
-  const auto exact = kernels::rational_root(x);
-  return exact ? mpq_class(rho_ + *exact) : from_below(x);
-}
-
-mpq_class Goal::exact_or_above(const mpq_class& x) const {
-  const auto exact = kernels::rational_root(x);
-  return exact ? mpq_class(rho_ + *exact) : from_above(x);
-}
-
-bool Goal::met(const mpq_class& low, const mpq_class& high) const {
-  const mpq_class width = high - low;
-  if (!decided(low, high)) return width <= status_share_ * extent_;
-  return width <= share_ * std::max({extent_, std::min(mpq_class(abs(low)), mpq_class(abs(high)))});
-}
-
-// ---- the face of P in one direction, and the two sides of the bounds ----
-
-namespace {
-
 constexpr unsigned face_fine = 20;  // 2^-20: points inside a face need not be near its boundary
 constexpr std::size_t most_face_calls = 60;
 
@@ -151,7 +95,88 @@ std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned 
   return result;
 }
 
+/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a
+/// combination whose difference is the foot of O on the plane <n,x> = sum of the heights, or
+/// nullopt if none was found.
+std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
+                                        const std::vector<Term>& b, const Vector& n,
+                                        std::span<const TermHeight> heights) {
+  const FaceTerms of_a(a, -n, heights.first(a.size()));
+  FaceTerms of_b(b, n, heights.subspan(a.size()));
+  mpq_class height;
+  for (const TermHeight& h : heights) height += h.height;
+  for (Atom& atom : of_b.terms.front().atoms)
+    atom.center = atom.center - (height / mpq_class(dot(n, n))) * n;  // the foot to O
+  const Lattice face = lattice(of_a.terms, of_b.terms, face_fine);
+  Oracle oracle(context, face, most_face_calls);
+  const polytope::Difference first = oracle.ask({1, 0, 0}, face_fine);
+  const auto apart = [&](const polytope::SimplexFoot&) { return oracle.lowest()->height < 0; };
+  const NearestFoot nearest =
+      find_nearest(oracle, first, apart, [](const polytope::SimplexFoot&) { return face_fine; });
+  if (nearest.end != NearestEnd::common) return std::nullopt;
+  Combination result;
+  for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
+    const std::uint32_t id = nearest.corners[i].ids.first;
+    result.a.push_back(of_a.in_core(oracle.inner_point(id, true)));
+    result.b.push_back(of_b.in_core(oracle.inner_point(id, false)));
+    result.weights.push_back(kernels::ratio(nearest.foot.weights[i], nearest.foot.denominator));
+  }
+  return result;
+}
+
 }  // namespace
+
+mpq_class shifted(const mpq_class& value, long exponent) {
+  mpq_class result = value;
+  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return result;
+}
+
+mpz_class rounded_up(const mpq_class& value) {
+  mpz_class result;
+  mpz_cdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
+  return result;
+}
+
+Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
+    : status_bits_(status_bits),
+      extent_(std::move(extent)),
+      rho_(std::move(rho)),
+      share_(shifted(15, -static_cast<long>(bits) - 4)),
+      status_share_(shifted(15, -static_cast<long>(status_bits) - 4)) {}
+
+long Goal::finest(const mpq_class& x) const {
+  if (extent_ == 0 && x == 0) return 0;
+  const long order = extent_ == 0 ? kernels::binary_order(x) / 2 - 1 : kernels::binary_order(extent_);
+  return static_cast<long>(status_bits_) + 6 - order;
+}
+
+mpq_class Goal::from_below(const mpq_class& x) const {
+  return rho_ + (x < 0 ? mpq_class(-root(-x, finest(x), true)) : root(x, finest(x), false));
+}
+
+mpq_class Goal::from_above(const mpq_class& x) const {
+  return rho_ + (x < 0 ? mpq_class(-root(-x, finest(x), false)) : root(x, finest(x), true));
+}
+
+mpq_class Goal::exact_or_below(const mpq_class& x) const {
+  const auto exact = kernels::rational_root(x);
+  return exact ? mpq_class(rho_ + *exact) : from_below(x);
+}
+
+mpq_class Goal::exact_or_above(const mpq_class& x) const {
+  const auto exact = kernels::rational_root(x);
+  return exact ? mpq_class(rho_ + *exact) : from_above(x);
+}
+
+bool Goal::met(const mpq_class& low, const mpq_class& high) const {
+  const mpq_class width = high - low;
+  if (!decided(low, high)) return width <= status_share_ * extent_;
+  return width <= share_ * std::max({extent_, std::min(mpq_class(abs(low)), mpq_class(abs(high)))});
+}
+
+// ---- the face of P in one direction, and the two sides of the bounds ----
 
 Point place(const Atom& atom, std::span<const mpq_class> local) {
   Point result = atom.center;
@@ -180,32 +205,6 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
       for (mpq_class& y : tight.local) y /= root;
     }
     result.push_back(std::move(tight));
-  }
-  return result;
-}
-
-std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
-                                        const std::vector<Term>& b, const Vector& n,
-                                        std::span<const TermHeight> heights) {
-  const FaceTerms of_a(a, -n, heights.first(a.size()));
-  FaceTerms of_b(b, n, heights.subspan(a.size()));
-  mpq_class height;
-  for (const TermHeight& h : heights) height += h.height;
-  for (Atom& atom : of_b.terms.front().atoms)
-    atom.center = atom.center - (height / mpq_class(dot(n, n))) * n;  // the foot to O
-  const Lattice face = lattice(of_a.terms, of_b.terms, face_fine);
-  Oracle oracle(context, face, most_face_calls);
-  const polytope::Difference first = oracle.ask({1, 0, 0}, face_fine);
-  const auto apart = [&](const polytope::SimplexFoot&) { return oracle.lowest()->height < 0; };
-  const NearestFoot nearest =
-      find_nearest(oracle, first, apart, [](const polytope::SimplexFoot&) { return face_fine; });
-  if (nearest.end != NearestEnd::common) return std::nullopt;
-  Combination result;
-  for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
-    const std::uint32_t id = nearest.corners[i].ids.first;
-    result.a.push_back(of_a.in_core(oracle.inner_point(id, true)));
-    result.b.push_back(of_b.in_core(oracle.inner_point(id, false)));
-    result.weights.push_back(kernels::ratio(nearest.foot.weights[i], nearest.foot.denominator));
   }
   return result;
 }

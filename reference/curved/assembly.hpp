@@ -70,13 +70,6 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
 /// The point center + sum of local_i axes[i].
 Point place(const Atom& atom, std::span<const mpq_class> local);
 
-/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a
-/// combination whose difference is the foot of O on the plane <n,x> = sum of the heights, or
-/// nullopt if none was found.
-std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
-                                        const std::vector<Term>& b, const Vector& n,
-                                        std::span<const TermHeight> heights);
-
 /// The square of height/|n| with the sign of the height.
 mpq_class signed_square(const mpq_class& height, const Vector& n);
 

@@ -75,6 +75,24 @@ struct Path {
   }
 };
 
+/// Returns what belongs there, for messages.
+std::string expected_at(CasePlace place) {
+  switch (place) {
+    case CasePlace::whole: return "a case (a JSON object)";
+    case CasePlace::schema: return '"' + std::string(case_schema) + '"';
+    case CasePlace::id: return "text or a number";
+    case CasePlace::rounding:
+    case CasePlace::body_rounding: return "\"binary64\"";
+    case CasePlace::body: return "an object with 'vertices', 'shape' or 'pieces'";
+    case CasePlace::vertices: return "an array of points";
+    case CasePlace::vertex: return "three coordinates";
+    case CasePlace::faces: return "an array of faces";
+    case CasePlace::pose: return "three rows of four numbers";
+    case CasePlace::pose_row: return "four numbers";
+    default: return "a number, or an exact number in quotes";
+  }
+}
+
 class CaseWalk {
  public:
   CaseFields fields;
@@ -110,6 +128,12 @@ class CaseWalk {
   void pose(const JsonValue& rows, const Path& path, BodyFields& body);
   std::array<mpq_class, 4> row(const JsonValue& numbers, CasePlace place, const Path& path, BodyFields& body);
 };
+
+/// Returns whether null there means the same as no field.
+bool may_be_null(CasePlace place) {
+  return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id || place == CasePlace::pose ||
+         place == CasePlace::faces || place == CasePlace::rounding || place == CasePlace::body_rounding;
+}
 
 void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body) {
   const bool of_shape = place == CasePlace::shape;
@@ -251,23 +275,6 @@ std::array<mpq_class, 4> CaseWalk::row(const JsonValue& numbers, CasePlace place
 
 }  // namespace
 
-std::string expected_at(CasePlace place) {
-  switch (place) {
-    case CasePlace::whole: return "a case (a JSON object)";
-    case CasePlace::schema: return '"' + std::string(case_schema) + '"';
-    case CasePlace::id: return "text or a number";
-    case CasePlace::rounding:
-    case CasePlace::body_rounding: return "\"binary64\"";
-    case CasePlace::body: return "an object with 'vertices', 'shape' or 'pieces'";
-    case CasePlace::vertices: return "an array of points";
-    case CasePlace::vertex: return "three coordinates";
-    case CasePlace::faces: return "an array of faces";
-    case CasePlace::pose: return "three rows of four numbers";
-    case CasePlace::pose_row: return "four numbers";
-    default: return "a number, or an exact number in quotes";
-  }
-}
-
 CasePlace field_of_case(std::string_view key) {
   if (key == "schema") return CasePlace::schema;
   if (key == "id") return CasePlace::id;
@@ -294,11 +301,6 @@ bool has_field(const ShapeName& shape, std::string_view key) {
   if (key == "faces") return shape.name == "hull";
   if (key == "terms") return shape.part == ShapePart::terms;
   return key == "shape" || has_number(shape, key);
-}
-
-bool may_be_null(CasePlace place) {
-  return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id || place == CasePlace::pose ||
-         place == CasePlace::faces || place == CasePlace::rounding || place == CasePlace::body_rounding;
 }
 
 bool looks_misspelt(std::string_view key, bool of_body) {

@@ -38,9 +38,6 @@ enum class CasePlace {
   other   ///< no field of ours: skipped
 };
 
-/// Returns what belongs there, for messages.
-std::string expected_at(CasePlace place);
-
 /// Returns the place of `key` in the object of a case, or of a body.
 CasePlace field_of_case(std::string_view key);
 CasePlace field_of_body(std::string_view key);
@@ -51,9 +48,6 @@ bool is_field_of_shapes(std::string_view key);
 
 /// Returns whether this shape has that field. Each has a name and a margin; none has pieces.
 bool has_field(const ShapeName& shape, std::string_view key);
-
-/// Returns whether null there means the same as no field.
-bool may_be_null(CasePlace place);
 
 /// Returns whether an unknown field of a case, or of a body, has a name near that of a known one.
 /// Quick: most names differ in length.

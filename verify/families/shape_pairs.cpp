@@ -299,6 +299,29 @@ mpq_class random_depth(Random& random, const mpq_class& allowed) {
   return allowed * ratio(random.between(1, 8), 8);
 }
 
+MeetingBody frustum_face(Random& random) {
+  const mpq_class low = length(random), high = length(random), half_length = length(random);
+  const mpq_class x = part(random) * high, least = std::min(low, high);
+  NamedBody body = named("frustum", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
+  return with_top(std::move(body), upright, {x, 0, half_length}, std::clamp<mpq_class>(least - abs(x), 0, half_length));
+}
+
+MeetingBody rounded_hull_vertex(Random& random) {
+  std::vector<Point> vertices{{}};
+  for (int i = 0; i < 6; ++i) {
+    Point p = random_shift(random, 1);
+    p.z -= ratio(5, 4);
+    vertices.push_back(std::move(p));
+  }
+  MeetingBody side{named_hull(std::move(vertices)), 0};
+  return with_margin(std::move(side), length(random) / 4);
+}
+
+MeetingBody sum_face(Random& random) {
+  MeetingBody first = cylinder_face(random), second = box_face(random);
+  return {named_sum({std::move(first.body), std::move(second.body)}), first.inner + second.inner};
+}
+
 }  // namespace
 
 ShapeKind random_kind(Random& random) { return static_cast<ShapeKind>(random.between(0, shape_kinds - 1)); }
@@ -409,13 +432,6 @@ MeetingBody cone_generator(Random& random) {
                   inner);
 }
 
-MeetingBody frustum_face(Random& random) {
-  const mpq_class low = length(random), high = length(random), half_length = length(random);
-  const mpq_class x = part(random) * high, least = std::min(low, high);
-  NamedBody body = named("frustum", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
-  return with_top(std::move(body), upright, {x, 0, half_length}, std::clamp<mpq_class>(least - abs(x), 0, half_length));
-}
-
 // The ball is no larger than the radii of curvature at the pole, nor than the least radius.
 MeetingBody ellipsoid_pole(Random& random) {
   const Point radii{length(random), length(random), length(random)};
@@ -449,22 +465,6 @@ MeetingBody box_vertex(Random& random) {
 MeetingBody rounded_box_edge(Random& random) {
   MeetingBody side = box_edge(random);
   return with_margin(std::move(side), length(random) / 4);
-}
-
-MeetingBody rounded_hull_vertex(Random& random) {
-  std::vector<Point> vertices{{}};
-  for (int i = 0; i < 6; ++i) {
-    Point p = random_shift(random, 1);
-    p.z -= ratio(5, 4);
-    vertices.push_back(std::move(p));
-  }
-  MeetingBody side{named_hull(std::move(vertices)), 0};
-  return with_margin(std::move(side), length(random) / 4);
-}
-
-MeetingBody sum_face(Random& random) {
-  MeetingBody first = cylinder_face(random), second = box_face(random);
-  return {named_sum({std::move(first.body), std::move(second.body)}), first.inner + second.inner};
 }
 
 MeetingBody plane(Random& random) {

@@ -108,15 +108,12 @@ MeetingBody cylinder_rim(Random& random);
 MeetingBody cone_base(Random& random);
 MeetingBody cone_apex(Random& random);
 MeetingBody cone_generator(Random& random);
-MeetingBody frustum_face(Random& random);
 MeetingBody ellipsoid_pole(Random& random);
 MeetingBody box_face(Random& random);
 MeetingBody box_edge(Random& random);
 MeetingBody box_vertex(Random& random);
 MeetingBody rounded_box_edge(Random& random);
-MeetingBody rounded_hull_vertex(Random& random);
-MeetingBody sum_face(Random& random);  ///< of a cylinder and a box
-MeetingBody plane(Random& random);     ///< of a half-space
+MeetingBody plane(Random& random);  ///< of a half-space
 
 /// Any of them but the plane.
 MeetingBody any_side(Random& random);

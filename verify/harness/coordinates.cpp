@@ -20,6 +20,19 @@ void make_plain(files::NamedBody& words) {
   for (files::NamedBody& term : words.terms) make_plain(term);
 }
 
+/// The same of the numbers that are no lengths: turns, matrices, normals.
+void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
+  if (words.matrix) {
+    for (auto& row : *words.matrix)
+      for (std::size_t k = 0; k < 3; ++k) use(row[k]);
+  } else {
+    for (mpq_class* value : {&words.turn.w, &words.turn.x, &words.turn.y, &words.turn.z}) use(*value);
+  }
+  if (const auto normal = words.fields.numbers.find("normal"); normal != words.fields.numbers.end())
+    for (mpq_class& value : normal->second) use(value);
+  for (files::NamedBody& term : words.terms) for_each_slope(term, use);
+}
+
 }  // namespace
 
 long exponent_of(const mpq_class& value) {
@@ -38,18 +51,6 @@ std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& for
                                                               : round_binary64(there, Rounding::rn);
   if (!std::isfinite(nearest)) return std::nullopt;
   return scaled(exact_value(nearest), -format.exponent);
-}
-
-void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
-  if (words.matrix) {
-    for (auto& row : *words.matrix)
-      for (std::size_t k = 0; k < 3; ++k) use(row[k]);
-  } else {
-    for (mpq_class* value : {&words.turn.w, &words.turn.x, &words.turn.y, &words.turn.z}) use(*value);
-  }
-  if (const auto normal = words.fields.numbers.find("normal"); normal != words.fields.numbers.end())
-    for (mpq_class& value : normal->second) use(value);
-  for (files::NamedBody& term : words.terms) for_each_slope(term, use);
 }
 
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {

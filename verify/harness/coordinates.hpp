@@ -43,9 +43,6 @@ std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberForm
 /// place; not to normals and turns.
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
-/// The same of the numbers that are no lengths: turns, matrices, normals.
-void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
-
 /// The number that says where a named body is along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 

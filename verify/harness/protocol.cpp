@@ -134,7 +134,24 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
 
 // ---- what subjects answer ----
 
-using Json = JsonValue;
+/// For messages: in quotes, with numbers as they were written.
+std::string shown_json(const Json& value) {
+  return '\'' + kernels::printable(value.written(Json::Form::sorted).text(), shown_bytes) + '\'';
+}
+
+/// Throws ProtocolError: "expected ..., found ...".
+[[noreturn]] void refuse(const std::string& expected, const std::string& found) {
+  throw ProtocolError("expected " + expected + ", found " + found);
+}
+
+// Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the
+// object in the message.
+std::string text_in(const Json& object, const char* name, const char* of) {
+  const Json* value = object.find(name);
+  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
+  if (!value->is_string()) refuse(fmt::format("a text for \"{}\" in {}", name, of), shown_json(*value));
+  return value->text();
+}
 
 /// A text, or an integer.
 std::string id_in(const Json& reply) {
@@ -153,6 +170,38 @@ std::string reason_in(const Json& reply, const char* name) {
     if (other != name && reply.find(other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
   return text_in(reply, name, "the reply");
+}
+
+/// Reads a decimal or C99 hex float with any exponent, rounded once to the precision, or a spelling
+/// of NaN or infinity with or without a sign, in upper or lower case ("-nan", "NAN", "nan(0x8000)",
+/// "inf", "-Infinity"). Returns nullopt for anything else, ratios included.
+std::optional<double> read_number(std::string_view text, Precision precision) {
+  const std::string_view word = without_sign(text);
+  if (is_nan(word)) return std::numeric_limits<double>::quiet_NaN();
+  if (is_infinite(word)) return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
+  if (text.find('/') != text.npos) return std::nullopt;
+  const ParsedNumber number = parse_number(with_exponent_in_reach(text), Decimals::exact);
+  if (!number.value) return std::nullopt;
+  if (precision == Precision::binary32) return round_binary32(*number.value, Rounding::rn);
+  return round_binary64(*number.value, Rounding::rn);
+}
+
+/// A number, or a text of one, rounded to the precision; NaN and infinities too.
+double number_of(const Json& value, const char* name, Precision precision) {
+  std::optional<double> number;
+  if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
+  if (!number)
+    refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
+  return *number;
+}
+
+/// Of a value, not of a field: `name` is what it is called.
+Triple triple_of(const Json& value, const char* name, Precision precision) {
+  Triple triple;
+  if (value.items().size() != triple.size() || !value.is_array())
+    refuse(fmt::format("three numbers for \"{}\"", name), shown_json(value));
+  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of(value.items()[i], name, precision);
+  return triple;
 }
 
 /// The vertices of one used hull, if there is one.
@@ -185,6 +234,12 @@ void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
   else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
 }
 
+/// Three of them; nullopt if the field is not there.
+std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
+  const Json* value = object.find(name);
+  return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
+}
+
 std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
   if (!list.is_array() || list.items().empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
   std::vector<ContactPoint> contacts;
@@ -208,6 +263,14 @@ void read(const Json& object, const char* name, const char* called, Precision pr
 void read(const Json& object, const char* name, const char*, Precision precision, std::vector<ContactPoint>& contacts) {
   if (const Json* found = object.find(name)) contacts = contacts_in(*found, precision);
 }
+bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
+  const Json* value = object.find(name);
+  if (!value && otherwise) return *otherwise;
+  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
+  if (!value->is_boolean()) refuse(fmt::format("true or false for \"{}\" in {}", name, of), shown_json(*value));
+  return value->boolean();
+}
+
 void read(const Json& object, const char* name, const char*, Precision, bool& value) {
   value = flag_in(object, name, "the reply");
 }
@@ -253,11 +316,30 @@ std::string misspelt(const Json& reply) {
 
 // ---- what subjects say of themselves ----
 
+/// The value of one of the words of its type.
+template <class Value>
+Value word_in(const Json& object, const char* name, const char* of) {
+  const std::string text = text_in(object, name, of);
+  std::vector<std::string_view> expected;
+  for (const auto& [word, value] : judging::words_of(Value())) {
+    if (text == word) return value;
+    expected.push_back(word);
+  }
+  refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), kernels::shown(text));
+}
+
 // What is missing keeps its usual value, if the row says when it is there.
 void read(const Json& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
 template <class Value>
 void read(const Json& said, const char* name, const char* of, Value& value) {
   value = word_in<Value>(said, name, of);
+}
+
+const Json& object_in(const Json& object, const char* name, const char* of) {
+  const Json* value = object.find(name);
+  if (!value || !value->is_object())
+    refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
+  return *value;
 }
 
 Conventions conventions_in(const Json& hello) {
@@ -332,43 +414,8 @@ std::map<std::string, mpq_class> rounding_in(const Json& said) {
   return result;
 }
 
-}  // namespace
-
-std::size_t number_word(std::string_view text) {
-  const std::string_view word = first_word(text);
-  return looks_like_a_number(word) ? word.size() : 0;
-}
-
-std::optional<double> read_number(std::string_view text, Precision precision) {
-  const std::string_view word = without_sign(text);
-  if (is_nan(word)) return std::numeric_limits<double>::quiet_NaN();
-  if (is_infinite(word)) return (text[0] == '-' ? -1 : 1) * std::numeric_limits<double>::infinity();
-  if (text.find('/') != text.npos) return std::nullopt;
-  const ParsedNumber number = parse_number(with_exponent_in_reach(text), Decimals::exact);
-  if (!number.value) return std::nullopt;
-  if (precision == Precision::binary32) return round_binary32(*number.value, Rounding::rn);
-  return round_binary64(*number.value, Rounding::rn);
-}
-
-std::optional<std::string> read_integer(std::string_view text) {
-  const ParsedNumber number = parse_number(text, Decimals::exact);
-  if (!number.value || number.value->get_den() != 1) return std::nullopt;
-  return number.value->get_num().get_str();
-}
-
-void refuse(const std::string& expected, const std::string& found) {
-  throw ProtocolError("expected " + expected + ", found " + found);
-}
-
-std::string shown_json(const Json& value) {
-  return '\'' + kernels::printable(value.written(Json::Form::sorted).text(), shown_bytes) + '\'';
-}
-
-Json json_on(std::string_view line) {
-  text::JsonRead read = text::read_json(line, number_word);
-  return read.whole ? std::move(read.value) : Json();
-}
-
+/// The same, which must be an object, each with its fields once: readers differ in which of two
+/// they take.
 Json object_on(std::string_view line) {
   if (line.find('\0') != std::string_view::npos)
     refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
@@ -380,47 +427,22 @@ Json object_on(std::string_view line) {
   return object;
 }
 
-std::string text_in(const Json& object, const char* name, const char* of) {
-  const Json* value = object.find(name);
-  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
-  if (!value->is_string()) refuse(fmt::format("a text for \"{}\" in {}", name, of), shown_json(*value));
-  return value->text();
+}  // namespace
+
+std::size_t number_word(std::string_view text) {
+  const std::string_view word = first_word(text);
+  return looks_like_a_number(word) ? word.size() : 0;
 }
 
-bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise) {
-  const Json* value = object.find(name);
-  if (!value && otherwise) return *otherwise;
-  if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
-  if (!value->is_boolean()) refuse(fmt::format("true or false for \"{}\" in {}", name, of), shown_json(*value));
-  return value->boolean();
+std::optional<std::string> read_integer(std::string_view text) {
+  const ParsedNumber number = parse_number(text, Decimals::exact);
+  if (!number.value || number.value->get_den() != 1) return std::nullopt;
+  return number.value->get_num().get_str();
 }
 
-const Json& object_in(const Json& object, const char* name, const char* of) {
-  const Json* value = object.find(name);
-  if (!value || !value->is_object())
-    refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
-  return *value;
-}
-
-double number_of(const Json& value, const char* name, Precision precision) {
-  std::optional<double> number;
-  if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
-  if (!number)
-    refuse(fmt::format("a number for \"{}\"{}", name, value.is_null() ? " (NaN is \"nan\")" : ""), shown_json(value));
-  return *number;
-}
-
-Triple triple_of(const Json& value, const char* name, Precision precision) {
-  Triple triple;
-  if (value.items().size() != triple.size() || !value.is_array())
-    refuse(fmt::format("three numbers for \"{}\"", name), shown_json(value));
-  for (std::size_t i = 0; i < triple.size(); ++i) triple[i] = number_of(value.items()[i], name, precision);
-  return triple;
-}
-
-std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
-  const Json* value = object.find(name);
-  return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
+Json json_on(std::string_view line) {
+  text::JsonRead read = text::read_json(line, number_word);
+  return read.whole ? std::move(read.value) : Json();
 }
 
 Faces faces_of(const std::vector<Point>& points) {

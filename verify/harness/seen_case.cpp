@@ -249,6 +249,20 @@ std::optional<double> microseconds_of(const std::vector<Told>& all) {
   return sum;
 }
 
+/// Adds to the judgement that the reply lacks what the hello promises, if it does.
+void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
+  const std::vector<std::string> lacking = missing(reply, promises);
+  if (lacking.empty()) return;
+  const std::string sentence =
+      fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
+  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
+  judgement.accuracy.reset();
+  std::vector<Verdict>& all = judgement.findings;
+  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
+  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
+  judgement.verdict = all.front();
+}
+
 void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info,
                  const Judging& judging) {
   const Told& chosen = deepest(all, info.conventions);
@@ -272,6 +286,26 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
   outcome.verdict = outcome.judgement->verdict;
 }
 
+/// "key[0,2]": piece 0 of A and piece 2 of B.
+std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) {
+  return fmt::format("{}[{},{}]", id, a, b);
+}
+
+/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it
+/// sees times 2^exponent.
+std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent) {
+  return {scaled(rounding_radius(seen.a, info), -exponent), scaled(rounding_radius(seen.b, info), -exponent)};
+}
+
+/// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
+bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
+
+/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of
+/// the case.
+Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent) {
+  return {seen.id, used(seen.a, answer.hull_a, exponent), used(seen.b, answer.hull_b, exponent)};
+}
+
 }  // namespace
 
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
@@ -280,12 +314,6 @@ mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
     if (const auto found = info.rounding.find(name); found != info.rounding.end()) return found->second;
   return 0;
 }
-
-std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent) {
-  return {scaled(rounding_radius(seen.a, info), -exponent), scaled(rounding_radius(seen.b, info), -exponent)};
-}
-
-bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
 
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
   if (info.rounding.empty() || seen.a.pieces) return seen;
@@ -302,10 +330,6 @@ void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
   };
   demand(seen.a, answer.hull_a.has_value(), "a");
   demand(seen.b, answer.hull_b.has_value(), "b");
-}
-
-Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent) {
-  return {seen.id, used(seen.a, answer.hull_a, exponent), used(seen.b, answer.hull_b, exponent)};
 }
 
 mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& answer) {
@@ -376,19 +400,6 @@ Outcome declined(const Case& pair, const std::string& why) {
   return outcome;
 }
 
-void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
-  const std::vector<std::string> lacking = missing(reply, promises);
-  if (lacking.empty()) return;
-  const std::string sentence =
-      fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
-  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
-  judgement.accuracy.reset();
-  std::vector<Verdict>& all = judgement.findings;
-  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
-  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
-  judgement.verdict = all.front();
-}
-
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info,
                   const Judging& judging) {
   if (const auto* unsupported = std::get_if<Unsupported>(&answer.said)) {
@@ -417,10 +428,6 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;
-}
-
-std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) {
-  return fmt::format("{}[{},{}]", id, a, b);
 }
 
 std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent) {

@@ -67,9 +67,6 @@ struct Judging {
 void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answer, const SubjectInfo& info,
                   const Judging& judging);
 
-/// Adds to the judgement that the reply lacks what the hello promises, if it does.
-void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises);
-
 // ---- the bodies that an answer is judged on, where they are not the ones that were asked ----
 
 /// Returns the bodies, each grown by the ball of the radius that the subject declares for it, whose
@@ -80,20 +77,9 @@ Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent);
 /// Returns the radius by which the subject rounds such a body, in the subject's unit.
 mpq_class rounding_radius(const Body& body, const SubjectInfo& info);
 
-/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it
-/// sees times 2^exponent.
-std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent);
-
-/// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
-bool rounds_pieces(const SubjectInfo& info);
-
 /// Throws ProtocolError if the answer tells the hull of a body that was not sent as vertices: as a
 /// shape, or in pieces.
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer);
-
-/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of
-/// the case.
-Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent);
 
 /// Returns the square of the largest distance of a vertex of `from` from the body of the same
 /// letter in `to`, over the bodies whose hulls the answer tells.
@@ -106,8 +92,6 @@ mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& ans
 /// an outcome with verdict and detail.
 using AskPair = std::function<Outcome(const Case& pair, std::optional<SubjectAnswer>& answer)>;
 
-/// "key[0,2]": piece 0 of A and piece 2 of B.
-std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b);
 /// Whether the text is the id of a pair of pieces of this case.
 bool is_pair_of(std::string_view text, const Case& pair);
 

@@ -44,6 +44,15 @@ void add_counts(std::array<std::size_t, N>& to, const std::array<std::size_t, N>
   for (std::size_t i = 0; i < N; ++i) to[i] += counts[i];
 }
 
+/// Larger is worse. Answers without a depth, and with one where there is none, have no relative
+/// error: they come first.
+double badness(const Outcome& outcome) {
+  constexpr double beyond = std::numeric_limits<double>::infinity();
+  if (!outcome.judgement || !outcome.judgement->error_relative) return beyond;
+  const double error = std::abs(*outcome.judgement->error_relative);
+  return std::isnan(error) ? beyond : error;
+}
+
 }  // namespace
 
 std::string family_of(const std::string& id) {
@@ -283,13 +292,6 @@ std::vector<Verdict> Tally::verdicts() const {
   for (std::size_t i = verdict_count; i-- > first_pass;) add(i);
   for (std::size_t i = 0; i < first_pass; ++i) add(i);
   return result;
-}
-
-double badness(const Outcome& outcome) {
-  constexpr double beyond = std::numeric_limits<double>::infinity();
-  if (!outcome.judgement || !outcome.judgement->error_relative) return beyond;
-  const double error = std::abs(*outcome.judgement->error_relative);
-  return std::isnan(error) ? beyond : error;
 }
 
 std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes) {

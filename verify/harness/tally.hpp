@@ -168,10 +168,6 @@ class Tally {
 
 // ---- failures in the order in which they deserve attention ----
 
-/// Larger is worse. Answers without a depth, and with one where there is none, have no relative
-/// error: they come first.
-double badness(const Outcome& outcome);
-
 /// The indices of the failures, worst first. Equals follow by id and variant, so that the order
 /// does not depend on which answer of a parallel run came first.
 std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes);

@@ -33,6 +33,10 @@
 namespace fathom::harness {
 namespace {
 
+constexpr unsigned most_random_pieces = 5;
+
+constexpr unsigned least_random_size = 4, most_random_size = 40;
+
 /// As the checker writes it.
 std::string surd_text(const Surd& value) {
   return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)),

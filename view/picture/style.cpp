@@ -74,6 +74,14 @@ std::string properties(std::string_view Colour::*shade) {
   return result;
 }
 
+/// The colour that a property has in light pages: light_colour("a") is that of --a. Throws
+/// std::out_of_range for other names.
+std::string_view light_colour(std::string_view name) {
+  const auto found = std::ranges::find(colours, name, &Colour::name);
+  if (found == colours.end()) throw std::out_of_range("no colour is called " + std::string(name));
+  return found->light;
+}
+
 }  // namespace
 
 std::string colour_style() {
@@ -93,12 +101,6 @@ std::string_view scroll_style() {
   linear-gradient(to left, var(--soft), transparent) right / .5rem 100% no-repeat scroll; }
 @media print { .wide { overflow: visible; background: none; } }
 )";
-}
-
-std::string_view light_colour(std::string_view name) {
-  const auto found = std::ranges::find(colours, name, &Colour::name);
-  if (found == colours.end()) throw std::out_of_range("no colour is called " + std::string(name));
-  return found->light;
 }
 
 std::string coloured(std::string_view rules, bool plain) {

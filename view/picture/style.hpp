@@ -19,10 +19,6 @@ std::string colour_style();
 /// more lies beyond it, as a phone shows no bar.
 std::string_view scroll_style();
 
-/// The colour that a property has in light pages: light_colour("a") is that of --a. Throws
-/// std::out_of_range for other names.
-std::string_view light_colour(std::string_view name);
-
 /// The rules, in which "@name" stands for a colour of that name, with custom properties in their
 /// place; `plain`: each after the light colour, which stays where var() is unknown.
 std::string coloured(std::string_view rules, bool plain);

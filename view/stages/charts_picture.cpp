@@ -16,6 +16,8 @@
 namespace fathom::stages {
 namespace {
 
+constexpr std::size_t most_arcs = 6000, most_walls = 400, most_nodes = 250;  ///< that a chart shows
+
 using std::numbers::pi;
 
 constexpr double least_angle = 1e-9;  // radians
@@ -46,6 +48,14 @@ struct Refiner {
 constexpr std::size_t most_optima = 200;  // that a chart shows
 constexpr double side = 400, left = 58, top = 36, degree = std::numbers::pi / 180, pole = 1e-7;
 constexpr int tick = 30;  // degrees
+
+/// "M1.0 2.0L3.0 4.0"
+std::string path_text(const std::vector<Pixel>& pixels) {
+  std::string result;
+  for (const Pixel& pixel : pixels)
+    result += fmt::format("{}{:.1f} {:.1f}", result.empty() ? 'M' : 'L', pixel.x, pixel.y);
+  return result;
+}
 
 /// The square of one hemisphere.
 struct Square {
@@ -282,13 +292,6 @@ std::vector<Pixel> polyline(const SphereArc& arc, const Projection& project) {
   std::vector<Pixel> result{project(arc.at(arc.begin))};
   const Pixel last = project(arc.at(arc.end));
   Refiner{arc, project, result}.add(arc.begin, result.front(), arc.end, last, 0);
-  return result;
-}
-
-std::string path_text(const std::vector<Pixel>& pixels) {
-  std::string result;
-  for (const Pixel& pixel : pixels)
-    result += fmt::format("{}{:.1f} {:.1f}", result.empty() ? 'M' : 'L', pixel.x, pixel.y);
   return result;
 }
 

@@ -44,11 +44,6 @@ using Projection = std::function<Pixel(const Place&)>;
 /// The arc as a line of pixels, which is off by less than half a pixel.
 std::vector<Pixel> polyline(const SphereArc& arc, const Projection& project);
 
-/// "M1.0 2.0L3.0 4.0"
-std::string path_text(const std::vector<Pixel>& pixels);
-
-inline constexpr std::size_t most_arcs = 6000, most_walls = 400, most_nodes = 250;  ///< that a chart shows
-
 /// One hemisphere as a square of longitude and latitude.
 struct ChartPanel {
   std::string content;   ///< elements, with the left upper corner at the origin

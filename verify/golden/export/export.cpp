@@ -152,6 +152,14 @@ class OwnRecords {
   std::vector<Own> all_;
 };
 
+/// Returns whether the word is the status, one of the flags, or the first word of one: "flat" is
+/// that of flat_a.
+bool has_word(std::string_view word, const ExportCase& entry) {
+  return word == entry.status || std::ranges::any_of(entry.flags, [word](const std::string& flag) {
+           return word == flag || word == first_word(flag);
+         });
+}
+
 /// Whether the request asks for the case at all.
 bool is_wanted(const ExportCase& entry, const ExportRequest& request) {
   const auto has = [&entry](const std::string& word) { return has_word(word, entry); };
@@ -237,30 +245,7 @@ void refuse_if_none_fits(const fs::path& folder, const Exported& counts) {
                   counts.records, folder.string(), counts.not_doubles, counts.excluded, counts.too_large));
 }
 
-}  // namespace
-
-std::vector<std::string> words_of_cases() {
-  std::set<std::string> words(std::begin(statuses), std::end(statuses));
-  for (const std::string_view flag : flag_names()) {
-    words.emplace(flag);
-    words.emplace(first_word(flag));
-  }
-  return {words.begin(), words.end()};
-}
-
-bool has_word(std::string_view word, const ExportCase& entry) {
-  return word == entry.status || std::ranges::any_of(entry.flags, [word](const std::string& flag) {
-           return word == flag || word == first_word(flag);
-         });
-}
-
-std::vector<std::string> groups_of_releases() {
-  std::vector<std::string> names = {"catalogue", "real"};
-  for (const families::Family& family : families::families())
-    if (family.name != "catalogue") names.emplace_back(family.name);
-  return names;
-}
-
+/// The command line that makes the export again, without the folder or file.
 std::string command_of(const ExportRequest& request) {
   std::string command = fmt::format("fathom golden export --format {}", name_of(request.format));
   const auto add = [&command](std::string_view option, const std::vector<std::string>& words) {
@@ -274,6 +259,24 @@ std::string command_of(const ExportRequest& request) {
   if (request.most_points != SIZE_MAX) command += fmt::format(" --max-points {}", request.most_points);
   if (request.count != SIZE_MAX) command += fmt::format(" --count {}", request.count);
   return command;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_cases() {
+  std::set<std::string> words(std::begin(statuses), std::end(statuses));
+  for (const std::string_view flag : flag_names()) {
+    words.emplace(flag);
+    words.emplace(first_word(flag));
+  }
+  return {words.begin(), words.end()};
+}
+
+std::vector<std::string> groups_of_releases() {
+  std::vector<std::string> names = {"catalogue", "real"};
+  for (const families::Family& family : families::families())
+    if (family.name != "catalogue") names.emplace_back(family.name);
+  return names;
 }
 
 namespace {

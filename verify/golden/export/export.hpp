@@ -67,15 +67,8 @@ std::optional<ExportCase> export_case(std::string_view line);
 /// every status.
 std::vector<std::string> words_of_cases();
 
-/// Returns whether the word is the status, one of the flags, or the first word of one: "flat" is
-/// that of flat_a.
-bool has_word(std::string_view word, const ExportCase& entry);
-
 /// The names of the groups of a release: its families, "catalogue" and "real".
 std::vector<std::string> groups_of_releases();
-
-/// The command line that makes the export again, without the folder or file.
-std::string command_of(const ExportRequest& request);
 
 struct Exported {
   std::string text, certificates;                    ///< the certificates of the chosen ones, one after another

@@ -25,6 +25,8 @@ FileError::FileError(const std::string& action, const std::filesystem::path& pat
 
 namespace {
 
+constexpr int compression_level = 6;
+
 constexpr std::size_t block_size = std::size_t{1} << 18;
 
 }  // namespace

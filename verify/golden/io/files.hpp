@@ -92,8 +92,6 @@ void put_file(const std::filesystem::path& folder, const std::string& name, std:
 // compression runs on one thread at a fixed level, so the bytes are a function of the content and
 // of the version of libzstd.
 
-inline constexpr int compression_level = 6;
-
 /// Returns the version of the library that this program runs with: "1.5.4".
 std::string zstd_version();
 

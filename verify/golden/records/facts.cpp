@@ -333,6 +333,16 @@ Rounded signed_root(const mpz_class& component, const mpz_class& norm) {
   return root;
 }
 
+/// Returns the flags that hold. Everything in `truth` but the flags must be set.
+std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth) {
+  const Look look(hulls, truth);
+  std::vector<std::string_view> result;
+  for (const Flag& flag : table) {
+    if (flag.holds(look)) result.push_back(flag.name);
+  }
+  return result;
+}
+
 }  // namespace
 
 Integers integers_of(std::span<const Point> a, std::span<const Point> b) {
@@ -391,15 +401,6 @@ std::vector<std::string_view> flag_names() {
   std::vector<std::string_view> names;
   for (const Flag& flag : table) names.push_back(flag.name);
   return names;
-}
-
-std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth) {
-  const Look look(hulls, truth);
-  std::vector<std::string_view> result;
-  for (const Flag& flag : table) {
-    if (flag.holds(look)) result.push_back(flag.name);
-  }
-  return result;
 }
 
 // ---- numbers ----

@@ -132,9 +132,6 @@ std::string csv_row(const Facts& facts);
 /// Returns all flags, in the order in which a record lists them.
 std::vector<std::string_view> flag_names();
 
-/// Returns the flags that hold. Everything in `truth` but the flags must be set.
-std::vector<std::string_view> flags_of(const HullPair& hulls, const HullStatement& truth);
-
 // ---- faces of bodies by their definition ----
 
 // Exact integers, one pass over all points, no hull of a body

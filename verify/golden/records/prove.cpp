@@ -345,6 +345,13 @@ UnionStatement truth_in(const Unions& unions, const FormedCase& made, const std:
   return truth;
 }
 
+/// Returns the case of this form. Throws NotProved if there is none.
+const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form) {
+  const auto made = std::ranges::find(cases, form, &FormedCase::form);
+  if (made == cases.end()) throw NotProved("source: it has no such form");
+  return *made;
+}
+
 }  // namespace
 
 RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness,
@@ -359,12 +366,6 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
 // The certificate proves status, depth and every optimal direction; all else follows from these and
 // the bodies. Then the record is written anew, and must be the same text: so no field can be wrong,
 // missing, repeated or unknown.
-
-const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form) {
-  const auto made = std::ranges::find(cases, form, &FormedCase::form);
-  if (made == cases.end()) throw NotProved("source: it has no such form");
-  return *made;
-}
 
 /// The bodies that the source names: an id stands for one pair of bodies only.
 const FormedCase& Prover::source_of(const Claimed& claimed) {

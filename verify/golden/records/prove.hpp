@@ -53,9 +53,6 @@ class Prover {
 /// The same for a single record.
 std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
-/// Returns the case of this form. Throws NotProved if there is none.
-const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form);
-
 /// Returns the truth that the certificate proves of these bodies: status, length, directions, cone
 /// and translations of unions are its own; contacts and other translations follow from the bodies
 /// by the definitions. Throws NotProved unless the checker accepts it, it has the id of this case

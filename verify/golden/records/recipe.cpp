@@ -175,17 +175,18 @@ bool fits(const Unions& unions, Form format) {
   return true;
 }
 
+/// Returns nullptr if none has that name.
+const Case* find_real_case(std::string_view name) {
+  const std::span<const Case> all = real_cases();
+  const auto found = std::ranges::find(all, name, &Case::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::span<const Case> real_cases() {
   static const std::vector<Case> cases = read_all();
   return cases;
-}
-
-const Case* find_real_case(std::string_view name) {
-  const std::span<const Case> all = real_cases();
-  const auto found = std::ranges::find(all, name, &Case::id);
-  return found == all.end() ? nullptr : &*found;
 }
 
 std::string_view name_of(Source source) {

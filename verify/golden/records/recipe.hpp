@@ -134,9 +134,6 @@ std::vector<FormedCase> cases_of(const Recipe& recipe);
 /// without their common prefix "real::".
 std::span<const Case> real_cases();
 
-/// Returns nullptr if none has that name.
-const Case* find_real_case(std::string_view name);
-
 /// The text of the file.
 std::string_view real_cases_text();
 

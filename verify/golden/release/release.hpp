@@ -90,19 +90,6 @@ std::vector<std::pair<std::string, std::string>> fixed_pages();
 /// may come on top.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 
-/// Makes the folder if it is missing. Throws FolderError if it holds anything but files of this
-/// release, finished or not; FileError.
-void prepare_folder(const std::filesystem::path& folder, const std::vector<ShardPlan>& shards);
-
-/// Removes the pages that only a complete release has: dataset.json, both pages of sums,
-/// agreement.json. Throws FileError.
-void open_release(const std::filesystem::path& folder);
-
-/// Writes the fixed pages, dataset.json, CONTENT_SHA256SUMS and, last, SHA256SUMS. All shards must
-/// be there. Throws FileError.
-void close_release(const std::filesystem::path& folder, Level level, std::uint64_t seed,
-                   const std::vector<ShardPlan>& shards);
-
 // ---- generation ----
 
 // Input   a level, a seed, a folder.

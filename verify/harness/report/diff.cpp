@@ -18,6 +18,8 @@
 namespace fathom::harness {
 namespace {
 
+constexpr std::size_t most_errors = 20;
+
 /// In parts of R.
 std::optional<double> error_of(const Outcome& outcome, double unit_roundoff) {
   if (!outcome.judgement || !outcome.judgement->error_u_r) return std::nullopt;

@@ -44,8 +44,6 @@ struct ReportDiff {
   std::vector<Change> errors;         ///< has the same verdict and another error; of these `most_errors`
 };
 
-inline constexpr std::size_t most_errors = 20;
-
 ReportDiff diff(const ReportFile& before, const ReportFile& after);
 
 /// The cases of the three lists by name and by how many: "2 newly failing, 0 newly passing, 1 with

@@ -312,6 +312,113 @@ std::string footer(const RunInfo& from) {
       markup(version), command);
 }
 
+/// Each case with its verdict, in the order of the page and worst first, as far as a page can hold
+/// them; those of `shown` refer to their pictures.
+std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anchored>& shown) {
+  if (outcomes.empty()) return "";
+  std::multimap<Key, std::string> anchors;
+  for (const Anchored& each : shown) anchors.emplace(key_of(each.failure->outcome), each.anchor);
+  const std::vector<const Outcome*> all = in_order(outcomes);
+  const std::size_t listed = std::min(all.size(), most_listed);
+  std::string rows;
+  for (std::size_t i = 0; i < listed; ++i) {
+    const auto found = anchors.find(key_of(*all[i]));
+    rows += row(*all[i], found == anchors.end() ? "" : found->second);
+    if (found != anchors.end()) anchors.erase(found);
+  }
+  const std::string table = fmt::format(
+      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th "
+      "scope=\"col\">relative "
+      "error</th>"
+      "<th scope=\"col\" class=\"text\">what the judge says</th></tr></thead>\n<tbody id=\"cases\">\n{}</tbody>",
+      rows);
+  const std::string more =
+      all.size() > listed
+          ? fmt::format("<p>{} further cases are not listed here; --report FILE holds every verdict.</p>\n",
+                        all.size() - listed)
+          : "";
+  return fmt::format(
+      "<details class=\"part\" id=\"all-cases\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n",
+      listed, all.size(),
+      picture::filter_bar("cases", "verdict",
+                          choices({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed)})),
+      picture::table_box("Cases", table, true), more);
+}
+
+/// How often errors of each size came, one row for each verdict; empty if no depth was claimed at
+/// all. `in_u_r`: in units of uR, else relative. `tolerance`: a line at that size, if it is
+/// positive.
+std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tolerance) {
+  const std::map<Verdict, Row> rows = rows_of(outcomes, in_u_r);
+  if (rows.empty()) return "";
+  const Axis axis(rows);
+  const double ground = top + row_height * static_cast<double>(rows.size());
+  const std::string what = in_u_r ? "in units of uR" : "relative to the depth", id = in_u_r ? "errors-u" : "errors-r";
+  std::string body, described;
+  double at = top;
+  for (const auto& [verdict, row] : rows) {
+    body += row_elements(axis, verdict, row, at += row_height);
+    described += fmt::format("{}{} {}", described.empty() ? "" : ", ", row.total, name(verdict));
+  }
+  return fmt::format(
+      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg class=\"chart\" "
+      "viewBox=\"0 0 {1} {2}\" "
+      "width=\"{1}\" "
+      "height=\"{2}\" role=\"img\" aria-labelledby=\"{3}-t {3}-d\"><title id=\"{3}-t\">Errors of the claimed depths, "
+      "{0}</title>"
+      "<desc id=\"{3}-d\">Numbers of cases by verdict and by the decade of the error: {4}.</desc>\n{5}{6}</svg></div>"
+      "<figcaption>Magnitudes of the errors {0}, by decade; bars are as high as cases are many, in each row for "
+      "itself{7}."
+      "</figcaption></figure>\n",
+      what, chart_width + 20, ground + 24, id, described, body, axis_elements(axis, ground, tolerance),
+      tolerance > 0 ? "; dashed: the relative tolerance" : "");
+}
+
+/// The subject, the answer in one line, warnings, a bar of all verdicts, and how it was judged.
+/// `shown`: the verdicts that have a section.
+std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
+                        const std::set<Verdict>& shown) {
+  const TallyRow& all = tally.all();
+  const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
+  const std::string bar = picture::share_bar(verdict_shares(all, shown), "shares", "Cases by verdict");
+  const std::string both =
+      all[Verdict::touching_by_convention] == 0
+          ? ""
+          : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
+                        all[Verdict::pass], all[Verdict::touching_by_convention]);
+  return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}{}</header>\n", markup(title(subject)),
+                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)),
+                     warning(dwarfed_text(all)), warning(cut_short), warning(coverage_warning(all.judged)), bar, both,
+                     settings_list(subject, tally, tolerance, from));
+}
+
+/// The counts and errors of each family. `linked`: the cells refer to the cases.
+std::string tally_table(const Tally& tally) {
+  if (tally.all().total == 0) return "";
+  std::string head = "<th scope=\"col\" class=\"text\">family</th><th scope=\"col\">cases</th>";
+  const auto add = [&](std::string_view text) { head += fmt::format("<th scope=\"col\">{}</th>", text); };
+  if (has_two_passes(tally)) add("passes, of both kinds");
+  for (const Verdict verdict : tally.verdicts()) add(name(verdict));
+  if (!tally.all().relative.empty()) add("worst, relative"), add("median, relative");
+  if (!tally.all().u_r.empty()) add("worst, in uR"), add("median, in uR");
+  const std::vector<Tally::Line> lines = tally.lines();
+  std::string rows = row_element({"all", tally.all()}, tally, " class=\"all\"");
+  for (const Tally::Line& part : shown_parts(tally)) rows += row_element({"(" + part.label + ")", part.row}, tally, "");
+  for (const Tally::Line& line : lines) rows += row_element(line, tally, "");
+  const std::string table = fmt::format(
+      "<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);
+  return fmt::format(
+      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed "
+      "depths, below 0 where "
+      "the "
+      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the "
+      "largest coordinate of "
+      "a "
+      "case.</p>\n{}</details>\n",
+      lines.size() <= few_families ? " open=\"open\"" : "", lines.size(),
+      picture::table_box("Verdicts by family", table, true));
+}
+
 }  // namespace
 
 std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std::size_t most) {
@@ -357,105 +464,6 @@ std::vector<picture::Share> verdict_shares(const TallyRow& all, const std::set<V
   for (const Verdict verdict : failures) add(verdict);
   add(Verdict::unsupported);
   return shares;
-}
-
-std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
-                        const std::set<Verdict>& shown) {
-  const TallyRow& all = tally.all();
-  const std::string cut_short = from.cut_short.empty() ? "" : from.cut_short + "; this is what was judged";
-  const std::string bar = picture::share_bar(verdict_shares(all, shown), "shares", "Cases by verdict");
-  const std::string both =
-      all[Verdict::touching_by_convention] == 0
-          ? ""
-          : fmt::format("<p class=\"soft\">Passes are pass and touching-by-convention: {} + {}.</p>\n",
-                        all[Verdict::pass], all[Verdict::touching_by_convention]);
-  return fmt::format("<header><h1>{}</h1>\n<p class=\"answer\">{}</p>\n{}{}{}{}{}{}</header>\n", markup(title(subject)),
-                     totals_text(all.total, all.passes(), all.failures(), sum(from.unattributed)),
-                     warning(dwarfed_text(all)), warning(cut_short), warning(coverage_warning(all.judged)), bar, both,
-                     settings_list(subject, tally, tolerance, from));
-}
-
-std::string tally_table(const Tally& tally) {
-  if (tally.all().total == 0) return "";
-  std::string head = "<th scope=\"col\" class=\"text\">family</th><th scope=\"col\">cases</th>";
-  const auto add = [&](std::string_view text) { head += fmt::format("<th scope=\"col\">{}</th>", text); };
-  if (has_two_passes(tally)) add("passes, of both kinds");
-  for (const Verdict verdict : tally.verdicts()) add(name(verdict));
-  if (!tally.all().relative.empty()) add("worst, relative"), add("median, relative");
-  if (!tally.all().u_r.empty()) add("worst, in uR"), add("median, in uR");
-  const std::vector<Tally::Line> lines = tally.lines();
-  std::string rows = row_element({"all", tally.all()}, tally, " class=\"all\"");
-  for (const Tally::Line& part : shown_parts(tally)) rows += row_element({"(" + part.label + ")", part.row}, tally, "");
-  for (const Tally::Line& line : lines) rows += row_element(line, tally, "");
-  const std::string table = fmt::format(
-      "<caption>Cases by family and verdict</caption>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody>", head, rows);
-  return fmt::format(
-      "<details class=\"part\"{}><summary>Families: {}</summary>\n<p class=\"soft\">Errors are those of the claimed "
-      "depths, below 0 where "
-      "the "
-      "depth is too small; medians are of their magnitudes. u is the unit roundoff of the subject's precision, R the "
-      "largest coordinate of "
-      "a "
-      "case.</p>\n{}</details>\n",
-      lines.size() <= few_families ? " open=\"open\"" : "", lines.size(),
-      picture::table_box("Verdicts by family", table, true));
-}
-
-std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anchored>& shown) {
-  if (outcomes.empty()) return "";
-  std::multimap<Key, std::string> anchors;
-  for (const Anchored& each : shown) anchors.emplace(key_of(each.failure->outcome), each.anchor);
-  const std::vector<const Outcome*> all = in_order(outcomes);
-  const std::size_t listed = std::min(all.size(), most_listed);
-  std::string rows;
-  for (std::size_t i = 0; i < listed; ++i) {
-    const auto found = anchors.find(key_of(*all[i]));
-    rows += row(*all[i], found == anchors.end() ? "" : found->second);
-    if (found != anchors.end()) anchors.erase(found);
-  }
-  const std::string table = fmt::format(
-      "<thead><tr><th scope=\"col\" class=\"text\">case</th><th scope=\"col\" class=\"text\">verdict</th><th "
-      "scope=\"col\">relative "
-      "error</th>"
-      "<th scope=\"col\" class=\"text\">what the judge says</th></tr></thead>\n<tbody id=\"cases\">\n{}</tbody>",
-      rows);
-  const std::string more =
-      all.size() > listed
-          ? fmt::format("<p>{} further cases are not listed here; --report FILE holds every verdict.</p>\n",
-                        all.size() - listed)
-          : "";
-  return fmt::format(
-      "<details class=\"part\" id=\"all-cases\"><summary>Cases: {} of {}, failures first</summary>\n{}{}{}</details>\n",
-      listed, all.size(),
-      picture::filter_bar("cases", "verdict",
-                          choices({all.begin(), all.begin() + static_cast<std::ptrdiff_t>(listed)})),
-      picture::table_box("Cases", table, true), more);
-}
-
-std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tolerance) {
-  const std::map<Verdict, Row> rows = rows_of(outcomes, in_u_r);
-  if (rows.empty()) return "";
-  const Axis axis(rows);
-  const double ground = top + row_height * static_cast<double>(rows.size());
-  const std::string what = in_u_r ? "in units of uR" : "relative to the depth", id = in_u_r ? "errors-u" : "errors-r";
-  std::string body, described;
-  double at = top;
-  for (const auto& [verdict, row] : rows) {
-    body += row_elements(axis, verdict, row, at += row_height);
-    described += fmt::format("{}{} {}", described.empty() ? "" : ", ", row.total, name(verdict));
-  }
-  return fmt::format(
-      "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Errors {0}\"><svg class=\"chart\" "
-      "viewBox=\"0 0 {1} {2}\" "
-      "width=\"{1}\" "
-      "height=\"{2}\" role=\"img\" aria-labelledby=\"{3}-t {3}-d\"><title id=\"{3}-t\">Errors of the claimed depths, "
-      "{0}</title>"
-      "<desc id=\"{3}-d\">Numbers of cases by verdict and by the decade of the error: {4}.</desc>\n{5}{6}</svg></div>"
-      "<figcaption>Magnitudes of the errors {0}, by decade; bars are as high as cases are many, in each row for "
-      "itself{7}."
-      "</figcaption></figure>\n",
-      what, chart_width + 20, ground + 24, id, described, body, axis_elements(axis, ground, tolerance),
-      tolerance > 0 ? "; dashed: the relative tolerance" : "");
 }
 
 std::string html_page(const SubjectInfo& subject, std::span<const Outcome> outcomes,

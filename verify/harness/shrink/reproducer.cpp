@@ -125,6 +125,20 @@ std::string hull_text(const std::vector<Point>& points) {
 
 std::string unmoved(const files::NamedBody& words);
 
+std::string shape_code(const files::NamedBody& words) {
+  if (words.matrix) {
+    std::vector<std::string> rows;
+    for (const auto& row : *words.matrix)
+      rows.push_back(fmt::format("{{{}, {}, {}, {}}}", number(row[0]), number(row[1]), number(row[2]), number(row[3])));
+    return fmt::format("fathom::moved({}, fathom::Pose{{{{{}}}}})", unmoved(words), fmt::join(rows, ", "));
+  }
+  const Quaternion& q = words.turn;
+  const bool upright = q.x == 0 && q.y == 0 && q.z == 0;
+  if (upright && words.place == Point{}) return unmoved(words);
+  return fmt::format("fathom::moved({}, fathom::rigid_pose({{{}, {}, {}, {}}}, {}))", unmoved(words), number(q.w),
+                     number(q.x), number(q.y), number(q.z), triple(words.place));
+}
+
 /// The arguments of a shape's function are its fields, in their order.
 std::string core_text(const files::NamedBody& words) {
   const files::ShapeName& shape = *files::named_shape(words.shape).shape;
@@ -316,6 +330,9 @@ std::string reply_text(const Outcome& outcome) {
   return text;
 }
 
+/// The same; points become fathom::hull(...).
+std::string as_shape_code(const Body& body) { return body.words ? shape_code(*body.words) : hull_text(body.points); }
+
 /// For a library without a program here, and for bodies by name.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const bool shapes = has_words(pair);
@@ -374,26 +391,14 @@ void make_folder(const std::string& directory) {
   if (error) throw InputError(directory, 0, "cannot be made a directory: " + error.message());
 }
 
-}  // namespace
-
-std::string shape_code(const files::NamedBody& words) {
-  if (words.matrix) {
-    std::vector<std::string> rows;
-    for (const auto& row : *words.matrix)
-      rows.push_back(fmt::format("{{{}, {}, {}, {}}}", number(row[0]), number(row[1]), number(row[2]), number(row[3])));
-    return fmt::format("fathom::moved({}, fathom::Pose{{{{{}}}}})", unmoved(words), fmt::join(rows, ", "));
-  }
-  const Quaternion& q = words.turn;
-  const bool upright = q.x == 0 && q.y == 0 && q.z == 0;
-  if (upright && words.place == Point{}) return unmoved(words);
-  return fmt::format("fathom::moved({}, fathom::rigid_pose({{{}, {}, {}, {}}}, {}))", unmoved(words), number(q.w),
-                     number(q.x), number(q.y), number(q.z), triple(words.place));
-}
-
+/// The body in C++: its points as {{x, y, z}, ...}, or the functions of fathom/shape.hpp that make
+/// it, as fathom::moved(fathom::sphere(0.5), ...). Numbers are the shortest decimals that read back
+/// as the same binary64 number.
 std::string body_code(const Body& body) { return body.words ? shape_code(*body.words) : list(body.points); }
 
-std::string as_shape_code(const Body& body) { return body.words ? shape_code(*body.words) : hull_text(body.points); }
-
+/// The user's own program: `text` with each @A@ and @B@ filled by body_code, and each @A_JSON@ and
+/// @B_JSON@ by the body as the subject is sent it. Of a variant it is the case itself. Nothing else
+/// is changed.
 std::string filled_harness(std::string text, const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const Case there = in_unit(pair, outcome.fit);
   for (const auto& [name, body] : {std::pair{"A", &there.a}, {"B", &there.b}})
@@ -404,6 +409,8 @@ std::string filled_harness(std::string text, const SubjectInfo& info, const Case
         text.replace(at, mark.size(), value);
   return text;
 }
+
+}  // namespace
 
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const std::optional<AskingProgram> program = has_words(pair) ? std::nullopt : program_for(info);

@@ -12,19 +12,6 @@
 
 namespace fathom::harness {
 
-/// The body in C++: its points as {{x, y, z}, ...}, or the functions of fathom/shape.hpp that make
-/// it, as fathom::moved(fathom::sphere(0.5), ...). Numbers are the shortest decimals that read back
-/// as the same binary64 number.
-std::string body_code(const Body& body);
-/// The same; points become fathom::hull(...).
-std::string as_shape_code(const Body& body);
-std::string shape_code(const files::NamedBody& words);
-
-/// The user's own program: `text` with each @A@ and @B@ filled by body_code, and each @A_JSON@ and
-/// @B_JSON@ by the body as the subject is sent it. Of a variant it is the case itself. Nothing else
-/// is changed.
-std::string filled_harness(std::string text, const SubjectInfo& info, const Case& pair, const Outcome& outcome);
-
 /// A whole C++ program that puts the case to the subject's library (libccd, FCL, Bullet, ODE:
 /// info.library) by its own calls and prints what it answers; for any other library, and for bodies
 /// by name, a GoogleTest that hands the recorded answer to fathom::judge, whose first line says
