@@ -20,19 +20,6 @@ void make_plain(files::NamedBody& words) {
   for (files::NamedBody& term : words.terms) make_plain(term);
 }
 
-/// The same of the numbers that are no lengths: turns, matrices, normals.
-void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
-  if (words.matrix) {
-    for (auto& row : *words.matrix)
-      for (std::size_t k = 0; k < 3; ++k) use(row[k]);
-  } else {
-    for (mpq_class* value : {&words.turn.w, &words.turn.x, &words.turn.y, &words.turn.z}) use(*value);
-  }
-  if (const auto normal = words.fields.numbers.find("normal"); normal != words.fields.numbers.end())
-    for (mpq_class& value : normal->second) use(value);
-  for (files::NamedBody& term : words.terms) for_each_slope(term, use);
-}
-
 }  // namespace
 
 long exponent_of(const mpq_class& value) {
@@ -61,6 +48,18 @@ void for_each_length(files::NamedBody& words, const std::function<void(mpq_class
     for (mpq_class* value : {&p.x, &p.y, &p.z}) use(*value);
   for (std::size_t axis = 0; axis < 3; ++axis) use(place_along(words, axis));
   for (files::NamedBody& term : words.terms) for_each_length(term, use);
+}
+
+void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use) {
+  if (words.matrix) {
+    for (auto& row : *words.matrix)
+      for (std::size_t k = 0; k < 3; ++k) use(row[k]);
+  } else {
+    for (mpq_class* value : {&words.turn.w, &words.turn.x, &words.turn.y, &words.turn.z}) use(*value);
+  }
+  if (const auto normal = words.fields.numbers.find("normal"); normal != words.fields.numbers.end())
+    for (mpq_class& value : normal->second) use(value);
+  for (files::NamedBody& term : words.terms) for_each_slope(term, use);
 }
 
 mpq_class& place_along(files::NamedBody& words, std::size_t axis) {
@@ -115,37 +114,6 @@ Reply in_unit(Reply reply, long exponent) {
     if (contact.depth) scale(*contact.depth);
   }
   return reply;
-}
-
-void for_each_number(Case& pair, const std::function<void(mpq_class&)>& change) {
-  for (Body* body : {&pair.a, &pair.b}) {
-    if (body->words) {
-      files::NamedBody words = *body->words;
-      for_each_length(words, change);
-      for_each_slope(words, change);
-      *body = files::body_of(std::move(words));
-      continue;
-    }
-    for_each_hull(*body, [&](std::vector<Point>& points) {
-      for (Point& p : points)
-        for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
-    });
-  }
-}
-
-void for_each_number(const Case& pair, const std::function<void(const mpq_class&)>& look) {
-  for (const Body* body : {&pair.a, &pair.b}) {
-    if (body->words) {
-      files::NamedBody words = *body->words;
-      for_each_length(words, look);
-      for_each_slope(words, look);
-      continue;
-    }
-    for_each_hull(*body, [&](const std::vector<Point>& points) {
-      for (const Point& p : points)
-        for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
-    });
-  }
 }
 
 mpq_class largest_coordinate(const Case& pair) {

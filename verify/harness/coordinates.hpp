@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,9 @@ std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberForm
 /// place; not to normals and turns.
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
+/// The same of the numbers that are no lengths: turns, matrices, normals.
+void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
+
 /// The number that says where a named body is along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 
@@ -61,42 +65,32 @@ void for_each_hull(const Body& body, Look look) {
   for (const std::vector<Point>& piece : *body.pieces) look(piece);
 }
 
-/// Applies change(mpq_class&) to every coordinate of both bodies; to the lengths of a body that has
-/// words, which must stay a body.
-template <class Change>
-void for_each_coordinate(Case& pair, Change change) {
-  for (Body* body : {&pair.a, &pair.b}) {
+/// Calls visit(mpq_class&) for every coordinate of both bodies; for the lengths of a body that has
+/// words, which must stay a body; and for its slopes too, if they are asked for. What it changes is
+/// changed in `pair`, unless that is const. Throws std::invalid_argument where what comes out is no
+/// body.
+template <class Pair, class Visit>
+void for_each_coordinate(Pair& pair, Visit visit, bool with_slopes = false) {
+  for (auto* body : {&pair.a, &pair.b}) {
     if (body->words) {
       files::NamedBody words = *body->words;
-      for_each_length(words, change);
-      *body = files::body_of(std::move(words));
+      for_each_length(words, visit);
+      if (with_slopes) for_each_slope(words, visit);
+      if constexpr (!std::is_const_v<Pair>) *body = files::body_of(std::move(words));
       continue;
     }
-    for_each_hull(*body, [&](std::vector<Point>& points) {
-      for (Point& p : points)
-        for (mpq_class* value : {&p.x, &p.y, &p.z}) change(*value);
-    });
-  }
-}
-template <class Look>
-void for_each_coordinate(const Case& pair, Look look) {
-  for (const Body* body : {&pair.a, &pair.b}) {
-    if (body->words) {
-      files::NamedBody words = *body->words;
-      for_each_length(words, look);
-      continue;
-    }
-    for_each_hull(*body, [&](const std::vector<Point>& points) {
-      for (const Point& p : points)
-        for (const mpq_class* value : {&p.x, &p.y, &p.z}) look(*value);
+    for_each_hull(*body, [&](auto& points) {
+      for (auto& p : points)
+        for (auto* value : {&p.x, &p.y, &p.z}) visit(*value);
     });
   }
 }
 
-/// Applies change(mpq_class&) to every coordinate as above, and to the slopes of bodies that have
-/// words. Throws std::invalid_argument where what comes out is no body.
-void for_each_number(Case& pair, const std::function<void(mpq_class&)>& change);
-void for_each_number(const Case& pair, const std::function<void(const mpq_class&)>& look);
+/// The same with the slopes.
+template <class Pair, class Visit>
+void for_each_number(Pair& pair, Visit visit) {
+  for_each_coordinate(pair, visit, true);
+}
 
 /// The case with all lengths times 2^exponent. A shape must have words.
 Case in_unit(Case pair, long exponent);
