@@ -33,15 +33,12 @@
 namespace fathom::cli {
 namespace {
 
+using page::counted;
 using stages::PairFate;
 using stages::StagedBody;
 using stages::StagedChart;
 using stages::StagedPair;
 using stages::Stages;
-
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::string answer_text(const Stages& stages) {
   const std::string status(stages.status ? name(*stages.status) : "undecided");

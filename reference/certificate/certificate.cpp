@@ -31,10 +31,6 @@ Certificate of_bodies(std::span<const Point> a, std::span<const Point> b, ClaimK
   return certificate;
 }
 
-[[noreturn]] void contradiction(const char* what) {
-  throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
-}
-
 // Q, found anew unless the answer brought it along. The search does not look at the answer, so this
 // is a check of it too.
 InnerPolytope proof_of_depth(std::span<const Point> a, std::span<const Point> b, const Penetration& answer,
@@ -272,6 +268,10 @@ std::string text_of(Certificate certificate, std::string_view id) {
 }  // namespace
 
 kernels::Report validate(const Certificate& certificate) { return Check(certificate).run(); }
+
+void contradiction(const char* what) {
+  throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
+}
 
 void write_inner(Writer& out, const InnerPolytope& inner) {
   out.word("vertices").word(inner.vertices.size()).end();

@@ -168,6 +168,9 @@ void write_points(Writer& out, std::string_view name, std::span<const P> points)
   for (const P& p : points) out.words(p).end();
 }
 
+/// Throws std::logic_error: an answer and its proof do not agree.
+[[noreturn]] void contradiction(const char* what);
+
 // The parts that both formats have.
 
 void write_inner(Writer& out, const InnerPolytope& inner);

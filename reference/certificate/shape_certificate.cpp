@@ -19,10 +19,6 @@
 namespace fathom::certificate {
 namespace {
 
-[[noreturn]] void contradiction(const char* what) {
-  throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
-}
-
 std::vector<Point> points_of(const Shape& shape) {
   std::optional<std::vector<Point>> points = shapes::polytope_points(shape, most_expanded_points);
   if (!points) throw std::invalid_argument("a sum has too many points to be written out, or a core is curved");

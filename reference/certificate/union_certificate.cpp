@@ -15,10 +15,6 @@
 namespace fathom::certificate {
 namespace {
 
-[[noreturn]] void contradiction(const char* what) {
-  throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
-}
-
 class UnionWriter {
  public:
   UnionWriter(const Pieces& a, const Pieces& b, std::string_view id) : a_(a), b_(b), out_(20000) {

@@ -135,8 +135,6 @@ Point small_lattice_point(Random& random) {
   return {random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)};
 }
 
-bool is_origin(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
-
 bool parallel(const Point& p, const Point& q) {
   return p.x * q.y == p.y * q.x && p.y * q.z == p.z * q.y && p.z * q.x == p.x * q.z;
 }
@@ -146,7 +144,7 @@ std::vector<Point> two_directions(Random& random) {
   std::vector<Point> chosen;
   while (chosen.size() < 2) {
     const Point d = small_lattice_point(random);
-    const bool independent = !is_origin(d) && (chosen.empty() || !parallel(d, chosen.front()));
+    const bool independent = d != Point{} && (chosen.empty() || !parallel(d, chosen.front()));
     if (independent) chosen.push_back(d);
   }
   return chosen;
@@ -195,7 +193,7 @@ Bodies near_ties(Random& random, unsigned n) {
   const Body body = symmetric_solid(random, n);
   const mpq_class gap = times_power_of_two(1, -random.between(10, 200));
   Point direction = small_lattice_point(random);
-  while (is_origin(direction)) direction = small_lattice_point(random);
+  while (direction == Point{}) direction = small_lattice_point(random);
   return {body, translated(body, gap * direction)};
 }
 

@@ -218,8 +218,6 @@ constexpr std::size_t window =
 
 const Point pole{0, 0, 1}, upright{0, 1, 0};
 
-bool is_origin(const Point& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
-
 /// `window` successive members from a random place on; all of a short list, in another order.
 template <class T>
 std::vector<T> some(std::vector<T> list, Random& random) {
@@ -256,7 +254,7 @@ std::optional<Turn> smallest_turn(const std::vector<Point>& directions, Target t
   mpq_class most = 0;
   for (const Point& from : directions) {
     const Point to = target(from);
-    if (is_origin(to)) continue;
+    if (to == Point{}) continue;
     if (const mpq_class here = agreement(from, to); here > most) {
       most = here;
       best = Turn{from, to};
@@ -371,7 +369,7 @@ void nodes_on_one_vertical(Bodies& bodies, Random& random) {
   std::optional<Turn> best;
   for (const Point& m : normals(bodies.b, random)) {
     const Point circle = cross(m, upright);
-    if (is_origin(circle)) continue;
+    if (circle == Point{}) continue;
     const auto turn = smallest_turn(of_a, [&](const Point& n) { return across(n, circle); });
     if (turn && (!best || agreement(turn->from, turn->to) > agreement(best->from, best->to))) best = turn;
   }

@@ -69,7 +69,7 @@ SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
 /// Whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);
 
-// ---- their JSON, whose numbers are as they were written, even by hand, as a NaN by printf("%g") ----
+// ---- their JSON, whose numbers are as written, even by hand, as a NaN by printf("%g") ----
 
 using text::JsonValue;
 

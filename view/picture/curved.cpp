@@ -134,26 +134,9 @@ struct NearAtom {
 };
 using NearTerm = std::vector<NearAtom>;
 
-mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
-
-/// How far the body reaches from the sum of the first atoms' centers, at most.
-mpq_class extent_of(const std::vector<Term>& terms) {
-  mpq_class extent = 0;
-  for (const Term& term : terms) {
-    mpq_class most = 0;
-    for (const Atom& atom : term.atoms) {
-      mpq_class far = largest(atom.center - term.atoms.front().center);
-      for (const Point& axis : atom.axes) far += largest(axis);
-      most = std::max(most, far);
-    }
-    extent += most;
-  }
-  return extent;
-}
-
 class Body {
  public:
-  explicit Body(const std::vector<Term>& terms) : extent_(extent_of(terms)) {
+  explicit Body(const std::vector<Term>& terms) : extent_(reach_of(terms)) {
     if (extent_ == 0) return;
     const auto near = [&](const Point& v) {
       const Point share = (1 / extent_) * v;
@@ -261,6 +244,20 @@ void add_rim(const Body& body, const Disc& disc, const Triple& face, const Tripl
 }
 
 }  // namespace
+
+mpq_class reach_of(const std::vector<Term>& terms) {
+  mpq_class reach = 0;
+  for (const Term& term : terms) {
+    mpq_class most = 0;
+    for (const Atom& atom : term.atoms) {
+      mpq_class far = largest(atom.center - term.atoms.front().center);
+      for (const Point& axis : atom.axes) far += largest(axis);
+      most = std::max(most, far);
+    }
+    reach += most;
+  }
+  return reach;
+}
 
 Bounds2 curved_box(const Curved& body, const View& view) {
   Bounds2 result = Bounds2::of({0, 0});

@@ -71,6 +71,10 @@ std::optional<Bounds2> box_of(const Drawn& body, const View& view);
 /// other body there is one.
 std::vector<std::vector<Dot>> silhouettes(const Drawn& body, const Window& window, const Point& by = {});
 
+/// How far a coordinate of the sum of these terms can be from that of the sum of their first atoms'
+/// centers.
+mpq_class reach_of(const std::vector<Term>& terms);
+
 /// A point of the shape, which is no half-space, that is farthest in the direction u, to within a
 /// few roundings.
 Point farthest(const Shape& shape, const Point& u);

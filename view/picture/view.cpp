@@ -18,8 +18,8 @@ using Triple = Vec3<double>;
 
 /// A multiple whose greatest component is 1 or -1; zero stays.
 Point shortened(const Point& v) {
-  const mpq_class largest = std::max({mpq_class(abs(v.x)), mpq_class(abs(v.y)), mpq_class(abs(v.z))});
-  return largest == 0 ? v : (1 / largest) * v;
+  const mpq_class size = largest(v);
+  return size == 0 ? v : (1 / size) * v;
 }
 
 Triple rounded(const Point& v) { return {v.x.get_d(), v.y.get_d(), v.z.get_d()}; }
@@ -213,6 +213,8 @@ std::vector<Part> rest_of(std::vector<Part> covered) {
 Dot between(const Dot& p, const Dot& q, double share) { return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; }
 
 }  // namespace
+
+mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
 Triple unit_vector(const Point& v) { return normalised(rounded(shortened(v))); }
 

@@ -17,6 +17,9 @@
 
 namespace fathom::picture {
 
+/// The largest |coordinate|.
+mpq_class largest(const Point& p);
+
 /// A place in the plane of a picture, exactly; y points up.
 struct Spot {
   mpq_class x, y;

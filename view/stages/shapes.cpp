@@ -13,10 +13,13 @@
 #include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "view/picture/drawn.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {
 namespace {
+
+using picture::largest;
 
 // The sampled directions: circles of latitude, and points on each.
 constexpr int latitudes = 16, longitudes = 32;
@@ -26,8 +29,6 @@ constexpr double steps = 1 << 20;
 
 Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }
 Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
-
-mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
 const std::vector<Term>* terms_of(const Shape& shape) { return std::get_if<std::vector<Term>>(&shape.core); }
 
@@ -40,17 +41,7 @@ Point base_of(const std::vector<Term>& terms) {
 
 // How far from the base a coordinate of the body can be.
 mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
-  mpq_class reach = shape.radius;
-  for (const Term& term : terms) {
-    mpq_class most;
-    for (const Atom& atom : term.atoms) {
-      mpq_class far = largest(atom.center - term.atoms.front().center);
-      for (const Point& axis : atom.axes) far += largest(axis);
-      most = std::max(most, far);
-    }
-    reach += most;
-  }
-  return reach;
+  return shape.radius + picture::reach_of(terms);
 }
 
 // A body in binary64, on the scale of places, seen from its base.

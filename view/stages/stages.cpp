@@ -13,10 +13,13 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/solve/depth.hpp"
+#include "view/picture/view.hpp"
 #include "view/stages/parts.hpp"
 
 namespace fathom::stages {
 namespace {
+
+using picture::largest;
 
 // Far from O, a body's digits are those of its place: then places count from the body. So they do
 // if it is farther than this many extents.
@@ -24,8 +27,6 @@ constexpr int near_origin = 4;
 
 // Beyond this power of two, squares and products of places would leave binary64.
 constexpr long comfortable_exponent = 300;
-
-mpq_class largest(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
 mpq_class times_power_of_two(mpq_class value, long exponent) {
   if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
