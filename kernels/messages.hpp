@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of users in messages: untrusted bytes made printable, and misspelt words found.
+// Words in messages: untrusted bytes of users made printable, misspelt words found, things counted.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace fathom::kernels {
 /// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable
 /// ASCII as \xNN; "nothing" if it is empty.
 std::string shown(std::string_view text);
+
+/// "1 way", "2 ways".
+std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 
 /// Returns `text` with the bytes outside printable ASCII as \xNN, cut after `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit);

@@ -22,6 +22,7 @@
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/signed_depth.hpp"
+#include "kernels/messages.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
@@ -33,7 +34,7 @@
 namespace fathom::cli {
 namespace {
 
-using page::counted;
+using kernels::counted;
 using stages::PairFate;
 using stages::StagedBody;
 using stages::StagedChart;

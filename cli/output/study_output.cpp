@@ -14,6 +14,7 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/infinitesimal.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/output/json_values.hpp"
@@ -25,15 +26,11 @@ namespace {
 constexpr std::size_t body_column = 3;
 
 constexpr std::size_t most_monomials = 6;
-constexpr std::size_t most_indices = 12;
 constexpr std::size_t longest_exact = 40;
 constexpr std::size_t decided_column = 52, features_column = 32, none_column = 6;
 
+using kernels::counted;
 using Lines = std::vector<std::string>;
-
-std::string count_text(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 /// With the gap to the column before.
 std::string decided_text(const TierCounts& tiers) {
@@ -64,12 +61,7 @@ void add_predicates(Lines& lines, const PredicateCounts& counts) {
 }
 
 void add_features(Lines& parts, std::string_view body, const std::vector<Feature>& features) {
-  for (const Feature& points : features) {
-    const std::size_t shown = std::min(points.size(), most_indices);
-    parts.push_back(fmt::format("{} {}{}", body,
-                                fmt::join(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(shown), " "),
-                                shown < points.size() ? fmt::format(" ... ({} in all)", points.size()) : ""));
-  }
+  for (const Feature& points : features) parts.push_back(fmt::format("{} {}", body, indices_text(points)));
 }
 
 /// "A 0 1, B 4 5": the input points of each feature.
@@ -214,9 +206,8 @@ Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}
 }  // namespace
 
 std::string size_text(const BodySize& size) {
-  return fmt::format("{}, {}, {}{}", count_text(size.vertices, "vertex", "vertices"),
-                     count_text(size.edges, "edge", "edges"), count_text(size.facets, "facet", "facets"),
-                     size.rank < 3 ? "; flat" : "");
+  return fmt::format("{}, {}, {}{}", counted(size.vertices, "vertex", "vertices"), counted(size.edges, "edge", "edges"),
+                     counted(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
 }
 
 std::string status_text(const Depth& depth) {
@@ -224,7 +215,7 @@ std::string status_text(const Depth& depth) {
   if (depth.status() != Status::penetrating) return result;
   const std::string squared = exact_text(depth.squared());
   result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
-  return result + "; " + count_text(depth.optima().size(), "optimum", "optima");
+  return result + "; " + counted(depth.optima().size(), "optimum", "optima");
 }
 
 std::string spoken(std::string_view name) {
@@ -299,7 +290,7 @@ std::string status_text(const SignedDepth& depth) {
 std::string size_text(const ShapeSize& size) {
   Lines parts;
   const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
-    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
+    if (count > 0) parts.push_back(counted(count, one, many));
   };
   if (size.half_space) parts.emplace_back("a half-space");
   if (size.terms > 1) add(size.terms, "term", "terms");

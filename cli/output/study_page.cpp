@@ -21,6 +21,7 @@
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/study.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
@@ -38,7 +39,12 @@ class Marks {
   explicit Marks(std::string anchor, std::size_t most = 2000) : anchor_(std::move(anchor)), most_(most) {}
 
   /// The id of a feature; empty if there are too many.
-  std::string of(bool of_a, const Feature& feature);
+  std::string of(bool of_a, const Feature& feature) {
+    const auto found = ids_.find({of_a, feature});
+    if (found != ids_.end()) return found->second;
+    if (ids_.size() == most_) return "";
+    return ids_[{of_a, feature}] = fmt::format("{}{}{}", anchor_, of_a ? "a" : "b", ids_.size() + 1);
+  }
   /// By body and feature.
   [[nodiscard]] const std::map<std::pair<bool, Feature>, std::string>& all() const { return ids_; }
 
@@ -56,13 +62,11 @@ struct CoincidenceRow {
   std::vector<std::string> lights;  ///< the ids that the row lights
 };
 
-/// A table that can be filtered, with what is not listed and the names of what there is none of.
-std::string coincidences_part(const std::string& anchor, const std::vector<CoincidenceRow>& rows,
-                              const std::vector<std::pair<std::string, std::uint64_t>>& counts);
-
+using kernels::counted;
 using picture::FactList;
 
-using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
+using Rows = std::vector<CoincidenceRow>;
+using Counts = std::vector<std::pair<std::string, std::uint64_t>>;  // by name, as spoken
 
 std::string row_element(const CoincidenceRow& row) {
   const std::string lights = row.lights.empty() ? "" : fmt::format(" data-lights=\"{}\"", fmt::join(row.lights, " "));
@@ -72,7 +76,7 @@ std::string row_element(const CoincidenceRow& row) {
       row.kind, lights, row.number, row.a, row.b);
 }
 
-std::string unlisted_text(const std::vector<CoincidenceRow>& rows, const Counts& counts) {
+std::string unlisted_text(const Rows& rows, const Counts& counts) {
   std::vector<std::string> parts;
   for (const auto& [kind, count] : counts) {
     const auto listed = static_cast<std::uint64_t>(std::ranges::count(rows, kind, &CoincidenceRow::kind));
@@ -98,15 +102,8 @@ std::string counts_list(const std::string& anchor, const Counts& counts) {
   return result;
 }
 
-std::string Marks::of(bool of_a, const Feature& feature) {
-  const auto found = ids_.find({of_a, feature});
-  if (found != ids_.end()) return found->second;
-  if (ids_.size() == most_) return "";
-  return ids_[{of_a, feature}] = fmt::format("{}{}{}", anchor_, of_a ? "a" : "b", ids_.size() + 1);
-}
-
-std::string coincidences_part(const std::string& anchor, const std::vector<CoincidenceRow>& rows,
-                              const Counts& counts) {
+/// A table that can be filtered, with what is not listed and the names of what there is none of.
+std::string coincidences_part(const std::string& anchor, const Rows& rows, const Counts& counts) {
   std::string result = counts_list(anchor, counts);
   if (rows.empty()) return result;
   std::string body;
@@ -183,18 +180,7 @@ std::string study_figure(const Case& pair, const SignedDepth& depth, const std::
 
 // One case of the page of studies.
 
-using Rows = std::vector<CoincidenceRow>;
-using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
-
 constexpr std::size_t longest_case = 200'000;  // characters of a case as JSON
-constexpr std::size_t most_indices = 12;       // of one feature
-
-std::string indices_text(const Feature& feature) {
-  std::string result;
-  for (std::size_t i = 0; i < std::min(feature.size(), most_indices); ++i)
-    result += fmt::format("{}{}", i > 0 ? " " : "", feature[i]);
-  return feature.size() <= most_indices ? result : fmt::format("{} ... ({} in all)", result, feature.size());
-}
 
 /// The features of one body in a coincidence, as links to their marks.
 std::string features_text(CoincidenceRow& row, Marks* marks, bool of_a, const std::vector<Feature>& features) {
@@ -323,10 +309,6 @@ std::string study_section(const Case& pair, const ShapeStudy& study, const std::
 constexpr std::size_t most_shown = 500;   // cases in full
 constexpr std::size_t most_faults = 100;  // sentences
 
-std::string count_text(std::size_t count, std::string_view one, std::string_view more) {
-  return fmt::format("{} {}", count, count == 1 ? one : more);
-}
-
 constexpr std::array<std::pair<const char*, const char*>, 4> status_styles{
     {{"penetrating", "good"}, {"touching", "fair"}, {"disjoint", "left"}, {"undecided", "lost"}}};
 
@@ -378,8 +360,8 @@ std::string StudyPage::head() const {
     shares.push_back({status, found == statuses_.end() ? 0 : found->second, style, ""});
   }
   std::string result =
-      fmt::format("<h1>What coincides</h1>\n<p class=\"answer\">{}{}</p>\n", count_text(cases_, "case", "cases"),
-                  faults_.empty() ? "" : fmt::format(", {}", count_text(faults_.size(), "error", "errors")));
+      fmt::format("<h1>What coincides</h1>\n<p class=\"answer\">{}{}</p>\n", counted(cases_, "case", "cases"),
+                  faults_.empty() ? "" : fmt::format(", {}", counted(faults_.size(), "error", "errors")));
   return result + picture::share_bar(shares, "shares", "Cases by status");
 }
 

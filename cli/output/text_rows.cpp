@@ -63,13 +63,6 @@ constexpr std::size_t most_indices = 12;
 constexpr std::size_t behind_first = 4;  // spaces before the further lines of a case
 constexpr std::size_t short_pair = 54;   // characters of two points that share a line of 80
 
-/// Indices of the points that span a face; the first few of a large one.
-std::string indices_text(const std::vector<std::uint32_t>& indices) {
-  if (indices.size() <= most_indices) return fmt::format("{}", fmt::join(indices, " "));
-  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "),
-                     indices.size());
-}
-
 }  // namespace
 
 std::string root_text(const mpq_class& squared) {
@@ -138,6 +131,12 @@ std::string case_line(const std::string& id, const std::vector<std::string>& par
 }
 
 std::string safe_id(const std::string& id) { return without_controls(id) == id ? id : text::Json(id).text(); }
+
+std::string indices_text(const std::vector<std::uint32_t>& indices) {
+  if (indices.size() <= most_indices) return fmt::format("{}", fmt::join(indices, " "));
+  return fmt::format("{} ... ({} in all)", fmt::join(indices.begin(), indices.begin() + most_indices, " "),
+                     indices.size());
+}
 
 std::string contact_text(const Contact& contact, bool same_body) {
   return fmt::format("{}: points {} of A, {} of {}", name(contact.kind), indices_text(contact.a),

@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -84,6 +85,9 @@ std::string case_line(const std::string& id, const std::vector<std::string>& par
 
 /// Returns the id, or as a JSON string if it holds control characters.
 std::string safe_id(const std::string& id);
+
+/// Indices of the points that span a face, "0 1 2"; the first few of a large one.
+std::string indices_text(const std::vector<std::uint32_t>& indices);
 
 /// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);

@@ -230,10 +230,6 @@ void add_distance(FactList& rows, const Data& depth) {
 
 std::string shown(const Data& value) { return shown_text(plain(value)); }
 
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string answer_sentence(const Data& depth) {
   if (is(depth, "penetrating")) return "A overlaps B by " + length_text(depth);
   if (is(depth, "touching")) return "A and B touch";

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/messages.hpp"
 #include "reference/text/json_value.hpp"
 #include "view/stages/stages.hpp"
 
@@ -54,6 +55,7 @@ std::string html_page(const UnionSheet& sheet);
 // ---- what pages are put together from ----
 
 using Data = text::JsonValue;
+using kernels::counted;
 
 /// Returns the text with each {{name}} replaced by the value of that name, which is put in as it
 /// is: a gap in a value is none. Throws std::logic_error if a name has no value.
@@ -77,9 +79,6 @@ std::string_view script();
 /// A number, a word, or (1, 2, 3) of an array, as text that is escaped; "-" for null. Very long
 /// texts are cut, and say so.
 std::string shown(const Data& value);
-
-/// "1 way", "2 ways".
-std::string counted(std::uint64_t count, std::string_view one, std::string_view many);
 
 // The parts of the page that are made of its data: each is HTML, and texts of others are escaped in
 // it. Numbers of the answer are copied as they stand in its JSON.

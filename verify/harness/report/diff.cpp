@@ -96,8 +96,8 @@ void add_report(Lines& lines, const char* which, const ReportFile& report) {
   lines.push_back(fmt::format("{}  {}, {}", which, ascii(report.title()), ascii(report.path)));
   if (!report.whole) lines.push_back("     cut short: it has no summary");
   if (report.repeated > 0)
-    lines.push_back(fmt::format("     {} of an id that comes again; the last counts",
-                                count_text(report.repeated, "line", "lines")));
+    lines.push_back(
+        fmt::format("     {} of an id that comes again; the last counts", counted(report.repeated, "line", "lines")));
 }
 
 // ---- as JSON: diff.schema.json ----
@@ -277,7 +277,7 @@ Lines diff_text(const ReportFile& before, const ReportFile& after, const ReportD
   add_changes(lines, "same verdict, another error: the largest changes", diff.errors, most);
   lines.push_back("");
   if (diff.other_points > 0)
-    lines.push_back(fmt::format("{} on other points", count_text(diff.other_points, "case was put", "cases were put")));
+    lines.push_back(fmt::format("{} on other points", counted(diff.other_points, "case was put", "cases were put")));
   lines.push_back("errors are in parts of the largest coordinate");
   lines.push_back(totals_text(diff));
   return lines;
@@ -313,7 +313,7 @@ std::string diff_page(const ReportFile& before, const ReportFile& after, const R
   if (diff.other_points > 0)
     body += fmt::format(
         "<p class=\"warning\" role=\"note\">{} on other points: of another precision, or another case.</p>\n",
-        count_text(diff.other_points, "case was put", "cases were put"));
+        counted(diff.other_points, "case was put", "cases were put"));
   body += "</header>\n<main>\n<section><h2>Verdicts</h2>\n" +
           picture::share_bar(verdict_shares(diff.old_row, {}), "old", "The old report") +
           picture::share_bar(verdict_shares(diff.new_row, {}), "new", "The new report") + verdict_table(diff) +

@@ -199,7 +199,7 @@ std::string bar(double x, double width, double ground, std::size_t count, std::s
       "<rect class=\"bar{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"><title>{}: {} "
       "{}</title></rect>",
       fails(verdict) ? " failing" : "", x, ground - height, width - gap, height, name(verdict),
-      count_text(count, "case", "cases"), what);
+      counted(count, "case", "cases"), what);
 }
 
 std::string decade_text(int decade) {

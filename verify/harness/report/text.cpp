@@ -233,7 +233,7 @@ std::vector<std::string> rounding_text(const SubjectInfo& subject) {
 std::string dwarfed_text(const TallyRow& all) {
   return all.dwarfed == 0 ? ""
                           : fmt::format("its own radii are larger than the bodies in {} of {}", all.dwarfed,
-                                        count_text(all.total, "case", "cases"));
+                                        counted(all.total, "case", "cases"));
 }
 
 std::string tolerance_text(const Tolerance& tolerance) {
@@ -249,10 +249,9 @@ std::vector<std::string> price_entries(const TallyRow& row) {
   if (!row.dearer.empty())
     result.push_back(fmt::format("median {} above the depth, worst {}, of {}", error_text(row.dearer.median()),
                                  error_text(row.dearer.worst()),
-                                 count_text(row.dearer.size(), "direction", "directions")));
+                                 counted(row.dearer.size(), "direction", "directions")));
   if (row.longer > 0)
-    result.push_back(count_text(row.longer, "longer translation passes", "longer translations pass") +
-                     " by the policy");
+    result.push_back(counted(row.longer, "longer translation passes", "longer translations pass") + " by the policy");
   return result;
 }
 
@@ -279,12 +278,8 @@ std::string sentence_of(const Outcome& outcome) {
 
 std::string error_text(double error) { return error == 0 ? "0" : fmt::format("{:.3g}", error); }
 
-std::string count_text(std::size_t count, const std::string& one, const std::string& more) {
-  return fmt::format("{} {}", count, count == 1 ? one : more);
-}
-
 std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures, std::size_t unattributed) {
-  std::string result = fmt::format("{}: {} pass, {} fail", count_text(total, "case", "cases"), passes, failures);
+  std::string result = fmt::format("{}: {} pass, {} fail", counted(total, "case", "cases"), passes, failures);
   if (total > passes + failures) result += fmt::format(", {} unsupported", total - passes - failures);
   if (unattributed > 0) result += fmt::format("; {} unattributed", unattributed);
   return result;

@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/messages.hpp"
 #include "verify/harness/outcome.hpp"
 #include "verify/harness/tally.hpp"
 #include "view/picture/markup.hpp"
 
 namespace fathom::harness {
 
+using kernels::counted;
 using picture::ascii;
 using picture::markup;
 
@@ -51,8 +53,6 @@ std::string sentence_of(const Outcome& outcome);
 
 /// Three digits, "-4.44e-16"; an exact zero is "0".
 std::string error_text(double error);
-/// "1 case", "2 cases".
-std::string count_text(std::size_t count, const std::string& one, const std::string& more);
 /// "10000 cases: 9000 pass, 990 fail, 10 unsupported; 2 unattributed"; without the last two where
 /// there are none.
 std::string totals_text(std::size_t total, std::size_t passes, std::size_t failures, std::size_t unattributed = 0);
