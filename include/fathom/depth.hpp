@@ -91,12 +91,11 @@ struct CrossingEdges {
   std::array<GivenPoint, 2> a, b;  ///< the ends of the edge of A, and of that of B
 };
 
-/// Faces that overlap, seen along the direction of the contact: a facet and a facet or an edge. A
-/// vector v stands for the point origin + v / units.
+/// Faces that overlap, seen along the direction of the contact: a facet and a facet or an edge.
 struct OverlappingFaces {
-  std::vector<Vector> a, b;  ///< the corners of the face of A, and of that of B
-  mpz_class units;           ///< > 0
-  Point origin;              ///< the first point of B
+  std::vector<GivenPoint> a, b;  ///< the corners of the face of A, and of that of B
+  GivenPoint origin;             ///< the first point of B
+  mpz_class units;               ///< > 0: times it, all differences from the origin are integral
 };
 
 /// A convex polytope inside P with O in its interior, which proves how far O is from the boundary

@@ -93,6 +93,13 @@ class FixedInteger {
     set_size(n, size_ < 0);
   }
 
+  /// Divides by a divisor of the number, not zero.
+  void divide_by(std::uint64_t divisor) {
+    if (size_ == 0) return;
+    mpn_divexact_1(limbs_, limbs_, limb_count(), divisor);
+    set_size(limb_count(), size_ < 0);
+  }
+
   /// The same number, if it has at most 63 bits.
   [[nodiscard]] std::int64_t to_word() const {
     const auto magnitude = size_ == 0 ? 0 : static_cast<std::int64_t>(limbs_[0]);

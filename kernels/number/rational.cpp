@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "kernels/vector.hpp"
 
@@ -27,20 +28,36 @@ void require_lowest_terms(const mpq_class& value) {
       "a number is not in lowest terms over a positive denominator: mpq_class::canonicalize makes it so");
 }
 
-std::optional<Dyadic> dyadic(const mpq_class& value) {
+namespace {
+
+// What is left of |n|, not zero, without its trailing zeros, and their number; nullopt if that has
+// more than 63 bits.
+std::optional<std::pair<std::uint64_t, long>> odd_part(mpz_srcptr n) {
+  const mp_limb_t* limbs = mpz_limbs_read(n);
+  const std::size_t size = mpz_size(n);
+  std::size_t i = 0;
+  while (limbs[i] == 0) ++i;
+  const int shift = std::countr_zero(limbs[i]);
+  std::uint64_t odd = limbs[i] >> shift;
+  if (i + 1 < size) {
+    const mp_limb_t above = limbs[i + 1];
+    if (i + 2 < size || shift == 0 || above >> shift != 0) return std::nullopt;
+    odd |= above << (64 - shift);
+  }
+  if (odd >> 63 != 0) return std::nullopt;
+  return std::pair(odd, static_cast<long>(64 * i) + shift);
+}
+
+}  // namespace
+
+std::optional<ShortRational> short_rational(const mpq_class& value) {
   const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
-  if (mpz_size(n) > 1 || mpz_sgn(d) <= 0) return std::nullopt;
-  const mp_limb_t magnitude = mpz_getlimbn(n, 0);
-  if (magnitude > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
-  const auto mantissa = mpz_sgn(n) < 0 ? -static_cast<std::int64_t>(magnitude) : static_cast<std::int64_t>(magnitude);
-  const std::size_t highest = mpz_size(d) - 1;
-  const mp_limb_t top = mpz_getlimbn(d, static_cast<mp_size_t>(highest));
-  if (!std::has_single_bit(top)) return std::nullopt;
-  for (std::size_t i = 0; i < highest; ++i)
-    if (mpz_getlimbn(d, static_cast<mp_size_t>(i)) != 0) return std::nullopt;
-  const auto shift = static_cast<long>(64 * highest) + std::countr_zero(top);
-  if (shift == 0) return normalised(mantissa, 0);
-  return magnitude % 2 != 0 ? std::optional(Dyadic{mantissa, -shift}) : std::nullopt;
+  if (mpz_sgn(d) <= 0) return std::nullopt;
+  if (mpz_sgn(n) == 0) return mpz_cmp_ui(d, 1) == 0 ? std::optional(ShortRational{}) : std::nullopt;
+  const auto above = odd_part(n), below = odd_part(d);
+  if (!above || !below || (above->second > 0 && below->second > 0)) return std::nullopt;
+  const auto mantissa = static_cast<std::int64_t>(above->first);
+  return ShortRational{{mpz_sgn(n) < 0 ? -mantissa : mantissa, above->second - below->second}, below->first};
 }
 
 double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }

@@ -56,9 +56,15 @@ inline Dyadic dyadic(double value) {
   return normalised(bits >> 63 != 0 ? -magnitude : magnitude, std::max(biased, 1L) - 1075);
 }
 
-/// The same for a rational. Returns nullopt if the number is not dyadic, not in lowest terms over a
-/// positive denominator, or has a numerator of 2^63 or more.
-std::optional<Dyadic> dyadic(const mpq_class& value);
+/// A rational of few bits: mantissa * 2^exponent / divisor, where the divisor is odd and below 2^63.
+struct ShortRational : Dyadic {
+  std::uint64_t divisor = 1;  ///< > 0
+};
+
+/// The number if its odd parts are that short, as they stand: whether they share a factor is for
+/// the caller to ask. Returns nullopt if they are longer, and if the number is surely not in lowest
+/// terms over a positive denominator.
+std::optional<ShortRational> short_rational(const mpq_class& value);
 
 /// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its
 /// range. Not in line: there g++ 12.2 leaves two out of three coordinates as they are.

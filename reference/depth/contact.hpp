@@ -76,7 +76,7 @@ class Contacts {
     std::vector<std::uint32_t> a = face_corners(bodies_.a, -u), b = face_corners(bodies_.b, u);
     const Integer height = dot(u, bodies_.differences()[{a.front(), b.front()}]);
     const ContactKind kind = kind_of(a.size(), b.size());
-    return {n, bodies_.over_unit(height), {kind, std::move(a), std::move(b)}};
+    return {n, bodies_.in_units(height), {kind, std::move(a), std::move(b)}};
   }
 
   /// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot
@@ -88,20 +88,15 @@ class Contacts {
     if (b.size() == 1) return CornerOfB{of_b(0)};
     if (a.size() == 1) return CornerOfA{of_a(0)};
     if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
-    const polytope::PlacedPair& frame = bodies_.frame();  // of a wide lattice the bodies themselves: no copy
-    return OverlappingFaces{points(bodies_.a, a), points(bodies_.b, b), frame.denominator, frame.origin};
+    OverlappingFaces faces{{}, {}, bodies_.point_of_b(0), bodies_.units()};
+    for (std::size_t k = 0; k < a.size(); ++k) faces.a.push_back(of_a(k));
+    for (std::size_t k = 0; k < b.size(); ++k) faces.b.push_back(of_b(k));
+    return faces;
   }
 
  private:
   using Body = std::remove_cvref_t<decltype(std::declval<const Bodies&>().a)>;
   using Integer = polytope::IntegerOf<Body>;
-
-  static std::vector<Vector> points(const Body& body, const std::vector<std::uint32_t>& ids) {
-    std::vector<Vector> points;
-    points.reserve(ids.size());
-    for (const std::uint32_t i : ids) points.push_back(polytope::to_vector(body[i]));
-    return points;
-  }
 
   const Bodies& bodies_;
 };

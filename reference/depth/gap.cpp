@@ -12,7 +12,7 @@
 #include "kernels/number/rational.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/polygon.hpp"
 
 namespace fathom::depth {
@@ -92,8 +92,7 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
 template <class Bodies>
 std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies,
                                                        const Penetration& penetration, Workspace& workspace) {
-  const mpz_class units = bodies.units();
-  const mpq_class square(units * units), nearest = penetration.squared() * square;
+  const mpq_class unit = bodies.unit(), square = unit * unit, nearest = penetration.squared() / square;
   std::optional<mpq_class> least;
   auto differences = bodies.differences();
   for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
@@ -101,7 +100,7 @@ std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context
   const std::optional<mpq_class> next =
       expanding::next_nearest_by_expansion(context, bodies, nearest, *least, workspace);
   if (!next) return std::nullopt;
-  return std::optional<mpq_class>(*next / square);
+  return std::optional<mpq_class>(*next * square);
 }
 
 std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const polytope::Points& b,

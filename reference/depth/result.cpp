@@ -63,6 +63,17 @@ Point over_line(const CrossingEdges& edges, const Vector& n) {
   return start + share * along;
 }
 
+// The faces overlap on the lattice of the answer.
+Witness witness_of(const OverlappingFaces& faces, const Vector& n) {
+  const polytope::PlacedPair frame{faces.units, faces.origin.exact(), {}, {}};
+  const auto corners = [&](const std::vector<GivenPoint>& given) {
+    std::vector<Vector> points;
+    for (const GivenPoint& p : given) points.push_back(frame.vector(p.exact()));
+    return depth::ExtremeFace{std::move(points), {}};
+  };
+  return depth::overlap(frame, n, {corners(faces.a), corners(faces.b)});
+}
+
 // Calls the overload for the kind of meeting.
 template <class... Calls>
 struct Overloaded : Calls... {
@@ -95,8 +106,7 @@ Witness Penetration::witness() const {
   return std::visit(Overloaded{[](const Witness& given) { return given; },
                                [&](const OverlappingFaces& faces) {
                                  const kernels::DefaultFloatEnvironment environment;
-                                 const polytope::PlacedPair frame{faces.units, faces.origin, {}, {}};
-                                 return depth::overlap(frame, first.direction, {{faces.a, {}}, {faces.b, {}}});
+                                 return witness_of(faces, first.direction);
                                },
                                [&](const CornerOfA& a) {
                                  return Witness{a.point.exact(), a.point.exact() + first.translation()};

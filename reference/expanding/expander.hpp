@@ -21,7 +21,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::expanding {
 

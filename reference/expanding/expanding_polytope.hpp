@@ -16,7 +16,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::expanding {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rationals are multiplied by their common denominator, and what all integers share is divided out.
-// Dyadic numbers need shifts only: the unit is the lowest bit that any coordinate has.
 #include "reference/polytope/lattice.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -28,6 +25,9 @@ constexpr std::size_t short_enough = 4096;
 constexpr std::size_t times_the_widest = 8;
 // Of all coordinates together, where the denominator outgrows them: 256 MB.
 constexpr std::uint64_t most_bits = std::uint64_t{1} << 31;
+
+// Of this many denominators each is looked up where it comes again; of more, that would take too long.
+constexpr std::size_t most_divisors = 64;
 
 std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
 
@@ -87,17 +87,24 @@ mpz_class common_denominator(kernels::Positions a, kernels::Positions b, Asking&
   return all ? common : mpz_class(0);
 }
 
-/// q * denominator, which the caller knows to be an integer.
-mpz_class multiple(const mpq_class& q, const mpz_class& denominator) {
-  mpz_class n;
-  mpz_divexact(n.get_mpz_t(), denominator.get_mpz_t(), q.get_den_mpz_t());
-  n *= q.get_num();
-  return n;
-}
+/// Multiplies coordinates along one axis by a denominator, with integral results: what a coordinate's
+/// own denominator leaves of it is kept for the next one.
+class Multiples {
+ public:
+  explicit Multiples(const mpz_class& denominator) : denominator_(denominator), factor_(denominator) {}
 
-Vector multiple(const Point& p, const mpz_class& denominator) {
-  return {multiple(p.x, denominator), multiple(p.y, denominator), multiple(p.z, denominator)};
-}
+  mpz_class operator()(const mpq_class& q) {
+    if (q.get_den() != of_) {
+      of_ = q.get_den();
+      mpz_divexact(factor_.get_mpz_t(), denominator_.get_mpz_t(), of_.get_mpz_t());
+    }
+    return q.get_num() * factor_;
+  }
+
+ private:
+  const mpz_class& denominator_;
+  mpz_class of_ = 1, factor_;
+};
 
 /// The points of both bodies while they are made.
 struct Lattice {
@@ -117,9 +124,10 @@ std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& 
                                       Asking& asking) {
   std::vector<Vector> result;
   result.reserve(body.size());
+  Multiples x(denominator), y(denominator), z(denominator);
   for (const Point& p : body) {
     asking.after(p);
-    Vector v = multiple(p, denominator);
+    Vector v{x(p.x), y(p.y), z(p.z)};
     v.x -= origin.x;
     v.y -= origin.y;
     v.z -= origin.z;
@@ -165,13 +173,40 @@ std::vector<Point> offsets(kernels::Positions body, const Point& origin, Asking&
   return result;
 }
 
+/// Requires many numbers to be in lowest terms, by one greatest common divisor for each denominator:
+/// with the product of its numerators, modulo itself. Only so many denominators are remembered.
+class LowestTerms {
+ public:
+  void require(const mpq_class& q) {
+    const mpz_class& divisor = q.get_den();
+    const bool at_once = sgn(divisor) <= 0 || mpz_popcount(divisor.get_mpz_t()) == 1;  // a bit tells of powers of two
+    if (at_once) return kernels::require_lowest_terms(q);
+    auto known =
+        std::ranges::find(products_, divisor, [](const mpq_class& p) -> const mpz_class& { return p.get_den(); });
+    if (known == products_.end() && products_.size() == most_divisors) return kernels::require_lowest_terms(q);
+    if (known == products_.end()) {
+      products_.push_back(q);
+      return;
+    }
+    mpz_class& product = known->get_num();
+    product *= q.get_num();
+    mpz_tdiv_r(product.get_mpz_t(), product.get_mpz_t(), divisor.get_mpz_t());
+  }
+  void finish() const { std::ranges::for_each(products_, kernels::require_lowest_terms); }
+
+ private:
+  std::vector<mpq_class> products_;  // of numerators, over their denominator
+};
+
 void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) {
   if (a.empty() || b.empty()) throw std::invalid_argument("a body needs at least one point");
+  LowestTerms terms;
   all_coordinates(a, b, [&](const mpq_class& q) {
-    kernels::require_lowest_terms(q);
+    terms.require(q);
     asking.after(q);
     return true;
   });
+  terms.finish();
 }
 
 /// For points whose common denominator is much longer than they are: what differences do not need
@@ -195,123 +230,6 @@ PlacedPair place_wide(kernels::Positions a, kernels::Positions b, Asking& asking
   return with_clouds(std::move(lattice));
 }
 
-// The bits that coordinates have: none below 2^low, none from 2^high on.
-struct Range {
-  long low = 0, high = std::numeric_limits<long>::min();
-
-  // Adds the numbers to the list. False if some number is not dyadic.
-  bool cover(const Points& body, std::vector<kernels::Dyadic>& numbers) {
-    return body.all_coordinates([&](const auto& c) {
-      const std::optional<kernels::Dyadic> value = kernels::dyadic(c);
-      if (!value) return false;
-      numbers.push_back(*value);
-      if (value->mantissa == 0) return true;
-      low = std::min(low, value->exponent);
-      const auto magnitude = static_cast<std::uint64_t>(value->mantissa < 0 ? -value->mantissa : value->mantissa);
-      high = std::max(high, value->exponent + static_cast<long>(std::bit_width(magnitude)));
-      return true;
-    });
-  }
-};
-
-// The point of these three coordinates in units of 2^low.
-void put(const kernels::Dyadic* p, long low, Vec3<std::int64_t>& q) {
-  const auto at = [&](const kernels::Dyadic& c) { return c.mantissa == 0 ? 0 : c.mantissa << (c.exponent - low); };
-  q = {at(p[0]), at(p[1]), at(p[2])};
-}
-void put(const kernels::Dyadic* p, long low, Vec3<NarrowCoordinate>& q) {
-  const auto at = [&](const kernels::Dyadic& c) {
-    return NarrowCoordinate::shifted(c.mantissa, c.mantissa == 0 ? 0 : static_cast<unsigned>(c.exponent - low));
-  };
-  q = {at(p[0]), at(p[1]), at(p[2])};
-}
-
-// Of coordinates: the least number of trailing zeros, and the least e >= 0 with |c| <= 2^e.
-template <class Row>
-class Extent;
-
-template <>
-class Extent<Vec3<std::int64_t>> {
- public:
-  void cover(std::int64_t c) {
-    all_ |= static_cast<std::uint64_t>(c);
-    largest_ = std::max(largest_, c < 0 ? -static_cast<std::uint64_t>(c) : static_cast<std::uint64_t>(c));
-  }
-  [[nodiscard]] unsigned trailing_zeros() const {
-    return all_ == 0 ? std::numeric_limits<unsigned>::max() : static_cast<unsigned>(std::countr_zero(all_));
-  }
-  [[nodiscard]] long exponent() const { return largest_ == 0 ? 0 : std::bit_width(largest_ - 1); }
-
- private:
-  std::uint64_t all_ = 0, largest_ = 0;
-};
-
-template <>
-class Extent<Vec3<NarrowCoordinate>> {
- public:
-  void cover(const NarrowCoordinate& c) {
-    if (sgn(c) == 0) return;
-    zeros_ = std::min(zeros_, c.trailing_zeros());
-    if (c.bit_length() > exponent_) exponent_ = std::max(exponent_, kernels::binary_exponent(c));
-  }
-  [[nodiscard]] unsigned trailing_zeros() const { return zeros_; }
-  [[nodiscard]] long exponent() const { return exponent_; }
-
- private:
-  unsigned zeros_ = std::numeric_limits<unsigned>::max();
-  long exponent_ = 0;
-};
-
-// Only 0 has as many trailing zeros as a word has bits, or more.
-void divide_by_power(std::int64_t& c, unsigned shift) { c = shift < 64 ? c >> shift : 0; }
-void divide_by_power(NarrowCoordinate& c, unsigned shift) { c.divide_by_power(shift); }
-
-template <class Row>
-void make_images(const std::vector<Row>& points, long exponent, NarrowCloud& cloud) {
-  for (std::vector<double>* images : {&cloud.x, &cloud.y, &cloud.z}) images->resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    cloud.x[i] = kernels::image(points[i].x, exponent);
-    cloud.y[i] = kernels::image(points[i].y, exponent);
-    cloud.z[i] = kernels::image(points[i].z, exponent);
-  }
-}
-
-// From `pair.numbers`, in words or in wider integers: `list` is one of a cloud's two lists.
-template <class Row>
-void fill(std::size_t size_a, long low, NarrowPair& pair, std::vector<Row> NarrowCloud::*list) {
-  Row origin;
-  put(&pair.numbers[3 * size_a], low, origin);
-  Extent<Row> extent;
-  const kernels::Dyadic* p = pair.numbers.data();
-  for (const auto& [size, points] :
-       {std::pair(size_a, &(pair.a.*list)), std::pair(pair.numbers.size() / 3 - size_a, &(pair.b.*list))}) {
-    points->resize(size);
-    for (Row& q : *points) {
-      put(p, low, q);
-      p += 3;
-      q = q - origin;
-      extent.cover(q.x);
-      extent.cover(q.y);
-      extent.cover(q.z);
-    }
-  }
-  // The powers of two that all coordinates and the denominator share, which `place` divides out
-  // too. All coordinates may be 0.
-  const unsigned shared = std::min(static_cast<unsigned>(-low), extent.trailing_zeros());
-  pair.shift = static_cast<unsigned>(-low) - shared;
-  pair.exponent = std::max(extent.exponent() - static_cast<long>(shared), 0L);
-  for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
-    std::vector<Row>& points = cloud->*list;
-    for (Row& p : points) {
-      if (shared == 0) break;
-      divide_by_power(p.x, shared);
-      divide_by_power(p.y, shared);
-      divide_by_power(p.z, shared);
-    }
-    make_images(points, pair.exponent, *cloud);
-  }
-}
-
 }  // namespace
 
 void require_bodies(kernels::Positions a, kernels::Positions b) {
@@ -330,7 +248,7 @@ std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions
   });
   if (lattice.denominator == 0) return std::nullopt;
   lattice.origin = b.front();
-  const Vector origin = multiple(b.front(), lattice.denominator);
+  const Vector no_shift{0, 0, 0}, origin = shifted_multiples({&b.front(), 1}, lattice.denominator, no_shift, asking)[0];
   lattice.a = shifted_multiples(a, lattice.denominator, origin, asking);
   lattice.b = shifted_multiples(b, lattice.denominator, origin, asking);
   coarsen(lattice, asking);
@@ -351,12 +269,17 @@ PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
   return pair;
 }
 
-mpq_class PlacedPair::over_unit(const mpz_class& n) const { return kernels::ratio(n, denominator); }
+mpq_class PlacedPair::in_units(const mpz_class& n) const { return kernels::ratio(n, denominator); }
 
 Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
   const mpz_class unit = denominator * divisor;
   return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit),
           origin.z + kernels::ratio(v.z, unit)};
+}
+
+Vector PlacedPair::vector(const Point& position) const {
+  const Point p = denominator * (position - origin);
+  return {p.x.get_num(), p.y.get_num(), p.z.get_num()};
 }
 
 kernels::Positions Points::exact(std::vector<Point>& room) const {
@@ -372,80 +295,6 @@ std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
     points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
   return points;
 }
-
-bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
-  Range range;
-  pair.numbers.clear();
-  if (a.empty() || b.empty() || !range.cover(a, pair.numbers) || !range.cover(b, pair.numbers)) return false;
-  const long bits = std::max(range.high, range.low) - range.low + 1;  // of the differences from the origin
-  if (bits > most_narrow_bits) return false;
-  for (NarrowCloud* cloud : {&pair.a, &pair.b}) {
-    cloud->words.clear();
-    cloud->points.clear();
-  }
-  if (bits <= most_word_bits) fill(a.size(), range.low, pair, &NarrowCloud::words);
-  else fill(a.size(), range.low, pair, &NarrowCloud::points);
-  return true;
-}
-
-PlacedPair widened(const NarrowPair& pair, Point origin) {
-  const auto cloud = [&](const NarrowCloud& narrow) {
-    std::vector<Vector> points;
-    points.reserve(narrow.x.size());
-    for (const Vec3<std::int64_t>& p : narrow.words) points.push_back({p.x, p.y, p.z});
-    for (const Vec3<NarrowCoordinate>& p : narrow.points) points.push_back(to_vector(p));
-    return kernels::PointCloud(std::move(points), pair.exponent);
-  };
-  return {mpz_class(1) << pair.shift, std::move(origin), cloud(pair.a), cloud(pair.b)};
-}
-
-template <class Integer>
-const std::vector<std::uint32_t>& NarrowPoints<Integer>::extreme(const Vec3<Integer>& u) const {
-  const kernels::DirectionImage v = kernels::direction_image_for(u, exponent_);
-  kernels::near_extreme(images_, v, *memory_);
-  std::vector<std::uint32_t>& near = memory_->near;
-  if (near.size() == 1 || v.slack == 0) return near;
-  std::size_t kept = 0;
-  Integer most;
-  for (const std::uint32_t i : near) {
-    const Integer value = dot(u, (*this)[i]);
-    const int order = kept == 0 ? 1 : cmp(value, most);
-    if (order < 0) continue;
-    if (order > 0) {
-      kept = 0;
-      most = value;
-    }
-    near[kept++] = i;
-  }
-  near.resize(kept);
-  return near;
-}
-
-template <class Integer>
-mpq_class NarrowBodies<Integer>::over_unit(const Integer& n) const {
-  mpq_class q;
-  if (sgn(n) == 0) return q;
-  q.get_num() = to_mpz(n);
-  const auto shared = static_cast<unsigned>(std::min<mp_bitcnt_t>(pair_.shift, mpz_scan1(q.get_num_mpz_t(), 0)));
-  mpz_tdiv_q_2exp(q.get_num_mpz_t(), q.get_num_mpz_t(), shared);
-  q.get_den() <<= pair_.shift - shared;
-  return q;
-}
-
-template <class Integer>
-PlacedPair NarrowBodies<Integer>::frame() const {
-  PlacedPair pair;
-  pair.denominator = units();
-  pair.origin = given_b_[0].exact();
-  return pair;
-}
-
-template class NarrowPoints<kernels::Integer127>;
-template class NarrowPoints<kernels::Integer255>;
-template class NarrowPoints<NarrowInteger>;
-template class NarrowBodies<kernels::Integer127>;
-template class NarrowBodies<kernels::Integer255>;
-template class NarrowBodies<NarrowInteger>;
 
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
                                std::uint32_t Difference::*side) {

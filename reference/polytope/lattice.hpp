@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two bodies on one lattice: from points in any form to integer points in a common unit, the form
-// in which every later stage computes. The integers are mpz_class, or of a fixed size where few
-// bits do.
+// in which every later stage computes. Here the integers are mpz_class; where few bits do, see
+// narrow_lattice.hpp.
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,7 +20,6 @@
 #include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
-#include "kernels/number/rational.hpp"
 #include "kernels/number/word_integer.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
@@ -145,18 +143,20 @@ struct PlacedPair {
   /// The rational position of a lattice point, or of lattice coordinates with a further divisor:
   /// origin + v / (denominator * divisor). `divisor` must not be zero.
   [[nodiscard]] Point position(const Vector& v, const mpz_class& divisor = 1) const;
+  /// The lattice point in that position.
+  [[nodiscard]] Vector vector(const Point& position) const;
 
   // What NarrowBodies has too, for the steps that are templates over the integers.
 
   [[nodiscard]] Differences differences() const { return {a, b}; }
-  /// The number in the unit of the input.
-  [[nodiscard]] mpq_class over_unit(const mpz_class& n) const;
-  [[nodiscard]] const mpz_class& units() const { return denominator; }
+  /// The unit of the lattice, in that of the input; and n of them.
+  [[nodiscard]] mpq_class unit() const { return {1, denominator}; }
+  [[nodiscard]] mpq_class in_units(const mpz_class& n) const;
   /// The points themselves.
   [[nodiscard]] GivenPoint point_of_a(std::size_t i) const { return {position(a[i])}; }
   [[nodiscard]] GivenPoint point_of_b(std::size_t i) const { return {position(b[i])}; }
-  /// For the positions of lattice points.
-  [[nodiscard]] const PlacedPair& frame() const { return *this; }
+  /// The denominator of `place`.
+  [[nodiscard]] const mpz_class& units() const { return denominator; }
 };
 
 /// Throws std::invalid_argument when a body is empty or a coordinate is not in lowest terms over a
@@ -180,146 +180,6 @@ std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions
 /// Integer points of two bodies as clouds with one exponent, the least: the denominator is 1, the
 /// origin O.
 PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);
-
-// A narrow lattice is one whose coordinates have so few bits that all of an expanding polytope's
-// integers fit a fixed size. Whatever programs compute with (binary32, binary64 of similar sizes)
-// lies on one.                                              [proofs/expanding.md, "Fixed integers"]
-
-/// |c| <= 2^exponent for coordinates, with at most this exponent.
-inline constexpr long most_narrow_bits = 305;
-/// A coordinate of a point on a narrow lattice.
-using NarrowCoordinate = kernels::FixedInteger<320>;
-/// Holds all that is computed from them: at most 10 * 305 + 20 bits.
-using NarrowInteger = kernels::FixedInteger<3072>;
-
-/// A coordinate fits a word if |c| < 2^most_word_bits, and then a difference does too.
-inline constexpr long most_word_bits = 62;
-/// Word integers hold all that is computed from coordinates of at most so many bits, but for
-/// squared distances: <N,N> for the normal N of a triangle of differences, at most 4w + 10 bits.
-template <kernels::WordInteger Integer>
-inline constexpr long most_bits_for = (Integer::most_bits - 10) / 4;
-static_assert(most_bits_for<kernels::Integer127> == 29 && most_bits_for<kernels::Integer255> == 61);
-static_assert(most_bits_for<kernels::Integer255> < most_word_bits);
-
-/// One body's points on a narrow lattice, with their images.
-struct NarrowCloud {
-  std::vector<Vec3<std::int64_t>> words;       ///< the points, if all coordinates of both clouds fit words
-  std::vector<Vec3<NarrowCoordinate>> points;  ///< else
-  std::vector<double> x, y, z;
-
-  [[nodiscard]] kernels::Images images() const { return {x, y, z}; }
-};
-
-/// A point p of either cloud stands for origin + p / 2^shift, where the origin is the first point
-/// of B: the same lattice as that of `place`.
-struct NarrowPair {
-  unsigned shift = 0;
-  long exponent = 0;  ///< the least with |c| <= 2^exponent for every coordinate c of both clouds
-  NarrowCloud a, b;
-  std::vector<kernels::Dyadic> numbers;  ///< the coordinates that place_narrow was given, taken apart
-};
-
-/// Places both bodies if all coordinates are dyadic and their lattice is narrow: no rationals, and
-/// no allocation if `pair` has had room for as many points before. Returns false otherwise, also
-/// for what `place` throws at: empty bodies, numbers not in lowest terms. Throws
-/// std::invalid_argument if a coordinate in binary64 is no finite number.
-bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
-
-/// The same points of the same lattice as integers of any size. `origin` is the first point of B.
-PlacedPair widened(const NarrowPair& pair, Point origin);
-
-/// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent
-/// is at most most_narrow_bits; in words if the integers are. Scans are made in `memory`.
-template <class Integer>
-class NarrowPoints {
- public:
-  NarrowPoints(const NarrowCloud& cloud, long exponent, kernels::ScanMemory& memory)
-      : images_(cloud.images()), words_(cloud.words), fixed_(cloud.points), exponent_(exponent), memory_(&memory) {}
-  NarrowPoints(const kernels::PointCloud& cloud,
-               kernels::ScanMemory& memory) requires std::same_as<Integer, NarrowInteger>
-      : images_(cloud.images()), integers_(cloud.points()), exponent_(cloud.exponent()), memory_(&memory) {}
-  /// `words` are the points of the cloud.
-  NarrowPoints(const kernels::PointCloud& cloud, std::span<const Vec3<std::int64_t>> words,
-               kernels::ScanMemory& memory) requires kernels::WordInteger<Integer>
-      : images_(cloud.images()), words_(words), exponent_(cloud.exponent()), memory_(&memory) {}
-
-  [[nodiscard]] std::size_t size() const { return images_.size(); }
-  [[nodiscard]] const kernels::Images& images() const { return images_; }
-  [[nodiscard]] long exponent() const { return exponent_; }
-  [[nodiscard]] Vec3<Integer> operator[](std::size_t i) const {
-    if constexpr (!kernels::WordInteger<Integer>)
-      if (!in_words()) return integers_.empty() ? widened(fixed_[i]) : widened(integers_[i]);
-    return widened(words_[i]);
-  }
-
-  friend Vec3<Integer> difference(const NarrowPoints& a, const NarrowPoints& b, Difference d) {
-    if (!a.in_words()) return b[d.second] - a[d.first];
-    return widened(b.words_[d.second] - a.words_[d.first]);
-  }
-  /// The indices of all points that maximise <u, p>, ascending, until the next call. u is not zero.
-  /// Exact.
-  friend const std::vector<std::uint32_t>& extreme_points(const NarrowPoints& body, const Vec3<Integer>& u) {
-    return body.extreme(u);
-  }
-
- private:
-  [[nodiscard]] bool in_words() const { return !words_.empty(); }
-  template <class NT>
-  static Vec3<Integer> widened(const Vec3<NT>& p) {
-    return {Integer(p.x), Integer(p.y), Integer(p.z)};
-  }
-  const std::vector<std::uint32_t>& extreme(const Vec3<Integer>& u) const;
-
-  kernels::Images images_;
-  std::span<const Vec3<std::int64_t>> words_;
-  std::span<const Vec3<NarrowCoordinate>> fixed_;
-  std::span<const Vector> integers_;
-  long exponent_;
-  kernels::ScanMemory* memory_;
-};
-/// The same values as those of Differences, without allocation.
-template <class Integer>
-using NarrowDifferences = DifferencesOf<NarrowPoints<Integer>>;
-
-/// Bodies on a narrow lattice, with their points as they were given: only those that an answer
-/// names become rationals.
-template <class Integer>
-class NarrowBodies {
- public:
-  /// All must outlive it. `pair` is what place_narrow made of the points.
-  NarrowBodies(const NarrowPair& pair, const Points& given_a, const Points& given_b, kernels::ScanMemory& memory)
-      : a(pair.a, pair.exponent, memory),
-        b(pair.b, pair.exponent, memory),
-        pair_(pair),
-        given_a_(given_a),
-        given_b_(given_b) {}
-
-  NarrowPoints<Integer> a, b;
-
-  [[nodiscard]] long exponent() const { return pair_.exponent; }
-  [[nodiscard]] NarrowDifferences<Integer> differences() const { return {a, b}; }
-  [[nodiscard]] mpq_class over_unit(const Integer& n) const;
-  [[nodiscard]] mpz_class units() const { return mpz_class(1) << pair_.shift; }
-  [[nodiscard]] GivenPoint point_of_a(std::size_t i) const { return given_a_[i]; }
-  [[nodiscard]] GivenPoint point_of_b(std::size_t i) const { return given_b_[i]; }
-  /// Without points.
-  [[nodiscard]] PlacedPair frame() const;
-
- private:
-  const NarrowPair& pair_;
-  Points given_a_, given_b_;
-};
-
-/// Calls f with the bodies in the shortest integers that hold everything.
-template <class F>
-auto with_narrow_bodies(const NarrowPair& pair, const Points& a, const Points& b, kernels::ScanMemory& memory, F f) {
-  const bool words = !pair.a.words.empty();
-  if (words && pair.exponent <= most_bits_for<kernels::Integer127>)
-    return f(NarrowBodies<kernels::Integer127>(pair, a, b, memory));
-  if (words && pair.exponent <= most_bits_for<kernels::Integer255>)
-    return f(NarrowBodies<kernels::Integer255>(pair, a, b, memory));
-  return f(NarrowBodies<NarrowInteger>(pair, a, b, memory));
-}
 
 /// What the points of one body weigh in a convex combination of differences: `side` is
 /// Difference::first for A.

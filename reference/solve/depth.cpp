@@ -2,10 +2,9 @@
 // The methods, and the choice of one and of the integers that it computes with.
 #include "reference/solve/depth.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -19,6 +18,7 @@
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/solve/deciding_points.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -27,6 +27,9 @@ namespace {
 bool expands_first(const Options& options) {
   return options.method == Method::certificate || (options.method == Method::automatic && !options.closest_lines);
 }
+
+/// Whether it is to be tried on a narrow lattice: stages are validated on that of `place`.
+bool searches_narrow(const Options& options) { return expands_first(options) && !options.validate; }
 
 // How many points it may take then. Exhausting the usual budget costs about one exact run.
 template <class Bodies>
@@ -127,19 +130,25 @@ Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pai
 
 NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                                      const Options& options) {
-  if (!expands_first(options) || options.validate) return {};
+  NarrowResult result;
+  if (!searches_narrow(options)) return result;
   std::optional<Workspace> own;
   Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
-  if (!polytope::place_narrow(a, b, parts.pair)) return {};
-  NarrowResult result;
+  if (!polytope::place_narrow(a, b, parts.pair)) {
+    std::vector<Point> room_a, room_b;
+    result.pair = polytope::place_if_slim(a.exact(room_a), b.exact(room_b), &context);
+    if (!result.pair || !polytope::narrow(*result.pair, parts.pair)) return result;
+  }
   polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
     expanding::Expansion expansion =
         expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
     if (expansion.end == expanding::ExpansionEnd::proved)
       result.depth = certified_depth(context, bodies, std::move(expansion), options);
   });
-  if (!result.depth) result.pair = polytope::widened(parts.pair, b[0].exact());
+  result.gave_up = !result.depth;
+  if (result.depth) result.pair.reset();
+  else if (!result.pair) result.pair = polytope::widened(parts.pair, b[0].exact());
   return result;
 }
 
@@ -155,11 +164,11 @@ PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, c
     Depth depth = method(context, pair, options);
     return PlacedDepth{std::move(depth), std::move(pair)};
   };
-  if (narrow.pair) return answer(exact_depth, std::move(*narrow.pair));
+  if (narrow.gave_up) return answer(exact_depth, std::move(*narrow.pair));
   std::vector<Point> room_a, room_b;
   const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
-  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
-    return answer(depth_by_method, std::move(*slim));
+  if (!searches_narrow(options)) narrow.pair = polytope::place_if_slim(exact_a, exact_b, &context);
+  if (narrow.pair) return answer(depth_by_method, std::move(*narrow.pair));
   if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
     return {std::move(*depth), std::nullopt};
   return answer(depth_by_method, polytope::place(exact_a, exact_b, &context));

@@ -17,15 +17,16 @@ namespace fathom::solve {
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
-/// What the search on a narrow lattice has come to; nothing if the method does not ask for it, or
-/// the lattice is not narrow.
+/// What the search on a narrow lattice has come to; nothing if the method does not ask for it.
 struct NarrowResult {
   std::optional<Depth> depth;
-  /// The same lattice, if the expanding polytope gave up. It would do so on any.
+  /// Else the lattice, if it has been made, and whether the expanding polytope gave up on it: it
+  /// would do so on any.
   std::optional<polytope::PlacedPair> pair;
+  bool gave_up = false;
 };
 
-/// The answer of method `certificate`, found without rationals, if both bodies lie on a narrow
+/// The answer of method `certificate`, in integers of fixed size, if both bodies lie on a narrow
 /// lattice and the expanding polytope ends. It equals that of depth_by_method, its naive twin, in
 /// every field.
 NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,

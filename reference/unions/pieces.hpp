@@ -11,7 +11,7 @@
 #include "fathom/union.hpp"
 #include "kernels/filters/meeting_points.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::unions {
 

@@ -514,21 +514,28 @@ TEST(Dyadic, IsTheExactValueOfEveryDouble) {
   EXPECT_THROW(dyadic(-std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-TEST(Dyadic, OfRationals) {
-  for (const auto& [numerator, denominator] :
-       {std::pair{0L, 1UL}, {12L, 1UL}, {-7L, 8UL}, {INT64_MAX, 2UL}, {-INT64_MAX, 1UL}}) {
-    const mpq_class q(numerator, denominator);
-    const auto d = dyadic(q);
-    ASSERT_TRUE(d) << q;
-    EXPECT_EQ(value(*d), q);
-    EXPECT_TRUE(d->mantissa % 2 != 0 || q == 0);
+TEST(ShortRational, HasOddPartsOfAtMost63Bits) {
+  const mpz_class most = (mpz_class(1) << 63) - 1, far = mpz_class(1) << 200;
+  for (const mpq_class& q :
+       {mpq_class(0), mpq_class(12), mpq_class(-7, 8), mpq_class(most), mpq_class(-most, 2), mpq_class(far),
+        mpq_class(most * far), mpq_class(-5, 3 * far), mpq_class(1, 3), mpq_class(-5, 12), mpq_class(far * 3, most),
+        mpq_class(most - 2, most * far), mpq_class(mpz_class(1) << 63), mpq_class(mpz_class(most << 1), 5)}) {
+    const auto r = short_rational(q);
+    ASSERT_TRUE(r) << q;
+    EXPECT_EQ(value(*r) / mpq_class(mpz_class(r->divisor)), q);
+    EXPECT_TRUE(r->mantissa % 2 != 0 || q == 0);
+    EXPECT_EQ(r->divisor % 2, 1U);
   }
-  EXPECT_FALSE(dyadic(mpq_class(1, 3)));
-  EXPECT_FALSE(dyadic(mpq_class(5, 12)));
-  EXPECT_FALSE(dyadic(mpq_class(mpz_class(1) << 63))) << "a long numerator";
-  EXPECT_FALSE(dyadic(mpq_class(2, 4))) << "not in lowest terms";
-  EXPECT_FALSE(dyadic(mpq_class(1, -4)));
-  EXPECT_FALSE(dyadic(mpq_class(1, 0)));
+  for (const mpz_class& odd : {mpz_class(most + 2), mpz_class(far + 1), mpz_class((far << 1) + (far >> 1) + 1)}) {
+    for (const mpz_class& even : {odd, mpz_class(odd << 1), mpz_class(odd * far)}) {
+      EXPECT_FALSE(short_rational(mpq_class(even))) << even;
+      EXPECT_FALSE(short_rational(mpq_class(-1, even))) << even;
+    }
+  }
+  EXPECT_FALSE(short_rational(mpq_class(2, 4))) << "not in lowest terms";
+  EXPECT_FALSE(short_rational(mpq_class(0, 3)));
+  EXPECT_FALSE(short_rational(mpq_class(1, -4)));
+  EXPECT_FALSE(short_rational(mpq_class(1, 0)));
 }
 
 TEST(Dyadic, InBinary64AreItsNumbersAlone) {

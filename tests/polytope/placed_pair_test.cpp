@@ -17,7 +17,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"
@@ -181,6 +181,18 @@ std::vector<Point> exact(const Doubles& body) {
   return points;
 }
 
+/// The same points in units of 2^power, of which all are multiples.
+PlacedPair coarser(const PlacedPair& pair, unsigned power) {
+  const auto divided = [&](const kernels::PointCloud& cloud) {
+    std::vector<Vector> points = cloud.points();
+    for (Vector& p : points) p = {p.x >> power, p.y >> power, p.z >> power};
+    return points;
+  };
+  PlacedPair result = place_integers(divided(pair.a), divided(pair.b));
+  EXPECT_EQ(result.exponent() + power, pair.exponent());
+  return result;
+}
+
 void expect_cloud(const NarrowCloud& cloud, const kernels::PointCloud& expected) {
   kernels::ScanMemory memory;
   const NarrowPoints<NarrowInteger> points(cloud, expected.exponent(), memory);
@@ -194,11 +206,15 @@ void expect_cloud(const NarrowCloud& cloud, const kernels::PointCloud& expected)
   }
 }
 
+/// That of `place`, but for a power of two in the unit.
 void expect_placed(const NarrowPair& pair, const PlacedPair& expected) {
-  EXPECT_EQ(pair.exponent, expected.exponent());
-  EXPECT_EQ(testing::power_of_two(pair.shift), expected.denominator);
-  expect_cloud(pair.a, expected.a);
-  expect_cloud(pair.b, expected.b);
+  const unsigned finer = static_cast<unsigned>(std::max(pair.power, 0L));
+  EXPECT_EQ(mpz_class(pair.divisor << std::max(-pair.power, 0L)), expected.denominator);
+  EXPECT_TRUE(mpz_odd_p(pair.divisor.get_mpz_t()));
+  EXPECT_EQ(pair.exponent + finer, expected.exponent());
+  const PlacedPair in_units = coarser(expected, finer);
+  expect_cloud(pair.a, in_units.a);
+  expect_cloud(pair.b, in_units.b);
   const PlacedPair wide = widened(pair, expected.origin);
   EXPECT_EQ(wide.denominator, expected.denominator);
   EXPECT_EQ(wide.exponent(), expected.exponent());
@@ -237,8 +253,10 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
     ASSERT_TRUE(placed || expected.exponent() > 200)
         << i << ": a lattice of " << expected.exponent() << " bits is narrow";
     if (placed) expect_placed(pair, expected);
-    if (!place_narrow(exact_a, exact_b, of_points)) continue;  // long numerators are left to `place`
-    ASSERT_TRUE(placed);
+    ASSERT_EQ(place_narrow(exact_a, exact_b, of_points), placed);
+    if (placed) expect_placed(of_points, expected);
+    if (expected.exponent() > most_narrow_bits) continue;
+    ASSERT_TRUE(narrow(expected, of_points));
     expect_placed(of_points, expected);
   }
   EXPECT_GT(narrow, 1500U);
@@ -256,27 +274,72 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForPointsInOnePlace) {
 
 TEST(NarrowPair, IsTheLatticeOfPlaceForEveryFamily) {
   NarrowPair pair;
-  std::size_t narrow = 0;
+  std::size_t of_words = 0, narrowed = 0, fractions = 0, coarse = 0;
   for (const Case& input : testing::cases_of_all_families(3, 12)) {
-    if (!place_narrow(input.a.points, input.b.points, pair)) continue;
     SCOPED_TRACE(input.id);
-    ++narrow;
-    expect_placed(pair, place(input.a.points, input.b.points));
+    const PlacedPair expected = place(input.a.points, input.b.points);
+    if (place_narrow(input.a.points, input.b.points, pair)) {
+      ++of_words;
+      fractions += pair.divisor > 1 ? 1 : 0;
+      coarse += pair.power > 0 ? 1 : 0;
+      expect_placed(pair, expected);
+    }
+    ASSERT_EQ(narrow(expected, pair), expected.exponent() <= most_narrow_bits);
+    if (expected.exponent() > most_narrow_bits) continue;
+    ++narrowed;
+    expect_placed(pair, expected);
   }
-  EXPECT_GT(narrow, 50U);
+  EXPECT_GT(of_words, 150U);
+  EXPECT_GT(narrowed, of_words);
+  EXPECT_GT(fractions, 40U);
+  EXPECT_GT(coarse, 2U);
+}
+
+/// Fractions whose divisors, numerators and differences are about as long as words can be, or longer.
+TEST(NarrowPair, IsTheLatticeOfPlaceForFractions) {
+  Random random(3);
+  NarrowPair pair;
+  std::size_t placed = 0, left = 0, shared = 0;
+  const auto fraction = [&](unsigned long numerator_bits, std::uint64_t divisor) {
+    mpq_class q(testing::random_vector(random, numerator_bits).x, mpz_class(divisor));
+    q.canonicalize();
+    return q;
+  };
+  for (int i = 0; i < 4000; ++i) {
+    const std::uint64_t most = std::uint64_t{1} << (1 + random() % 40);
+    std::array<std::uint64_t, 3> divisors;
+    for (std::uint64_t& d : divisors) d = 1 + random() % most;
+    const bool far = random() % 3 == 0;  // one remainder for all: differences need no divisor
+    const mpq_class origin = fraction(far ? 50 : 1, divisors[0]);
+    std::vector<Point> a(1 + random() % 5), b(1 + random() % 5);
+    for (std::vector<Point>* body : {&a, &b})
+      for (Point& p : *body)
+        for (mpq_class* c : {&p.x, &p.y, &p.z})
+          *c = origin + (far ? fraction(20, 1) : fraction(1 + random() % 64, divisors[random() % 3]));
+    const PlacedPair expected = place(a, b);
+    if (place_narrow(a, b, pair)) {
+      ++placed;
+      shared += far && pair.divisor == 1 && divisors[0] > 1 ? 1 : 0;
+      expect_placed(pair, expected);
+    } else {
+      ++left;
+    }
+    ASSERT_FALSE(::testing::Test::HasFailure()) << i;
+  }
+  EXPECT_GT(placed, 1500U);
+  EXPECT_GT(left, 200U);
+  EXPECT_GT(shared, 500U);
 }
 
 TEST(NarrowPair, LeavesTheRestToPlace) {
   NarrowPair pair;
-  const std::vector<Point> origin{{0, 0, 0}}, third{{mpq_class(1, 3), 0, 0}},
-      fine{{mpq_class(1, testing::power_of_two(400)), 1, 0}};
+  const std::vector<Point> origin{{0, 0, 0}}, fine{{mpq_class(1, testing::power_of_two(400)), 1, 0}};
   Point broken{0, 0, 0};
   broken.x.get_num() = 2;
   broken.x.get_den() = 4;
   EXPECT_TRUE(place_narrow(origin, origin, pair));
-  EXPECT_EQ(pair.shift, 0U);
+  EXPECT_EQ(pair.power, 0);
   EXPECT_FALSE(place_narrow(std::vector<Point>{}, origin, pair));
-  EXPECT_FALSE(place_narrow(third, origin, pair));
   EXPECT_FALSE(place_narrow(fine, origin, pair));
   EXPECT_FALSE(place_narrow(std::vector{broken}, origin, pair)) << "not in lowest terms";
   broken.x.get_num() = 1;
@@ -284,6 +347,12 @@ TEST(NarrowPair, LeavesTheRestToPlace) {
   EXPECT_FALSE(place_narrow(std::vector{broken}, origin, pair)) << "a negative denominator";
   broken.x.get_den() = 0;
   EXPECT_FALSE(place_narrow(std::vector{broken}, origin, pair)) << "a denominator of 0";
+  for (const auto& [n, d] : {std::pair(0, 3), {3, 9}, {6, 15}, {2, 6}}) {
+    broken.x.get_num() = n;
+    broken.x.get_den() = d;
+    EXPECT_FALSE(place_narrow(std::vector{broken}, origin, pair)) << n << '/' << d;
+    EXPECT_FALSE(place_narrow(std::vector{{mpq_class(1, d), 0, 0}, broken}, origin, pair)) << n << '/' << d;
+  }
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()})
     EXPECT_THROW(place_narrow(Doubles{{0, bad, 0}}, Doubles{{0, 0, 0}}, pair), std::invalid_argument);
 }
