@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "reference/expanding/expanding_polytope.hpp"
@@ -11,11 +12,14 @@
 
 namespace fathom::expanding {
 
-inline void expect_same(const Expansion& x, const Expansion& y) {
+/// `finer`: the unit of y is that of x over 2^finer. Normals of triangles are squares of it.
+inline void expect_same(const Expansion& x, const Expansion& y, unsigned finer = 0) {
   ASSERT_EQ(x.end, y.end);
   EXPECT_EQ(x.points, y.points);
-  EXPECT_EQ(x.nearest.numerator(), y.nearest.numerator());
-  EXPECT_EQ(x.nearest.denominator(), y.nearest.denominator());
+  EXPECT_EQ(mpz_class(x.nearest.numerator() << 6 * finer), y.nearest.numerator());
+  if (x.end == ExpansionEnd::proved) {
+    EXPECT_EQ(mpz_class(x.nearest.denominator() << 4 * finer), y.nearest.denominator());
+  }
   EXPECT_EQ(x.nearest.directions(), y.nearest.directions());
   EXPECT_EQ(x.inner.vertices, y.inner.vertices);
   EXPECT_EQ(x.inner.facets, y.inner.facets);
@@ -31,7 +35,8 @@ inline int expect_same_in_all_integers(const polytope::NarrowPair& pair, const p
   kernels::Context context;
   const auto in = [&]<class Integer>(Integer) {
     const polytope::NarrowBodies<Integer> bodies(pair, a, b, memory);
-    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin);
+    const auto finer = static_cast<unsigned>(std::max(pair.power, 0L));
+    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin, finer);
   };
   in(polytope::NarrowInteger());
   if (pair.a.words.empty() || pair.exponent > polytope::most_bits_for<kernels::Integer255>) return 1;
@@ -42,7 +47,7 @@ inline int expect_same_in_all_integers(const polytope::NarrowPair& pair, const p
 }
 
 /// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on
-/// a narrow lattice that shifts find.
+/// a narrow lattice that is found in words.
 inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, Workspace& workspace) {
   SCOPED_TRACE(input.id);
   constexpr std::size_t budget = 500;
@@ -51,9 +56,11 @@ inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, W
   const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, budget, &workspace);
   expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
   polytope::NarrowPair pair;
-  const bool narrow = polytope::place_narrow(input.a.points, input.b.points, pair);
-  if (narrow) expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
-  return {twin.end, narrow};
+  if (polytope::narrow(clouds, pair))
+    expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
+  const bool in_words = polytope::place_narrow(input.a.points, input.b.points, pair);
+  if (in_words) expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
+  return {twin.end, in_words};
 }
 
 }  // namespace fathom::expanding

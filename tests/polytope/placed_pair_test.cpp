@@ -241,7 +241,7 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
     const int scale = i % 5 == 0   ? 200
                       : i % 5 == 1 ? -1060
                                    : static_cast<int>(random() % 60) - 30,
-              spread = 1 + i % 130;
+              spread = 1 + i % 250;
     Doubles a(1 + random() % 9), b(1 + random() % 9);
     for (Doubles* body : {&a, &b})
       for (std::array<double, 3>& p : *body)
@@ -256,7 +256,7 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForBinary64) {
     ASSERT_EQ(place_narrow(exact_a, exact_b, of_points), placed);
     if (placed) expect_placed(of_points, expected);
     if (expected.exponent() > most_narrow_bits) continue;
-    ASSERT_TRUE(narrow(expected, of_points));
+    ASSERT_TRUE(polytope::narrow(expected, of_points));
     expect_placed(of_points, expected);
   }
   EXPECT_GT(narrow, 1500U);
