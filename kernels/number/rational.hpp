@@ -56,7 +56,7 @@ inline Dyadic dyadic(double value) {
   return normalised(bits >> 63 != 0 ? -magnitude : magnitude, std::max(biased, 1L) - 1075);
 }
 
-/// A rational of few bits: mantissa * 2^exponent / divisor, where the divisor is odd and below 2^63.
+/// A rational of few bits: mantissa * 2^exponent / divisor. The divisor is odd and below 2^63.
 struct ShortRational : Dyadic {
   std::uint64_t divisor = 1;  ///< > 0
 };

@@ -11,7 +11,6 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "kernels/filters/plane.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -26,7 +25,8 @@ constexpr std::size_t times_the_widest = 8;
 // Of all coordinates together, where the denominator outgrows them: 256 MB.
 constexpr std::uint64_t most_bits = std::uint64_t{1} << 31;
 
-// Of this many denominators each is looked up where it comes again; of more, that would take too long.
+// Of this many denominators each is looked up where it comes again; of more, that would take too
+// long.
 constexpr std::size_t most_divisors = 64;
 
 std::size_t bits(const mpz_class& n) { return mpz_sizeinbase(n.get_mpz_t(), 2); }
@@ -87,8 +87,8 @@ mpz_class common_denominator(kernels::Positions a, kernels::Positions b, Asking&
   return all ? common : mpz_class(0);
 }
 
-/// Multiplies coordinates along one axis by a denominator, with integral results: what a coordinate's
-/// own denominator leaves of it is kept for the next one.
+/// Multiplies coordinates along one axis by a denominator, with integral results: what a
+/// coordinate's own denominator leaves of it is kept for the next one.
 class Multiples {
  public:
   explicit Multiples(const mpz_class& denominator) : denominator_(denominator), factor_(denominator) {}
@@ -173,8 +173,9 @@ std::vector<Point> offsets(kernels::Positions body, const Point& origin, Asking&
   return result;
 }
 
-/// Requires many numbers to be in lowest terms, by one greatest common divisor for each denominator:
-/// with the product of its numerators, modulo itself. Only so many denominators are remembered.
+/// Requires many numbers to be in lowest terms, by one greatest common divisor for each
+/// denominator: with the product of its numerators, modulo itself. Only so many denominators are
+/// remembered.
 class LowestTerms {
  public:
   void require(const mpq_class& q) {

@@ -17,7 +17,6 @@
 #include "fathom/depth.hpp"
 #include "fathom/point.hpp"
 #include "kernels/context.hpp"
-#include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
 #include "kernels/number/word_integer.hpp"

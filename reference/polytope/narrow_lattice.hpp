@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two bodies on a narrow lattice: one whose coordinates have so few bits that all of an expanding
 // polytope's integers fit a fixed size. Whatever programs compute with (binary32, binary64 of
-// similar sizes, short fractions) lies on one.                [proofs/expanding.md, "Fixed integers"]
+// similar sizes, short fractions) lies on one.             [proofs/expanding.md, "Fixed integers"]
 #pragma once
 
 #include <concepts>
@@ -12,7 +12,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/point.hpp"
-#include "kernels/filters/rounded_plane.hpp"
+#include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
 #include "kernels/number/rational.hpp"

@@ -2,9 +2,10 @@
 // The methods, and the choice of one and of the integers that it computes with.
 #include "reference/solve/depth.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "fathom/numbers.hpp"
@@ -17,8 +18,8 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/solve/deciding_points.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
+#include "reference/solve/deciding_points.hpp"
 
 namespace fathom::solve {
 namespace {

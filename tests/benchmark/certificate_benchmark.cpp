@@ -126,16 +126,26 @@ class RatioReporter : public benchmarks::TimesReporter {
 
   void Finalize() override {
     std::printf("\nprocessor time of the answer, of answer and text, and of the check, as a multiple of\n");
+    std::array<double, 3> logarithms{};
+    std::size_t families = 0;
     for (const auto& [instance, times] : this->times()) {
       if (!times.contains("answer") || !times.contains("text") || !times.contains("check")) continue;
       std::printf("%-28s", instance.c_str());
       for (const auto& [contender, time] : times) {
-        if (contender == "pipeline" || contender == "bullet_epa")
-          std::printf("  %s %.2f %.2f %.2f", contender.c_str(), times.at("answer") / time, times.at("text") / time,
-                      times.at("check") / time);
+        if (contender != "pipeline" && contender != "bullet_epa") continue;
+        const std::array<double, 3> ratios{times.at("answer") / time, times.at("text") / time,
+                                           times.at("check") / time};
+        std::printf("  %s %.2f %.2f %.2f", contender.c_str(), ratios[0], ratios[1], ratios[2]);
+        if (contender != "bullet_epa" || !instance.ends_with("/20")) continue;
+        for (std::size_t i = 0; i < ratios.size(); ++i) logarithms[i] += std::log(ratios[i]);
+        ++families;
       }
       std::printf("\n");
     }
+    if (families == 0) return;
+    std::printf("geometric mean of %zu families, 20 points  bullet_epa", families);
+    for (const double sum : logarithms) std::printf(" %.2f", std::exp(sum / static_cast<double>(families)));
+    std::printf("\n");
   }
 };
 

@@ -4,10 +4,11 @@
 
 #include "reference/expanding/expanding_polytope.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 #include <vector>
 
@@ -18,12 +19,12 @@
 #include "kernels/predicates/direction.hpp"
 #include "reference/depth/naive.hpp"
 #include "reference/expanding/surface.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/expanding/same_expansion.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::expanding {
 namespace {

@@ -295,7 +295,7 @@ TEST(NarrowPair, IsTheLatticeOfPlaceForEveryFamily) {
   EXPECT_GT(coarse, 2U);
 }
 
-/// Fractions whose divisors, numerators and differences are about as long as words can be, or longer.
+/// Fractions whose divisors, numerators and differences are about as long as words can be.
 TEST(NarrowPair, IsTheLatticeOfPlaceForFractions) {
   Random random(3);
   NarrowPair pair;
