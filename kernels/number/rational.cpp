@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
 #include "kernels/number/rational.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
+#include "fathom/numbers.hpp"
+#include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {
@@ -27,6 +35,27 @@ void require_lowest_terms(const mpq_class& value) {
   throw std::invalid_argument(
       "a number is not in lowest terms over a positive denominator: mpq_class::canonicalize makes it so");
 }
+
+double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }
+
+long binary_order(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
+
+// Numbers of the format are m 2^e with |m| < 2^53, e >= -1074 and |m 2^e| < 2^1024.
+std::optional<double> in_binary64(const mpq_class& value) {
+  const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
+  if (mpz_sgn(n) == 0) return 0;
+  if (mpz_popcount(d) != 1) return std::nullopt;
+  const auto length = static_cast<long>(mpz_sizeinbase(n, 2)), zeros = static_cast<long>(mpz_scan1(n, 0));
+  const auto shift = static_cast<long>(mpz_sizeinbase(d, 2)) - 1;
+  if (length - zeros > 53 || zeros - shift < -1074 || length - shift > 1024) return std::nullopt;
+  long exponent = 0;
+  const double mantissa = mpz_get_d_2exp(&exponent, n);
+  return std::ldexp(mantissa, static_cast<int>(exponent - shift));
+}
+
+// Rounding by cutting: floor(v / 2^e) with at least one bit more than the significand has, and
+// whether anything was cut off. These two decide every mode. For a root, floor(sqrt(x)) =
+// isqrt(floor(x)) makes the same cut exact.
 
 namespace {
 
@@ -48,6 +77,120 @@ std::optional<std::pair<std::uint64_t, long>> odd_part(mpz_srcptr n) {
   return std::pair(odd, static_cast<long>(64 * i) + shift);
 }
 
+/// A binary format: its finite numbers are m 2^e with |m| < 2^precision, e >= least_exponent and |m
+/// 2^e| < 2^top.
+struct Format {
+  long precision, least_exponent, top;
+};
+constexpr Format binary64{53, -1074, 1024};
+constexpr Format binary32{24, -149, 128};
+
+/// Stands for a value v >= 0 with bits 2^exponent <= v < (bits + 1) 2^exponent; `rest` tells
+/// whether v is not the left end. `bits` has at most two bits more than the precision.
+struct Cut {
+  std::uint64_t bits;
+  long exponent;
+  bool rest;
+};
+
+/// floor(q / 2^exponent) for q >= 0. `rest` tells whether q / 2^exponent is not an integer.
+mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {
+  mpz_class numerator = q.get_num(), denominator = q.get_den(), quotient, remainder;
+  if (exponent < 0) numerator <<= static_cast<mp_bitcnt_t>(-exponent);
+  if (exponent > 0) denominator <<= static_cast<mp_bitcnt_t>(exponent);
+  mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
+  rest = remainder != 0;
+  return quotient;
+}
+
+/// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of
+/// the format's least number.
+long cut_exponent(long low, const Format& format) {
+  return std::max(low - format.precision, format.least_exponent - 1);
+}
+
+static_assert(sizeof(unsigned long) >= sizeof(Cut::bits), "get_ui() would lose bits");
+
+Cut cut_value(const mpq_class& q, const Format& format) {
+  Cut cut{0, cut_exponent(binary_order(q) - 1, format), false};
+  cut.bits = scaled_floor(q, cut.exponent, cut.rest).get_ui();
+  return cut;
+}
+
+Cut cut_root(const mpq_class& q, const Format& format) {
+  // sqrt(q) > 2^((k-1)/2); the shift halves towards minus infinity.
+  Cut cut{0, cut_exponent((binary_order(q) - 1) >> 1, format), false};
+  bool rest_of_floor = false;
+  const mpz_class square = scaled_floor(q, 2 * cut.exponent, rest_of_floor);
+  mpz_class root, rest_of_root;
+  mpz_sqrtrem(root.get_mpz_t(), rest_of_root.get_mpz_t(), square.get_mpz_t());
+  cut.bits = root.get_ui();
+  cut.rest = rest_of_floor || rest_of_root != 0;
+  return cut;
+}
+
+/// The significand that `cut` rounds to, ulps of 2^(exponent of the result); `exponent` receives
+/// it. The cut may be one for a finer format.
+std::uint64_t rounded_significand(const Cut& cut, const Format& format, Rounding mode, long& exponent) {
+  // The half bit, and what lies below it.
+  const long dropped =
+      std::max(static_cast<long>(std::bit_width(cut.bits)) - format.precision, format.least_exponent - cut.exponent);
+  exponent = cut.exponent + dropped;
+  if (dropped > std::numeric_limits<std::uint64_t>::digits)
+    return mode == Rounding::ru && (cut.bits != 0 || cut.rest) ? 1 : 0;
+  const std::uint64_t half_bit = std::uint64_t{1} << (dropped - 1);
+  std::uint64_t significand = cut.bits / half_bit / 2;
+  const bool half = (cut.bits & half_bit) != 0, below = cut.rest || (cut.bits & (half_bit - 1)) != 0,
+             odd = significand % 2 != 0;
+  if (mode == Rounding::ru ? half || below : mode == Rounding::rn && half && (below || odd)) ++significand;
+  return significand;
+}
+
+/// For a cut of a positive value. The double is exact: at most 53 bits, and never finer than the
+/// format.
+double assemble(const Cut& cut, const Format& format, Rounding mode) {
+  long exponent = 0;
+  const std::uint64_t significand = rounded_significand(cut, format, mode, exponent);
+  if (static_cast<long>(std::bit_width(significand)) + exponent <= format.top)
+    return std::ldexp(static_cast<double>(significand), static_cast<int>(exponent));
+  if (mode != Rounding::rd) return std::numeric_limits<double>::infinity();
+  const std::uint64_t largest = (std::uint64_t{1} << format.precision) - 1;
+  return std::ldexp(static_cast<double>(largest), static_cast<int>(format.top - format.precision));
+}
+
+Rounding mirrored(Rounding mode) {
+  return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn;
+}
+
+double round_value(const mpq_class& value, const Format& format, Rounding mode) {
+  const int sign = sgn(value);
+  if (sign == 0) return 0.0;
+  if (sign < 0) return -assemble(cut_value(mpq_class(-value), format), format, mirrored(mode));
+  return assemble(cut_value(value, format), format, mode);
+}
+
+void require_square(const mpq_class& squared) {
+  if (sgn(squared) < 0) throw std::domain_error("the square root of a negative number was asked for");
+}
+
+double round_root(const mpq_class& squared, const Format& format, Rounding mode) {
+  require_square(squared);
+  return sgn(squared) == 0 ? 0.0 : assemble(cut_root(squared, format), format, mode);
+}
+
+template <class Float>
+EveryMode<Float> every_mode(const Cut& cut, const Format& format) {
+  const auto rounded = [&](Rounding mode) { return static_cast<Float>(assemble(cut, format, mode)); };
+  return {rounded(Rounding::rn), rounded(Rounding::rd), rounded(Rounding::ru)};
+}
+
+Roundings roundings_of(const Cut& cut) { return {every_mode<double>(cut, binary64), every_mode<float>(cut, binary32)}; }
+
+template <class Float>
+EveryMode<Float> negative(const EveryMode<Float>& positive) {
+  return {-positive.rn, -positive.ru, -positive.rd};
+}
+
 }  // namespace
 
 std::optional<ShortRational> short_rational(const mpq_class& value) {
@@ -60,21 +203,75 @@ std::optional<ShortRational> short_rational(const mpq_class& value) {
   return ShortRational{{mpz_sgn(n) < 0 ? -mantissa : mantissa, above->second - below->second}, below->first};
 }
 
-double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }
+Roundings roundings(const mpq_class& value) {
+  const DefaultFloatEnvironment environment;
+  if (sgn(value) == 0) return {};
+  if (sgn(value) > 0) return roundings_of(cut_value(value, binary64));
+  const Roundings positive = roundings_of(cut_value(mpq_class(-value), binary64));
+  return {negative(positive.binary64), negative(positive.binary32)};
+}
 
-long binary_order(const mpq_class& q) { return bit_length(q.get_num()) - bit_length(q.get_den()); }
+Roundings roundings_of_root(const mpq_class& squared) {
+  const DefaultFloatEnvironment environment;
+  require_square(squared);
+  return sgn(squared) == 0 ? Roundings{} : roundings_of(cut_root(squared, binary64));
+}
 
-// Numbers of the format are m 2^e with |m| < 2^53, e >= -1074 and |m 2^e| < 2^1024.
-std::optional<double> in_binary64(const mpq_class& value) {
-  const mpz_srcptr n = value.get_num_mpz_t(), d = value.get_den_mpz_t();
-  if (mpz_sgn(n) == 0) return 0;
-  if (mpz_popcount(d) != 1) return std::nullopt;
-  const auto length = static_cast<long>(mpz_sizeinbase(n, 2)), zeros = static_cast<long>(mpz_scan1(n, 0));
-  const auto shift = static_cast<long>(mpz_sizeinbase(d, 2)) - 1;
-  if (length - zeros > 53 || zeros - shift < -1074 || length - shift > 1024) return std::nullopt;
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, n);
-  return std::ldexp(mantissa, static_cast<int>(exponent - shift));
+void append_hex(double value, std::string& text) {
+  constexpr int fraction_bits = 52, bias = 1023;
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
+  std::uint64_t fraction = bits & ((std::uint64_t{1} << fraction_bits) - 1);
+  const int biased = static_cast<int>(bits >> fraction_bits) & 0x7ff;
+  if (biased == 0x7ff && fraction != 0) {
+    text += "nan";
+    return;
+  }
+  std::array<char, 32> digits;
+  char* at = digits.data();
+  const auto put = [&at](std::string_view part) { at = std::copy(part.begin(), part.end(), at); };
+  if (bits >> 63 != 0) *at++ = '-';
+  if (biased == 0x7ff) put("inf");
+  else if (biased == 0 && fraction == 0) put("0x0p+0");
+  else {
+    put(biased == 0 ? "0x0" : "0x1");
+    if (fraction != 0) *at++ = '.';
+    for (; fraction != 0; fraction = (fraction << 4) & ((std::uint64_t{1} << fraction_bits) - 1))
+      *at++ = "0123456789abcdef"[fraction >> (fraction_bits - 4)];
+    const int exponent = biased == 0 ? 1 - bias : biased - bias;
+    put(exponent < 0 ? "p" : "p+");
+    at = std::to_chars(at, digits.data() + digits.size(), exponent).ptr;
+  }
+  text.append(digits.data(), at);
 }
 
 }  // namespace fathom::kernels
+
+namespace fathom {
+
+double round_binary64(const mpq_class& value, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::round_value(value, kernels::binary64, mode);
+}
+
+float round_binary32(const mpq_class& value, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return static_cast<float>(kernels::round_value(value, kernels::binary32, mode));
+}
+
+double root_binary64(const mpq_class& squared, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return kernels::round_root(squared, kernels::binary64, mode);
+}
+
+float root_binary32(const mpq_class& squared, Rounding mode) {
+  const kernels::DefaultFloatEnvironment environment;
+  return static_cast<float>(kernels::round_root(squared, kernels::binary32, mode));
+}
+
+std::string hex_text(double value) {
+  std::string text;
+  kernels::append_hex(value, text);
+  return text;
+}
+
+}  // namespace fathom

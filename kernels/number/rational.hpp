@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational numbers: in lowest terms, and as a word of bits times a power of two, which is what
-// binary64 holds.
+// Rational numbers: in lowest terms; as a word of bits times a power of two, which is what binary64
+// holds; and rounded.                                                           [proofs/number.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace fathom::kernels {
 
@@ -72,5 +73,29 @@ double nearest_binary32(double value);
 
 /// The number in binary64; nullopt if it is none.
 std::optional<double> in_binary64(const mpq_class& value);
+
+// All roundings of one number at once, and numbers in hexadecimal, for results that print them.
+
+template <class Float>
+struct EveryMode {
+  Float rn, rd, ru;
+  friend bool operator==(const EveryMode&, const EveryMode&) = default;
+};
+
+struct Roundings {
+  EveryMode<double> binary64;
+  EveryMode<float> binary32;
+};
+
+/// Returns what round_binary64 and round_binary32, the naive twins, say in each mode, by one
+/// division.
+Roundings roundings(const mpq_class& value);
+
+/// Returns what root_binary64 and root_binary32, the naive twins, say in each mode, by one division
+/// and one integer root. Throws std::domain_error if `squared` is negative.
+Roundings roundings_of_root(const mpq_class& squared);
+
+/// Appends hex_text(value) to `text`.
+void append_hex(double value, std::string& text);
 
 }  // namespace fathom::kernels

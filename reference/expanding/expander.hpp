@@ -305,8 +305,8 @@ struct Workspace::Parts {
   expanding::Memory<polytope::NarrowInteger> narrow;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
-  polytope::NarrowPair pair;                         ///< for the caller of an expansion, which leaves it alone
-  std::vector<Vec3<std::int64_t>> words_a, words_b;  ///< of clouds whose coordinates fit
+  polytope::NarrowPair pair;    ///< for the caller of an expansion, which leaves it alone
+  polytope::NarrowPair clouds;  ///< of an expansion that is given clouds
 
   template <class Integer>
   expanding::Memory<Integer>& memory() {

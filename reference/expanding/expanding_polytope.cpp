@@ -37,35 +37,22 @@ bool fits(long w, long bits) {
   return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20;
 }
 
-// Calls f(differences, memory) on points that fit words.
-template <class Integer, class F>
-auto in_words(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, F f) {
-  const auto write = [](const kernels::PointCloud& cloud, std::vector<Vec3<std::int64_t>>& words) {
-    words.clear();
-    for (const Vector& p : cloud.points()) words.push_back({p.x.get_si(), p.y.get_si(), p.z.get_si()});
-    return std::span<const Vec3<std::int64_t>>(words);
-  };
-  polytope::NarrowDifferences<Integer> differences{{a, write(a, parts.words_a), parts.scan},
-                                                   {b, write(b, parts.words_b), parts.scan}};
-  return f(differences, parts.memory<Integer>());
-}
-
 // Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances
 // that are compared with, at most.
 template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits,
                    F f) {
   require_clouds(a, b);
-  if (fits(a.exponent(), bits)) {
-    if (a.exponent() <= polytope::most_bits_for<kernels::Integer127>)
-      return in_words<kernels::Integer127>(a, b, parts, f);
-    if (a.exponent() <= polytope::most_bits_for<kernels::Integer255>)
-      return in_words<kernels::Integer255>(a, b, parts, f);
-    NarrowDifferences differences{{a, parts.scan}, {b, parts.scan}};
-    return f(differences, parts.narrow);
+  if (!fits(a.exponent(), bits)) {
+    polytope::Differences differences{a, b};
+    return f(differences, parts.wide);
   }
-  polytope::Differences differences{a, b};
-  return f(differences, parts.wide);
+  polytope::narrow(a, b, parts.clouds);
+  return polytope::with_integers_for(parts.clouds, [&]<class Integer>(Integer) {
+    polytope::NarrowDifferences<Integer> differences{{parts.clouds.a, parts.clouds.exponent, parts.scan},
+                                                     {parts.clouds.b, parts.clouds.exponent, parts.scan}};
+    return f(differences, parts.memory<Integer>());
+  });
 }
 
 // Of squared distances that the search itself finds.

@@ -12,7 +12,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
-#include "kernels/number/rounding.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"

@@ -211,13 +211,20 @@ bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
 }
 
 bool narrow(const PlacedPair& placed, NarrowPair& pair) {
-  if (placed.exponent() > most_narrow_bits) return false;
+  if (!narrow(placed.a, placed.b, pair)) return false;
   const mp_bitcnt_t halvings = mpz_scan1(placed.denominator.get_mpz_t(), 0);
   pair.divisor = placed.denominator >> halvings;
   pair.power = -static_cast<long>(halvings);
-  pair.exponent = placed.exponent();
+  return true;
+}
+
+bool narrow(const kernels::PointCloud& a, const kernels::PointCloud& b, NarrowPair& pair) {
+  if (a.exponent() > most_narrow_bits) return false;
+  pair.divisor = 1;
+  pair.power = 0;
+  pair.exponent = a.exponent();
   clear_points(pair);
-  for (const auto& [cloud, wide] : {std::pair(&pair.a, &placed.a), std::pair(&pair.b, &placed.b)}) {
+  for (const auto& [cloud, wide] : {std::pair(&pair.a, &a), std::pair(&pair.b, &b)}) {
     for (const Vector& p : wide->points())
       cloud->points.push_back({NarrowCoordinate(p.x), NarrowCoordinate(p.y), NarrowCoordinate(p.z)});
     cloud->x.assign(wide->xs().begin(), wide->xs().end());

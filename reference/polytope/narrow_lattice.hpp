@@ -71,13 +71,15 @@ bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
 /// The same for what `place` has placed. Returns false if that lattice is not narrow.
 bool narrow(const PlacedPair& placed, NarrowPair& pair);
+/// The same for the points alone: the unit is 1. The clouds have one exponent.
+bool narrow(const kernels::PointCloud& a, const kernels::PointCloud& b, NarrowPair& pair);
 
 /// The same points on the lattice of `place`, as integers of any size. `origin` is the first point
 /// of B.
 PlacedPair widened(const NarrowPair& pair, Point origin);
 
-/// A view of one body: points on a narrow lattice, or the integer points of a cloud whose exponent
-/// is at most most_narrow_bits; in words if the integers are. Scans are made in `memory`.
+/// A view of one body: points on a narrow lattice, in words if the integers are, or the integer
+/// points of a cloud whose exponent is at most most_narrow_bits. Scans are made in `memory`.
 template <class Integer>
 class NarrowPoints {
  public:
@@ -86,10 +88,6 @@ class NarrowPoints {
   NarrowPoints(const kernels::PointCloud& cloud,
                kernels::ScanMemory& memory) requires std::same_as<Integer, NarrowInteger>
       : images_(cloud.images()), integers_(cloud.points()), exponent_(cloud.exponent()), memory_(&memory) {}
-  /// `words` are the points of the cloud.
-  NarrowPoints(const kernels::PointCloud& cloud, std::span<const Vec3<std::int64_t>> words,
-               kernels::ScanMemory& memory) requires kernels::WordInteger<Integer>
-      : images_(cloud.images()), words_(words), exponent_(cloud.exponent()), memory_(&memory) {}
 
   [[nodiscard]] std::size_t size() const { return images_.size(); }
   [[nodiscard]] const kernels::Images& images() const { return images_; }
@@ -157,15 +155,19 @@ class NarrowBodies {
   Points given_a_, given_b_;
 };
 
-/// Calls f with the bodies in the shortest integers that hold everything.
+/// Calls f with a number of the shortest integers that hold everything.
+template <class F>
+auto with_integers_for(const NarrowPair& pair, F f) {
+  const bool words = !pair.a.words.empty();
+  if (words && pair.exponent <= most_bits_for<kernels::Integer127>) return f(kernels::Integer127(0));
+  if (words && pair.exponent <= most_bits_for<kernels::Integer255>) return f(kernels::Integer255(0));
+  return f(NarrowInteger(0));
+}
+
+/// Calls f with the bodies in these integers.
 template <class F>
 auto with_narrow_bodies(const NarrowPair& pair, const Points& a, const Points& b, kernels::ScanMemory& memory, F f) {
-  const bool words = !pair.a.words.empty();
-  if (words && pair.exponent <= most_bits_for<kernels::Integer127>)
-    return f(NarrowBodies<kernels::Integer127>(pair, a, b, memory));
-  if (words && pair.exponent <= most_bits_for<kernels::Integer255>)
-    return f(NarrowBodies<kernels::Integer255>(pair, a, b, memory));
-  return f(NarrowBodies<NarrowInteger>(pair, a, b, memory));
+  return with_integers_for(pair, [&]<class Integer>(Integer) { return f(NarrowBodies<Integer>(pair, a, b, memory)); });
 }
 
 }  // namespace fathom::polytope

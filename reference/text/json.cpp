@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/rounding.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::text {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/rounding.hpp"
+#include "kernels/number/rational.hpp"
 #include "tests/support/property.hpp"
 
 namespace fathom::kernels {

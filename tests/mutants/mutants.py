@@ -33,8 +33,8 @@ class Mutant(NamedTuple):
 
 MUTANTS = [Mutant(*fields) for fields in [
     # numbers, filters, predicates, the perturbation
-    ("kernels/number/rounding.cpp", "half && (below || odd)", "half && (below || !odd)", "kernels_tests"),
-    ("kernels/number/rounding.cpp", "{-positive.rn, -positive.ru, -positive.rd}", "{-positive.rn, -positive.rd, -positive.ru}",
+    ("kernels/number/rational.cpp", "half && (below || odd)", "half && (below || !odd)", "kernels_tests"),
+    ("kernels/number/rational.cpp", "{-positive.rn, -positive.ru, -positive.rd}", "{-positive.rn, -positive.rd, -positive.ru}",
      "kernels_tests"),
     ("kernels/filters/support.cpp", "if (near.size() == 1 || v.slack == 0) return std::move(near);",
      "if (!near.empty()) return std::move(near);", "kernels_tests"),

@@ -8,7 +8,6 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
-#include "kernels/number/rounding.hpp"
 #include "reference/polytope/polytope.hpp"
 
 namespace fathom::golden {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
-#include "kernels/number/rounding.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/text/json.hpp"
 #include "verify/golden/records/facts.hpp"
