@@ -9,13 +9,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/word_integer.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {
@@ -29,11 +32,44 @@ bool in_lowest_terms(const mpq_class& value) {
   return gcd(n, d) == 1;
 }
 
+[[noreturn]] static void throw_not_lowest() {
+  throw std::invalid_argument(
+      "a number is not in lowest terms over a positive denominator: mpq_class::canonicalize makes it so");
+}
+
 void require_lowest_terms(const mpq_class& value) {
   if (in_lowest_terms(value)) return;
   if (value.get_den() == 0) throw std::invalid_argument("the denominator of a number is 0");
-  throw std::invalid_argument(
-      "a number is not in lowest terms over a positive denominator: mpq_class::canonicalize makes it so");
+  throw_not_lowest();
+}
+
+bool Divisors::add(const ShortRational& number) {
+  auto known = std::ranges::find(products_, number.divisor, &std::pair<std::uint64_t, std::uint64_t>::first);
+  if (known == products_.end()) {
+    if (products_.size() == most) return false;
+    known = products_.insert(known, {number.divisor, 1});
+  }
+  const auto numerator = static_cast<std::uint64_t>(std::abs(number.mantissa));
+  known->second = static_cast<std::uint64_t>(Uint128{known->second} * numerator % known->first);
+  return true;
+}
+
+bool Divisors::in_lowest_terms() const {
+  return std::ranges::all_of(products_, [](const auto& p) { return std::gcd(p.first, p.second) == 1; });
+}
+
+void Divisors::require_lowest_terms() const {
+  if (!in_lowest_terms()) throw_not_lowest();
+}
+
+std::optional<std::uint64_t> Divisors::common(long bits) const {
+  std::uint64_t common = 1;
+  for (const auto& [divisor, product] : products_) {
+    const Uint128 multiple = Uint128{common / std::gcd(common, divisor)} * divisor;
+    if (multiple >> bits != 0) return std::nullopt;
+    common = static_cast<std::uint64_t>(multiple);
+  }
+  return common;
 }
 
 double nearest_binary32(double value) { return static_cast<double>(static_cast<float>(value)); }

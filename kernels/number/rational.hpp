@@ -11,6 +11,8 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace fathom::kernels {
 
@@ -66,6 +68,26 @@ struct ShortRational : Dyadic {
 /// the caller to ask. Returns nullopt if they are longer, and if the number is surely not in lowest
 /// terms over a positive denominator.
 std::optional<ShortRational> short_rational(const mpq_class& value);
+
+/// The divisors of short rationals. They tell of many numbers at once whether they are in lowest
+/// terms: a prime that divides a divisor and the product of its numerators divides one of these.
+class Divisors {
+ public:
+  void clear() { products_.clear(); }
+  /// Takes the number in, of which the divisor is not 1. False if there is no room for its divisor:
+  /// of few each is looked up where it comes again, of more that would take too long.
+  bool add(const ShortRational& number);
+  [[nodiscard]] bool in_lowest_terms() const;
+  /// Throws std::invalid_argument unless they are.
+  void require_lowest_terms() const;
+  /// The least common multiple, if it has at most so many bits.
+  [[nodiscard]] std::optional<std::uint64_t> common(long bits) const;
+
+ private:
+  static constexpr std::size_t most = 64;
+
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> products_;  // a divisor; the product, modulo it
+};
 
 /// The nearest number of binary32, ties to even, while rounding is to nearest; infinite beyond its
 /// range. Not in line: there g++ 12.2 leaves two out of three coordinates as they are.

@@ -180,23 +180,28 @@ class LowestTerms {
  public:
   void require(const mpq_class& q) {
     const mpz_class& divisor = q.get_den();
+    if (divisor == 1) return;
+    const std::optional<kernels::ShortRational> number = kernels::short_rational(q);
+    if (number && (number->divisor == 1 || short_.add(*number))) return;
     const bool at_once = sgn(divisor) <= 0 || mpz_popcount(divisor.get_mpz_t()) == 1;  // a bit tells of powers of two
-    if (at_once) return kernels::require_lowest_terms(q);
-    auto known =
-        std::ranges::find(products_, divisor, [](const mpq_class& p) -> const mpz_class& { return p.get_den(); });
-    if (known == products_.end() && products_.size() == most_divisors) return kernels::require_lowest_terms(q);
-    if (known == products_.end()) {
-      products_.push_back(q);
+    if (at_once || long_.size() == most_divisors) return kernels::require_lowest_terms(q);
+    auto known = std::ranges::find(long_, divisor, [](const mpq_class& p) -> const mpz_class& { return p.get_den(); });
+    if (known == long_.end()) {
+      long_.push_back(q);
       return;
     }
     mpz_class& product = known->get_num();
     product *= q.get_num();
     mpz_tdiv_r(product.get_mpz_t(), product.get_mpz_t(), divisor.get_mpz_t());
   }
-  void finish() const { std::ranges::for_each(products_, kernels::require_lowest_terms); }
+  void finish() const {
+    short_.require_lowest_terms();
+    std::ranges::for_each(long_, kernels::require_lowest_terms);
+  }
 
  private:
-  std::vector<mpq_class> products_;  // of numerators, over their denominator
+  kernels::Divisors short_;
+  std::vector<mpq_class> long_;  // products of numerators, over their denominator
 };
 
 void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) {

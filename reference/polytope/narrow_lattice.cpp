@@ -14,21 +14,6 @@
 namespace fathom::polytope {
 namespace {
 
-// Of this many divisors each is looked up where it comes again; of more, that would take too long.
-constexpr std::size_t most_divisors = 64;
-
-// Whether there is room for the divisor of a number among those of the pair, into which it goes.
-bool add_divisor(const kernels::ShortRational& number, NarrowPair& pair) {
-  auto known = std::ranges::find(pair.divisors, number.divisor, &std::pair<std::uint64_t, std::uint64_t>::first);
-  if (known == pair.divisors.end()) {
-    if (pair.divisors.size() == most_divisors) return false;
-    known = pair.divisors.insert(known, {number.divisor, 1});
-  }
-  const auto numerator = static_cast<std::uint64_t>(std::abs(number.mantissa));
-  known->second = static_cast<std::uint64_t>(kernels::Uint128{known->second} * numerator % known->first);
-  return true;
-}
-
 // Takes the coordinates apart, into the numbers and the divisors of the pair. False if one is too
 // long, or there are too many divisors.
 bool take_apart(const Points& a, const Points& b, NarrowPair& pair) {
@@ -44,25 +29,12 @@ bool take_apart(const Points& a, const Points& b, NarrowPair& pair) {
     }
     bool operator()(const mpq_class& c) {
       const std::optional<kernels::ShortRational> number = kernels::short_rational(c);
-      if (!number || (number->divisor != 1 && !add_divisor(*number, pair))) return false;
+      if (!number || (number->divisor != 1 && !pair.divisors.add(*number))) return false;
       *next++ = *number;
       return true;
     }
   } take{pair, next};
   return a.all_coordinates(take) && b.all_coordinates(take);
-}
-
-// The least common multiple of the divisors; 0 if it is too long, or if a number is not in lowest
-// terms: then some product of numerators shares a factor with its divisor.
-std::uint64_t common_divisor_of(const NarrowPair& pair) {
-  std::uint64_t common = 1;
-  for (const auto& [divisor, product] : pair.divisors) {
-    if (std::gcd(divisor, product) != 1) return 0;
-    const kernels::Uint128 multiple = kernels::Uint128{common / std::gcd(common, divisor)} * divisor;
-    if (multiple >> most_word_bits != 0) return 0;
-    common = static_cast<std::uint64_t>(multiple);
-  }
-  return common;
 }
 
 // Brings the numbers over the common divisor. False if one becomes too long.
@@ -192,16 +164,17 @@ void make_images(const std::vector<Vec3<NT>>& points, long exponent, NarrowCloud
 
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   if (a.empty() || b.empty() || !take_apart(a, b, pair)) return false;
-  const std::uint64_t divisor = common_divisor_of(pair);
-  if (divisor == 0 || (divisor != 1 && !multiply_numerators(pair, divisor))) return false;
+  const std::optional<std::uint64_t> divisor = pair.divisors.common(most_word_bits);
+  if (!divisor || !pair.divisors.in_lowest_terms()) return false;
+  if (*divisor != 1 && !multiply_numerators(pair, *divisor)) return false;
   const Range range(pair.numbers);
   const long bits = range.high - range.low + 1;  // of the differences from the origin
   if (bits > most_narrow_bits) return false;
   clear_points(pair);
   if (bits <= most_word_bits) {
-    fill(a.size(), range.low, divisor, pair, &NarrowCloud::words);
+    fill(a.size(), range.low, *divisor, pair, &NarrowCloud::words);
   } else {
-    fill(a.size(), range.low, divisor, pair, &NarrowCloud::points);
+    fill(a.size(), range.low, *divisor, pair, &NarrowCloud::points);
     if (pair.exponent < most_word_bits) shorten(pair);  // differences may fit words where coordinates do not
   }
   for (NarrowCloud* cloud : {&pair.a, &pair.b})

@@ -56,10 +56,9 @@ struct NarrowPair {
   long exponent = 0;  ///< the least with |c| <= 2^exponent for every coordinate c of both clouds
   NarrowCloud a, b;
 
-  /// Of place_narrow: short coordinates; their divisors, with the product of the numerators over
-  /// each, modulo the divisor.
+  /// Of place_narrow: the coordinates, and their divisors.
   std::vector<kernels::ShortRational> numbers;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> divisors;
+  kernels::Divisors divisors;
 };
 
 /// Places both bodies if numerators, denominators and their least common multiple are short but for

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <array>
 #include <bit>
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <optional>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -332,6 +335,115 @@ TEST(HexText, AsPercentAPrintsIt) {
       RC_ASSERT(hex_text(x) == expected);
     }
   }));
+}
+
+mpq_class value(const Dyadic& d) {
+  mpq_class q(d.mantissa);
+  if (d.exponent >= 0) mpq_mul_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(d.exponent));
+  else mpq_div_2exp(q.get_mpq_t(), q.get_mpq_t(), static_cast<mp_bitcnt_t>(-d.exponent));
+  return q;
+}
+
+TEST(Dyadic, IsTheExactValueOfEveryDouble) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = std::bit_cast<double>(i % 5 == 0 ? random() & 0x800fffffffffffffU : random());
+    if (!std::isfinite(x)) continue;
+    const Dyadic d = dyadic(x);
+    ASSERT_EQ(value(d), exact_value(x)) << x;
+    ASSERT_TRUE(d.mantissa % 2 != 0 || x == 0) << x;
+  }
+  for (const double x : {0.0, -0.0}) EXPECT_TRUE(dyadic(x).mantissa == 0 && dyadic(x).exponent == 0);
+  EXPECT_THROW(dyadic(std::nan("")), std::invalid_argument);
+  EXPECT_THROW(dyadic(-std::numeric_limits<double>::infinity()), std::invalid_argument);
+}
+
+TEST(ShortRational, HasOddPartsOfAtMost63Bits) {
+  const mpz_class most = (mpz_class(1) << 63) - 1, far = mpz_class(1) << 200;
+  for (const mpq_class& q :
+       {mpq_class(0), mpq_class(12), mpq_class(-7, 8), mpq_class(most), mpq_class(-most, 2), mpq_class(far),
+        mpq_class(most * far), mpq_class(-5, 3 * far), mpq_class(1, 3), mpq_class(-5, 12), mpq_class(far * 3, most),
+        mpq_class(most - 2, most * far), mpq_class(mpz_class(1) << 63), mpq_class(mpz_class(most << 1), 5)}) {
+    const auto r = short_rational(q);
+    ASSERT_TRUE(r) << q;
+    EXPECT_EQ(value(*r) / mpq_class(mpz_class(r->divisor)), q);
+    EXPECT_TRUE(r->mantissa % 2 != 0 || q == 0);
+    EXPECT_EQ(r->divisor % 2, 1U);
+  }
+  for (const mpz_class& odd : {mpz_class(most + 2), mpz_class(far + 1), mpz_class((far << 1) + (far >> 1) + 1)}) {
+    for (const mpz_class& even : {odd, mpz_class(odd << 1), mpz_class(odd * far)}) {
+      EXPECT_FALSE(short_rational(mpq_class(even))) << even;
+      EXPECT_FALSE(short_rational(mpq_class(-1, even))) << even;
+    }
+  }
+  EXPECT_FALSE(short_rational(mpq_class(2, 4))) << "not in lowest terms";
+  EXPECT_FALSE(short_rational(mpq_class(0, 3)));
+  EXPECT_FALSE(short_rational(mpq_class(1, -4)));
+  EXPECT_FALSE(short_rational(mpq_class(1, 0)));
+}
+
+/// Against every number by itself, and GMP's least common multiple.
+TEST(Divisors, TellOfAllNumbersAtOnce) {
+  std::mt19937_64 random(4);
+  std::size_t lowest = 0, broken = 0, common = 0, long_ones = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Divisors divisors;
+    bool all = true;
+    mpz_class multiple = 1;
+    const std::uint64_t most = std::uint64_t{1} << (2 + random() % 40);
+    const std::array<std::uint64_t, 2> few{random() % most | 1, random() % most | 1};
+    for (int k = 0; k < 6; ++k) {
+      const std::uint64_t divisor = few[random() % 2];
+      const auto numerator = static_cast<std::int64_t>(random() >> (1 + random() % 62) | 1);
+      if (divisor == 1) continue;
+      ASSERT_TRUE(divisors.add({{random() % 2 == 0 ? numerator : -numerator, 3}, divisor}));
+      all = all && gcd(mpz_class(numerator), mpz_class(divisor)) == 1;
+      multiple = lcm(multiple, mpz_class(divisor));
+    }
+    ASSERT_EQ(divisors.in_lowest_terms(), all);
+    if (all) EXPECT_NO_THROW(divisors.require_lowest_terms());
+    else EXPECT_THROW(divisors.require_lowest_terms(), std::invalid_argument);
+    ++(all ? lowest : broken);
+    const std::optional<std::uint64_t> found = divisors.common(62);
+    ASSERT_EQ(found.has_value(), mpz_sizeinbase(multiple.get_mpz_t(), 2) <= 62);
+    ASSERT_TRUE(!found || mpz_class(*found) == multiple);
+    ++(found ? common : long_ones);
+  }
+  for (const std::size_t n : {lowest, broken, common, long_ones}) EXPECT_GT(n, 300U);
+  Divisors many;
+  for (std::uint64_t d = 3; d < 131; d += 2) ASSERT_TRUE(many.add({{1, 0}, d})) << d;
+  EXPECT_FALSE(many.add({{1, 0}, 131}));
+  EXPECT_TRUE(many.add({{2, 0}, 3})) << "one that is known";
+}
+
+TEST(Dyadic, InBinary64AreItsNumbersAlone) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const auto x = std::bit_cast<double>(i % 5 == 0 ? random() & 0x800fffffffffffffU : random());
+    if (!std::isfinite(x)) continue;
+    const mpq_class exact = exact_value(x), third = exact / 3;
+    ASSERT_EQ(in_binary64(exact), std::optional(x + 0.0)) << x;
+    const bool is_number = exact_value(round_binary64(third)) == third;
+    ASSERT_EQ(in_binary64(third).has_value(), is_number) << x;
+  }
+  const mpq_class top = value({1, 1024}), least = value({1, -1074});
+  for (const mpq_class& q :
+       {top, mpq_class(-top), mpq_class(least / 2), mpq_class(3 * least / 2), value({(1L << 53) + 1, 0}),
+        value({(1L << 53) + 1, 900}), mpq_class(1, 3), mpq_class(1, -4), mpq_class(1, 0)})
+    EXPECT_FALSE(in_binary64(q)) << q;
+  EXPECT_EQ(in_binary64(mpq_class(top - value({1, 971}))), std::numeric_limits<double>::max());
+  EXPECT_EQ(in_binary64(least), 0x1p-1074);
+}
+
+TEST(Dyadic, EachOfThreeIsRoundedToBinary32) {
+  for (const double x : {0.1, -0.7, 1e-42, 1e300}) {
+    std::array<double, 3> p{x, 2 * x, 3 * x};
+    for (double& c : p) c = nearest_binary32(c);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const mpq_class exact = exact_value(static_cast<double>(i + 1) * x);
+      EXPECT_EQ(p[i], static_cast<double>(round_binary32(exact))) << x;
+    }
+  }
 }
 
 }  // namespace
