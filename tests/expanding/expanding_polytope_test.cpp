@@ -324,7 +324,7 @@ TEST(FixedIntegers, HoldTheLargestNumbers) {
 }
 
 /// The same for integers of two words and of four; the first point of B is amid the others, so that
-/// it may be the origin.
+/// it may be the origin, and the next one is a unit away, so that this is the unit.
 TEST(WordIntegers, HoldTheLargestNumbers) {
   kernels::Context context;
   Workspace workspace;
@@ -336,7 +336,7 @@ TEST(WordIntegers, HoldTheLargestNumbers) {
     // Of 2^61 itself the lattice makes no word.
     const mpz_class most = testing::power_of_two(static_cast<unsigned long>(bits)) - (bits > 60 ? 1 : 0);
     for (int i = 0; i < 200; ++i) {
-      std::vector<Point> a, b{{0, 0, 0}};
+      std::vector<Point> a, b{{0, 0, 0}, {1, 0, 0}};
       const auto coordinate = [&](unsigned negative) {
         const mpq_class size = random() % 3 == 0 ? mpz_class(most - 1) : most;
         return negative != 0 ? mpq_class(-size) : size;
