@@ -46,9 +46,8 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("kernels/predicates/perturbation.cpp", "cross(m[2], m[0]), cross(m[0], m[1])", "cross(m[0], m[2]), cross(m[0], m[1])",
      "kernels_tests"),
     # the lattice, distances, the expander, contacts
-    ("reference/polytope/lattice.cpp", "static_cast<unsigned>(-low), extent.trailing_zeros());",
-     "static_cast<unsigned>(-low), extent.trailing_zeros() + 1);", "polytope_tests"),
-    ("reference/polytope/lattice.cpp", "n *= q.get_num();", "n *= abs(q.get_num());", "polytope_tests"),
+    ("reference/polytope/narrow_lattice.cpp", "low + static_cast<long>(zeros);", "low;", "polytope_tests"),
+    ("reference/polytope/lattice.cpp", "return q.get_num() * factor_;", "return abs(q.get_num()) * factor_;", "polytope_tests"),
     ("reference/polytope/distance.cpp", "if (w <= 0 || w >= square) return std::nullopt;", "if (w <= 0) return std::nullopt;",
      "polytope_tests"),
     ("reference/expanding/expander.hpp", "if (order > 0) return true;", "if (order >= 0) return true;", "expanding_tests"),
