@@ -27,9 +27,9 @@ class Runs(CertifyTest):
                 if re.search(rf"^{name} .*not built", self.answer("certify", "--list-adapters"), re.MULTILINE):
                     self.skipTest(f"{name} is not built")
                 _, lines, err = self.certify("--adapter", name, DATA / "unions.jsonl")
-                self.assertEqual(lines[1]["id"], "key_in_comb")
-                self.assertEqual(lines[1]["verdict"], "too-shallow", err)
-                self.assertAlmostEqual(lines[1]["judgement"]["deeper"], math.sqrt(2.5), places=3)
+                key = next(line for line in lines if line.get("id") == "key_in_comb")  # lines come as verdicts are found
+                self.assertEqual(key["verdict"], "too-shallow", err)
+                self.assertAlmostEqual(key["judgement"]["deeper"], math.sqrt(2.5), places=3)
 
     def test_adapter_without_its_packages(self):
         """A copy of the program has nothing beside it."""
