@@ -166,10 +166,12 @@ PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, c
     return PlacedDepth{std::move(depth), std::move(pair)};
   };
   if (narrow.gave_up) return answer(exact_depth, std::move(*narrow.pair));
+  if (narrow.pair) return answer(depth_by_method, std::move(*narrow.pair));
   std::vector<Point> room_a, room_b;
   const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
-  if (!searches_narrow(options)) narrow.pair = polytope::place_if_slim(exact_a, exact_b, &context);
-  if (narrow.pair) return answer(depth_by_method, std::move(*narrow.pair));
+  if (!searches_narrow(options))
+    if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
+      return answer(depth_by_method, std::move(*slim));
   if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
     return {std::move(*depth), std::nullopt};
   return answer(depth_by_method, polytope::place(exact_a, exact_b, &context));
