@@ -40,8 +40,9 @@ Surd negated_root(const mpq_class& squared) { return {0, mpq_class(-squared)}; }
 }  // namespace
 
 std::optional<Status> Answer::status() const {
-  return std::visit(ByKind{[](const UnionDepth& unions) { return std::optional(unions.status); },
-                           [](const auto& pair) { return std::optional<Status>(pair.status()); }},
+  return std::visit(ByKind{[](const Depth& depth) { return std::optional(depth.status()); },
+                           [](const SignedDepth& shapes) { return shapes.status(); },
+                           [](const UnionDepth& unions) { return std::optional(unions.status); }},
                     found);
 }
 
@@ -51,15 +52,22 @@ std::string_view Answer::status_name() const {
 }
 
 bool Answer::complete() const {
-  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
-  return unions == nullptr || unions->complete;
+  return std::visit(ByKind{[](const Depth&) { return true; }, [](const SignedDepth&) { return true; },
+                           [](const UnionDepth& unions) { return unions.complete; }},
+                    found);
 }
 
 Part<Surd> Answer::exact() const {
-  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
-  if (shapes != nullptr && !shapes->exact()) return {{}, only_bounds};
-  if (!complete()) return {{}, stopped};
-  return {low()};
+  return std::visit(ByKind{[&](const Depth&) -> Part<Surd> { return {low()}; },
+                           [&](const SignedDepth& shapes) -> Part<Surd> {
+                             if (!shapes.exact()) return {{}, only_bounds};
+                             return {low()};
+                           },
+                           [&](const UnionDepth& unions) -> Part<Surd> {
+                             if (!unions.complete) return {{}, stopped};
+                             return {low()};
+                           }},
+                    found);
 }
 
 Surd Answer::low() const {
@@ -76,9 +84,14 @@ Surd Answer::low() const {
 }
 
 Surd Answer::high() const {
-  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
-  if (shapes != nullptr && !shapes->exact()) return {shapes->bounds()->high, 0};
-  return complete() ? low() : Surd{0, std::get<UnionDepth>(found).high};
+  return std::visit(ByKind{[&](const Depth&) { return low(); },
+                           [&](const SignedDepth& shapes) {
+                             return shapes.exact() ? low() : Surd{shapes.bounds()->high, 0};
+                           },
+                           [&](const UnionDepth& unions) {
+                             return unions.complete ? low() : Surd{0, unions.high};
+                           }},
+                    found);
 }
 
 double Answer::low_binary64() const { return round_binary64(low(), Rounding::rd); }
@@ -91,79 +104,98 @@ std::optional<double> Answer::nearest_binary64() const {
 }
 
 Part<Vector> Answer::direction() const {
-  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
-  if (unions == nullptr) {
-    const Depth* const depth = std::get_if<Depth>(&found);
-    return {depth != nullptr ? depth->direction() : std::get<SignedDepth>(found).direction()};
-  }
-  if (unions->apart) return {unions->apart->distance.direction};
-  if (!unions->complete) return {{}, stopped};
-  if (unions->status == Status::touching) return {{}, no_one_direction};
-  return {primitive_along(unions->optima.front().translation)};
+  return std::visit(ByKind{[](const Depth& depth) -> Part<Vector> { return {depth.direction()}; },
+                           [](const SignedDepth& shapes) -> Part<Vector> { return {shapes.direction()}; },
+                           [](const UnionDepth& unions) -> Part<Vector> {
+                             if (unions.apart) return {unions.apart->distance.direction};
+                             if (!unions.complete) return {{}, stopped};
+                             if (unions.status == Status::touching) return {{}, no_one_direction};
+                             return {primitive_along(unions.optima.front().translation)};
+                           }},
+                    found);
 }
 
 Part<SurdPoint> Answer::translation() const {
-  if (const Depth* const depth = std::get_if<Depth>(&found)) return {coordinates(depth->contact_translation())};
-  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
-    const std::vector<AlongNormal> all = shapes->translations();
-    if (all.empty()) return {{}, only_bounds};
-    return {coordinates(all.front())};
-  }
-  const UnionDepth& unions = std::get<UnionDepth>(found);
-  if (unions.apart) return {coordinates(unions.apart->distance.translation)};
-  if (!unions.complete) return {{}, stopped};
-  return {coordinates(unions.optima.front().translation)};
+  return std::visit(
+      ByKind{[](const Depth& depth) -> Part<SurdPoint> { return {coordinates(depth.contact_translation())}; },
+             [](const SignedDepth& shapes) -> Part<SurdPoint> {
+               const std::vector<AlongNormal> all = shapes.translations();
+               if (all.empty()) return {{}, only_bounds};
+               return {coordinates(all.front())};
+             },
+             [](const UnionDepth& unions) -> Part<SurdPoint> {
+               if (unions.apart) return {coordinates(unions.apart->distance.translation)};
+               if (!unions.complete) return {{}, stopped};
+               return {coordinates(unions.optima.front().translation)};
+             }},
+      found);
 }
 
 Part<SurdWitness> Answer::witness() const {
-  if (const Depth* const depth = std::get_if<Depth>(&found)) return {surds(coordinates(depth->contact_points()))};
-  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
-    const std::optional<RoundedWitness> witness = shapes->witness();
-    if (!witness) return {{}, only_bounds};
-    return {surds(coordinates(*witness))};
-  }
-  const UnionDepth& unions = std::get<UnionDepth>(found);
-  if (!unions.apart) return {{}, witness_if_disjoint};
-  return {surds(coordinates(unions.apart->distance.witness))};
+  return std::visit(
+      ByKind{[](const Depth& depth) -> Part<SurdWitness> { return {surds(coordinates(depth.contact_points()))}; },
+             [](const SignedDepth& shapes) -> Part<SurdWitness> {
+               const std::optional<RoundedWitness> witness = shapes.witness();
+               if (!witness) return {{}, only_bounds};
+               return {surds(coordinates(*witness))};
+             },
+             [](const UnionDepth& unions) -> Part<SurdWitness> {
+               if (!unions.apart) return {{}, witness_if_disjoint};
+               return {surds(coordinates(unions.apart->distance.witness))};
+             }},
+      found);
 }
 
 const Contact* Answer::contact() const {
   return std::visit(
-      ByKind{[](const UnionDepth& unions) { return unions.apart ? &unions.apart->distance.contact : nullptr; },
-             [](const auto& pair) { return pair.contact(); }},
+      ByKind{[](const Depth& depth) { return depth.contact(); },
+             [](const SignedDepth& shapes) { return shapes.contact(); },
+             [](const UnionDepth& unions) { return unions.apart ? &unions.apart->distance.contact : nullptr; }},
       found);
 }
 
 std::size_t Answer::ways_out() const {
   if (status() != Status::penetrating || !exact()) return 0;
-  return std::visit(ByKind{[](const SignedDepth& shapes) { return shapes.translations().size(); },
-                           [](const UnionDepth& unions) { return unions.optima.size(); },
-                           [](const Depth& depth) { return depth.optima().size(); }},
+  return std::visit(ByKind{[](const Depth& depth) { return depth.optima().size(); },
+                           [](const SignedDepth& shapes) { return shapes.translations().size(); },
+                           [](const UnionDepth& unions) { return unions.optima.size(); }},
                     found);
 }
 
 WayOut Answer::way_out(std::size_t index) const {
-  if (const Depth* const depth = std::get_if<Depth>(&found)) {
-    const Optimum& way = depth->optima()[index];
-    return {way.direction, coordinates(way.translation())};
-  }
-  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&found)) {
-    const AlongNormal way = shapes->translations()[index];
-    return {way.normal, coordinates(way)};
-  }
-  const Point& way = std::get<UnionDepth>(found).optima[index].translation;
-  return {primitive_along(way), coordinates(way)};
+  return std::visit(ByKind{[&](const Depth& depth) -> WayOut {
+                             const Optimum& way = depth.optima()[index];
+                             return {way.direction, coordinates(way.translation())};
+                           },
+                           [&](const SignedDepth& shapes) -> WayOut {
+                             const AlongNormal way = shapes.translations()[index];
+                             return {way.normal, coordinates(way)};
+                           },
+                           [&](const UnionDepth& unions) -> WayOut {
+                             const Point& way = unions.optima[index].translation;
+                             return {primitive_along(way), coordinates(way)};
+                           }},
+                    found);
 }
 
 const Depth* Answer::core() const {
-  const SignedDepth* const shapes = std::get_if<SignedDepth>(&found);
-  return shapes != nullptr ? std::get_if<Depth>(&shapes->core) : std::get_if<Depth>(&found);
+  return std::visit(ByKind{[](const Depth& depth) { return &depth; },
+                           [](const SignedDepth& shapes) { return std::get_if<Depth>(&shapes.core); },
+                           [](const UnionDepth&) -> const Depth* { return nullptr; }},
+                    found);
 }
 
 Part<UnionBounds> Answer::union_bounds() const {
-  const UnionDepth* const unions = std::get_if<UnionDepth>(&found);
-  if (unions == nullptr) return {{}, no_union};
-  return {unions->bounds, not_asked};
+  return std::visit(ByKind{[](const Depth&) -> Part<UnionBounds> {
+                             return {{}, no_union};
+                           },
+                           [](const SignedDepth&) -> Part<UnionBounds> {
+                             return {{}, no_union};
+                           },
+                           [](const UnionDepth& unions) -> Part<UnionBounds> {
+                             return {unions.bounds, not_asked};
+                           }},
+                    found);
 }
 
 Answer exact_answer(const Body& a, const Body& b, const Question& question) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "fathom/numbers.hpp"
@@ -128,7 +129,7 @@ Json cone_object(const OptimalCone& cone) {
 
 /// `found`: what `answered` holds, Depth or SignedDepth.
 template <class Found>
-std::string pair_json(const AnsweredCase& answered, const Found& found, const Shown& shown) {
+std::string found_json(const AnsweredCase& answered, const Found& found, const Shown& shown) {
   const std::optional<Status> status = found.status();
   const Depth* const core = answered.answer.core();
   const Penetration* const cores = core ? core->penetration() : nullptr;
@@ -212,7 +213,7 @@ Json distance_json(const UnionDistance& apart, const Shown& shown) {
           {"contact", contact_object(d.contact)}};
 }
 
-std::string union_json(const AnsweredCase& answered, const UnionDepth& depth, const Shown& shown) {
+std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, const Shown& shown) {
   Json optima = Json::array();
   for (std::size_t i = 0; i < depth.optima.size() && (!shown.optima || i < *shown.optima); ++i)
     optima.push_back(optimum_json(depth.optima[i]));
@@ -250,10 +251,7 @@ std::string_view method_name(const SignedDepth& depth) {
 }
 
 std::string answer_json(const AnsweredCase& answered, const Shown& shown) {
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answered.answer.found))
-    return union_json(answered, *unions, shown);
-  if (const Depth* const depth = std::get_if<Depth>(&answered.answer.found)) return pair_json(answered, *depth, shown);
-  return pair_json(answered, std::get<SignedDepth>(answered.answer.found), shown);
+  return std::visit([&](const auto& found) { return found_json(answered, found, shown); }, answered.answer.found);
 }
 
 std::string json_error(const std::string& id, std::size_t line, std::string_view error) {
