@@ -40,9 +40,11 @@ stand_in "$tree/packaging/try_in_chroot.sh" 'echo "try $*" >>"$STEPS"; exit "${T
 export STEPS=$work/steps
 steps() { [[ $(<"$STEPS") == "$1" ]] || broken "the steps were: $(<"$STEPS")"; }
 
-law='every test, the quick ones under sanitizers, and depth on Debian 13 as the last step'
+law='every test, the quick ones of rooms that compute under sanitizers, and depth on Debian 13 as the last step'
 expect 0 "$tree/.ci/run"
-steps $'check \ncheck --preset asan-ubsan --quick -L .\ntry --depth trixie'
+grep -q -- '--room kernels --room polytope .*--room check --room c ' "$STEPS" || broken "the steps were: $(<"$STEPS")"
+sed -i 's/ --room [a-z_]*//g' "$STEPS"
+steps $'check \ncheck --preset asan-ubsan --quick \ntry --depth trixie'
 [[ -z $talk ]] || broken 'stderr should be empty'
 
 law='a machine that can make no bare system says so in one line, and goes on'
