@@ -44,15 +44,15 @@ void check_counts(const Certificate& c) {
 
 }  // namespace
 
-void check_claim(const Certificate& c) {
+void check_claim(const Certificate& c, Arithmetic arithmetic) {
   check_numbers(c);
   if (c.format != 3) check_counts(c);
-  const Scaled bodies = scaled(c);
+  const Scaled bodies = scaled(c, arithmetic);
   const Bound low = of_cores(c, c.low);
   if (c.format == 3) return check_unions(c, bodies, low);
   check_directions(c, bodies, low, of_cores(c, c.high));
   if (c.proof == Proof::facets) check_inner(c, bodies, low.num > 0 ? low : Bound{0, 1});
-  if (c.proof == Proof::weights) check_weights(c, bodies.a.points, bodies.b.points, low);
+  if (c.proof == Proof::weights) check_weights(c, bodies.a.all_points(), bodies.b.all_points(), low);
   if (c.has_cone) check_cone(c, bodies);
 }
 

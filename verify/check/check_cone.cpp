@@ -57,8 +57,8 @@ class Cone {
 
   /// h(u) = 0.
   void require_zero(const MutableVector& u, const MutableVector& minus_u, std::size_t line) {
-    find_largest(product_, scratch_, u, bodies_->b.points);
-    find_largest(other_, scratch_, minus_u, bodies_->a.points);
+    find_largest(product_, scratch_, u, bodies_->b.all_points());
+    find_largest(other_, scratch_, minus_u, bodies_->a.all_points());
     if (product_ + other_ != 0) throw refused(line, "this vector does not belong to the cone");
   }
 

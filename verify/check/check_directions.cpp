@@ -77,7 +77,7 @@ class Directions {
 
   /// The largest product with a core point.
   mpq_class support(const ScaledBody& scaled, const MutableVector& s) {
-    find_largest(product_, scratch_, s, scaled.points);
+    find_largest(product_, scratch_, s, scaled.all_points());
     return product_;
   }
 

@@ -3,6 +3,7 @@
 // tolerance.                                                          [FORMAT.md, sections 4 and 5]
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "budget.hpp"
 #include "checks.hpp"
@@ -47,9 +48,54 @@ class EdgeTable {
   std::vector<Entry> entries_;
 };
 
+/// What a polytope is computed with: integers of any size,
+struct AnySize {
+  using Point = Vector;
+  using Edge = MutableVector;
+  using Normal = MutableVector;
+  using Number = mpz_class;
+  using Plane = fathom_check::Plane;
+  static Plane kept_plane(Arena& integers, const Normal& normal, const Number& c) {
+    return {kept(integers, normal), integers.keep(c)};
+  }
+};
+
+/// or those that hold all that is computed of vertices of few bits.
+struct FixedSize {
+  using Point = Words;
+  using Edge = Words;
+  using Normal = FixedVector<Int128>;
+  using Number = Int256;
+  struct Plane {
+    Normal normal;
+    Number c;
+  };
+  static Plane kept_plane(Arena& /*integers*/, const Normal& normal, const Number& c) { return {normal, c}; }
+};
+
+/// How few: the m bits that coordinates of vertices may have if each facet has less than 2^s
+/// corners. Then edges are below 2^(m+1), the normal of a fan triangle has entries below 2^(2m+3),
+/// and N, the sum of less than 2^s of these, entries below 2^(2m+s+3). So <N,N'> < 3 * 2^(4m+2s+6)
+/// for two normals. All else is smaller: <N,v> < 3 * 2^(3m+s+3), and v x v' has no larger entries
+/// than a fan triangle's normal.
+constexpr std::size_t most_bits_of_vertices(std::size_t s) { return (247 - 2 * s) / 4; }
+
+constexpr bool all_fits() {
+  for (std::size_t s = 0; s <= 64; ++s) {
+    const std::size_t m = most_bits_of_vertices(s);
+    if (m + 1 > 63 || 2 * m + s + 3 > 127 || 4 * m + 2 * s + 8 > 255) return false;
+  }
+  return true;
+}
+static_assert(all_fits(), "words hold edges, 127 bits normals, 255 bits products of two normals");
+
+template <class Kind>
 class Inner {
  public:
-  Inner(const std::vector<Vector>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest,
+  using Point = typename Kind::Point;
+  using Plane = typename Kind::Plane;
+
+  Inner(const std::vector<Point>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest,
         Arena& integers)
       : vertices_(&vertices),
         range_(&range),
@@ -66,7 +112,7 @@ class Inner {
     for (std::size_t f = 0; f < size(); ++f) check_edges(f, edges);
     const auto opposite = [this](const Plane& g) {
       dot(height_, g.normal, planes_.front().normal);
-      return height_ < 0;
+      return sgn(height_) < 0;
     };
     if (std::none_of(planes_.begin(), planes_.end(), opposite))
       throw refused(range_->line, "no facet faces away from the first");
@@ -90,10 +136,10 @@ class Inner {
   [[nodiscard]] std::uint32_t number(std::size_t f, std::size_t k) const {
     return facets_->corners[begin_of(f) + (k < corners(f) ? k : k - corners(f))];
   }
-  [[nodiscard]] const Vector& corner(std::size_t f, std::size_t k) const { return (*vertices_)[number(f, k)]; }
+  [[nodiscard]] const Point& corner(std::size_t f, std::size_t k) const { return (*vertices_)[number(f, k)]; }
   [[nodiscard]] std::size_t line(std::size_t f) const { return range_->part->lines[range_->first + f]; }
 
-  const std::vector<Vector>* vertices_;
+  const std::vector<Point>* vertices_;
   const FacetRange* range_;
   const Facets* facets_;
   const Bound* squared_;
@@ -102,12 +148,15 @@ class Inner {
   std::vector<Plane> planes_;
 
   // What is computed about the facet at hand.
-  MutableVector normal_, first_edge_, second_edge_, product_;
-  mpz_class c_of_plane_, height_, reached_, needed_;
+  typename Kind::Edge first_edge_, second_edge_;
+  typename Kind::Normal normal_, product_;
+  typename Kind::Number c_of_plane_, height_;
+  mpz_class reached_, needed_;
 };
 
 // All that concerns this facet alone.
-void Inner::check_facet(std::size_t f) {
+template <class Kind>
+void Inner<Kind>::check_facet(std::size_t f) {
   const std::size_t count = corners(f);
   if (count < 3) throw refused(line(f), "a facet has at least three corners");
   for (std::size_t k = 0; k < count; ++k)
@@ -117,18 +166,20 @@ void Inner::check_facet(std::size_t f) {
   // The plane through a triangle's corners is that of its normal, and its only fan triangle has
   // det(v_0, v_1, v_2) = c > 0.
   if (count > 3) check_polygon(f);
-  planes_.push_back({kept(*integers_, normal_), integers_->keep(c_of_plane_)});
+  planes_.push_back(Kind::kept_plane(*integers_, normal_, c_of_plane_));
 }
 
 /// (v_k - v_0) x (v_(k+1) - v_0), into product_. Its product with v_0 is det(v_0, v_k, v_(k+1)).
-void Inner::find_fan_normal(std::size_t f, std::size_t k) {
+template <class Kind>
+void Inner<Kind>::find_fan_normal(std::size_t f, std::size_t k) {
   subtract(first_edge_, corner(f, k), corner(f, 0));
   subtract(second_edge_, corner(f, k + 1), corner(f, 0));
   cross(product_, first_edge_, second_edge_);
 }
 
 // The sum of all v_k x v_(k+1) is that of the fan normals: multiply these out.
-void Inner::find_plane(std::size_t f) {
+template <class Kind>
+void Inner<Kind>::find_plane(std::size_t f) {
   find_fan_normal(f, 1);
   std::swap(normal_, product_);
   for (std::size_t k = 2; k + 1 < corners(f); ++k) {
@@ -138,17 +189,24 @@ void Inner::find_plane(std::size_t f) {
   dot(c_of_plane_, normal_, corner(f, 0));
 }
 
-void Inner::check_distance(std::size_t f) {
-  if (c_of_plane_ <= 0) throw refused(line(f), "O does not lie below this facet");
-  reached_ = c_of_plane_ * c_of_plane_;
+template <class Kind>
+void Inner<Kind>::check_distance(std::size_t f) {
+  if (sgn(c_of_plane_) <= 0) throw refused(line(f), "O does not lie below this facet");
+  copy(reached_, c_of_plane_);
+  reached_ *= reached_;
   reached_ *= squared_->den;
-  dot(needed_, normal_, normal_);
+  dot(height_, normal_, normal_);
+  copy(needed_, height_);
   needed_ *= squared_->num;
   if (reached_ < needed_) throw refused(line(f), "this facet is nearer to O than claimed");
-  if (*nearest_ && reached_ == needed_) (*nearest_)(line(f), normal_);
+  if (!*nearest_ || reached_ != needed_) return;
+  MutableVector normal;
+  copy(normal.x, normal_.x), copy(normal.y, normal_.y), copy(normal.z, normal_.z);
+  (*nearest_)(line(f), normal);
 }
 
-void Inner::check_polygon(std::size_t f) {
+template <class Kind>
+void Inner<Kind>::check_polygon(std::size_t f) {
   for (std::size_t k = 1; k < corners(f); ++k) {
     dot(height_, normal_, corner(f, k));
     if (height_ != c_of_plane_) throw refused(line(f), "the corners of this facet do not lie on one plane");
@@ -156,12 +214,13 @@ void Inner::check_polygon(std::size_t f) {
   for (std::size_t k = 1; k + 1 < corners(f); ++k) {
     find_fan_normal(f, k);
     dot(height_, product_, corner(f, 0));
-    if (height_ <= 0) throw refused(line(f), "the corners of this facet do not turn one way around O");
+    if (sgn(height_) <= 0) throw refused(line(f), "the corners of this facet do not turn one way around O");
   }
 }
 
 // Across each edge, the neighbour's plane leaves this facet below.
-void Inner::check_edges(std::size_t f, const EdgeTable& edges) {
+template <class Kind>
+void Inner<Kind>::check_edges(std::size_t f, const EdgeTable& edges) {
   for (std::size_t k = 0; k < corners(f); ++k) {
     const std::uint32_t u = number(f, k), v = number(f, k + 1);
     const std::size_t g = edges.facet(v, u);
@@ -174,17 +233,18 @@ void Inner::check_edges(std::size_t f, const EdgeTable& edges) {
 
 /// Whether some corner w of f has det(u, v, w) > 0 and lies strictly below the plane across the
 /// edge uv that begins at corner k.
-bool Inner::turns_inward(std::size_t f, std::size_t k, const Plane& across) {
+template <class Kind>
+bool Inner<Kind>::turns_inward(std::size_t f, std::size_t k, const Plane& across) {
   const bool triangle = corners(f) == 3;  // then det(u, v, w) is c > 0
   if (!triangle) cross(product_, corner(f, k), corner(f, k + 1));
   for (std::size_t step = 2; step < corners(f); ++step) {
-    const Vector& w = corner(f, k + step);
+    const Point& w = corner(f, k + step);
     if (!triangle) {
       dot(height_, product_, w);
-      if (height_ <= 0) continue;
+      if (sgn(height_) <= 0) continue;
     }
     dot(height_, across.normal, w);
-    if (mpz_cmp(height_.get_mpz_t(), across.c.get_mpz_t()) < 0) return true;
+    if (height_ < across.c) return true;
   }
   return false;
 }
@@ -200,6 +260,40 @@ void check_listed(const std::vector<Vector>& listed, MutableVector normal, std::
     throw refused(line, "this facet is as near as the depth, and its direction is not among all directions");
 }
 
+/// Calls `take` with the numbers of the points of b and of a that each vertex is the difference of.
+template <class Take>
+void for_each_vertex(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last, const Points& a,
+                     const Points& b, const Take& take) {
+  for (std::size_t k = first; k < last; ++k) {
+    const Pair pair = vertices.items[k];
+    if (pair.j >= b.size()) throw refused(vertices.lines[k], "b has no point of this number");
+    if (pair.i >= a.size()) throw refused(vertices.lines[k], "a has no point of this number");
+    take(pair.j, pair.i);
+  }
+}
+
+std::size_t bits(const Words& v) {
+  const auto size = [](Word n) { return static_cast<std::uint64_t>(n < 0 ? -n : n); };
+  const std::uint64_t all = size(v.x) | size(v.y) | size(v.z);
+  return all == 0 ? 0 : 64 - static_cast<std::size_t>(__builtin_clzll(all));
+}
+
+/// The vertices, if those of these facets are of so few bits that integers of a fixed size do.
+std::optional<std::vector<Words>> fixed_differences(const Certificate& c, const Points& a, const Points& b) {
+  if (a.words() == nullptr || b.words() == nullptr) return std::nullopt;
+  std::vector<Words> result;
+  result.reserve(c.vertices.items.size());
+  std::size_t most = 0, corners = 0, s = 0;
+  for_each_vertex(c.vertices, 0, c.vertices.items.size(), a, b, [&](std::size_t j, std::size_t i) {
+    subtract(result.emplace_back(), b.words()[j], a.words()[i]);
+    most = std::max(most, bits(result.back()));
+  });
+  const Facets& facets = c.facets.items;
+  for (std::size_t f = 0; f < facets.size(); ++f) corners = std::max(corners, facets.ends[f] - facets.begin_of(f));
+  while (corners >> s != 0) ++s;
+  return most <= most_bits_of_vertices(s) ? std::optional(std::move(result)) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last,
@@ -207,28 +301,31 @@ std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::si
   std::vector<Vector> result;
   result.reserve(last - first);
   MutableVector difference;
-  for (std::size_t k = first; k < last; ++k) {
-    const Pair pair = vertices.items[k];
-    if (pair.j >= b.size()) throw refused(vertices.lines[k], "b has no point of this number");
-    if (pair.i >= a.size()) throw refused(vertices.lines[k], "a has no point of this number");
-    subtract(difference, b[pair.j], a[pair.i]);
+  for_each_vertex(vertices, first, last, a, b, [&](std::size_t j, std::size_t i) {
+    subtract(difference, b[j], a[i]);
     result.push_back(kept(integers, difference));
-  }
+  });
   return result;
 }
 
 std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
                                   const NearestFacet& nearest, Arena& integers) {
-  return Inner(vertices, facets, squared, nearest, integers).check();
+  return Inner<AnySize>(vertices, facets, squared, nearest, integers).check();
 }
 
 void check_inner(const Certificate& c, const Scaled& bodies, const Bound& squared) {
   Arena integers;
-  const auto vertices = differences(c.vertices, 0, c.vertices.items.size(), bodies.a.points, bodies.b.points, integers);
   NearestFacet nearest;
   if (c.all)
     nearest = [&c](std::size_t line, const MutableVector& normal) { check_listed(c.directions.items, normal, line); };
-  check_polytope(vertices, {&c.facets, 0, c.facets.items.size(), c.facets.line}, squared, nearest, integers);
+  const FacetRange facets{&c.facets, 0, c.facets.items.size(), c.facets.line};
+  const Points a = bodies.a.all_points(), b = bodies.b.all_points();
+  if (const auto vertices = fixed_differences(c, a, b)) {
+    Inner<FixedSize>(*vertices, facets, squared, nearest, integers).check();
+  } else {
+    check_polytope(differences(c.vertices, 0, c.vertices.items.size(), a, b, integers), facets, squared, nearest,
+                   integers);
+  }
 }
 
 }  // namespace fathom_check

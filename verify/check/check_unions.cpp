@@ -97,7 +97,7 @@ bool below(const RationalPoint& p, const RationalPoint& q) {
 }  // namespace
 
 Points piece(const Body& body, const ScaledBody& scaled, std::size_t number) {
-  return {scaled.points, begin_of(body.pieces, number), body.pieces[number].end};
+  return {scaled.points, scaled.words, begin_of(body.pieces, number), body.pieces[number].end};
 }
 
 void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squared) {

@@ -18,7 +18,7 @@ struct Bound {
 };
 
 /// All of it: the claim of `certificate` is proved by its parts.
-void check_claim(const Certificate& certificate);
+void check_claim(const Certificate& certificate, Arithmetic arithmetic = Arithmetic::fixed_where_it_fits);
 
 /// The upper side (section 5): each direction's height compared as the claim demands. If a core is
 /// a half-space, the lower side too.

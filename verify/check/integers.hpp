@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -28,7 +29,8 @@ class Integer {
  private:
   friend class Arena;
   /// Digits with the least one first, and their number, which is negative if the integer is.
-  Integer(mp_srcptr digits, mp_size_t size) { mpz_roinit_n(value_, digits, size); }
+  Integer(mp_srcptr digits, mp_size_t size)
+      : value_ MPZ_ROINIT_N(const_cast<mp_limb_t*>(digits), static_cast<int>(size)) {}
 
   static constexpr mp_limb_t one_ = 1;
   mpz_t value_;
@@ -45,7 +47,8 @@ class Arena {
     std::copy_n(mpz_limbs_read(value.get_mpz_t()), size, digits);
     return {digits, sgn(value) * static_cast<mp_size_t>(size)};
   }
-  Integer keep(long value) {
+  Integer keep(std::int64_t value) {
+    if (value == 0) return {};
     mp_limb_t* const digit = room(1);
     *digit = value < 0 ? -static_cast<mp_limb_t>(value) : static_cast<mp_limb_t>(value);
     return {digit, value < 0 ? -1 : 1};

@@ -28,7 +28,9 @@ class Width {
 
   void take(const Rational& r) {
     numerator_ = std::max(numerator_, bits(r.num));
-    if (mpz_divisible_p(denominator_.get_mpz_t(), r.den.get_mpz_t())) return;
+    const mpz_srcptr common = denominator_.get_mpz_t(), den = r.den.get_mpz_t();
+    const bool words = bits(common) <= 63 && bits(den) <= 63;
+    if (words ? to_word(common) % to_word(den) == 0 : mpz_divisible_p(common, den) != 0) return;
     mpz_lcm(denominator_.get_mpz_t(), denominator_.get_mpz_t(), r.den.get_mpz_t());
     if (vectors_ * bits(denominator_) > largest_) throw too_large();
   }

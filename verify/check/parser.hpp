@@ -3,6 +3,8 @@
 // lenient.
 #pragma once
 
+#include <algorithm>
+
 #include "budget.hpp"
 #include "certificate.hpp"
 #include "limits.hpp"
@@ -86,6 +88,11 @@ class Parser {
 template <class Items, class Item>
 void Parser::read_rows(Part<Items>& part, std::size_t lines, std::size_t numbers, const char* expected,
                        const Item& item) {
+  constexpr std::size_t few = 64;  // however many are announced
+  if (part.lines.empty()) {
+    part.items.reserve(std::min(lines, few));
+    part.lines.reserve(std::min(lines, few));
+  }
   part.line = lines_->number();
   for (; lines > 0; --lines) {
     row(numbers, expected);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scaled.hpp"
 
+#include <algorithm>
+
 #include "budget.hpp"
-#include "vectors.hpp"
 
 namespace fathom_check {
 namespace {
@@ -32,6 +33,11 @@ class Scaling {
  private:
   Integer times(const Rational& r, const mpz_class& scale) {
     if (mpz_cmp(r.den.get_mpz_t(), scale.get_mpz_t()) == 0) return r.num;
+    if (bits(scale) <= 63 && bits(r.num) <= 63) {  // the denominator divides the scale
+      const Int128 product =
+          Int128{to_word(scale.get_mpz_t()) / to_word(r.den.get_mpz_t())} * to_word(r.num.get_mpz_t());
+      if (const auto word = static_cast<Word>(product); word == product) return integers_->keep(word);
+    }
     mpz_divexact(product_.get_mpz_t(), scale.get_mpz_t(), r.den.get_mpz_t());
     mpz_mul(product_.get_mpz_t(), product_.get_mpz_t(), r.num.get_mpz_t());
     return integers_->keep(product_);
@@ -102,15 +108,25 @@ class Scaling {
   mpz_class product_;
 };
 
+void make_words(ScaledBody& body) {
+  const auto fits = [](const Vector& p) { return std::max({bits(p.x), bits(p.y), bits(p.z)}) <= most_bits_of_words; };
+  if (!std::all_of(body.points.begin(), body.points.end(), fits)) return;
+  body.words.reserve(body.points.size());
+  for (const Vector& p : body.points)
+    body.words.push_back({to_word(p.x.get_mpz_t()), to_word(p.y.get_mpz_t()), to_word(p.z.get_mpz_t())});
+}
+
 }  // namespace
 
-Scaled scaled(const Certificate& certificate) {
+Scaled scaled(const Certificate& certificate, Arithmetic arithmetic) {
   if (certificate.a.core == Body::Core::half_space && certificate.b.core == Body::Core::half_space)
     throw refused(certificate.b.line, "two half-spaces");
   Scaled result;
   Scaling scaling(certificate, result.integers);
   result.a = scaling.body(certificate.a);
   result.b = scaling.body(certificate.b);
+  if (arithmetic == Arithmetic::fixed_where_it_fits)
+    for (ScaledBody* const body : {&result.a, &result.b}) make_words(*body);
   return result;
 }
 

@@ -8,15 +8,19 @@
 #include <vector>
 
 #include "certificate.hpp"
+#include "vectors.hpp"
 
 namespace fathom_check {
 
 /// In units of 1 / certificate.scale.
 struct ScaledBody {
   std::vector<Vector> points;                           ///< the core points: none of a half-space; of all pieces
+  std::vector<Words> words;                             ///< the same points; empty if one of them does not fit
   std::vector<std::vector<std::vector<Vector>>> terms;  ///< of a shape: their atoms, each the center, then the axes
   Vector normal;     ///< of a half-space: a positive multiple of the one that was read
   mpq_class offset;  ///< for this normal
+
+  [[nodiscard]] Points all_points() const { return {points, words, 0, points.size()}; }
 };
 
 /// Both bodies. They may share digits with the certificate, which must outlive them.
@@ -25,8 +29,12 @@ struct Scaled {
   ScaledBody a, b;
 };
 
+/// Whether integers of a fixed size are used where they hold what is computed. What is checked does
+/// not depend on it; tests do without.
+enum class Arithmetic { fixed_where_it_fits, of_any_size };
+
 /// Throws Fault (refused) unless the bodies are as section 4 demands of every claim, inner points
 /// included; of pieces, if there is none.
-Scaled scaled(const Certificate& certificate);
+Scaled scaled(const Certificate& certificate, Arithmetic arithmetic);
 
 }  // namespace fathom_check

@@ -5,11 +5,12 @@
 
 #include <gmpxx.h>
 
-#include <cstdint>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "certificate.hpp"
+#include "fixed.hpp"
 
 namespace fathom_check {
 
@@ -23,6 +24,10 @@ void dot(mpz_class& result, const U& u, const V& v) {
   mpz_mul(result.get_mpz_t(), u.x.get_mpz_t(), v.x.get_mpz_t());
   mpz_addmul(result.get_mpz_t(), u.y.get_mpz_t(), v.y.get_mpz_t());
   mpz_addmul(result.get_mpz_t(), u.z.get_mpz_t(), v.z.get_mpz_t());
+}
+
+inline bool operator<(const mpz_class& n, const Integer& of_arena) {
+  return mpz_cmp(n.get_mpz_t(), of_arena.get_mpz_t()) < 0;
 }
 
 /// Neither operand may be the result.
@@ -52,21 +57,44 @@ inline void add(MutableVector& sum, const MutableVector& v) {
 /// Some points that lie one behind another.
 class Points {
  public:
-  Points(const std::vector<Vector>& all) : Points(all, 0, all.size()) {}
-  Points(const std::vector<Vector>& all, std::size_t first, std::size_t last)
-      : begin_(all.data() + first), end_(all.data() + last) {}
+  /// Those from `first` to `last`. `words` are the same points, or there are none.
+  Points(const std::vector<Vector>& all, const std::vector<Words>& words, std::size_t first, std::size_t last)
+      : begin_(all.data() + first), end_(all.data() + last), words_(words.empty() ? nullptr : words.data() + first) {}
   [[nodiscard]] const Vector* begin() const { return begin_; }
   [[nodiscard]] const Vector* end() const { return end_; }
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   [[nodiscard]] const Vector& operator[](std::size_t k) const { return begin_[k]; }
+  /// The same points, below 2^62 in size; null if one of their coordinates is larger.
+  [[nodiscard]] const Words* words() const { return words_; }
 
  private:
   const Vector *begin_, *end_;
+  const Words* words_;
 };
+
+constexpr std::size_t most_bits_of_words = 62;  ///< in `words` of points, so that a difference is a word too
+
+/// find_largest in integers of a fixed size. Each |<s,p>| is below 3 * 2^62 * 2^63 < 2^127 for an s
+/// of words, which have at most 63 bits, and below 3 * 2^62 * 2^127 < 2^255 for one of 127 bits.
+template <class Number, class Entry>
+void find_largest_fixed(mpz_class& largest, const FixedVector<Entry>& s, const Points& points) {
+  Number most, height;
+  dot(most, s, points.words()[0]);
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    dot(height, s, points.words()[k]);
+    if (most < height) most = height;
+  }
+  copy(largest, most);
+}
 
 /// The largest <s,p> of these points, of which there is at least one.
 template <class S>
 void find_largest(mpz_class& largest, mpz_class& scratch, const S& s, const Points& points) {
+  const mpz_srcptr x = s.x.get_mpz_t(), y = s.y.get_mpz_t(), z = s.z.get_mpz_t();
+  const std::size_t size = points.words() == nullptr ? SIZE_MAX : std::max({bits(x), bits(y), bits(z)});
+  if (size <= 63) return find_largest_fixed<Int128>(largest, Words{to_word(x), to_word(y), to_word(z)}, points);
+  if (size <= 127)
+    return find_largest_fixed<Int256>(largest, FixedVector<Int128>{to_int128(x), to_int128(y), to_int128(z)}, points);
   dot(largest, s, points[0]);
   for (const Vector& p : points) {
     dot(scratch, s, p);
@@ -103,9 +131,7 @@ bool ascending(const U& u, const V& v) {
 inline bool is_zero(const Vector& v) { return v.x.sign() == 0 && v.y.sign() == 0 && v.z.sign() == 0; }
 inline bool is_zero(const MutableVector& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
-/// Binary digits of the absolute value; 0 has none.
-inline std::uint64_t bits(mpz_srcptr value) { return mpz_sgn(value) == 0 ? 0 : mpz_sizeinbase(value, 2); }
-inline std::uint64_t bits(const mpz_class& value) { return bits(value.get_mpz_t()); }
-inline std::uint64_t bits(const Integer& value) { return bits(value.get_mpz_t()); }
+inline std::size_t bits(const mpz_class& n) { return bits(n.get_mpz_t()); }
+inline std::size_t bits(const Integer& n) { return bits(n.get_mpz_t()); }
 
 }  // namespace fathom_check
