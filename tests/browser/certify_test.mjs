@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of `fathom certify --html`, of a run with failures of every kind that has pictures, unions among them.
 import assert from 'node:assert/strict';
-import { accessible, fathom, fits, made, onPage, prints, root } from './lib.mjs';
+import { accessible, fathom, fits, inBothLooks, made, onPage, prints, root } from './lib.mjs';
 
 const subject = `${process.env.PYTHON ?? 'python3'} ${root}/examples/data/mine`;
 let written;
@@ -23,11 +23,10 @@ const facts = (page) => page.evaluate(() => ({
   rows: document.querySelectorAll('main table tr').length,
 }));
 
-for (const [width, colorScheme] of [[390, 'dark'], [1280, 'light']])
-  onPage(`certify at ${width} pixels, ${colorScheme}`, certified, { width, colorScheme }, async (page) => {
-    await fits(page);
-    await accessible(page);
-  });
+inBothLooks('certify', certified, async (page) => {
+  await fits(page);
+  await accessible(page);
+});
 
 onPage('certify: pictures and tables', certified, {}, async (page) => {
   const { pictures, rows } = await facts(page);

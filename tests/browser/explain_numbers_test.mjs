@@ -2,7 +2,7 @@
 // Every number on the page of `fathom explain` is one of `depth --json`, or of the data of the pictures; with scripts and without.
 import assert from 'node:assert/strict';
 import { drawn, explained, meshes, stored } from './explained.mjs';
-import { cases, onPage } from './lib.mjs';
+import { cases, onPage, withoutWebGl } from './lib.mjs';
 import { nearestRoot } from '../../view/page/web/numbers.js';
 
 const gallery = 'docs/gallery/cases.jsonl';
@@ -51,7 +51,7 @@ function expected(depth) {
 
 for (const [name, line] of Object.entries(lines))
   for (const javaScriptEnabled of [true, false])
-    onPage(`numbers of ${name}, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => explained(line()).page, { javaScriptEnabled, width: 480, height: 480 }, async (page) => {
+    onPage(`numbers of ${name}, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => explained(line()).page, { javaScriptEnabled, flags: withoutWebGl, width: 480, height: 480 }, async (page) => {
       const { depth, stages } = explained(line());
       for (const [field, value] of expected(depth)) {
         const shown = await page.locator(`#facts [data-field="${field}"]`).first().textContent();

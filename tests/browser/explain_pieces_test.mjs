@@ -2,7 +2,7 @@
 // The page of `fathom explain --pieces`, of unions: it shows, turns, moves A until pieces touch, steps through optima, lights pieces, fits, prints,
 // can be read by all, and every number is one of `depth --pieces --json`.
 import assert from 'node:assert/strict';
-import { accessible, colours, fathom, fits, made, onPage, prints, withoutWebGl } from './lib.mjs';
+import { accessible, colours, fathom, fits, inBothLooks, made, onPage, prints, withoutWebGl } from './lib.mjs';
 
 const faces = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
 const box = (low, high) => [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [0, 1, 2].map((axis) => (i >> axis & 1 ? high : low)[axis]));
@@ -38,13 +38,12 @@ async function started(page) {
 }
 
 for (const [name, make] of Object.entries(all))
-  for (const [width, colorScheme] of [[390, 'dark'], [1280, 'light']])
-    onPage(`pieces ${name} at ${width} pixels, ${colorScheme}`, () => make().page, { width, colorScheme }, async (page) => {
-      await started(page);
-      await fits(page);
-      await accessible(page);
-      assert.match(await page.locator('#left-out').innerText(), /stages of the algorithm/, 'law: what is left out is said');
-    });
+  inBothLooks(`pieces ${name}`, () => make().page, async (page) => {
+    await started(page);
+    await fits(page);
+    await accessible(page);
+    assert.match(await page.locator('#left-out').innerText(), /stages of the algorithm/, 'law: what is left out is said');
+  });
 
 onPage('pieces: the case is there to take along, and has the same answer', () => all.key().page, {}, async (page) => {
   assert.equal(await page.getByRole('button', { name: 'Copy this case' }).count(), 1);
@@ -120,7 +119,7 @@ const numbers = (text) => text.match(/(?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?(?!
 
 for (const [name, make] of Object.entries(all))
   for (const javaScriptEnabled of [true, false])
-    onPage(`pieces ${name}: numbers, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => make().page, { javaScriptEnabled }, async (page) => {
+    onPage(`pieces ${name}: numbers, scripts ${javaScriptEnabled ? 'on' : 'off'}`, () => make().page, { javaScriptEnabled, flags: withoutWebGl }, async (page) => {
       const { depth } = make(), answers = new Set(numbers(JSON.stringify(depth)).map(Number)), value = (x) => x.split('/').reduce((p, q) => p / q);
       for (const text of JSON.stringify(depth).match(/"-?\d+(\/\d+)?"/g) ?? []) answers.add(Number(value(JSON.parse(text))));
       const { pieces } = await page.evaluate(() => ({ pieces: JSON.parse(document.getElementById('stages').textContent) })).then(({ pieces: s }) => ({ pieces: [s.a.length, s.b.length] }));
@@ -147,7 +146,7 @@ for (const [what, options] of Object.entries({ WebGL: { flags: withoutWebGl }, s
     });
 
 for (const [name, make] of Object.entries(all))
-  onPage(`pieces ${name}: what touches, and the differences of pieces, are listed`, () => make().page, {}, async (page) => {
+  onPage(`pieces ${name}: what touches, and the differences of pieces, are listed`, () => make().page, { flags: withoutWebGl }, async (page) => {
     const { depth } = make(), { sums } = await page.evaluate(() => globalThis.fathom.data.stages);
     assert.equal(await page.locator('#contacts tr[data-contact]').count(), depth.apart ? 1 : depth.optima[0].contacts.length,
       'law: a row for each pair of pieces that touches');

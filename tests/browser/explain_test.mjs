@@ -2,7 +2,7 @@
 // The page of `fathom explain`: it shows, turns, moves, answers to keys, remembers what was chosen, fits, prints, and can be read by all.
 import assert from 'node:assert/strict';
 import { drawn, explained, meshes, stored } from './explained.mjs';
-import { accessible, colours, fits, onPage, prints, shadows, withoutWebGl } from './lib.mjs';
+import { accessible, colours, fits, inBothLooks, onPage, prints, shadows, withoutWebGl } from './lib.mjs';
 
 const gallery = (id) => () => explained(stored('docs/gallery/cases.jsonl', id)).page;
 const plain = () => explained(meshes('cube-icosahedron', 'tests/data/cube.off', 'tests/data/icosahedron.off')).page;
@@ -18,16 +18,14 @@ async function started(page) {
   assert.deepEqual(broken, [], 'law: every part of the page starts');
 }
 
-for (const [name, page] of Object.entries(looks)) {
-  for (const [width, colorScheme] of [[390, 'dark'], [1280, 'light']])
-    onPage(`explain ${name} at ${width} pixels, ${colorScheme}`, page, { width, colorScheme }, async (open) => {
-      await started(open);
-      await fits(open);
-      await accessible(open);
-      const shadowed = await shadows(open);
-      if (width === 390 && page === fans) assert.ok(shadowed, 'law: on a phone the tables scroll');
-    });
-}
+for (const [name, page] of Object.entries(looks))
+  inBothLooks(`explain ${name}`, page, async (open, width) => {
+    await started(open);
+    await fits(open);
+    await accessible(open);
+    const shadowed = await shadows(open);
+    if (width === 390 && page === fans) assert.ok(shadowed, 'law: on a phone the tables scroll');
+  });
 
 onPage('explain: the canvas shows a picture, and turns', plain, {}, async (page) => {
   for (const scene of ['#what .scene canvas', '#why .scene canvas', '#where .sphere canvas']) {

@@ -93,6 +93,17 @@ export function onPage(name, file, options, check) {
   });
 }
 
+/** A test of a page on a phone in the dark and on a desk in the light: opened once, as that takes seconds. `check` gets the width too. */
+export function inBothLooks(name, file, check) {
+  onPage(`${name} on a phone in the dark and on a desk in the light`, file, { width: 390, colorScheme: 'dark' }, async (page) => {
+    await check(page, 390);
+    await page.setViewportSize({ width: 1280, height: 900 });
+    await page.emulateMedia({ colorScheme: 'light' });
+    await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+    await check(page, 1280);
+  });
+}
+
 /** Law: nothing is wider than the window, except what scrolls by itself. */
 export async function fits(page) {
   const { wide, inner, wider } = await page.evaluate(() => {

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { accessible, fathom, fits, made, onPage, prints, root } from './lib.mjs';
+import { accessible, fathom, fits, inBothLooks, made, onPage, prints, root } from './lib.mjs';
 
 const program = process.env.FATHOM_EXECUTABLE;
 const there = fathom(['certify', '--list-adapters']).split('\n').filter((line) => line && !line.endsWith('; not built'))
@@ -36,12 +36,11 @@ function cell() {
 const skip = there.length === 0;
 const on = (...words) => (skip ? undefined : onPage(...words));
 
-for (const [width, colorScheme] of [[390, 'dark'], [1280, 'light']])
-  for (const [name, file] of [['survey', surveyed], ['a cell of the survey', cell]])
-    on(`${name} at ${width} pixels, ${colorScheme}`, file, { width, colorScheme }, async (page) => {
-      await fits(page);
-      await accessible(page);
-    });
+for (const [name, file] of skip ? [] : [['survey', surveyed], ['a cell of the survey', cell]])
+  inBothLooks(name, file, async (page) => {
+    await fits(page);
+    await accessible(page);
+  });
 
 const shown = (page) => page.evaluate(() => [...document.querySelectorAll('section.set')].filter((e) => e.offsetParent).map((e) => e.id));
 
