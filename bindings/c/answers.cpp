@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "bindings/c/boundary.hpp"
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/overlap.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/output/answer_json.hpp"
@@ -52,6 +54,21 @@ fathom_answer answer_about(const fathom_body& a, const fathom_body& b, const fat
   return {a.body, b.body, exact_answer(*a.body, *b.body, question), question.options.optima};
 }
 
+/// The answer of `ask`, which gets what the caller asks; `proof` gets the text of its proof.
+template <class Ask, class Text>
+auto asked_with_proof(const fathom_body* a, const fathom_body* b, const fathom_options* given, char** proof, Ask ask,
+                      Text text) {
+  require(a, "a");
+  require(b, "b");
+  const fathom_options options = options_from(given);
+  CallersMonitor monitor(options);
+  const Question question = question_of(options, monitor);
+  const auto found = ask(*a->body, *b->body,
+                         OverlapOptions{proof != nullptr, question.bits, &monitor, question.options.workspace});
+  if (proof) *proof = text_for_caller(text(*found.proof));
+  return found;
+}
+
 // ---- exact texts ----
 
 std::string text_of(const Surd& value) {
@@ -64,15 +81,29 @@ std::string text_of(const SurdPoint& values) {
   return text_of(values[0]) + " " + text_of(values[1]) + " " + text_of(values[2]);
 }
 
+std::string text_of(const Vector& n) { return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str(); }
+
+std::string text_of(const OverlapProof& proof) {
+  std::string text;
+  if (proof.common) text += "common " + text_of(rounded::coordinates(*proof.common)) + "\n";
+  if (proof.normal) text += "normal " + text_of(*proof.normal) + "\n";
+  if (!proof.around.empty()) text += "around";
+  for (const auto& [i, j] : proof.around) text += " " + std::to_string(i) + " " + std::to_string(j);
+  return text + (proof.around.empty() ? "" : "\n");
+}
+
+std::string text_of(const ClosenessProof& proof) {
+  if (proof.normal) return "normal " + text_of(*proof.normal) + "\n";
+  return "points " + text_of(rounded::coordinates(proof.points->a)) + " " +
+         text_of(rounded::coordinates(proof.points->b)) + "\n";
+}
+
 std::string exact_of(const Answer& answer, int quantity) {
   switch (quantity) {
     case FATHOM_SIGNED_DEPTH:
       return answer.exact() ? text_of(*answer.exact())
                             : "[" + text_of(answer.low()) + "," + text_of(answer.high()) + "]";
-    case FATHOM_DIRECTION: {
-      const Vector n = present(answer.direction());
-      return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str();
-    }
+    case FATHOM_DIRECTION: return text_of(present(answer.direction()));
     case FATHOM_TRANSLATION: return text_of(present(answer.translation()));
     case FATHOM_WITNESS_A: return text_of(present(answer.witness()).a);
     case FATHOM_WITNESS_B: return text_of(present(answer.witness()).b);
@@ -259,6 +290,34 @@ int fathom_answer_certificate(const fathom_answer* answer, const char* id, const
   return make_text(text, [&] {
     require(answer, "answer");
     return certificate_of(*answer, id ? id : "", options_from(options));
+  });
+}
+
+// ---- without the depth ----
+
+int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_options* options, int* status,
+                   char** proof) {
+  if (proof) *proof = nullptr;
+  return guarded([&] {
+    require(status, "status");
+    const fathom::Overlap found = asked_with_proof(
+        a, b, options, proof, fathom::overlap, [](const fathom::OverlapProof& shown) { return text_of(shown); });
+    *status = found.status ? static_cast<int>(*found.status) : FATHOM_UNDECIDED;
+  });
+}
+
+int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distance, const fathom_options* options,
+                       int* closer, char** proof) {
+  if (proof) *proof = nullptr;
+  return guarded([&] {
+    require(closer, "closer");
+    if (!std::isfinite(distance)) throw std::invalid_argument("distance: expected a finite number above 0");
+    const auto ask = [&](const fathom::Body& first, const fathom::Body& second, const fathom::OverlapOptions& how) {
+      return fathom::closer_than(first, second, mpq_class(distance), how);
+    };
+    const fathom::Closeness found = asked_with_proof(
+        a, b, options, proof, ask, [](const fathom::ClosenessProof& shown) { return text_of(shown); });
+    *closer = found.closer ? (*found.closer ? 1 : 0) : -1;
   });
 }
 

@@ -112,6 +112,16 @@ class Expander {
                 });
   }
 
+  /// Expands until O is in the interior of Q. Else O does not lie below the facet of P in which the
+  /// one triangle lies that is left in the memory.
+  ExpansionEnd find_origin() {
+    memory_.nearest.clear();
+    return grow([&](TriangleId t) { return above_origin(t); }, [](TriangleId) { return true; });
+  }
+
+  /// Of that triangle.
+  const Plane& plane_of_nearest() { return surface_.plane(memory_.nearest.front()); }
+
   /// Expands until Q holds the ball. Sets `holds` to whether P does.
   ExpansionEnd fill_ball(const mpq_class& squared, bool& holds) {
     const Radius<Square> radius = radius_of(Square(squared.get_num()), Square(squared.get_den()));
@@ -220,7 +230,10 @@ class Expander {
         if (!expand(*above, t)) return ExpansionEnd::spent;
         continue;
       }
-      if (sgn(surface_.plane(t).height) <= 0) return ExpansionEnd::not_inside;
+      if (sgn(surface_.plane(t).height) <= 0) {
+        memory_.nearest.assign(1, t);
+        return ExpansionEnd::not_inside;
+      }
       if (!go_on(t)) return ExpansionEnd::proved;
     }
     return ExpansionEnd::proved;
@@ -259,6 +272,10 @@ class Expander {
     if (sgn(surface_.plane(t).height) <= 0) return false;
     const int order = compare_distance(t, radius);
     return or_equal ? order >= 0 : order > 0;
+  }
+
+  bool above_origin(TriangleId t) {
+    return surface_.triangles()[t].rounded.surely_beyond(0) || sgn(surface_.plane(t).height) > 0;
   }
 
   // Returns a point of P strictly above the triangle's plane: a guess that an exact sign confirms,

@@ -219,6 +219,29 @@ template Expansion nearest_by_expansion(kernels::Context&, const polytope::Narro
 template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
                                         std::size_t, Workspace*);
 
+template <class Integer>
+OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+                              Workspace* workspace, bool with_normal) {
+  const Scratch scratch(workspace);
+  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  Expander expander(context, differences, (*scratch).template memory<Integer>(), unlimited);
+  OriginExpansion result;
+  if (!expander.start()) return {ExpansionEnd::not_inside, 0, {}, {}};
+  result.end = expander.find_origin();
+  if (result.end == ExpansionEnd::proved) return result;
+  result.side = sgn(expander.plane_of_nearest().height);
+  if (result.side == 0 || !with_normal) return result;
+  result.normal = to_vector(expander.plane_of_nearest().normal);
+  result.height = to_mpz(expander.plane_of_nearest().height);
+  return result;
+}
+template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&,
+                                       Workspace*, bool);
+template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&,
+                                       Workspace*, bool);
+template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+                                       Workspace*, bool);
+
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
                                       const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);

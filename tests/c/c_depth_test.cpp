@@ -198,6 +198,52 @@ TEST(CDepth, ListedOptima) {
   EXPECT_EQ(fathom_answer_optimum(answer.get(), 2, xyz, nullptr), FATHOM_BAD_INPUT);
 }
 
+// ---- without the depth ----
+
+std::string overlap_of(const BodyHandle& a, const BodyHandle& b) {
+  int status = -1, again = -1;
+  char* proof = nullptr;
+  EXPECT_EQ(fathom_overlap(a.get(), b.get(), nullptr, &status, &proof), FATHOM_OK) << fathom_last_error();
+  EXPECT_EQ(fathom_overlap(a.get(), b.get(), nullptr, &again, nullptr), FATHOM_OK);
+  EXPECT_EQ(again, status);
+  return std::string(fathom_status_name(status)) + "\n" + taken(proof);
+}
+
+TEST(COverlap, SaysWhereBodiesAreAndWhy) {
+  const BodyHandle cube = body_of(cube_at(0));
+  EXPECT_EQ(overlap_of(cube, body_of(cube_at(1))), "touching\ncommon 1 0 0\nnormal 1 0 0\n");
+  EXPECT_EQ(overlap_of(cube, body_of(cube_at(3))), "disjoint\nnormal 1 0 0\n");
+  EXPECT_EQ(overlap_of(cube, body_of(cube_at(0.5))).find("penetrating\ncommon "), 0U);
+  EXPECT_NE(overlap_of(cube, body_of(cube_at(0.5))).find("\naround "), std::string::npos);
+  int status = -1;
+  char* proof = nullptr;
+  const BodyHandle ball = shape_of("sphere:r=1");
+  EXPECT_EQ(fathom_overlap(cube.get(), ball.get(), nullptr, &status, nullptr), FATHOM_OK);
+  EXPECT_EQ(status, FATHOM_PENETRATING);
+  EXPECT_EQ(fathom_overlap(cube.get(), ball.get(), nullptr, &status, &proof), FATHOM_BAD_INPUT);
+  EXPECT_EQ(proof, nullptr);
+  EXPECT_EQ(fathom_overlap(cube.get(), nullptr, nullptr, &status, nullptr), FATHOM_BAD_INPUT);
+}
+
+TEST(CCloser, ExcludesTheDistanceItself) {
+  const BodyHandle cube = body_of(cube_at(0)), other = body_of(cube_at(3));
+  const auto closer = [&](double distance, const std::string& why) {
+    int result = -1, again = -1;
+    char* proof = nullptr;
+    EXPECT_EQ(fathom_closer_than(cube.get(), other.get(), distance, nullptr, &result, &proof), FATHOM_OK);
+    EXPECT_EQ(fathom_closer_than(cube.get(), other.get(), distance, nullptr, &again, nullptr), FATHOM_OK);
+    EXPECT_EQ(again, result);
+    EXPECT_EQ(taken(proof), why);
+    return result;
+  };
+  EXPECT_EQ(closer(2, "normal 1 0 0\n"), 0);
+  EXPECT_EQ(closer(std::nextafter(2, 3), "points 1 0 0 3 0 0\n"), 1);
+  int result = -1;
+  for (const double distance : {0.0, -1.0, std::nan(""), HUGE_VAL})
+    EXPECT_EQ(fathom_closer_than(cube.get(), other.get(), distance, nullptr, &result, nullptr), FATHOM_BAD_INPUT);
+  EXPECT_EQ(result, -1);
+}
+
 TEST(CDepth, CanBeStopped) {
   fathom_options options;
   fathom_options_init(&options);

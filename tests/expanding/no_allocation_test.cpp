@@ -46,6 +46,7 @@ Counts allocations_of(kernels::Context& context, const Case& input, Workspace::P
     polytope::NarrowDifferences<Integer> differences = bodies.differences();
     Expander expander(context, differences, parts.memory<Integer>(), 1000);
     if (expander.start()) expander.find_nearest();
+    if (expander.start()) expander.find_origin();
   };
   polytope::with_narrow_bodies(parts.pair, input.a.points, input.b.points, parts.scan, search);
   return {placed - before, allocations - placed};

@@ -290,3 +290,26 @@ def test_golden_records_of_unions(tmp_path):
     for record in records:
         hit = fathom.union_depth(record.a, record.b)
         assert (hit.status, hit.squared) == (record.status, record.depth_squared), record.id
+
+
+def test_overlap_needs_no_depth():
+    for shift in (-2, -1, -0.5, 0, 0.5, 1, 2):
+        other = CUBE + [shift, 0.25, 0]
+        status, proof = fathom.overlap(CUBE, other, proof=True)
+        assert status == fathom.overlap(CUBE, other) == fathom.depth(CUBE, other).status
+        assert set(proof) == {"penetrating": {"common", "around"}, "touching": {"common", "normal"}, "disjoint": {"normal"}}[status]
+    assert fathom.overlap(fathom.sphere(1), CUBE) == "penetrating"
+    assert fathom.overlap(fathom.union([CUBE, CUBE + [5, 0, 0]]), CUBE + [6.5, 0, 0]) == "disjoint"
+    with pytest.raises(ValueError, match="polytopes"):
+        fathom.overlap(fathom.sphere(1), CUBE, proof=True)
+
+
+def test_closer_than_excludes_the_distance():
+    far = CUBE + [1 + 0.5, 0, 0]
+    assert fathom.closer_than(CUBE, far, 0.5, proof=True) == (False, {"normal": (1, 0, 0)})
+    assert fathom.closer_than(CUBE, far, Fraction(1, 2) + Fraction(1, 10**30)) is True
+    closer, proof = fathom.closer_than(CUBE, far, "3/5", proof=True)
+    assert closer and proof["points"][1][0] - proof["points"][0][0] == Fraction(1, 2)
+    assert fathom.closer_than(fathom.sphere(1), fathom.sphere(1), 1, pose_b="xyz=3,0,0") is False
+    with pytest.raises(ValueError, match="above 0"):
+        fathom.closer_than(CUBE, far, 0)

@@ -10,6 +10,7 @@
 #include "bindings/python/src/bodies.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/judge.hpp"
+#include "fathom/overlap.hpp"
 #include "fathom/study.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/judge/fields.hpp"
@@ -33,7 +34,55 @@ Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_
   return pair;
 }
 
+/// A body of any kind.
+Body any_body_from(const py::object& from, const py::object& pose, const char* name) {
+  const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
+  return is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name);
+}
+
 py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
+
+/// Calls ask(a, b, options).
+template <class Ask>
+auto asked_with_proof(const py::object& a, const py::object& b, bool proof, const py::object& pose_a,
+                      const py::object& pose_b, Ask ask) {
+  const Body first = any_body_from(a, pose_a, "a"), second = any_body_from(b, pose_b, "b");
+  return watched([&](Monitor& monitor) {
+    thread_local Workspace workspace;
+    OverlapOptions options;
+    options.proof = proof;
+    options.monitor = &monitor;
+    options.workspace = &workspace;
+    return ask(first, second, options);
+  });
+}
+
+py::object overlap_of(const py::object& a, const py::object& b, bool proof, const py::object& pose_a,
+                      const py::object& pose_b) {
+  const Overlap found = asked_with_proof(a, b, proof, pose_a, pose_b, overlap);
+  const py::str status(std::string(found.status ? name(*found.status) : "undecided"));
+  if (!found.proof) return status;
+  py::dict shown;
+  if (found.proof->common) shown["common"] = fractions(*found.proof->common);
+  if (found.proof->normal) shown["normal"] = integers(*found.proof->normal);
+  if (!found.proof->around.empty()) shown["around"] = py::cast(found.proof->around);
+  return py::make_tuple(status, shown);
+}
+
+py::object closer_than_of(const py::object& a, const py::object& b, const py::object& distance, bool proof,
+                          const py::object& pose_a, const py::object& pose_b) {
+  const mpq_class limit = number_from(distance);
+  const Closeness found = asked_with_proof(
+      a, b, proof, pose_a, pose_b, [&](const Body& first, const Body& second, const OverlapOptions& options) {
+        return closer_than(first, second, limit, options);
+      });
+  const py::object closer = found.closer ? py::object(py::bool_(*found.closer)) : py::object(py::none());
+  if (!found.proof) return closer;
+  py::dict shown;
+  if (found.proof->points) shown["points"] = witness(found.proof->points, true);
+  if (found.proof->normal) shown["normal"] = integers(*found.proof->normal);
+  return py::make_tuple(closer, shown);
+}
 
 py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a,
              const py::object& pose_b) {
@@ -245,9 +294,7 @@ Claimed claimed_from(const py::dict& claim) {
 
 /// A body of any kind, as an implementation of this format sees it.
 Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
-  const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
-  std::optional<Body> body =
-      judging::body_seen(is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name), format);
+  std::optional<Body> body = judging::body_seen(any_body_from(from, pose, name), format);
   if (!body)
     throw py::value_error(std::string(name) + ": a coordinate overflows " + std::string(fathom::name(format.points)));
   return *std::move(body);
@@ -300,6 +347,9 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
 
 void bind_questions(py::module_& module) {
   using py::arg;
+  module.def("overlap", overlap_of, arg("a"), arg("b"), arg("proof"), arg("pose_a"), arg("pose_b"));
+  module.def("closer_than", closer_than_of, arg("a"), arg("b"), arg("distance"), arg("proof"), arg("pose_a"),
+             arg("pose_b"));
   module.def("ray", ray, arg("a"), arg("b"), arg("direction"), arg("pose_a"), arg("pose_b"));
   module.def("metric", metric, arg("a"), arg("b"), arg("ball"), arg("pose_a"), arg("pose_b"));
   module.def("approx", approx, arg("a"), arg("b"), arg("delta"), arg("pose_a"), arg("pose_b"));
