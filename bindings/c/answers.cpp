@@ -63,8 +63,8 @@ auto asked_with_proof(const fathom_body* a, const fathom_body* b, const fathom_o
   const fathom_options options = options_from(given);
   CallersMonitor monitor(options);
   const Question question = question_of(options, monitor);
-  const auto found = ask(*a->body, *b->body,
-                         OverlapOptions{proof != nullptr, question.bits, &monitor, question.options.workspace});
+  const auto found =
+      ask(*a->body, *b->body, OverlapOptions{proof != nullptr, question.bits, &monitor, question.options.workspace});
   if (proof) *proof = text_for_caller(text(*found.proof));
   return found;
 }
@@ -300,8 +300,8 @@ int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_opti
   if (proof) *proof = nullptr;
   return guarded([&] {
     require(status, "status");
-    const fathom::Overlap found = asked_with_proof(
-        a, b, options, proof, fathom::overlap, [](const fathom::OverlapProof& shown) { return text_of(shown); });
+    const fathom::Overlap found = asked_with_proof(a, b, options, proof, fathom::overlap,
+                                                   [](const fathom::OverlapProof& shown) { return text_of(shown); });
     *status = found.status ? static_cast<int>(*found.status) : FATHOM_UNDECIDED;
   });
 }
@@ -315,8 +315,8 @@ int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distan
     const auto ask = [&](const fathom::Body& first, const fathom::Body& second, const fathom::OverlapOptions& how) {
       return fathom::closer_than(first, second, mpq_class(distance), how);
     };
-    const fathom::Closeness found = asked_with_proof(
-        a, b, options, proof, ask, [](const fathom::ClosenessProof& shown) { return text_of(shown); });
+    const fathom::Closeness found =
+        asked_with_proof(a, b, options, proof, ask, [](const fathom::ClosenessProof& shown) { return text_of(shown); });
     *closer = found.closer ? (*found.closer ? 1 : 0) : -1;
   });
 }

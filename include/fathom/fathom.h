@@ -158,18 +158,19 @@ typedef struct fathom_answer fathom_answer;
  * once these are known. */
 FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
 
-/** Sets where A and B are, FATHOM_PENETRATING and so on: of hulls of points without their depth, in a
- * fraction of its time. `options` may be NULL; of it `bits`, `stop` and `caller` are read. `proof`,
- * unless it is NULL, gets lines of exact numbers that prove it, for hulls of points alone: "common
- * X Y Z", a point of both, unless they are disjoint; "normal X Y Z", a direction n with max_b <n,b> -
- * min_a <n,a> at most 0, unless they penetrate; of those that do "around I J ...", indices of points
- * a_i and b_j whose differences b_j - a_i have the origin in the interior of their hull. */
+/** Sets where A and B are, FATHOM_PENETRATING and so on: of hulls of points without their depth.
+ * `options` may be NULL; of it `bits`, `stop` and `caller` are read.
+ * `proof`, unless it is NULL, gets lines of exact numbers that prove it, for hulls of points alone:
+ * "common X Y Z", a point of both, unless they are disjoint; "normal X Y Z", a direction n with
+ * max_b <n,b> - min_a <n,a> at most 0, unless they penetrate; of those that do "around I J ...",
+ * indices of points a_I and b_J whose differences b_J - a_I have the origin in the interior of
+ * their hull. */
 FATHOM_API int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_options* options, int* status, char** proof);
 
-/** Sets whether a point of A and a point of B are less than `distance` apart, which is taken exactly
- * and has to be above 0: 1, 0, or -1 where bounds of curved shapes leave it open. The other arguments
- * are those of fathom_overlap. The proof is "points X Y Z X Y Z", such a point of A and of B, or
- * "normal X Y Z" with max_b <n,b> - min_a <n,a> <= -distance |n|. */
+/** Sets whether a point of A and a point of B are less than `distance` apart, which is taken
+ * exactly and has to be above 0: 1, 0, or -1 where bounds of curved shapes leave it open. The other
+ * arguments are those of fathom_overlap. The proof is "points X Y Z X Y Z", such a point of A and
+ * of B, or "normal X Y Z" with max_b <n,b> - min_a <n,a> <= -distance |n|. */
 FATHOM_API int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distance, const fathom_options* options, int* closer,
                                   char** proof);
 

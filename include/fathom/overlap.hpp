@@ -2,7 +2,7 @@
 // Input   two bodies, and perhaps a distance.
 // Output  whether they overlap, touch or are apart; whether they are closer than the distance.
 //         Exact, without their depth, and with a proof if one is asked for.
-//                                  [AGHRS, section 2.2, step before the algorithm; proofs/position.md]
+//                            [AGHRS, section 2.2, step before the algorithm; proofs/position.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -32,7 +32,7 @@ struct OverlapProof {
 
 /// Where two bodies are.
 struct Overlap {
-  std::optional<Status> status;       ///< as penetration_depth says it; nullopt if bounds of curved shapes leave it open
+  std::optional<Status> status;  ///< as penetration_depth says it; nullopt if bounds of curved shapes leave it open
   std::optional<OverlapProof> proof;  ///< if one was asked for
 };
 
@@ -56,10 +56,12 @@ struct OverlapOptions {
   Workspace* workspace = nullptr;             ///< as in Options; with one, polytopes on a narrow lattice take no memory
 };
 
-/// Returns where two bodies of any kinds are. Of polytopes in a fraction of the time of their
-/// depth; of others their depth or its bounds are found first, as exact_answer does. Throws what
-/// exact_answer throws. If a proof is asked for, also std::invalid_argument if one is no polytope, and
-/// InputError if the bodies' denominators share so little that one lattice would take over 256 MB.
+/// Returns where two bodies of any kinds are. Of polytopes without their depth, in a seventh to a
+/// half of its time, but as long where they touch or nearly do; of others their depth or its bounds
+/// are found first, as exact_answer does. Throws what
+/// exact_answer throws. If a proof is asked for, also std::invalid_argument if one is no polytope,
+/// and InputError if the bodies' denominators share so little that one lattice would take over 256
+/// MB.
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {});
 
 /// Returns whether some point of A and some point of B are closer than `distance`, in the unit of

@@ -74,10 +74,11 @@ Overlap exact_overlap(const polytope::PlacedPair& pair) {
 /// The points of bodies that are apart are nearest ones.
 Closeness exact_closeness(const polytope::PlacedPair& pair, const mpq_class& distance) {
   const Overlap where = exact_overlap(pair);
-  if (where.status != Status::disjoint) return {true, ClosenessProof{Witness{*where.proof->common, *where.proof->common}, {}}};
+  if (where.status != Status::disjoint)
+    return {true, ClosenessProof{Witness{*where.proof->common, *where.proof->common}, {}}};
   const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
-  const mpq_class square = kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal)) *
-                           pair.unit() * pair.unit();
+  const mpq_class square =
+      kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal)) * pair.unit() * pair.unit();
   if (square >= distance * distance) return {false, ClosenessProof{{}, nearest.normal}};
   return {true, ClosenessProof{Witness{depth::combination(pair, pair.a.points(), nearest.a),
                                        depth::combination(pair, pair.b.points(), nearest.b)},

@@ -211,8 +211,8 @@ std::string overlap_of(const BodyHandle& a, const BodyHandle& b) {
 
 TEST(COverlap, SaysWhereBodiesAreAndWhy) {
   const BodyHandle cube = body_of(cube_at(0));
-  EXPECT_EQ(overlap_of(cube, body_of(cube_at(1))), "touching\ncommon 1 0 0\nnormal 1 0 0\n");
-  EXPECT_EQ(overlap_of(cube, body_of(cube_at(3))), "disjoint\nnormal 1 0 0\n");
+  EXPECT_EQ(overlap_of(cube, body_of(cube_at(1))), "touching\ncommon 1 0 0\nnormal -1 0 0\n");
+  EXPECT_EQ(overlap_of(cube, body_of(cube_at(3))), "disjoint\nnormal -1 0 0\n");
   EXPECT_EQ(overlap_of(cube, body_of(cube_at(0.5))).find("penetrating\ncommon "), 0U);
   EXPECT_NE(overlap_of(cube, body_of(cube_at(0.5))).find("\naround "), std::string::npos);
   int status = -1;
@@ -236,7 +236,7 @@ TEST(CCloser, ExcludesTheDistanceItself) {
     EXPECT_EQ(taken(proof), why);
     return result;
   };
-  EXPECT_EQ(closer(2, "normal 1 0 0\n"), 0);
+  EXPECT_EQ(closer(2, "normal -1 0 0\n"), 0);
   EXPECT_EQ(closer(std::nextafter(2, 3), "points 1 0 0 3 0 0\n"), 1);
   int result = -1;
   for (const double distance : {0.0, -1.0, std::nan(""), HUGE_VAL})

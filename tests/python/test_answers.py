@@ -306,7 +306,7 @@ def test_overlap_needs_no_depth():
 
 def test_closer_than_excludes_the_distance():
     far = CUBE + [1 + 0.5, 0, 0]
-    assert fathom.closer_than(CUBE, far, 0.5, proof=True) == (False, {"normal": (1, 0, 0)})
+    assert fathom.closer_than(CUBE, far, 0.5, proof=True) == (False, {"normal": (-1, 0, 0)})
     assert fathom.closer_than(CUBE, far, Fraction(1, 2) + Fraction(1, 10**30)) is True
     closer, proof = fathom.closer_than(CUBE, far, "3/5", proof=True)
     assert closer and proof["points"][1][0] - proof["points"][0][0] == Fraction(1, 2)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether bodies overlap, and whether they are closer than a distance: against their depth, in every
-// rounding mode; each proof by its definition.
+// Whether bodies overlap, and whether they are closer than a distance: against their depth, in
+// every rounding mode; each proof by its definition.
 #include "fathom/overlap.hpp"
 
 #include <gtest/gtest.h>

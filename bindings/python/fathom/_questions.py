@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other questions about two bodies: whether they overlap, or are close; depths along a direction, in a metric, within a factor; what is degenerate; and the judge."""
+"""Other questions about two bodies: where they are; depths along a direction, in a metric, within a factor; degeneracies; the judge."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -19,7 +19,7 @@ def overlap(a: BodyLike, b: BodyLike, *, proof: Literal[True], pose_a: PoseLike 
 
 
 def overlap(a: BodyLike, b: BodyLike, *, proof: bool = False, pose_a: PoseLike = None, pose_b: PoseLike = None) -> Any:
-    """Returns "penetrating", "touching", "disjoint", or "undecided" of curved shapes alone: of polytopes in a fraction of the depth's time.
+    """Returns "penetrating", "touching", "disjoint", or "undecided" of curved shapes alone: of polytopes without finding their depth.
 
     proof  if True, for polytopes: returns also what proves it, all exact. "common", a point of both; "normal", a direction n with
            max <n,b> - min <n,a> at most 0; "around", indices of points of a and b whose differences b - a surround the origin

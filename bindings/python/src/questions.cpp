@@ -72,10 +72,10 @@ py::object overlap_of(const py::object& a, const py::object& b, bool proof, cons
 py::object closer_than_of(const py::object& a, const py::object& b, const py::object& distance, bool proof,
                           const py::object& pose_a, const py::object& pose_b) {
   const mpq_class limit = number_from(distance);
-  const Closeness found = asked_with_proof(
-      a, b, proof, pose_a, pose_b, [&](const Body& first, const Body& second, const OverlapOptions& options) {
-        return closer_than(first, second, limit, options);
-      });
+  const Closeness found = asked_with_proof(a, b, proof, pose_a, pose_b,
+                                           [&](const Body& first, const Body& second, const OverlapOptions& options) {
+                                             return closer_than(first, second, limit, options);
+                                           });
   const py::object closer = found.closer ? py::object(py::bool_(*found.closer)) : py::object(py::none());
   if (!found.proof) return closer;
   py::dict shown;

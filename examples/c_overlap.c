@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Whether two boxes overlap, and whether they are closer than a distance, from C: with the numbers that prove it. */
+#include <fathom/fathom.h>
+#include <stdio.h>
+
+static int failed(void) {
+  printf("%s\n", fathom_last_error());
+  return 1;
+}
+
+int main(void) {
+  double corners[24];
+  const double pose[12] = {1, 0, 0, 1.5, 0, 1, 0, 0, 0, 0, 1, 0};
+  int i, status, closer;
+  char* proof;
+  fathom_body *a, *b;
+
+  for (i = 0; i < 24; ++i) corners[i] = i / 3 >> i % 3 & 1;
+  if (fathom_body_from_points(corners, 8, &a) != FATHOM_OK) return failed();
+  if (fathom_body_moved(a, pose, &b) != FATHOM_OK) return failed();
+
+  if (fathom_overlap(a, b, NULL, &status, &proof) != FATHOM_OK) return failed();
+  printf("%s: %s", fathom_status_name(status), proof);
+  fathom_text_free(proof);
+  if (fathom_closer_than(a, b, 0.5, NULL, &closer, &proof) != FATHOM_OK) return failed();
+  printf("closer than 0.5: %d: %s", closer, proof);
+  fathom_text_free(proof);
+  if (fathom_closer_than(a, b, 0.75, NULL, &closer, NULL) != FATHOM_OK) return failed();
+  printf("closer than 0.75: %d\n", closer);
+
+  fathom_body_free(b);
+  fathom_body_free(a);
+  return 0;
+}
+
+//> disjoint: normal -1 0 0
+//> closer than 0.5: 0: normal -1 0 0
+//> closer than 0.75: 1
