@@ -4,7 +4,6 @@
 
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
@@ -18,18 +17,6 @@ struct Runs {
   int max_size = 100;
 };
 
-// Sanitizers take ten times as long, and find in few runs what they find.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define FATHOM_SANITIZED
-#endif
-#endif
-#ifdef FATHOM_SANITIZED
-inline constexpr int share_of_runs = 5;
-#else
-inline constexpr int share_of_runs = 1;
-#endif
-
 /// Whether the property held in so many runs. Where the environment has RC_PARAMS, that decides on
 /// the runs instead, as RapidCheck documents.
 template <class Property>
@@ -37,7 +24,7 @@ bool holds(const Runs& asked, Property&& property) {
   if (std::getenv("RC_PARAMS") != nullptr) return rc::check(std::forward<Property>(property));
   rc::detail::TestParams params;
   params.seed = asked.seed;
-  params.maxSuccess = std::max(asked.runs / share_of_runs, 1);
+  params.maxSuccess = asked.runs;
   params.maxSize = asked.max_size;
   const auto result = rc::detail::checkTestable(std::forward<Property>(property), rc::detail::TestMetadata{}, params);
   rc::detail::printResultMessage(result, std::cerr);
