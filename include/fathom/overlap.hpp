@@ -58,10 +58,9 @@ struct OverlapOptions {
 
 /// Returns where two bodies of any kinds are. Of polytopes without their depth, in a seventh to a
 /// half of its time, but as long where they touch or nearly do; of others their depth or its bounds
-/// are found first, as exact_answer does. Throws what
-/// exact_answer throws. If a proof is asked for, also std::invalid_argument if one is no polytope,
-/// and InputError if the bodies' denominators share so little that one lattice would take over 256
-/// MB.
+/// are found first, as exact_answer does. Throws what exact_answer throws. If a proof is asked for,
+/// also std::invalid_argument if one is no polytope, and InputError if the bodies' denominators
+/// share so little that one lattice would take over 256 MB.
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options = {});
 
 /// Returns whether some point of A and some point of B are closer than `distance`, in the unit of

@@ -59,9 +59,10 @@ Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::
 /// Where O lies, as far as a growing Q shows it.
 struct OriginExpansion {
   ExpansionEnd end = ExpansionEnd::spent;  ///< proved: in the interior of P; not_inside: on its boundary, or outside
-  int side =
-      0;  ///< the sign of h(normal): not_inside, and less than 0, if O is outside; 0 leaves it open, as in a flat P
-  Vector normal;     ///< if it is outside and has been asked for
+  /// not_inside: the sign of h(normal). O is outside if it is below 0; 0 leaves that open, as in a
+  /// flat P.
+  int side = 0;
+  Vector normal;     ///< if O is outside and this has been asked for
   mpz_class height;  ///< h(normal) then, in units of the lattice
 };
 

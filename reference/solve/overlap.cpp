@@ -23,6 +23,11 @@ namespace {
 
 using polytope::Position;
 
+/// The square of |height| / |normal|, of a plane in units of a lattice.
+mpq_class square_of(const Vector& normal, const mpz_class& height, const mpq_class& unit) {
+  return kernels::ratio(height * height, dot(normal, normal)) * unit * unit;
+}
+
 /// What a narrow lattice shows: where the bodies are, and of those that are apart a plane between
 /// them, whose distance from O the bodies' distance is at least.
 struct Seen {
@@ -32,65 +37,61 @@ struct Seen {
 
 /// nullopt if it leaves open where they are, or there is no such lattice.
 std::optional<Seen> seen_on_narrow_lattice(kernels::Context& context, const polytope::Points& a,
-                                           const polytope::Points& b, Workspace& workspace, bool measured) {
+                                           const polytope::Points& b, Workspace* given, bool measured) {
+  std::optional<Workspace> own;
+  Workspace& workspace = given != nullptr ? *given : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
   if (!polytope::place_narrow(a, b, parts.pair)) return std::nullopt;
   return polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) -> std::optional<Seen> {
     const expanding::OriginExpansion found = expanding::locate_origin(context, bodies, &workspace, measured);
     if (found.end == expanding::ExpansionEnd::proved) return Seen{Status::penetrating};
     if (found.side >= 0) return std::nullopt;
-    Seen seen{Status::disjoint};
-    if (measured) {
-      const mpq_class unit = bodies.unit();
-      seen.least_square = kernels::ratio(found.height * found.height, dot(found.normal, found.normal)) * unit * unit;
-    }
-    return seen;
+    return Seen{Status::disjoint, measured ? square_of(found.normal, found.height, bodies.unit()) : mpq_class()};
   });
 }
 
-polytope::PlacedPair placed(kernels::Context& context, const Body& a, const Body& b) {
-  return polytope::place(a.points.exact(), b.points.exact(), &context);
+Status status_of(const polytope::PositionOfOrigin& origin) {
+  switch (origin.position) {
+    case Position::inside: return Status::penetrating;
+    case Position::boundary: return Status::touching;
+    case Position::outside: return Status::disjoint;
+  }
+  throw std::logic_error("a position that is none");
 }
 
-/// How the depth is found of bodies whose denominators share little: a lattice of both would be
-/// long.
-Options by_depth(const OverlapOptions& options, Workspace& workspace) {
-  Options result;
-  result.monitor = options.monitor;
-  result.workspace = &workspace;
-  return result;
-}
-
-Overlap exact_overlap(const polytope::PlacedPair& pair) {
+/// With their proofs.
+Overlap proved_overlap(const polytope::PlacedPair& pair) {
   const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
-  const Status status = origin.position == Position::inside     ? Status::penetrating
-                        : origin.position == Position::boundary ? Status::touching
-                                                                : Status::disjoint;
   OverlapProof proof{origin.normal, std::nullopt, origin.surrounding};
-  if (status != Status::disjoint) proof.common = depth::combination(pair, pair.a.points(), origin.a);
-  return {status, std::move(proof)};
+  if (origin.position != Position::outside) proof.common = depth::combination(pair, pair.a.points(), origin.a);
+  return {status_of(origin), std::move(proof)};
 }
 
 /// The points of bodies that are apart are nearest ones.
-Closeness exact_closeness(const polytope::PlacedPair& pair, const mpq_class& distance) {
-  const Overlap where = exact_overlap(pair);
+Closeness proved_closeness(const polytope::PlacedPair& pair, const mpq_class& distance) {
+  const Overlap where = proved_overlap(pair);
   if (where.status != Status::disjoint)
     return {true, ClosenessProof{Witness{*where.proof->common, *where.proof->common}, {}}};
   const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
-  const mpq_class square =
-      kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal)) * pair.unit() * pair.unit();
-  if (square >= distance * distance) return {false, ClosenessProof{{}, nearest.normal}};
+  if (square_of(nearest.normal, nearest.height, pair.unit()) >= distance * distance)
+    return {false, ClosenessProof{{}, nearest.normal}};
   return {true, ClosenessProof{Witness{depth::combination(pair, pair.a.points(), nearest.a),
                                        depth::combination(pair, pair.b.points(), nearest.b)},
                                {}}};
 }
 
-bool polytopes(const Body& a, const Body& b) { return !a.shape && !a.pieces && !b.shape && !b.pieces; }
-
-/// The answer about bodies that are not both polytopes.
-Answer whole_answer(const Body& a, const Body& b, const OverlapOptions& options) {
-  if (options.proof)
+/// Whether both are polytopes. Throws std::invalid_argument if they are not, and a proof is asked
+/// for.
+bool polytopes(const Body& a, const Body& b, const OverlapOptions& options) {
+  const bool both = !a.shape && !a.pieces && !b.shape && !b.pieces;
+  if (options.proof && !both)
     throw std::invalid_argument("a proof of overlap is of polytopes; the certificate of the depth proves it of others");
+  return both;
+}
+
+/// Of bodies of other kinds, and of polytopes whose denominators share little: a lattice of both
+/// would be long.
+Answer by_depth(const Body& a, const Body& b, const OverlapOptions& options) {
   Question question;
   question.options.monitor = options.monitor;
   question.options.workspace = options.workspace;
@@ -99,52 +100,44 @@ Answer whole_answer(const Body& a, const Body& b, const OverlapOptions& options)
   return exact_answer(a, b, question);
 }
 
-/// Calls f with the workspace of the caller, or one of its own.
-template <class F>
-auto with_workspace(const OverlapOptions& options, F f) {
-  if (options.workspace != nullptr) return f(*options.workspace);
-  Workspace own;
-  return f(own);
-}
-
 }  // namespace
 
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options) {
-  if (!polytopes(a, b)) return {whole_answer(a, b, options).status(), std::nullopt};
-  const kernels::DefaultFloatEnvironment environment;
-  kernels::Context context(options.monitor);
-  if (options.proof) return exact_overlap(placed(context, a, b));
-  return with_workspace(options, [&](Workspace& workspace) {
-    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, workspace, false))
-      return Overlap{seen->status, std::nullopt};
+  if (polytopes(a, b, options)) {
+    const kernels::DefaultFloatEnvironment environment;
+    kernels::Context context(options.monitor);
+    if (options.proof) return proved_overlap(polytope::place(a.points.exact(), b.points.exact(), &context));
+    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, false))
+      return {seen->status, std::nullopt};
     if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context))
-      return Overlap{exact_overlap(*pair).status, std::nullopt};
-    return Overlap{penetration_depth(a, b, by_depth(options, workspace)).status(), std::nullopt};
-  });
+      return {status_of(polytope::position_of_origin(pair->a, pair->b)), std::nullopt};
+  }
+  return {by_depth(a, b, options).status(), std::nullopt};
 }
 
 Closeness closer_than(const Body& a, const Body& b, const mpq_class& distance, const OverlapOptions& options) {
   if (!kernels::in_lowest_terms(distance) || distance <= 0)
     throw std::invalid_argument("expected a distance above 0, in lowest terms");
-  const mpq_class square = distance * distance;
-  if (!polytopes(a, b)) {
-    const Answer answer = whole_answer(a, b, options);
-    const mpq_class farthest = -distance;  // the signed depth of closer bodies is above it
-    if (compare(answer.low(), farthest) > 0) return {true, std::nullopt};
-    if (compare(answer.high(), farthest) <= 0) return {false, std::nullopt};
-    return {std::nullopt, std::nullopt};
+  if (polytopes(a, b, options)) {
+    const kernels::DefaultFloatEnvironment environment;
+    kernels::Context context(options.monitor);
+    if (options.proof) return proved_closeness(polytope::place(a.points.exact(), b.points.exact(), &context), distance);
+    const mpq_class square = distance * distance;
+    const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, true);
+    if (seen && seen->status != Status::disjoint) return {true, std::nullopt};
+    if (seen && seen->least_square >= square) return {false, std::nullopt};
+    if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context)) {
+      if (!seen && polytope::position_of_origin(pair->a, pair->b).position != Position::outside)
+        return {true, std::nullopt};
+      const polytope::NearestPoints nearest = polytope::nearest_points(pair->a, pair->b);
+      return {square_of(nearest.normal, nearest.height, pair->unit()) < square, std::nullopt};
+    }
   }
-  const kernels::DefaultFloatEnvironment environment;
-  kernels::Context context(options.monitor);
-  if (options.proof) return exact_closeness(placed(context, a, b), distance);
-  return with_workspace(options, [&](Workspace& workspace) {
-    const auto seen = seen_on_narrow_lattice(context, a.points, b.points, workspace, true);
-    if (seen && seen->status != Status::disjoint) return Closeness{true, std::nullopt};
-    if (seen && seen->least_square >= square) return Closeness{false, std::nullopt};
-    if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context))
-      return Closeness{exact_closeness(*pair, distance).closer, std::nullopt};
-    return Closeness{signed_square(penetration_depth(a, b, by_depth(options, workspace))) > -square, std::nullopt};
-  });
+  const Answer answer = by_depth(a, b, options);
+  const mpq_class farthest = -distance;  // the signed depth of closer bodies is above it
+  if (compare(answer.low(), farthest) > 0) return {true, std::nullopt};
+  if (compare(answer.high(), farthest) <= 0) return {false, std::nullopt};
+  return {};
 }
 
 }  // namespace fathom
