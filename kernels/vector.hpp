@@ -68,6 +68,11 @@ Vec3<NT> operator-(const Vec3<NT>& a) {
   return {NT(-a.x), NT(-a.y), NT(-a.z)};
 }
 
+template <class NT>
+Vec3<NT> operator*(const NT& s, const Vec3<NT>& v) {
+  return {NT(s * v.x), NT(s * v.y), NT(s * v.z)};
+}
+
 inline Vector operator*(const mpz_class& s, const Vector& v) {
   return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)};
 }

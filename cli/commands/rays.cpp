@@ -23,7 +23,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
-#include "reference/approximate/metric.hpp"
+#include "reference/approximate/ray.hpp"
 #include "reference/output/json_values.hpp"
 
 namespace fathom::cli {

@@ -30,6 +30,8 @@ using Vector = Vec3<mpz_class>;
 struct Weight {
   std::uint32_t index;  ///< of the point
   mpq_class weight;     ///< > 0
+
+  friend bool operator==(const Weight&, const Weight&) = default;
 };
 
 }  // namespace fathom

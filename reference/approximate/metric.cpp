@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The depth along a direction, by one ray; and that by the gauge of a polytope, by a ray for each
 // of its vertices.
-#include "reference/approximate/metric.hpp"
 
 #include <algorithm>
 

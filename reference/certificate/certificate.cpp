@@ -18,7 +18,7 @@
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
-#include "reference/solve/deciding_points.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::certificate {
 namespace {

@@ -9,7 +9,7 @@
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/rounded/optimal_cone.hpp"
-#include "reference/solve/deciding_points.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::certificate {
 namespace {

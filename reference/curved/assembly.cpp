@@ -84,7 +84,7 @@ class Names {
 
 // Multiples of 2^-bits near the weights, which sum to 1 as they do; of the small ones none is
 // larger than the weight.
-std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot& z, unsigned bits) {
+std::vector<mpz_class> rounded_weights(const polytope::SimplexFoot<mpz_class>& z, unsigned bits) {
   std::vector<mpz_class> result;
   mpz_class rest = mpz_class(1) << bits;
   for (const mpz_class& weight : z.weights) {
@@ -110,9 +110,9 @@ std::optional<Combination> foot_in_face(kernels::Context& context, const std::ve
   const Lattice face = lattice(of_a.terms, of_b.terms, face_fine);
   Oracle oracle(context, face, most_face_calls);
   const polytope::Difference first = oracle.ask({1, 0, 0}, face_fine);
-  const auto apart = [&](const polytope::SimplexFoot&) { return oracle.lowest()->height < 0; };
+  const auto apart = [&](const polytope::SimplexFoot<mpz_class>&) { return oracle.lowest()->height < 0; };
   const NearestFoot nearest =
-      find_nearest(oracle, first, apart, [](const polytope::SimplexFoot&) { return face_fine; });
+      find_nearest(oracle, first, apart, [](const polytope::SimplexFoot<mpz_class>&) { return face_fine; });
   if (nearest.end != NearestEnd::common) return std::nullopt;
   Combination result;
   for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
@@ -226,7 +226,7 @@ std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, con
   return result;
 }
 
-mpq_class Assembly::square_of(const polytope::SimplexFoot& z) const {
+mpq_class Assembly::square_of(const polytope::SimplexFoot<mpz_class>& z) const {
   const mpq_class& unit = oracle_.lattice().fine_unit;
   return -kernels::ratio(dot(z.point, z.point), mpz_class(z.denominator * z.denominator)) * unit * unit;
 }
@@ -244,7 +244,7 @@ bool Assembly::met(const mpq_class& lower) const {
 }
 
 void Assembly::set_lower(const NearestFoot& nearest) {
-  const polytope::SimplexFoot& z = nearest.foot;
+  const polytope::SimplexFoot<mpz_class>& z = nearest.foot;
   const mpq_class exact = square_of(z);
   Combination combination;
   const auto take = [&](std::size_t i, mpq_class weight) {

@@ -97,7 +97,7 @@ class Assembly {
   [[nodiscard]] const mpq_class& lower() const { return lower_; }
   [[nodiscard]] bool closed() const;
   /// -|z|^2 in the shapes' unit.
-  [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot& z) const;
+  [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot<mpz_class>& z) const;
   /// Whether the goal is met by this lower bound and the lowest ceiling.
   [[nodiscard]] bool met(const mpq_class& lower) const;
 

@@ -379,15 +379,17 @@ class Search {
   }
   void search() {
     const Estimates estimates(lattice_, goal_);
-    const auto distance = [&](const polytope::SimplexFoot& z) {
+    const auto distance = [&](const polytope::SimplexFoot<mpz_class>& z) {
       return estimates.root(dot(z.point, z.point), mpz_class(z.denominator * z.denominator));
     };
-    const auto gap = [&](const polytope::SimplexFoot& z) { return estimates.ceiling(*oracle_.lowest()) + distance(z); };
-    const auto enough = [&](const polytope::SimplexFoot& z) {
+    const auto gap = [&](const polytope::SimplexFoot<mpz_class>& z) {
+      return estimates.ceiling(*oracle_.lowest()) + distance(z);
+    };
+    const auto enough = [&](const polytope::SimplexFoot<mpz_class>& z) {
       return estimates.perhaps_met(-distance(z), estimates.ceiling(*oracle_.lowest())) &&
              assembly_.met(assembly_.square_of(z));
     };
-    const auto precision = [&](const polytope::SimplexFoot& z) { return estimates.precision(gap(z)); };
+    const auto precision = [&](const polytope::SimplexFoot<mpz_class>& z) { return estimates.precision(gap(z)); };
     const NearestFoot nearest = find_nearest(oracle_, {0, 0}, enough, precision);
     if (nearest.end == NearestEnd::near || nearest.end == NearestEnd::open) {
       ask_exactly(-nearest.foot.point);

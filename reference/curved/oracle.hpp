@@ -119,8 +119,8 @@ enum class NearestEnd {
 
 struct NearestFoot {
   NearestEnd end;
-  std::vector<polytope::SimplexCorner> corners;
-  polytope::SimplexFoot foot;
+  std::vector<polytope::SimplexCorner<mpz_class>> corners;
+  polytope::SimplexFoot<mpz_class> foot;
 };
 
 /// Starts from a point that has been found. `enough` and `precision` are asked for each foot; the
@@ -135,7 +135,7 @@ NearestFoot find_nearest(Oracle& oracle, polytope::Difference first, Enough enou
       return result;
     }
     result.foot = std::move(*foot);
-    const polytope::SimplexFoot& z = result.foot;
+    const polytope::SimplexFoot<mpz_class>& z = result.foot;
     if (is_zero(z.point) || enough(z)) {
       result.end = is_zero(z.point) ? NearestEnd::common : NearestEnd::near;
       return result;

@@ -2,9 +2,6 @@
 #include "reference/depth/apart.hpp"
 
 #include "kernels/context.hpp"
-#include "kernels/number/rational.hpp"
-#include "kernels/vector.hpp"
-#include "reference/depth/contact.hpp"
 
 namespace fathom::depth {
 namespace {
@@ -33,23 +30,9 @@ void insist_on_nearest(const Beginning& state) {
     kernels::insist(polytope::validate(*state.nearest, state.pair->a.points(), state.pair->b.points()));
 }
 
-// In the direction of the nearest point of P the height is -distance: no shorter translation brings
-// A to B.
-Distance distance(const polytope::PlacedPair& pair, const polytope::NearestPoints& nearest) {
-  const Vector& n = nearest.normal;
-  const mpq_class factor = kernels::ratio(nearest.height, dot(n, n) * pair.denominator);
-  return {factor * factor * dot(n, n),
-          n,
-          factor * n,
-          {combination(pair, pair.a.points(), nearest.a), combination(pair, pair.b.points(), nearest.b)},
-          contact_of(facing_faces(pair, n))};
-}
-
 void answer(kernels::Context&, Beginning& state) {
-  const polytope::PlacedPair& pair = *state.pair;
-  if (state.origin.position == Position::boundary)
-    state.depth.outcome = Touch{*state.origin.normal, combination(pair, pair.a.points(), state.origin.a)};
-  if (state.nearest) state.depth.outcome = distance(pair, *state.nearest);
+  if (state.origin.position == Position::boundary) state.depth.outcome = touch(*state.pair, state.origin);
+  if (state.nearest) state.depth.outcome = distance(*state.pair, *state.nearest);
 }
 
 void make_hulls(kernels::Context& context, Beginning& state) {
@@ -71,14 +54,6 @@ bool begin(kernels::Context& context, Beginning& beginning, bool validate) {
   run_stages<Beginning>(context, beginning, until_apart, validate);
   run_stages<Beginning>(context, beginning, until_hulls, validate);
   return beginning.origin.position == Position::inside;
-}
-
-bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, Depth& depth) {
-  Beginning beginning{.pair = &pair};
-  run_stages<Beginning>(context, beginning, until_apart, false);
-  if (beginning.origin.position == Position::inside) return false;
-  depth.outcome = std::move(beginning.depth.outcome);
-  return true;
 }
 
 Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts) {

@@ -9,6 +9,8 @@
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/depth/contact.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
@@ -50,8 +52,47 @@ struct Beginning {
 /// `depth.outcome` is still to be found.
 [[nodiscard]] bool begin(kernels::Context& context, Beginning& beginning, bool validate);
 
-/// Sets `depth.outcome` to the touch or the distance. Returns false if the bodies penetrate.
-[[nodiscard]] bool answer_apart(kernels::Context& context, const polytope::PlacedPair& pair, Depth& depth);
+// The answer about bodies on any lattice that do not penetrate.
+
+template <class Bodies>
+Touch touch(const Bodies& bodies, const polytope::PositionOfOrigin& origin) {
+  return {*origin.normal, combination(origin.a, [&](std::size_t i) { return bodies.point_of_a(i).exact(); })};
+}
+
+/// In the direction of the nearest point of P the height is -distance: no shorter translation
+/// brings A to B.
+template <class Bodies>
+Distance distance(const Bodies& bodies, const polytope::NearestPoints& nearest) {
+  const Vector& n = nearest.normal;
+  const mpq_class factor = kernels::ratio(nearest.height, dot(n, n)) * bodies.unit();
+  return {factor * factor * dot(n, n),
+          n,
+          factor * n,
+          {combination(nearest.a, [&](std::size_t i) { return bodies.point_of_a(i).exact(); }),
+           combination(nearest.b, [&](std::size_t i) { return bodies.point_of_b(i).exact(); })},
+          contact_along(bodies, n)};
+}
+
+/// The whole answer; `outside` if O is known to be outside P. Throws std::invalid_argument if the
+/// bodies penetrate.
+template <class Bodies>
+Depth apart_depth(kernels::Context& context, const Bodies& bodies, bool outside) {
+  Depth depth;
+  depth.method = Method::exact;
+  static_cast<BodyFacts&>(depth) = facts_of(bodies);
+  polytope::PositionOfOrigin origin;
+  if (!outside) origin = polytope::position_of_origin(bodies.differences());
+  context.counters.scans += origin.scans;
+  if (origin.position == polytope::Position::boundary) {
+    depth.outcome = touch(bodies, origin);
+  } else {
+    const polytope::NearestPoints nearest = polytope::nearest_points(bodies.differences());
+    context.counters.scans += nearest.scans;
+    depth.outcome = distance(bodies, nearest);
+  }
+  depth.counters = context.counters;
+  return depth;
+}
 
 /// Computes the hulls; sets the counts of extreme points in `facts`, and the counters.
 Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, BodyFacts& facts);

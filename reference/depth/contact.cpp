@@ -36,25 +36,12 @@ FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n) {
   return {face(pair.a, -n), face(pair.b, n)};
 }
 
-Contact contact_of(FacingFaces faces) {
-  const std::size_t a = faces.a.ids.size(), b = faces.b.ids.size();
-  const ContactKind kind = a + b == 2         ? ContactKind::vertex_vertex
-                           : a == 1 && b == 2 ? ContactKind::vertex_edge
-                           : a == 2 && b == 1 ? ContactKind::edge_vertex
-                                              : kind_of(a, b);
-  return {kind, std::move(faces.a.ids), std::move(faces.b.ids)};
-}
-
-Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points,
-                  const std::vector<Weight>& weights) {
-  Point sum;
-  for (const Weight& w : weights) {
-    const Point p = pair.position(points[w.index]);
-    sum.x += w.weight * p.x;
-    sum.y += w.weight * p.y;
-    sum.z += w.weight * p.z;
-  }
-  return sum;
+Contact contact_of(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b) {
+  const ContactKind kind = a.size() + b.size() == 2         ? ContactKind::vertex_vertex
+                           : a.size() == 1 && b.size() == 2 ? ContactKind::vertex_edge
+                           : a.size() == 2 && b.size() == 1 ? ContactKind::edge_vertex
+                                                            : kind_of(a.size(), b.size());
+  return {kind, std::move(a), std::move(b)};
 }
 
 // The faces F_A + v / d and F_B share a point exactly if d F_A + v and d F_B do: integers again.
@@ -66,7 +53,8 @@ std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const Fa
   const polytope::PlacedPair moved = polytope::place_integers(std::move(moved_a), std::move(scaled_b));
   const polytope::PositionOfOrigin common = polytope::position_of_origin(moved.a, moved.b);
   if (common.position == polytope::Position::outside) return std::nullopt;
-  return Witness{combination(pair, faces.a.points, common.a), combination(pair, faces.b.points, common.b)};
+  return Witness{combination(common.a, [&](std::size_t i) { return pair.position(faces.a.points[i]); }),
+                 combination(common.b, [&](std::size_t i) { return pair.position(faces.b.points[i]); })};
 }
 
 Witness overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingFaces& faces) {

@@ -36,8 +36,9 @@ struct FacingFaces {
 
 FacingFaces facing_faces(const polytope::PlacedPair& pair, const Vector& n);
 
-/// The contact of any two faces.
-Contact contact_of(FacingFaces faces);
+/// The contact of any two faces, by their corners.
+Contact contact_of(std::vector<std::uint32_t> a, std::vector<std::uint32_t> b);
+inline Contact contact_of(FacingFaces faces) { return contact_of(std::move(faces.a.ids), std::move(faces.b.ids)); }
 
 /// Points of two faces whose planes are orthogonal to n, with b - a a multiple of n: they overlap,
 /// seen along n.
@@ -52,8 +53,13 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b);
 std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v,
                                       const mpz_class& d);
 
-/// Returns the rational position of a convex combination of lattice points.
-Point combination(const polytope::PlacedPair& pair, std::span<const Vector> points, const std::vector<Weight>& weights);
+/// The convex combination of points, by their index.
+template <class PointOf>
+Point combination(const std::vector<Weight>& weights, PointOf point_of) {
+  Point sum;
+  for (const Weight& w : weights) sum = sum + w.weight * point_of(w.index);
+  return sum;
+}
 
 /// The corners of the face of a body in direction u, ascending; of equal points the lowest index.
 template <class Body, class Integer>
@@ -61,6 +67,14 @@ std::vector<std::uint32_t> face_corners(const Body& body, const Vec3<Integer>& u
   std::vector<std::uint32_t> ids = polytope::polygon_corners(body, extreme_points(body, u), u);
   std::sort(ids.begin(), ids.end());
   return ids;
+}
+
+/// The contact of the faces that meet when A is moved along n, of bodies on any lattice.
+template <class Bodies>
+Contact contact_along(const Bodies& bodies, const Vector& n) {
+  using Integer = typename decltype(bodies.differences())::Integer;
+  const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
+  return contact_of(face_corners(bodies.a, -u), face_corners(bodies.b, u));
 }
 
 /// The contacts of bodies on any lattice, PlacedPair or NarrowBodies.

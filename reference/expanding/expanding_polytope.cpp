@@ -74,8 +74,10 @@ Expansion nearest(kernels::Context& context, Differences& differences, Memory<ty
                   std::size_t budget) {
   Expander<Differences> expander(context, differences, memory, budget);
   Expansion result;
-  result.end = expander.start() ? expander.find_nearest() : ExpansionEnd::not_inside;
+  const bool solid = expander.start();
+  result.end = solid ? expander.find_nearest() : ExpansionEnd::not_inside;
   result.points = expander.points;
+  result.outside = solid && result.end == ExpansionEnd::not_inside && sgn(expander.plane_of_nearest().height) < 0;
   if (result.end != ExpansionEnd::proved) return result;
   result.inner = expander.inner();
   result.nearest = expander.nearest();

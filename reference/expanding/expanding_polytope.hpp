@@ -36,6 +36,8 @@ struct Expansion {
   /// proved: Q, with one facet in the plane of each nearest facet of P, and all others strictly
   /// farther from O.
   InnerPolytope inner;
+  /// not_inside: whether O is known to be outside P.
+  bool outside = false;
   std::size_t points = 0;  ///< added to Q beyond the first four
   /// How often it was asked on which side of a triangle a point lies, and how often binary64 could
   /// not tell.

@@ -17,78 +17,90 @@ namespace {
 
 /// Returns the foot of O on the affine hull of one to three affinely independent points, or nullopt
 /// unless all of its weights are positive.
-std::optional<SimplexFoot> foot(const std::vector<SimplexCorner>& corners) {
-  const Vector& p = corners[0].p;
-  if (corners.size() == 1) return SimplexFoot{p, {1}, 1};
-  const Vector e = corners[1].p - p;
+template <class Integer>
+std::optional<SimplexFoot<Integer>> foot(const std::vector<SimplexCorner<Integer>>& corners) {
+  const Vec3<Integer>& p = corners[0].p;
+  if (corners.size() == 1) return SimplexFoot<Integer>{p, {1}, 1};
+  const Vec3<Integer> e = corners[1].p - p;
   if (corners.size() == 2) {
-    const mpz_class square = dot(e, e), w = -dot(p, e);
-    if (w <= 0 || w >= square) return std::nullopt;
-    return SimplexFoot{square * p + w * e, {square - w, w}, square};
+    const Integer square = dot(e, e), w = -dot(p, e), rest = square - w;
+    if (sgn(w) <= 0 || sgn(rest) <= 0) return std::nullopt;
+    return SimplexFoot<Integer>{square * p + w * e, {rest, w}, square};
   }
   // In the plane of the three, every point is p + (<(x - p) x f, n> e + <e x (x - p), n> f) / <n,
   // n>.
-  const Vector f = corners[2].p - p, n = cross(e, f);
-  const mpz_class square = dot(n, n), v = det(-p, f, n), w = det(e, -p, n);
-  mpz_class u = square - v - w;
-  if (u <= 0 || v <= 0 || w <= 0) return std::nullopt;
-  return SimplexFoot{dot(n, p) * n, {std::move(u), v, w}, square};
+  const Vec3<Integer> f = corners[2].p - p, n = cross(e, f);
+  const Integer square = dot(n, n), v = det(Vec3<Integer>(-p), f, n), w = det(e, Vec3<Integer>(-p), n),
+                u = square - v - w;
+  if (sgn(u) <= 0 || sgn(v) <= 0 || sgn(w) <= 0) return std::nullopt;
+  return SimplexFoot<Integer>{dot(n, p) * n, {u, v, w}, square};
 }
 
-bool nearest_of(const SimplexFoot& z, const std::vector<SimplexCorner>& corners) {
-  const mpz_class square = dot(z.point, z.point);
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](const SimplexCorner& c) { return z.denominator * dot(z.point, c.p) >= square; });
+template <class Integer>
+bool nearest_of(const SimplexFoot<Integer>& z, const std::vector<SimplexCorner<Integer>>& corners) {
+  const Integer square = dot(z.point, z.point);
+  return std::ranges::all_of(corners, [&](const SimplexCorner<Integer>& c) {
+    return cmp(Integer(z.denominator * dot(z.point, c.p)), square) >= 0;
+  });
 }
 
-std::vector<Weight> shares(const std::vector<SimplexCorner>& corners, const SimplexFoot& z,
+// Short directions make scans in integers of any size faster; those of fixed size are long enough.
+Vector shortened(const Vector& n) { return primitive(n); }
+template <class Integer>
+const Vec3<Integer>& shortened(const Vec3<Integer>& n) {
+  return n;
+}
+
+template <class Integer>
+std::vector<Weight> shares(const std::vector<SimplexCorner<Integer>>& corners, const SimplexFoot<Integer>& z,
                            std::uint32_t Difference::*side) {
   std::vector<Difference> differences;
-  std::vector<mpq_class> weights;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    differences.push_back(corners[i].ids);
-    weights.push_back(kernels::ratio(z.weights[i], z.denominator));
-  }
-  return weights_of(differences, weights, side);
+  for (const SimplexCorner<Integer>& corner : corners) differences.push_back(corner.ids);
+  return weights_of(differences, z.weights, z.denominator, side);
 }
 
 }  // namespace
 
-std::optional<SimplexFoot> nearest_in_simplex(std::vector<SimplexCorner>& corners) {
+template <class Integer>
+std::optional<SimplexFoot<Integer>> nearest_in_simplex(std::vector<SimplexCorner<Integer>>& corners) {
   const unsigned last = 1U << (corners.size() - 1);
   for (unsigned subset = last; subset < 2 * last; ++subset) {
     if (std::popcount(subset) > 3) continue;
-    std::vector<SimplexCorner> chosen;
+    std::vector<SimplexCorner<Integer>> chosen;
     for (std::size_t i = 0; i < corners.size(); ++i)
       if (subset >> i & 1U) chosen.push_back(corners[i]);
-    std::optional<SimplexFoot> z = foot(chosen);
+    std::optional<SimplexFoot<Integer>> z = foot(chosen);
     if (!z || !nearest_of(*z, corners)) continue;
     corners = std::move(chosen);
     return z;
   }
   return std::nullopt;
 }
+template std::optional<SimplexFoot<mpz_class>> nearest_in_simplex(std::vector<SimplexCorner<mpz_class>>&);
 
-NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b) {
-  if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("nearest_points: an empty body");
-  if (a.exponent() != b.exponent()) throw std::invalid_argument("nearest_points: the clouds differ in their exponents");
-  Differences differences{a, b};
-  std::vector<SimplexCorner> corners{{{0, 0}, differences[{0, 0}]}};
+template <class Body>
+NearestPoints nearest_points(DifferencesOf<Body> differences) {
+  using Integer = IntegerOf<Body>;
+  require_bodies(differences, "nearest_points");
+  std::vector<SimplexCorner<Integer>> corners{{{0, 0}, differences[{0, 0}]}};
   while (true) {
-    const std::optional<SimplexFoot> nearest = nearest_in_simplex(corners);
+    const std::optional<SimplexFoot<Integer>> nearest = nearest_in_simplex(corners);
     if (!nearest || is_zero(nearest->point))
       throw std::invalid_argument("nearest_points: the hulls have a point in common");
-    const SimplexFoot& z = *nearest;
-    const Vector n = primitive(-z.point);
+    const SimplexFoot<Integer>& z = *nearest;
+    const Vec3<Integer> n = shortened(-z.point);
     const Difference ids = differences.extreme(n);
-    const Vector p = differences[ids];
-    if (z.denominator * dot(n, p) <= dot(n, z.point)) {
-      return {n, dot(n, p), shares(corners, z, &Difference::first), shares(corners, z, &Difference::second),
-              differences.scans};
+    const Vec3<Integer> p = differences[ids];
+    if (cmp(Integer(z.denominator * dot(n, p)), dot(n, z.point)) <= 0) {
+      const Vector normal = primitive(to_vector(n));
+      return {normal, dot(normal, to_vector(p)), shares(corners, z, &Difference::first),
+              shares(corners, z, &Difference::second), differences.scans};
     }
     corners.push_back({ids, p});
   }
 }
+template NearestPoints nearest_points(Differences);
+template NearestPoints nearest_points(NarrowDifferences<NarrowInteger>);
 
 kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b) {
   kernels::Report report;

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "kernels/vector.hpp"
@@ -69,5 +71,23 @@ std::vector<HullTriangle> hull_triangles_of_few(std::span<const Vector> points, 
 /// The polytope of rank 3 whose boundary `triangles` cover as hull_triangles states. Exact, O(n log
 /// n).                                                                         [proofs/polytope.md]
 Polytope merge_coplanar(std::span<const Vector> points, std::span<const HullTriangle> triangles);
+
+// The naive twin of convex_hull: supporting planes through all triples of points. For tests and
+// small inputs: O(n^4) and worse.
+
+/// A hull as sets of input ids (of equal points the lowest), so that it can be compared without
+/// regard to numbering.
+struct NaiveHull {
+  int rank = 0;
+  std::set<std::uint32_t> vertices;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< lower id first
+  /// Primitive outward normal and ids of the corners, ascending. Rank 2: the polygon with either
+  /// normal.
+  std::set<std::pair<std::vector<mpz_class>, std::vector<std::uint32_t>>> facets;
+  friend bool operator==(const NaiveHull&, const NaiveHull&) = default;
+};
+
+/// By the definitions. Exact. `points` must not be empty.
+NaiveHull convex_hull_naive(std::span<const Vector> points);
 
 }  // namespace fathom::polytope

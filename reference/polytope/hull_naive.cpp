@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/polytope/hull_naive.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <iterator>
+
+#include "reference/polytope/hull.hpp"
 
 namespace fathom::polytope {
 namespace {

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,6 +21,7 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/number/word_integer.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/vector.hpp"
@@ -129,6 +132,16 @@ struct DifferencesOf {
 };
 using Differences = DifferencesOf<const kernels::PointCloud&>;
 
+/// Throws std::invalid_argument, with the name of the function that asks, if a body is empty or the
+/// bodies differ in their exponents.
+template <class Body>
+void require_bodies(const DifferencesOf<Body>& differences, const char* who) {
+  const auto& [a, b, scans] = differences;
+  if (a.size() == 0 || b.size() == 0) throw std::invalid_argument(std::string(who) + ": an empty body");
+  if (a.exponent() != b.exponent())
+    throw std::invalid_argument(std::string(who) + ": the clouds differ in their exponents");
+}
+
 /// Bodies on any lattice. A point p of either cloud stands for origin + p / denominator.
 /// Differences b - a, hence P = B (+) (-A), do not see `origin`; it only keeps the integers small
 /// when the bodies lie far from O. Indices are those of the input.
@@ -184,6 +197,14 @@ PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b);
 /// Difference::first for A.
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
                                std::uint32_t Difference::*side);
+/// The same for integers over a denominator.
+template <class Integer>
+std::vector<Weight> weights_of(std::span<const Difference> differences, const std::vector<Integer>& numerators,
+                               const Integer& denominator, std::uint32_t Difference::*side) {
+  std::vector<mpq_class> weights;
+  for (const Integer& n : numerators) weights.push_back(kernels::ratio(to_mpz(n), to_mpz(denominator)));
+  return weights_of(differences, weights, side);
+}
 
 // For checks of proofs, by the definitions and in exact arithmetic only.
 

@@ -16,6 +16,7 @@
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::polytope {
 
@@ -33,10 +34,17 @@ struct PositionOfOrigin {
   /// hull. Otherwise empty.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> surrounding;
   std::size_t scans = 0;  ///< linear scans over all points that it took
+
+  friend bool operator==(const PositionOfOrigin&, const PositionOfOrigin&) = default;
 };
 
-/// The clouds must have the same exponent and be non-empty.
-PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b);
+/// The clouds must have the same exponent and be non-empty: std::invalid_argument. In either kind
+/// of integers the steps are the same, and so is the answer.
+template <class Body>
+PositionOfOrigin position_of_origin(DifferencesOf<Body> differences);
+inline PositionOfOrigin position_of_origin(const kernels::PointCloud& a, const kernels::PointCloud& b) {
+  return position_of_origin(Differences{a, b});
+}
 
 /// Checks the proof, and nothing but the proof.
 [[nodiscard]] kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a,
@@ -50,11 +58,29 @@ struct NearestPoints {
   mpz_class height;          ///< h(normal) < 0. distance^2 = height^2 / <normal,normal>
   std::vector<Weight> a, b;  ///< convex weights of points with sum of weighted b - sum of weighted a = z
   std::size_t scans = 0;     ///< linear scans over all points that it took
+
+  friend bool operator==(const NearestPoints&, const NearestPoints&) = default;
 };
 
-/// The clouds must have the same exponent and be non-empty, and O must lie outside P. Exact.
-/// Throws std::invalid_argument otherwise.
-NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b);
+/// The clouds must have the same exponent and be non-empty, and O must lie outside P. Exact, and
+/// the same in either kind of integers. Throws std::invalid_argument otherwise.
+template <class Body>
+NearestPoints nearest_points(DifferencesOf<Body> differences);
+inline NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointCloud& b) {
+  return nearest_points(Differences{a, b});
+}
+
+/// Of bodies of more points together samples are searched, in integers of any size
+/// (proofs/position.md, "Linear expected time").
+inline constexpr std::size_t most_points_without_samples = 2000;
+
+/// Calls f with the bodies in integers that hold all that these two searches compute, for
+/// coordinates of any narrow lattice: of fixed size, unless samples are searched.
+template <class F>
+auto with_searched_bodies(const NarrowPair& pair, const Points& a, const Points& b, kernels::ScanMemory& memory, F f) {
+  if (a.size() + b.size() > most_points_without_samples) return f(widened(pair, b[0].exact()));
+  return f(NarrowBodies<NarrowInteger>(pair, a, b, memory));
+}
 
 /// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic
 /// only.
@@ -62,16 +88,18 @@ NearestPoints nearest_points(const kernels::PointCloud& a, const kernels::PointC
                                        std::span<const Vector> b);
 
 /// A difference and its place.
+template <class Integer>
 struct SimplexCorner {
   Difference ids;
-  Vector p;
+  Vec3<Integer> p;
 };
 
 /// point / denominator, a convex combination with weights / denominator.
+template <class Integer>
 struct SimplexFoot {
-  Vector point;
-  std::vector<mpz_class> weights;
-  mpz_class denominator;
+  Vec3<Integer> point;
+  std::vector<Integer> weights;
+  Integer denominator;
 };
 
 /// The step that the searches of Gilbert, Johnson and Keerthi share. Of one to four corners,
@@ -79,6 +107,7 @@ struct SimplexFoot {
 /// its relative interior, and returns that point. There is one such face. Only faces with the last
 /// corner are looked at: O must be strictly nearer to the hull of all than to that of the others,
 /// if there are others. Returns nullopt, and keeps all, if O is in the interior of a tetrahedron.
-std::optional<SimplexFoot> nearest_in_simplex(std::vector<SimplexCorner>& corners);
+template <class Integer>
+std::optional<SimplexFoot<Integer>> nearest_in_simplex(std::vector<SimplexCorner<Integer>>& corners);
 
 }  // namespace fathom::polytope

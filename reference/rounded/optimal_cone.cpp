@@ -11,7 +11,7 @@
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/solve/deciding_points.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom::rounded {
 namespace {

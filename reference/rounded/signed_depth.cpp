@@ -61,8 +61,8 @@ mpq_class signed_square(const PlaneSupport& plane) {
   return plane.support * abs(plane.support) / dot(plane.direction, plane.direction);
 }
 
-// Cores that are polytopes. Those that touch have a common lattice, unless their denominators share
-// too little.
+// Cores that are polytopes. Those that touch are placed on a common lattice, unless their
+// denominators share too little.
 SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Shape& of_a, const Shape& of_b,
                             const Options& options) {
   kernels::Context context(options.monitor);
@@ -74,6 +74,7 @@ SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Sh
                      {},
                      {}};
   if (const Touch* touch = std::get<Depth>(result.core).touch()) {
+    if (!found.pair) found.pair = polytope::place_if_slim(a, b, &context);
     result.cone = found.pair ? rounded::optimal_cone(context, *found.pair, touch->point, touch->direction)
                              : rounded::optimal_cone(context, a, b, touch->point);
     const Vector n = rounded::inner_direction(*result.cone);

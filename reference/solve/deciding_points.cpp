@@ -2,7 +2,6 @@
 // Guesses the deciding points on bodies rounded to a coarse grid, and answers exactly for those. If
 // other points lie farther out in a direction of that answer, they become deciding points too, and
 // it answers again.
-#include "reference/solve/deciding_points.hpp"
 
 #include <algorithm>
 #include <set>

@@ -19,7 +19,6 @@
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
-#include "reference/solve/deciding_points.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -123,7 +122,9 @@ Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pai
   if (!expands_first(options)) return exact_depth(context, pair, options);
   expanding::Expansion expansion =
       expanding::nearest_by_expansion(context, pair.a, pair.b, expansion_budget(options, pair), options.workspace);
-  // O is not in the interior, or the budget is exhausted.
+  const bool apart = expansion.end == expanding::ExpansionEnd::not_inside && !options.validate;
+  if (apart) return depth::apart_depth(context, pair, expansion.outside);
+  // The budget is exhausted, or each stage is to be validated.
   if (expansion.end != expanding::ExpansionEnd::proved) return exact_depth(context, pair, options);
   if (options.validate) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
   return certified_depth(context, pair, std::move(expansion), options);
@@ -146,6 +147,10 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
         expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
     if (expansion.end == expanding::ExpansionEnd::proved)
       result.depth = certified_depth(context, bodies, std::move(expansion), options);
+    if (expansion.end == expanding::ExpansionEnd::not_inside)
+      result.depth = polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& searched) {
+        return depth::apart_depth(context, searched, expansion.outside);
+      });
   });
   result.gave_up = !result.depth;
   if (result.depth) result.pair.reset();

@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
+#include "kernels/positions.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::solve {
@@ -44,6 +46,21 @@ struct PlacedDepth {
 /// Throws as penetration_depth does.
 PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                          const Options& options);
+
+// For bodies whose denominators share little: over a common denominator every coordinate would be
+// as long as all of them together, but few points decide the answer.
+//                                                              [proofs/depth.md, "Deciding points"]
+
+/// Returns the answer for all points. It equals that of depth_by_method, except that extreme points
+/// are not counted, that counters are those of the deciding points, and that it may be another one
+/// where several are right (the inner polytope; the nearest points of parallel faces; direction and
+/// common point of touching bodies). Returns nullopt if more than half of all points would decide.
+std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels::Positions a, kernels::Positions b,
+                                              const Options& options);
+
+/// Returns the indices of all points of a non-empty body that maximise <u, p>, ascending. Exact,
+/// for any denominators.
+std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u);
 
 /// Returns the first field in which the answers differ, with both values, as "optima[0].direction:
 /// (1, 0, 0) and (0, 1, 0)"; nullopt if they agree. Compared is every field that must not depend on

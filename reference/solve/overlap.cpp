@@ -12,7 +12,7 @@
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/depth/contact.hpp"
+#include "reference/depth/apart.hpp"
 #include "reference/expanding/expander.hpp"  // what a Workspace holds
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
@@ -28,28 +28,6 @@ mpq_class square_of(const Vector& normal, const mpz_class& height, const mpq_cla
   return kernels::ratio(height * height, dot(normal, normal)) * unit * unit;
 }
 
-/// What a narrow lattice shows: where the bodies are, and of those that are apart a plane between
-/// them, whose distance from O the bodies' distance is at least.
-struct Seen {
-  Status status;
-  mpq_class least_square = 0;  ///< of that distance
-};
-
-/// nullopt if it leaves open where they are, or there is no such lattice.
-std::optional<Seen> seen_on_narrow_lattice(kernels::Context& context, const polytope::Points& a,
-                                           const polytope::Points& b, Workspace* given, bool measured) {
-  std::optional<Workspace> own;
-  Workspace& workspace = given != nullptr ? *given : own.emplace();
-  Workspace::Parts& parts = *workspace.parts;
-  if (!polytope::place_narrow(a, b, parts.pair)) return std::nullopt;
-  return polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) -> std::optional<Seen> {
-    const expanding::OriginExpansion found = expanding::locate_origin(context, bodies, &workspace, measured);
-    if (found.end == expanding::ExpansionEnd::proved) return Seen{Status::penetrating};
-    if (found.side >= 0) return std::nullopt;
-    return Seen{Status::disjoint, measured ? square_of(found.normal, found.height, bodies.unit()) : mpq_class()};
-  });
-}
-
 Status status_of(const polytope::PositionOfOrigin& origin) {
   switch (origin.position) {
     case Position::inside: return Status::penetrating;
@@ -59,11 +37,44 @@ Status status_of(const polytope::PositionOfOrigin& origin) {
   throw std::logic_error("a position that is none");
 }
 
+/// Where bodies are, and what is known of their distance if they are apart: in units of the input,
+/// and at least as much as was asked for unless it is the distance itself.
+struct Seen {
+  Status status;
+  mpq_class square = 0;
+};
+
+/// What a narrow lattice shows; nullopt if there is none. `asked` is a squared distance.
+std::optional<Seen> seen_on_narrow_lattice(kernels::Context& context, const polytope::Points& a,
+                                           const polytope::Points& b, Workspace* given,
+                                           const std::optional<mpq_class>& asked) {
+  std::optional<Workspace> own;
+  Workspace& workspace = given != nullptr ? *given : own.emplace();
+  Workspace::Parts& parts = *workspace.parts;
+  if (!polytope::place_narrow(a, b, parts.pair)) return std::nullopt;
+  Seen seen{Status::penetrating};
+  polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
+    const expanding::OriginExpansion found = expanding::locate_origin(context, bodies, &workspace, asked.has_value());
+    if (found.end == expanding::ExpansionEnd::proved) return;
+    seen.status = found.side < 0 ? Status::disjoint : Status::touching;  // or what follows
+    if (found.side < 0 && asked) seen.square = square_of(found.normal, found.height, bodies.unit());
+  });
+  if (seen.status == Status::penetrating) return seen;
+  polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
+    if (seen.status == Status::touching) seen.status = status_of(polytope::position_of_origin(bodies.differences()));
+    if (seen.status != Status::disjoint || !asked || seen.square >= *asked) return;
+    const polytope::NearestPoints nearest = polytope::nearest_points(bodies.differences());
+    seen.square = square_of(nearest.normal, nearest.height, bodies.unit());
+  });
+  return seen;
+}
+
 /// With their proofs.
 Overlap proved_overlap(const polytope::PlacedPair& pair) {
   const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
   OverlapProof proof{origin.normal, std::nullopt, origin.surrounding};
-  if (origin.position != Position::outside) proof.common = depth::combination(pair, pair.a.points(), origin.a);
+  if (origin.position != Position::outside)
+    proof.common = depth::combination(origin.a, [&](std::size_t i) { return pair.point_of_a(i).exact(); });
   return {status_of(origin), std::move(proof)};
 }
 
@@ -75,9 +86,7 @@ Closeness proved_closeness(const polytope::PlacedPair& pair, const mpq_class& di
   const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
   if (square_of(nearest.normal, nearest.height, pair.unit()) >= distance * distance)
     return {false, ClosenessProof{{}, nearest.normal}};
-  return {true, ClosenessProof{Witness{depth::combination(pair, pair.a.points(), nearest.a),
-                                       depth::combination(pair, pair.b.points(), nearest.b)},
-                               {}}};
+  return {true, ClosenessProof{depth::distance(pair, nearest).witness, {}}};
 }
 
 /// Whether both are polytopes. Throws std::invalid_argument if they are not, and a proof is asked
@@ -107,7 +116,7 @@ Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options) {
     const kernels::DefaultFloatEnvironment environment;
     kernels::Context context(options.monitor);
     if (options.proof) return proved_overlap(polytope::place(a.points.exact(), b.points.exact(), &context));
-    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, false))
+    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, std::nullopt))
       return {seen->status, std::nullopt};
     if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context))
       return {status_of(polytope::position_of_origin(pair->a, pair->b)), std::nullopt};
@@ -123,12 +132,10 @@ Closeness closer_than(const Body& a, const Body& b, const mpq_class& distance, c
     kernels::Context context(options.monitor);
     if (options.proof) return proved_closeness(polytope::place(a.points.exact(), b.points.exact(), &context), distance);
     const mpq_class square = distance * distance;
-    const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, true);
-    if (seen && seen->status != Status::disjoint) return {true, std::nullopt};
-    if (seen && seen->least_square >= square) return {false, std::nullopt};
+    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, square))
+      return {seen->status != Status::disjoint || seen->square < square, std::nullopt};
     if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context)) {
-      if (!seen && polytope::position_of_origin(pair->a, pair->b).position != Position::outside)
-        return {true, std::nullopt};
+      if (polytope::position_of_origin(pair->a, pair->b).position != Position::outside) return {true, std::nullopt};
       const polytope::NearestPoints nearest = polytope::nearest_points(pair->a, pair->b);
       return {square_of(nearest.normal, nearest.height, pair->unit()) < square, std::nullopt};
     }

@@ -123,8 +123,7 @@ class Answer {
     for (std::uint32_t i = 0; i < pieces_.a.size(); ++i) {
       for (std::uint32_t j = 0; j < columns(); ++j) {
         context_.check();
-        Depth depth;
-        if (!depth::answer_apart(context_, pieces_.pair(i, j), depth)) continue;
+        const Depth depth = depth::apart_depth(context_, pieces_.pair(i, j), true);
         if (result_.apart && depth.distance()->squared >= result_.apart->distance.squared) continue;
         result_.apart = UnionDistance{i, j, *depth.distance()};
       }

@@ -19,7 +19,6 @@
 
 #include "fathom/approximate.hpp"
 #include "kernels/vector.hpp"
-#include "reference/approximate/metric.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/support/check_depth.hpp"
 #include "tests/support/exact_depth.hpp"

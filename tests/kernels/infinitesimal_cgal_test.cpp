@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The infinitesimals as CGAL's number type: its traits, and the constructions and predicates of
 // that kernel, CGAL's and this project's, against the formulas over Vec3.
-#include "kernels/number/infinitesimal_cgal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -48,8 +48,8 @@ MUTANTS = [Mutant(*fields) for fields in [
     # the lattice, distances, the expander, contacts
     ("reference/polytope/narrow_lattice.cpp", "low + static_cast<long>(zeros);", "low;", "polytope_tests"),
     ("reference/polytope/lattice.cpp", "return q.get_num() * factor_;", "return abs(q.get_num()) * factor_;", "polytope_tests"),
-    ("reference/polytope/distance.cpp", "if (w <= 0 || w >= square) return std::nullopt;", "if (w <= 0) return std::nullopt;",
-     "polytope_tests"),
+    ("reference/polytope/distance.cpp", "if (sgn(w) <= 0 || sgn(rest) <= 0) return std::nullopt;",
+     "if (sgn(w) <= 0) return std::nullopt;", "polytope_tests"),
     ("reference/expanding/expander.hpp", "if (order > 0) return true;", "if (order >= 0) return true;", "expanding_tests"),
     ("reference/expanding/expander.hpp", "return or_equal ? order >= 0 : order > 0;", "return order >= 0;", "expanding_tests"),
     ("reference/depth/contact.cpp", "corners_of_a == 1 ? ContactKind::vertex_facet : ContactKind::edge_facet",

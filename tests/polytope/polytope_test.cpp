@@ -14,7 +14,7 @@
 #include <string>
 #include <tuple>
 
-#include "reference/polytope/hull_naive.hpp"
+#include "reference/polytope/hull.hpp"
 #include "reference/polytope/polygon.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/vectors.hpp"

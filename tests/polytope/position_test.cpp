@@ -90,7 +90,19 @@ std::vector<Vector> exact(const SmallSet& set) {
   return points;
 }
 
-// Solves, checks the proof, and returns the answer.
+/// What `search` says in integers of fixed size, where these are for the bodies, is the answer.
+template <class Answer, class Search>
+void expect_in_fixed_integers(const Answer& answer, const std::vector<Vector>& a, const std::vector<Vector>& b,
+                              Search search) {
+  const PlacedPair placed = place_integers(a, b);
+  NarrowPair pair;
+  kernels::ScanMemory memory;
+  if (a.size() + b.size() > most_points_without_samples || !narrow(placed.a, placed.b, pair)) return;
+  const NarrowPoints<NarrowInteger> of_a(pair.a, pair.exponent, memory), of_b(pair.b, pair.exponent, memory);
+  EXPECT_TRUE(search(NarrowDifferences<NarrowInteger>{of_a, of_b}) == answer);
+}
+
+// Solves in both kinds of integers, checks the proof, and returns the answer.
 PositionOfOrigin proved(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
   const PositionOfOrigin answer =
@@ -100,6 +112,7 @@ PositionOfOrigin proved(const std::vector<Vector>& a, const std::vector<Vector>&
     EXPECT_GE(answer.surrounding.size(), 4U);
     EXPECT_LE(answer.surrounding.size(), 6U) << "law: Steinitz";
   }
+  expect_in_fixed_integers(answer, a, b, [](auto differences) { return position_of_origin(differences); });
   return answer;
 }
 
@@ -436,7 +449,30 @@ mpq_class brute_force(std::span<const Vector> a, std::span<const Vector> b) {
 
 NearestPoints solve(const std::vector<Vector>& a, const std::vector<Vector>& b) {
   const PlacedPair placed = place_integers(a, b);
-  return nearest_points(placed.a, placed.b);
+  NearestPoints answer = nearest_points(placed.a, placed.b);
+  position_test::expect_in_fixed_integers(answer, a, b, [](auto differences) { return nearest_points(differences); });
+  return answer;
+}
+
+// Corners of the largest cube, and points next to them, make the longest numbers that there are:
+// one that did not fit would be thrown at.
+TEST(FixedIntegers, HoldAllNumbersOfTheLargestLattice) {
+  std::mt19937_64 random(9);
+  const mpz_class most = mpz_class(1) << most_narrow_bits;
+  const auto corner = [&] {
+    Vector v;
+    for (mpz_class* c : {&v.x, &v.y, &v.z}) *c = (random() % 2 == 0 ? 1 : -1) * mpz_class(most - random() % 3);
+    return v;
+  };
+  std::size_t found[3] = {};
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Vector> a(1 + random() % 5), b(1 + random() % 5);
+    for (std::vector<Vector>* body : {&a, &b}) std::ranges::generate(*body, corner);
+    const Position where = position_test::proved(a, b).position;
+    ++found[static_cast<std::size_t>(where)];
+    if (where == Position::outside) solve(a, b);
+  }
+  for (const std::size_t count : found) EXPECT_GT(count, 3U);
 }
 
 mpq_class squared(const NearestPoints& z) { return kernels::ratio(z.height * z.height, dot(z.normal, z.normal)); }

@@ -2,8 +2,6 @@
 // Bodies whose denominators share few factors. The oracle is the same pair times a common
 // denominator: integers, which are placed directly.
 
-#include "reference/solve/deciding_points.hpp"
-
 #include <fmt/format.h>
 #include <gmp.h>
 #include <gtest/gtest.h>
