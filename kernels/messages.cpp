@@ -2,15 +2,9 @@
 #include "kernels/messages.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 namespace fathom::kernels {
-namespace {
-
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
-}  // namespace
 
 std::string counted(std::uint64_t count, std::string_view one, std::string_view many) {
   return std::to_string(count) + ' ' + std::string(count == 1 ? one : many);
@@ -31,10 +25,7 @@ std::string printable(std::string_view text, std::size_t limit) {
   return result;
 }
 
-std::string shown(std::string_view text) {
-  constexpr std::size_t readable = 40;
-  return text.empty() ? "nothing" : "'" + printable(text, readable) + "'";
-}
+std::string shown(std::string_view text) { return text.empty() ? "nothing" : "'" + printable(text, readable) + "'"; }
 
 std::size_t slips(std::string_view s, std::string_view t) {
   std::vector<std::vector<std::size_t>> least(s.size() + 1, std::vector<std::size_t>(t.size() + 1));

@@ -10,6 +10,12 @@
 
 namespace fathom::kernels {
 
+/// As many bytes of a text of users are shown in a message.
+inline constexpr std::size_t readable = 40;
+
+/// A letter of ASCII in lower case; any other byte as it is.
+constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
 /// Returns `text` in single quotes for a message: cut to a readable length, bytes outside printable
 /// ASCII as \xNN; "nothing" if it is empty.
 std::string shown(std::string_view text);

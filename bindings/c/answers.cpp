@@ -146,8 +146,6 @@ void require_way_out(const fathom_answer& answer, std::size_t index) {
 
 // ---- the checker ----
 
-using fathom_check::Verdict;
-
 text::Json points_json(const fathom_body& body, const char* name) {
   if (body.body->shape)
     throw std::invalid_argument(std::string(name) +
@@ -159,13 +157,13 @@ text::Json points_json(const fathom_body& body, const char* name) {
 }
 
 /// Refuses a certificate that is not about these bodies.
-Verdict verify_about(std::string_view text, const fathom_body& a, const fathom_body& b) {
+fathom_check::Verdict verify_about(std::string_view text, const fathom_body& a, const fathom_body& b) {
   const fathom_check::CaseFile bodies(text::Json{{"a", points_json(a, "a")}, {"b", points_json(b, "b")}}.text() + '\n');
-  const Verdict alone = fathom_check::verify(text);
+  const fathom_check::Verdict alone = fathom_check::verify(text);
   if (!alone.accepted()) return alone;
   fathom_check::Lines lines(text, fathom_check::longest_line);
   const auto compare = [&](const fathom_check::Certificate& certificate) { bodies.compare(certificate); };
-  return fathom_check::Reader(lines).next(compare).value_or(Verdict());
+  return fathom_check::Reader(lines).next(compare).value_or(fathom_check::Verdict());
 }
 
 }  // namespace

@@ -63,7 +63,6 @@ class ProvedChecker : public fathom_check::SecondChecker {
 using fathom_check::Body;
 using fathom_check::Certificate;
 using fathom_check::Claim;
-using fathom_check::Outcome;
 using fathom_check::RationalPoint;
 
 /// Certificates in the words of FORMAT.md, section 2, line by line.
@@ -294,14 +293,14 @@ std::string ProvedChecker::answer(const std::string& name) {
 fathom_check::SecondChecker::Opinion ProvedChecker::opinion(const std::string& name) {
   const std::string line = answer(name);
   const std::string verified = "s VERIFIED ", end = ' ' + name;
-  if (line.starts_with(verified) && line.ends_with(end)) return {Outcome::verified, line};
+  if (line.starts_with(verified) && line.ends_with(end)) return {fathom_check::Outcome::verified, line};
   const bool refused = line.starts_with("s REFUSED ");
   if (!refused && !line.starts_with("s MALFORMED ")) throw failure(std::string(proved_program) + " gives no verdict");
   const std::string start = line.substr(0, line.find(' ', 2)) + end;
   const std::size_t reason = line.find(": ", start.size());  // behind a line number of the text that was handed over
-  return {refused ? Outcome::refused : Outcome::malformed, start + ':' + std::to_string(claim_line_) + ": by " +
-                                                               proved_program + " alone" +
-                                                               line.substr(std::min(reason, line.size()))};
+  return {refused ? fathom_check::Outcome::refused : fathom_check::Outcome::malformed,
+          start + ':' + std::to_string(claim_line_) + ": by " + proved_program + " alone" +
+              line.substr(std::min(reason, line.size()))};
 }
 
 // ---- the command ----

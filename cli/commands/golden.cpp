@@ -30,7 +30,7 @@
 namespace fathom::cli {
 namespace {
 
-constexpr ExitCode refused = static_cast<ExitCode>(1);
+constexpr ExitCode golden_refused = static_cast<ExitCode>(1);
 
 /// Makes the missing shards of the request's part. Returns their number, and that of the release.
 std::pair<std::size_t, std::size_t> make_shards(const GenerateRequest& request) {
@@ -161,7 +161,7 @@ ExitCode verify_golden(const VerifyRequest& request,
   }
   for (const golden::Refusal& refusal : verified.refusals)
     print(without_controls(fmt::format("s REFUSED {}: {}", refusal.place, refusal.reason)));
-  if (!verified.refusals.empty()) return refused;
+  if (!verified.refusals.empty()) return golden_refused;
   try {
     if (request.state) golden::state_agreement(request.folder, verified, request.methods);
   } catch (const golden::FileError& error) {

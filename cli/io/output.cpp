@@ -64,7 +64,7 @@ void add_folded(std::string& result, std::string_view line, std::size_t width, s
   result += line;
 }
 
-constexpr std::size_t behind_first = 2;  // spaces before the further lines of a sentence
+constexpr std::size_t sentence_indent = 2;  // spaces before the further lines of a sentence
 
 }  // namespace
 
@@ -146,7 +146,7 @@ void talk(std::string_view text) {
     line += without_controls(text.substr(begin, end - begin)) + '\n';
     begin = end + 1;
   }
-  line = folded(line, seen_columns(STDERR_FILENO), behind_first);
+  line = folded(line, seen_columns(STDERR_FILENO), sentence_indent);
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

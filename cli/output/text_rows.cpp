@@ -60,8 +60,8 @@ std::string in_full(const Point& from, const mpq_class& length, const Vector& n)
 }
 
 constexpr std::size_t most_indices = 12;
-constexpr std::size_t behind_first = 4;  // spaces before the further lines of a case
-constexpr std::size_t short_pair = 54;   // characters of two points that share a line of 80
+constexpr std::size_t case_indent = 4;  // spaces before the further lines of a case
+constexpr std::size_t short_pair = 54;  // characters of two points that share a line of 80
 
 }  // namespace
 
@@ -127,7 +127,7 @@ std::string aligned(const std::string& heading, const std::vector<Row>& rows) {
 }
 
 std::string case_line(const std::string& id, const std::vector<std::string>& parts) {
-  return fitted(fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; ")), behind_first);
+  return fitted(fmt::format("{}: {}", safe_id(id), fmt::join(parts, "; ")), case_indent);
 }
 
 std::string safe_id(const std::string& id) { return without_controls(id) == id ? id : text::Json(id).text(); }

@@ -43,8 +43,8 @@ double quotient(const mpq_class& q) {
   return std::isfinite(above) && std::isfinite(below) ? above / below : q.get_d();
 }
 
-const mpq_class& coordinate(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-double coordinate(const Triple& p, int axis) { return p[static_cast<std::size_t>(axis)]; }
+const mpq_class& component(const Point& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+double component(const Triple& p, int axis) { return p[static_cast<std::size_t>(axis)]; }
 
 // Doubles are compared as bits: small ones may be flushed to zero. So 0 and -0 differ, and then
 // nothing is said.
@@ -72,12 +72,12 @@ template <class P>
 bool scale(std::vector<Image<P>>& points, int axis) {
   double size = 0;
   for (Image<P>& p : points) {
-    p.at[axis] = quotient(coordinate(*p.exact, axis));
+    p.at[axis] = quotient(component(*p.exact, axis));
     size = std::max(size, std::abs(p.at[axis]));
   }
   if (!std::isfinite(size)) return false;
   if (size < least_size)
-    return std::ranges::all_of(points, [&](const Image<P>& p) { return is_zero(coordinate(*p.exact, axis)); });
+    return std::ranges::all_of(points, [&](const Image<P>& p) { return is_zero(component(*p.exact, axis)); });
   const double unit = std::ldexp(1, -std::ilogb(size) - 1);  // to multiply by it rounds as ldexp does
   for (Image<P>& p : points) p.at[axis] *= unit;
   return true;

@@ -23,14 +23,6 @@ namespace {
 
 // Surds.
 
-/// value * 2^exponent.
-mpq_class shifted(const mpz_class& value, long exponent) {
-  mpq_class result(value);
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
 /// Around sqrt(x), x > 0, to `bits` bits or one more.
 RationalInterval enclosed_root(const mpq_class& x, long bits) {
   const long shift = bits - binary_order(x) / 2;
@@ -38,7 +30,7 @@ RationalInterval enclosed_root(const mpq_class& x, long bits) {
   if (shift >= 0) numerator <<= static_cast<mp_bitcnt_t>(2 * shift);
   else denominator <<= static_cast<mp_bitcnt_t>(-2 * shift);
   const mpz_class square = numerator / denominator, root = sqrt(square);
-  return {shifted(root, -shift), shifted(mpz_class(root + 1), -shift)};
+  return {times_power_of_two(mpq_class(root), -shift), times_power_of_two(mpq_class(root + 1), -shift)};
 }
 
 /// Around a value with an irrational root.
@@ -100,8 +92,8 @@ class WholeRange {
 // value; the exact comparison with two neighbouring decimals then decides. Nothing returned from
 // here rests on a floating-point result.
 
-/// digits * 10^exponent.
-struct Decimal {
+/// digits * 10^exponent, of a given number of digits.
+struct CountedDecimal {
   mpz_class digits;
   long exponent;
 };
@@ -119,7 +111,7 @@ void set_below(Mpfr& result, const Surd& value, mpfr_prec_t precision) {
 
 /// A decimal of exactly `count` digits below or at the value > 0; the next one or the one after is
 /// above it if the precision suffices: see proofs/number.md.
-std::optional<Decimal> decimal_below(const Surd& value, std::size_t count, mpfr_prec_t precision) {
+std::optional<CountedDecimal> decimal_below(const Surd& value, std::size_t count, mpfr_prec_t precision) {
   const WholeRange range;
   Mpfr below(precision);
   set_below(below, value, precision);
@@ -127,7 +119,7 @@ std::optional<Decimal> decimal_below(const Surd& value, std::size_t count, mpfr_
   mpfr_exp_t point = 0;
   char* const text = mpfr_get_str(nullptr, &point, 10, count, below.get(), MPFR_RNDD);
   if (text == nullptr) throw std::logic_error("MPFR gave no digits");
-  Decimal result{mpz_class(text, 10), static_cast<long>(point) - static_cast<long>(count)};
+  CountedDecimal result{mpz_class(text, 10), static_cast<long>(point) - static_cast<long>(count)};
   mpfr_free_str(text);
   return result;
 }
@@ -139,7 +131,7 @@ mpz_class power_of_ten(std::size_t exponent) {
 }
 
 /// The next decimal of `count` digits.
-Decimal next(Decimal decimal, std::size_t count) {
+CountedDecimal next(CountedDecimal decimal, std::size_t count) {
   ++decimal.digits;
   if (decimal.digits == power_of_ten(count)) {
     decimal.digits = power_of_ten(count - 1);
@@ -150,7 +142,7 @@ Decimal next(Decimal decimal, std::size_t count) {
 
 /// The sign of value - decimal. In integers, over the common denominator of the decimal and the
 /// rational part.
-int compare(const Surd& value, const Decimal& decimal) {
+int compare(const Surd& value, const CountedDecimal& decimal) {
   const mpz_class power =
       power_of_ten(static_cast<std::size_t>(decimal.exponent < 0 ? -decimal.exponent : decimal.exponent));
   mpz_class unit = value.rational.get_den(), rational = value.rational.get_num(), digits = decimal.digits * unit;
@@ -165,7 +157,7 @@ int compare(const Surd& value, const Decimal& decimal) {
 }
 
 /// In plain notation unless that takes many zeros.
-std::string text_of(const Decimal& decimal, bool keep_zeros) {
+std::string text_of(const CountedDecimal& decimal, bool keep_zeros) {
   std::string digits = decimal.digits.get_str();
   const long leading = static_cast<long>(digits.size()) - 1 + decimal.exponent;  // the value is d.ddd * 10^leading
   if (!keep_zeros) digits.resize(digits.find_last_not_of('0') + 1);
@@ -181,14 +173,14 @@ std::string text_of(const Decimal& decimal, bool keep_zeros) {
 }
 
 struct Neighbours {
-  Decimal low, high;  // low <= value < high
+  CountedDecimal low, high;  // low <= value < high
 };
 
 /// Around a value > 0, proved; nullopt if the precision did not suffice.
 std::optional<Neighbours> neighbours(const Surd& value, std::size_t digits, mpfr_prec_t precision) {
-  std::optional<Decimal> low = decimal_below(value, digits, precision);
+  std::optional<CountedDecimal> low = decimal_below(value, digits, precision);
   if (!low) return std::nullopt;
-  Decimal high = next(*low, digits);
+  CountedDecimal high = next(*low, digits);
   if (compare(value, high) >= 0) low = std::exchange(high, next(high, digits));
   if (compare(value, *low) < 0) throw std::logic_error("MPFR's digits failed their exact check");
   if (compare(value, high) >= 0) return std::nullopt;

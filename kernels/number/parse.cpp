@@ -24,8 +24,6 @@ static_assert(std::numeric_limits<long>::digits >= 63,
 
 namespace {
 
-bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_hex_digit(char c) { return is_decimal_digit(c) || (lower(c) >= 'a' && lower(c) <= 'f'); }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 

@@ -10,6 +10,8 @@
 
 namespace fathom::kernels {
 
+constexpr bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Returns the value of parse_number(token, decimals), its naive twin, in binary64; or nullopt, and
 /// parse_number has to read the token. Reads decimals only in binary64 mode and while rounding is
 /// to nearest.

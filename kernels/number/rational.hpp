@@ -23,6 +23,13 @@ inline mpq_class ratio(const mpz_class& p, const mpz_class& q) {
   return result;
 }
 
+/// value * 2^exponent.
+inline mpq_class times_power_of_two(mpq_class value, long exponent) {
+  if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  else mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  return value;
+}
+
 /// A k with 2^(k-1) < |q| < 2^(k+1). For q != 0.
 long binary_order(const mpq_class& q);
 

@@ -29,8 +29,6 @@ void require_direction(const Point& direction) {
   if (direction == Point{0, 0, 0}) throw std::invalid_argument("the direction of a ray may not be zero");
 }
 
-constexpr std::uint64_t rays_between_reports = 64;
-
 bool contains_opposites(std::vector<Vector> vertices) {
   std::vector<Vector> opposites;
   for (const Vector& v : vertices) opposites.push_back(-v);

@@ -71,6 +71,8 @@ class BodyPair {
 
 namespace fathom::approximate {
 
+inline constexpr std::uint64_t rays_between_reports = 64;
+
 /// Below, h(u) = max_b <u,b> - min_a <u,a> is the support function of P.
 struct RayHit {
   /// Whether the start lies in P, inside or on the boundary. If not, the factor is 0, and `normal`

@@ -60,10 +60,8 @@ bool all_covered(kernels::Context& context, std::uint64_t side, const mpq_class&
   return true;
 }
 
-constexpr std::uint64_t rays_between_reports = 64;
-
 // What the rays have found so far.
-class Search {
+class RaysFromOrigin {
  public:
   /// False if the search is over: O is not inside P.
   bool take(const Vector& u, const RayHit& hit) {
@@ -106,7 +104,7 @@ class Search {
 ApproxSeparation search(kernels::Context& context, const polytope::Hierarchy& a, const polytope::Hierarchy& b,
                         const DirectionGrid& grid, std::uint64_t rays, const Vector& shift) {
   const RayShooter shooter(a, b);
-  Search search;
+  RaysFromOrigin search;
   for (std::uint64_t i = 0; i < rays; ++i) {
     if (i % rays_between_reports == 0) context.report("rays", static_cast<double>(i) / static_cast<double>(rays));
     const Vector u = grid.centre(i);

@@ -42,9 +42,9 @@ bool closer(const Vector& u, const Vector& v, const Vector& w) {
 }
 
 // What the rays from one start have found so far.
-class Search {
+class RaysFromStart {
  public:
-  Search(const RayShooter& shooter, const Vector& start) : shooter_(shooter), start_(start) {}
+  RaysFromStart(const RayShooter& shooter, const Vector& start) : shooter_(shooter), start_(start) {}
 
   /// False if O is not inside P.
   bool look(const Vector& u, const mpq_class& delta) {
@@ -221,7 +221,7 @@ RayGrids::RayGrids(kernels::Context& context, const mpq_class& delta) {
 }
 
 NearRays RayGrids::shoot(kernels::Context& context, const RayShooter& shooter, const Vector& start) const {
-  Search search(shooter, start);
+  RaysFromStart search(shooter, start);
   std::size_t done = 0, all = 0;
   for (const Grid& grid : grids_) all += grid.directions.size();
   for (const Grid& grid : grids_) {

@@ -32,6 +32,8 @@ Strip strips_of(const chart::Charts& charts, gaussian::Colour colour, chart::Cha
           a.right != chart::at_infinity ? chart.wall_of[a.right].value + 1 : strips};
 }
 
+}  // namespace
+
 // The queries that one node of a segment tree has answered, filed under the canonical subsets that
 // they cross. Over the node's list of stored arcs stands a balanced tree in heap order, whose
 // subtrees are the canonical subsets.
@@ -115,6 +117,8 @@ struct Query {
   Strip strips;
   Reach left, right;
 };
+
+namespace {
 
 // As std::partition_point; the steps are logarithmic in the distance from the hint.
 template <class Iterator, class Test>

@@ -18,12 +18,12 @@ namespace {
 
 // floor(sqrt(x) * 2^exponent) / 2^exponent, or the ceiling. x >= 0.
 mpq_class root(const mpq_class& x, long exponent, bool up) {
-  const mpq_class scaled = shifted(x, 2 * exponent);
+  const mpq_class scaled = kernels::times_power_of_two(x, 2 * exponent);
   const mpz_class whole = up ? rounded_up(scaled) : mpz_class(scaled.get_num() / scaled.get_den());
   mpz_class result, rest;
   mpz_sqrtrem(result.get_mpz_t(), rest.get_mpz_t(), whole.get_mpz_t());
   if (up && rest != 0) ++result;
-  return shifted(mpq_class(result), -exponent);
+  return kernels::times_power_of_two(mpq_class(result), -exponent);
 }
 
 constexpr unsigned face_fine = 20;  // 2^-20: points inside a face need not be near its boundary
@@ -126,13 +126,6 @@ std::optional<Combination> foot_in_face(kernels::Context& context, const std::ve
 
 }  // namespace
 
-mpq_class shifted(const mpq_class& value, long exponent) {
-  mpq_class result = value;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
 mpz_class rounded_up(const mpq_class& value) {
   mpz_class result;
   mpz_cdiv_q(result.get_mpz_t(), value.get_num_mpz_t(), value.get_den_mpz_t());
@@ -143,8 +136,8 @@ Goal::Goal(unsigned bits, unsigned status_bits, mpq_class extent, mpq_class rho)
     : status_bits_(status_bits),
       extent_(std::move(extent)),
       rho_(std::move(rho)),
-      share_(shifted(15, -static_cast<long>(bits) - 4)),
-      status_share_(shifted(15, -static_cast<long>(status_bits) - 4)) {}
+      share_(kernels::times_power_of_two(15, -static_cast<long>(bits) - 4)),
+      status_share_(kernels::times_power_of_two(15, -static_cast<long>(status_bits) - 4)) {}
 
 long Goal::finest(const mpq_class& x) const {
   if (extent_ == 0 && x == 0) return 0;
@@ -222,7 +215,9 @@ std::vector<mpq_class> short_heights(const std::vector<TermHeight>& heights, con
   const long finest = goal.finest(signed_square(sum, n)) + spare;
   std::vector<mpq_class> result;
   for (const TermHeight& h : heights)
-    result.push_back(exact ? h.height : shifted(mpq_class(rounded_up(shifted(h.height, finest))), -finest));
+    result.push_back(exact ? h.height
+                           : kernels::times_power_of_two(
+                                 mpq_class(rounded_up(kernels::times_power_of_two(h.height, finest))), -finest));
   return result;
 }
 
@@ -263,9 +258,9 @@ void Assembly::set_lower(const NearestFoot& nearest) {
     for (std::size_t i = 0; i < nearest.corners.size(); ++i) {
       const Vector& p = nearest.corners[i].p;
       sum = {sum.x + weights[i] * p.x, sum.y + weights[i] * p.y, sum.z + weights[i] * p.z};
-      take(i, shifted(mpq_class(weights[i]), -static_cast<long>(bits)));
+      take(i, kernels::times_power_of_two(mpq_class(weights[i]), -static_cast<long>(bits)));
     }
-    const mpq_class unit = shifted(oracle_.lattice().fine_unit, -static_cast<long>(bits));
+    const mpq_class unit = kernels::times_power_of_two(oracle_.lattice().fine_unit, -static_cast<long>(bits));
     lower_ = -mpq_class(dot(sum, sum)) * unit * unit;
   }
   set_weights(combination);

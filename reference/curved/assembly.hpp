@@ -45,8 +45,6 @@ class Goal {
   mpq_class extent_, rho_, share_, status_share_;
 };
 
-/// value * 2^exponent.
-mpq_class shifted(const mpq_class& value, long exponent);
 /// The least integer >= value.
 mpz_class rounded_up(const mpq_class& value);
 

@@ -115,7 +115,9 @@ class Growth {
 
 Estimates::Estimates(const Lattice& lattice, const Goal& goal)
     : exponent_(lattice.exponent), fine_(lattice.fine), share_(goal.share().get_d()) {
-  const auto scaled = [&](const mpq_class& length) { return shifted(length / lattice.fine_unit, -exponent_).get_d(); };
+  const auto scaled = [&](const mpq_class& length) {
+    return kernels::times_power_of_two(length / lattice.fine_unit, -exponent_).get_d();
+  };
   extent_ = scaled(goal.extent());
   rho_ = scaled(goal.rho());
 }

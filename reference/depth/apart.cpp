@@ -8,7 +8,7 @@ namespace {
 
 using polytope::Position;
 
-constexpr std::size_t worth_a_thread = 2048;  // points
+constexpr std::size_t points_worth_a_thread = 2048;
 
 void locate_origin(kernels::Context& context, Beginning& state) {
   state.origin = polytope::position_of_origin(state.pair->a, state.pair->b);
@@ -61,7 +61,7 @@ Hulls hulls_of(kernels::Context& context, const polytope::PlacedPair& pair, Body
   Hulls hulls;
   const bool one_body = pair.a.points() == pair.b.points();
   kernels::run_both(
-      !one_body && pair.a.size() + pair.b.size() >= worth_a_thread, context,
+      !one_body && pair.a.size() + pair.b.size() >= points_worth_a_thread, context,
       [&](kernels::Context&) { hulls.a = polytope::convex_hull(pair.a.points()); },
       [&](kernels::Context&) { hulls.b = one_body ? hulls.a : polytope::convex_hull(pair.b.points()); });
   const auto& [a, b] = hulls;

@@ -14,7 +14,7 @@
 namespace fathom::depth {
 namespace {
 
-constexpr std::size_t worth_a_thread = 4096;  // edges
+constexpr std::size_t edges_worth_a_thread = 4096;
 
 /// A run, in which every stage finds those before it.
 struct Run {
@@ -24,7 +24,7 @@ struct Run {
   kernels::NearestPlanes nearest;  ///< of the planes that the steps have offered so far
 
   [[nodiscard]] bool two_threads() const {
-    return made.hulls.a.edges.size() + made.hulls.b.edges.size() >= worth_a_thread;
+    return made.hulls.a.edges.size() + made.hulls.b.edges.size() >= edges_worth_a_thread;
   }
 };
 

@@ -22,22 +22,21 @@
 namespace fathom::files {
 namespace {
 
-using Json = text::JsonValue;
+using text::JsonValue;
 
-constexpr std::size_t readable = 40;  // what a message shows of a text
 constexpr const char* expected_pose =
     "three rows of four numbers, or an object with 'quaternion', or text such as \"xyz=0,0,1 rpy=0,0,90deg\"";
 
-std::string shown(const Json& value) { return kernels::printable(value.written().text(), readable); }
+std::string shown(const JsonValue& value) { return kernels::printable(value.written().text(), kernels::readable); }
 
-std::string found(const Json& value) {
+std::string found(const JsonValue& value) {
   if (value.is_object()) return "an object";
   return value.is_array() ? "an array of " + std::to_string(value.items().size()) : shown(value);
 }
 
 /// The value of the field; null if it is not there, or if null is its value.
-const Json* given(const Json& object, std::string_view name) {
-  const Json* const value = object.find(name);
+const JsonValue* given(const JsonValue& object, std::string_view name) {
+  const JsonValue* const value = object.find(name);
   return value && !value->is_null() ? value : nullptr;
 }
 
@@ -48,7 +47,7 @@ bool is_ours(std::string_view key) {
 }
 
 /// A field of ours that an object in the document has twice, the first by its second place; or "".
-std::string repeated_field(const Json& value) {
+std::string repeated_field(const JsonValue& value) {
   std::vector<std::string_view> seen;
   for (std::size_t i = 0; i < value.items().size(); ++i) {
     if (value.is_object() && is_ours(value.key(i))) {
@@ -66,7 +65,7 @@ class Reader {
   std::string fault;
   std::vector<CaseNote> notes;
 
-  Body body(const Json& json, const std::string& path, bool rounded);
+  Body body(const JsonValue& json, const std::string& path, bool rounded);
 
  private:
   void report(const std::string& path, const std::string& expected, const std::string& instead) {
@@ -76,22 +75,22 @@ class Reader {
     if (fault.empty()) fault = sentence;
   }
 
-  mpq_class number(const Json& value, const std::string& path);
-  std::vector<mpq_class> numbers(const Json& value, std::size_t count, const std::string& path);
-  std::vector<Point> points(const Json& value, const std::string& path);
-  Axis axis(const Json& value, const std::string& path);
-  std::optional<GivenPose> pose(const Json& value, const std::string& path);
-  GivenPose pose_of_words(const Json& value, const std::string& path, std::string& wrong);
-  ShapeFields fields(const Json& json, const NamedShape& named, const std::string& path, NamedBody& words);
-  Shape unplaced(const Json& json, const std::string& path, NamedBody& words);
-  Shape placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words);
+  mpq_class number(const JsonValue& value, const std::string& path);
+  std::vector<mpq_class> numbers(const JsonValue& value, std::size_t count, const std::string& path);
+  std::vector<Point> points(const JsonValue& value, const std::string& path);
+  Axis axis(const JsonValue& value, const std::string& path);
+  std::optional<GivenPose> pose(const JsonValue& value, const std::string& path);
+  GivenPose pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong);
+  ShapeFields fields(const JsonValue& json, const NamedShape& named, const std::string& path, NamedBody& words);
+  Shape unplaced(const JsonValue& json, const std::string& path, NamedBody& words);
+  Shape placed_shape(Shape shape, const JsonValue& json, const std::string& path, NamedBody& words);
   void round(Shape& shape, const std::string& path);
-  Body piece(const Json& json, const std::string& path);
-  Body union_of(const Json& json, const std::string& path, bool rounded);
-  bool is_rounded(const Json& json, const std::string& path);
+  Body piece(const JsonValue& json, const std::string& path);
+  Body union_of(const JsonValue& json, const std::string& path, bool rounded);
+  bool is_rounded(const JsonValue& json, const std::string& path);
 };
 
-mpq_class Reader::number(const Json& value, const std::string& path) {
+mpq_class Reader::number(const JsonValue& value, const std::string& path) {
   ParsedNumber parsed = text::exact_number(value);
   if (parsed.value) return *std::move(parsed.value);
   if (!parsed.error.empty()) refuse(path + ": " + parsed.error);
@@ -99,7 +98,7 @@ mpq_class Reader::number(const Json& value, const std::string& path) {
   return 1;
 }
 
-std::vector<mpq_class> Reader::numbers(const Json& value, std::size_t count, const std::string& path) {
+std::vector<mpq_class> Reader::numbers(const JsonValue& value, std::size_t count, const std::string& path) {
   if (count == 1) return {number(value, path)};
   std::vector<mpq_class> result;
   if (!value.is_array() || value.items().size() != count) {
@@ -112,7 +111,7 @@ std::vector<mpq_class> Reader::numbers(const Json& value, std::size_t count, con
   return result;
 }
 
-std::vector<Point> Reader::points(const Json& value, const std::string& path) {
+std::vector<Point> Reader::points(const JsonValue& value, const std::string& path) {
   if (!value.is_array() || value.items().empty()) {
     report(path, "an array of points", found(value));
     return {{}};
@@ -125,14 +124,14 @@ std::vector<Point> Reader::points(const Json& value, const std::string& path) {
   return result;
 }
 
-Axis Reader::axis(const Json& value, const std::string& path) {
+Axis Reader::axis(const JsonValue& value, const std::string& path) {
   for (const auto& [name, axis] : {std::pair("x", Axis::x), std::pair("y", Axis::y), std::pair("z", Axis::z)})
     if (value.is_string() && value.text() == name) return axis;
   report(path, R"("x", "y" or "z")", found(value));
   return Axis::z;
 }
 
-std::optional<GivenPose> Reader::pose(const Json& value, const std::string& path) {
+std::optional<GivenPose> Reader::pose(const JsonValue& value, const std::string& path) {
   std::string wrong;
   GivenPose result;
   if (value.is_string()) {
@@ -152,7 +151,7 @@ std::optional<GivenPose> Reader::pose(const Json& value, const std::string& path
   return result;
 }
 
-GivenPose Reader::pose_of_words(const Json& value, const std::string& path, std::string& wrong) {
+GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong) {
   PoseWords words;
   std::vector<std::string> keys;
   for (const auto& [key, numbers_of_it] : value.fields()) {
@@ -166,22 +165,22 @@ GivenPose Reader::pose_of_words(const Json& value, const std::string& path, std:
   if (const std::string sentence = misspelt_in_pose(keys); !sentence.empty())
     notes.push_back({CaseNote::field, path + ": " + sentence});
   if (words.empty()) report(path, expected_pose, found(value));
-  const Json* const unit_given = value.find("unit");
+  const JsonValue* const unit_given = value.find("unit");
   const std::string unit = !words.contains(PoseWord::rpy) ? R"("deg")"
                            : unit_given                   ? unit_given->written().text()
                                                           : "null";
   if (unit != R"("deg")" && unit != R"("rad")")
-    report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, readable));
+    report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, kernels::readable));
   return fault.empty() && wrong.empty()
              ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong)
              : GivenPose{};
 }
 
-ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std::string& path, NamedBody& words) {
+ShapeFields Reader::fields(const JsonValue& json, const NamedShape& named, const std::string& path, NamedBody& words) {
   const ShapeName& shape = *named.shape;
   ShapeFields result;
   const auto require = [&](std::string_view name) {
-    const Json* const there = json.find(name);
+    const JsonValue* const there = json.find(name);
     if (!there) report(path, "a field '" + std::string(name) + "'", "none");
     return there;
   };
@@ -196,15 +195,15 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
     if (!result.numbers.contains(field.name)) report(path, "a field '" + std::string(field.name) + "'", "none");
   if (named.rounded && !result.numbers.contains("margin")) report(path, "a field 'margin'", "none");
   if (shape.part == ShapePart::axis)
-    if (const Json* const value = json.find("axis")) result.axis = axis(*value, path + ".axis");
+    if (const JsonValue* const value = json.find("axis")) result.axis = axis(*value, path + ".axis");
   if (shape.part == ShapePart::vertices)
-    if (const Json* const value = require("vertices")) result.vertices = points(*value, path + ".vertices");
+    if (const JsonValue* const value = require("vertices")) result.vertices = points(*value, path + ".vertices");
   if (shape.part != ShapePart::terms) return result;
-  const Json* const terms = require("terms");
+  const JsonValue* const terms = require("terms");
   if (terms && !terms->is_array()) report(path + ".terms", "an array of shapes", found(*terms));
   for (std::size_t i = 0; terms && terms->is_array() && i < terms->items().size(); ++i) {
     const std::string place = path + ".terms[" + std::to_string(i) + "]";
-    const Json& json_of_term = terms->items()[i];
+    const JsonValue& json_of_term = terms->items()[i];
     NamedBody& of_term = words.terms.emplace_back();
     Shape term = unplaced(json_of_term, place, of_term);
     if (!fault.empty()) break;
@@ -214,13 +213,13 @@ ShapeFields Reader::fields(const Json& json, const NamedShape& named, const std:
   return result;
 }
 
-Shape Reader::unplaced(const Json& json, const std::string& path, NamedBody& words) {
+Shape Reader::unplaced(const JsonValue& json, const std::string& path, NamedBody& words) {
   if (!json.is_object()) {
     report(path, "a shape", found(json));
     return {};
   }
   NamedShape named = named_shape("hull");
-  if (const Json* const name = json.find("shape")) {
+  if (const JsonValue* const name = json.find("shape")) {
     named = name->is_string() ? named_shape(name->text()) : NamedShape{};
     if (!named.shape) {
       report(path + ".shape", list_of_shapes() + ", or one of them after 'rounded_'", found(*name));
@@ -241,8 +240,8 @@ Shape Reader::unplaced(const Json& json, const std::string& path, NamedBody& wor
 }
 
 // The shape where its field "pose" puts it, if it has one.
-Shape Reader::placed_shape(Shape shape, const Json& json, const std::string& path, NamedBody& words) {
-  const Json* const there = given(json, "pose");
+Shape Reader::placed_shape(Shape shape, const JsonValue& json, const std::string& path, NamedBody& words) {
+  const JsonValue* const there = given(json, "pose");
   if (!fault.empty() || !there) return shape;
   const std::optional<GivenPose> placing = pose(*there, path + ".pose");
   if (!fault.empty()) return shape;
@@ -272,7 +271,7 @@ void Reader::round(Shape& shape, const std::string& path) {
 }
 
 // A piece, where its own pose puts it.
-Body Reader::piece(const Json& json, const std::string& path) {
+Body Reader::piece(const JsonValue& json, const std::string& path) {
   NamedBody words;
   const Shape shape = placed_shape(unplaced(json, path, words), json, path, words);
   if (!fault.empty()) return {};
@@ -282,22 +281,23 @@ Body Reader::piece(const Json& json, const std::string& path) {
   else if (shape.radius != 0)
     refuse(path + ": expected a piece without a radius: to add the radii of unions to a depth would be wrong");
   Body body{std::move(points).value_or(std::vector<Point>())};
-  if (const Json* const faces = json.find("faces"); faces && fault.empty())
+  if (const JsonValue* const faces = json.find("faces"); faces && fault.empty())
     refuse(read_faces(*faces, path + ".faces", body));
   return body;
 }
 
 // Its pieces, each where its own pose puts it, all of them where the body's does.
-Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
+Body Reader::union_of(const JsonValue& json, const std::string& path, bool rounded) {
   for (const auto& [key, value] : json.fields())
     if (is_field_of_shapes(key) && key != "pieces" && !value->is_null())
       report(path + "." + std::string(key), "no such field beside 'pieces'", "one");
-  const Json& pieces = *json.find("pieces");
+  const JsonValue& pieces = *json.find("pieces");
   if (!pieces.is_array() || pieces.items().empty())
     report(path + ".pieces", "an array of convex pieces", found(pieces));
   rounded = is_rounded(json, path) || rounded;
   std::optional<GivenPose> placing;
-  if (const Json* const there = given(json, "pose"); there && fault.empty()) placing = pose(*there, path + ".pose");
+  if (const JsonValue* const there = given(json, "pose"); there && fault.empty())
+    placing = pose(*there, path + ".pose");
   std::vector<Body> read;
   for (std::size_t i = 0; fault.empty() && i < pieces.items().size(); ++i) {
     const std::string place = path + ".pieces[" + std::to_string(i) + "]";
@@ -314,14 +314,14 @@ Body Reader::union_of(const Json& json, const std::string& path, bool rounded) {
   return files::union_of(read);
 }
 
-bool Reader::is_rounded(const Json& json, const std::string& path) {
-  const Json* const rounding = given(json, "pose_rounding");
+bool Reader::is_rounded(const JsonValue& json, const std::string& path) {
+  const JsonValue* const rounding = given(json, "pose_rounding");
   if (rounding && (!rounding->is_string() || rounding->text() != "binary64"))
     report(path + ".pose_rounding", "\"binary64\"", found(*rounding));
   return rounding != nullptr;
 }
 
-Body Reader::body(const Json& json, const std::string& path, bool rounded) {
+Body Reader::body(const JsonValue& json, const std::string& path, bool rounded) {
   if (given(json, "pieces")) return union_of(json, path, rounded);
   NamedBody words;
   Shape shape = unplaced(json, path, words);
@@ -342,7 +342,7 @@ Body Reader::body(const Json& json, const std::string& path, bool rounded) {
 
 }  // namespace
 
-ShapesOfCase read_shapes(const Json& document, bool a, bool b, bool rounded) {
+ShapesOfCase read_shapes(const JsonValue& document, bool a, bool b, bool rounded) {
   ShapesOfCase result;
   if (const std::string repeated = repeated_field(document); !repeated.empty()) {
     result.fault = "expected one field '" + repeated + "' in an object, found a second one";
@@ -356,15 +356,15 @@ ShapesOfCase read_shapes(const Json& document, bool a, bool b, bool rounded) {
   return result;
 }
 
-std::string read_faces(const Json& faces, const std::string& path, Body& body) {
+std::string read_faces(const JsonValue& faces, const std::string& path, Body& body) {
   if (faces.is_null()) return "";
   if (!faces.is_array()) return path + ": expected an array of faces, found " + shown(faces);
   MeshFaces read;
   for (std::size_t i = 0; i < faces.items().size(); ++i) {
     const std::string place = path + "[" + std::to_string(i) + "]";
-    const Json& face = faces.items()[i];
+    const JsonValue& face = faces.items()[i];
     if (!face.is_array()) return place + ": expected an array of vertex indices, found " + shown(face);
-    for (const Json& index : face.items()) {
+    for (const JsonValue& index : face.items()) {
       if (!index.is_natural() || index.number() >= static_cast<double>(body.points.size()))
         return place + ": expected vertex indices below " + std::to_string(body.points.size()) + ", found " +
                shown(index);

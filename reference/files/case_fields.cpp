@@ -57,8 +57,6 @@ void note(const text::JsonValue& object, const std::string& path, std::span<cons
 
 using text::JsonValue;
 
-constexpr std::size_t readable = 40;  // what a message shows of a text
-
 /// Where a value stands: a field, or an element, of what stands at `outer`.
 struct Path {
   static constexpr std::size_t no_index = std::string_view::npos;
@@ -159,7 +157,7 @@ void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, 
     default:  // a number
       if (place == CasePlace::id) fields.id = value.text();
       else if (of_shape) body->is_shape = true;
-      else if (place != CasePlace::other) wrong(path, place, kernels::printable(value.text(), readable));
+      else if (place != CasePlace::other) wrong(path, place, kernels::printable(value.text(), kernels::readable));
   }
 }
 
@@ -175,7 +173,7 @@ void CaseWalk::string(const JsonValue& value, CasePlace place, const Path& path,
     case CasePlace::body_rounding: good = body->rounded = text == "binary64"; break;
     default: good = place == CasePlace::other;
   }
-  if (!good) wrong(path, place, "\"" + kernels::printable(text, readable) + "\"");
+  if (!good) wrong(path, place, "\"" + kernels::printable(text, kernels::readable) + "\"");
 }
 
 /// An array or object that is not ours, or not where it stands, or read elsewhere.

@@ -9,19 +9,20 @@ namespace {
 
 using text::Json;
 
-Json exact(const mpq_class& value) { return Json::exact(value); }
-Json exact_point(const Point& p) { return Json::exact(p); }
+Json number_json(const mpq_class& value) { return Json::exact(value); }
+Json point_json(const Point& p) { return Json::exact(p); }
 
 Json matrix_json(const Pose& pose) {
-  return Json::array_of(pose, [](const auto& row) { return Json::array_of(row, exact); });
+  return Json::array_of(pose, [](const auto& row) { return Json::array_of(row, number_json); });
 }
 
 /// Of a NamedBody or a GivenPose.
 Json pose_json(const auto& given) {
   if (given.matrix) return matrix_json(*given.matrix);
   const Quaternion& turn = given.turn;
-  return {{"quaternion", Json::array({exact(turn.w), exact(turn.x), exact(turn.y), exact(turn.z)})},
-          {"translation", Json::exact(given.place)}};
+  return {
+      {"quaternion", Json::array({number_json(turn.w), number_json(turn.x), number_json(turn.y), number_json(turn.z)})},
+      {"translation", Json::exact(given.place)}};
 }
 
 bool is_unmoved(const NamedBody& body) {
@@ -33,7 +34,7 @@ bool is_unmoved(const NamedBody& body) {
 Json body_json(const Body& body, const std::optional<Pose>& pose) {
   if (body.words && !pose) return body_json(*body.words);
   if (body.shape) throw std::invalid_argument("a shape without words has no text");
-  const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, exact_point)}}; };
+  const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, point_json)}}; };
   Json result = body.pieces ? Json{{"pieces", Json::array_of(*body.pieces, vertices)}} : vertices(body.points);
   if (pose) result["pose"] = matrix_json(*pose);
   return result;
@@ -52,12 +53,13 @@ Json body_json(const NamedBody& body, Defaults defaults) {
   const auto numbers = [&](std::string_view name) {
     const auto found = body.fields.numbers.find(name);
     if (found == body.fields.numbers.end()) return;
-    result[name] = found->second.size() == 1 ? exact(found->second.front()) : Json::array_of(found->second, exact);
+    result[name] =
+        found->second.size() == 1 ? number_json(found->second.front()) : Json::array_of(found->second, number_json);
   };
   for (const NumberField& known : shape.numbers) numbers(known.name);
   if (shape.part == ShapePart::axis && (all || body.fields.axis != Axis::z))
     result["axis"] = body.fields.axis == Axis::x ? "x" : body.fields.axis == Axis::y ? "y" : "z";
-  if (!body.fields.vertices.empty()) result["vertices"] = Json::array_of(body.fields.vertices, exact_point);
+  if (!body.fields.vertices.empty()) result["vertices"] = Json::array_of(body.fields.vertices, point_json);
   if (!body.terms.empty())
     result["terms"] = Json::array_of(body.terms, [&](const NamedBody& term) { return body_json(term, defaults); });
   numbers("margin");

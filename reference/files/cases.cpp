@@ -21,12 +21,12 @@
 namespace fathom::files {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n\v\f";
+constexpr std::string_view white_space = " \t\r\n\v\f";
 
-bool is_blank(std::string_view text) { return text.find_first_not_of(blanks) == std::string_view::npos; }
+bool is_blank(std::string_view text) { return text.find_first_not_of(white_space) == std::string_view::npos; }
 
 bool is_lone_brace(std::string_view text) {
-  const std::size_t brace = text.find_first_not_of(blanks);
+  const std::size_t brace = text.find_first_not_of(white_space);
   return brace != std::string_view::npos && text[brace] == '{' && is_blank(text.substr(brace + 1));
 }
 

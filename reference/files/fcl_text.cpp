@@ -6,17 +6,12 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f", separators = " \t\r\v\f,;";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(blanks);
-  return begin == std::string_view::npos ? std::string_view()
-                                         : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
+constexpr std::string_view separators = " \t\r\v\f,;";
 
 /// The lines of a log. Behind the start of a failure, the words that a logger puts before each line
 /// are cut off.

@@ -158,8 +158,7 @@ std::string extension(std::string_view path) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return "";
   std::string result(name.substr(dot + 1));
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::ranges::transform(result, result.begin(), kernels::lower);
   return result;
 }
 

@@ -132,15 +132,16 @@ std::string_view TextScanner::next_token_anywhere() {
   return token;
 }
 
-std::string_view TextScanner::rest_of_line() const { return trimmed(line_end_); }
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
 
-std::string_view TextScanner::name_to_end_of_line() const { return trimmed(whole_end_); }
+std::string_view TextScanner::rest_of_line() const { return trimmed(text_.substr(position_, line_end_ - position_)); }
 
-std::string_view TextScanner::trimmed(std::size_t end) const {
-  std::size_t start = position_;
-  while (start < end && is_blank(text_[start])) ++start;
-  while (end > start && is_blank(text_[end - 1])) --end;
-  return text_.substr(start, end - start);
+std::string_view TextScanner::name_to_end_of_line() const {
+  return trimmed(text_.substr(position_, whole_end_ - position_));
 }
 
 std::uint64_t TextScanner::count(const std::string& what) {

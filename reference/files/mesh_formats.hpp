@@ -25,6 +25,9 @@ namespace fathom::files {
 /// What some programs write before a text in UTF-8.
 inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+/// Returns `text` without the blanks at its ends.
+std::string_view trimmed(std::string_view text);
+
 /// What a scan skips besides blanks.
 struct ScanRules {
   char comment = '\0';        ///< starts a comment that runs to the end of the line; '\0' for none
@@ -66,7 +69,6 @@ class TextScanner {
 
  private:
   void take_line();
-  [[nodiscard]] std::string_view trimmed(std::size_t end) const;
 
   std::string_view text_;
   std::string file_;

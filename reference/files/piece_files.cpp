@@ -14,17 +14,17 @@
 #include <utility>
 
 #include "kernels/float_environment.hpp"
+#include "kernels/number/parse.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Takes the run of digits from the front of `text`; returns it without leading zeros.
 std::string_view take_number(std::string_view& text) {
-  const auto end = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
+  const auto end =
+      static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), kernels::is_decimal_digit) - text.begin());
   std::string_view number = text.substr(0, end);
   text.remove_prefix(end);
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
@@ -36,7 +36,7 @@ bool is_mesh_name(const std::string& name) {
   return kind == "off" || kind == "obj" || kind == "ply" || kind == "stl";
 }
 
-Pieces points_of(const std::vector<Body>& pieces) {
+Pieces points_of_pieces(const std::vector<Body>& pieces) {
   Pieces result;
   for (const Body& piece : pieces) result.push_back(piece.points.exact());
   return result;
@@ -74,7 +74,7 @@ void add_faces(const MeshFaces& of_piece, std::size_t points, std::uint32_t befo
 bool natural_less(std::string_view a, std::string_view b) {
   std::string_view p = a, q = b;
   while (!p.empty() && !q.empty()) {
-    if (is_digit(p.front()) && is_digit(q.front())) {
+    if (kernels::is_decimal_digit(p.front()) && kernels::is_decimal_digit(q.front())) {
       const std::string_view m = take_number(p), n = take_number(q);
       if (m.size() != n.size()) return m.size() < n.size();
       if (m != n) return m < n;
@@ -111,7 +111,7 @@ Body union_of(const std::vector<Body>& pieces) {
     if (piece.faces) add_faces(*piece.faces, piece.points.size(), before, faces);
     before += static_cast<std::uint32_t>(piece.points.size());
   }
-  Body body = union_of(points_of(pieces));
+  Body body = union_of(points_of_pieces(pieces));
   body.faces = faces_of(std::move(faces));
   return body;
 }
@@ -130,11 +130,11 @@ namespace fathom {
 
 Pieces parse_pieces(std::string_view text, const std::string& name, Decimals decimals) {
   const kernels::DefaultFloatEnvironment environment;
-  return files::points_of(files::parse_obj_pieces(text, name, decimals));
+  return files::points_of_pieces(files::parse_obj_pieces(text, name, decimals));
 }
 
 Pieces read_pieces(const std::string& path, Decimals decimals) {
-  return files::points_of(files::piece_bodies(path, decimals));
+  return files::points_of_pieces(files::piece_bodies(path, decimals));
 }
 
 }  // namespace fathom

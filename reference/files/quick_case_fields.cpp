@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/number/parse.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/case_json.hpp"
@@ -55,8 +56,6 @@ bool is_string(std::string_view token) {
   return at + 1 == token.size();
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Whether the text is a number of JSON.
 bool is_number(std::string_view text) {
   const char *at = text.data(), *const end = at + text.size();
@@ -67,7 +66,7 @@ bool is_number(std::string_view text) {
   };
   const auto skip_digits = [&] {
     const char* const begin = at;
-    while (at != end && is_digit(*at)) ++at;
+    while (at != end && kernels::is_decimal_digit(*at)) ++at;
     return at - begin;
   };
   skip('-', '-');

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/messages.hpp"
 #include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
@@ -74,8 +75,7 @@ Body parse_binary(std::string_view bytes, const std::string& name) {
 bool is_keyword(std::string_view token, std::string_view keyword) {
   if (token.size() != keyword.size()) return false;
   for (std::size_t i = 0; i < token.size(); ++i) {
-    const char c = token[i] >= 'A' && token[i] <= 'Z' ? static_cast<char>(token[i] - 'A' + 'a') : token[i];
-    if (c != keyword[i]) return false;
+    if (kernels::lower(token[i]) != keyword[i]) return false;
   }
   return true;
 }

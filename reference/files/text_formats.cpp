@@ -128,13 +128,6 @@ Body piece_of(const std::vector<Point>& points, MeshFaces faces) {
 // A first line with a single whole number announces how many points follow (as in .pts files), and
 // must be right.
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\v\f\r";
-  const std::size_t start = text.find_first_not_of(blanks);
-  return start == std::string_view::npos ? std::string_view{}
-                                         : text.substr(start, text.find_last_not_of(blanks) - start + 1);
-}
-
 // A line with a comma is separated by commas alone: "1,5 2,5 3,5" (commas as decimal points) must
 // not pass for numbers.
 void split(TextScanner& scanner, std::vector<std::string_view>& columns) {

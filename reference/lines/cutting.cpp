@@ -126,9 +126,9 @@ class Cutter {
 };
 
 // The search over one grid: cut, swap the roles, cut, ..., scan.
-class Engine {
+class CuttingSearch {
  public:
-  Engine(const Grid& grid, LineSearch& search, const CuttingSize& size)
+  CuttingSearch(const Grid& grid, LineSearch& search, const CuttingSize& size)
       : blocks_(grid, size.allowance), search_(search), size_(size) {}
 
   void run() { solve(GridAxis::rows, CellTree::root, {CellTree::root}, 0); }
@@ -438,7 +438,7 @@ std::vector<Cell> cut(Blocks& blocks, GridAxis side, Node cell, const std::vecto
 
 void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size) {
   ++search.counters().grids_cut;
-  Engine(grid, search, size).run();
+  CuttingSearch(grid, search, size).run();
 }
 
 }  // namespace fathom::lines

@@ -15,9 +15,9 @@ using Lines = std::vector<std::uint32_t>;
 constexpr std::size_t always_few = 8;
 
 // `side` tells whose lines a cell holds; conflicts are lines of the other chain.
-class Engine {
+class SampledSearch {
  public:
-  Engine(const Grid& grid, LineSearch& search, const SampledSize& size)
+  SampledSearch(const Grid& grid, LineSearch& search, const SampledSize& size)
       : clearing_(grid), search_(search), size_(size) {}
 
   void run() {
@@ -142,7 +142,7 @@ class Engine {
 
 void closest_by_sampling(const Grid& grid, LineSearch& search, const SampledSize& size) {
   ++search.counters().grids_cut;
-  Engine(grid, search, size).run();
+  SampledSearch(grid, search, size).run();
 }
 
 }  // namespace fathom::lines

@@ -12,13 +12,10 @@
 namespace fathom::text {
 namespace {
 
-constexpr std::size_t readable = 40;  // what a message shows of a text
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_of_word(char c) {
-  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' || c == '+' ||
-         c == '-';
+  return kernels::is_decimal_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.' ||
+         c == '+' || c == '-';
 }
 
 void append_utf8(std::string& text, unsigned code) {
@@ -94,7 +91,7 @@ std::uint64_t JsonValue::natural(std::uint64_t most) const {
   const std::string digits = text();
   if (!is_natural() || std::from_chars(digits.data(), digits.data() + digits.size(), value).ec != std::errc() ||
       value > most)
-    throw JsonFault("expected a natural number, found " + kernels::printable(written().text(), readable));
+    throw JsonFault("expected a natural number, found " + kernels::printable(written().text(), kernels::readable));
   return value;
 }
 
@@ -136,7 +133,7 @@ class JsonBuilder {
     const std::string_view found = text_.substr(at_, std::max<std::size_t>(end - at_, 1));
     read.error_at = at_;
     read.error = "expected " + expected + ", found " +
-                 (found.empty() ? "the end" : '\'' + kernels::printable(found, readable) + '\'');
+                 (found.empty() ? "the end" : '\'' + kernels::printable(found, kernels::readable) + '\'');
     return false;
   }
 
@@ -188,7 +185,7 @@ class JsonBuilder {
       std::string text;
       return string(text) && add({JsonValue::Kind::string, std::move(text)});
     }
-    if (peek() == '-' || is_digit(peek())) return number();
+    if (peek() == '-' || kernels::is_decimal_digit(peek())) return number();
     if (literal("null")) return add(JsonValue());
     if (literal("true")) return add(JsonValue(JsonValue::Kind::boolean, 1));
     return literal("false") ? add(JsonValue(JsonValue::Kind::boolean, 0)) : fault("a value");
@@ -204,8 +201,8 @@ class JsonBuilder {
     return true;
   }
   bool digits() {
-    if (!is_digit(peek())) return fault("a digit");
-    while (is_digit(peek())) ++at_;
+    if (!kernels::is_decimal_digit(peek())) return fault("a digit");
+    while (kernels::is_decimal_digit(peek())) ++at_;
     return true;
   }
 

@@ -139,7 +139,6 @@ class CaseReader {
   bool rounded_ = false;
 };
 
-bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
 bool same(const RationalPoint& p, const RationalPoint& q) { return same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z); }
 template <class T>
 bool same(const std::vector<T>& s, const std::vector<T>& t) {

@@ -23,6 +23,8 @@ struct Rational {
   Integer den = Integer::one();  ///< positive
 };
 
+inline bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
+
 struct RationalPoint {
   Rational x, y, z;
 };

@@ -272,7 +272,7 @@ void for_each_vertex(const Part<std::vector<Pair>>& vertices, std::size_t first,
   }
 }
 
-std::size_t bits(const Words& v) {
+std::size_t bits_of_words(const Words& v) {
   const auto size = [](Word n) { return static_cast<std::uint64_t>(n < 0 ? -n : n); };
   const std::uint64_t all = size(v.x) | size(v.y) | size(v.z);
   return all == 0 ? 0 : 64 - static_cast<std::size_t>(__builtin_clzll(all));
@@ -286,7 +286,7 @@ std::optional<std::vector<Words>> fixed_differences(const Certificate& c, const 
   std::size_t most = 0, corners = 0, s = 0;
   for_each_vertex(c.vertices, 0, c.vertices.items.size(), a, b, [&](std::size_t j, std::size_t i) {
     subtract(result.emplace_back(), b.words()[j], a.words()[i]);
-    most = std::max(most, bits(result.back()));
+    most = std::max(most, bits_of_words(result.back()));
   });
   const Facets& facets = c.facets.items;
   for (std::size_t f = 0; f < facets.size(); ++f) corners = std::max(corners, facets.ends[f] - facets.begin_of(f));

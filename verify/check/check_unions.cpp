@@ -86,7 +86,6 @@ class Separations {
 bool below(const Rational& r, const Rational& s) {
   return r.num.value() * s.den.value() < s.num.value() * r.den.value();
 }
-bool same(const Rational& r, const Rational& s) { return r.num == s.num && r.den == s.den; }
 
 bool below(const RationalPoint& p, const RationalPoint& q) {
   if (!same(p.x, q.x)) return below(p.x, q.x);

@@ -9,7 +9,6 @@
 namespace fathom_check {
 namespace {
 
-std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.value()); }
 std::string text(const RationalPoint& p) { return " " + text(p.x) + " " + text(p.y) + " " + text(p.z); }
 
 void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last) {

@@ -21,8 +21,6 @@ Verdict fault(Outcome outcome, std::size_t line, const std::string& reason) {
   return verdict;
 }
 
-std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.value()); }
-
 /// For a certificate that has passed every check.
 Verdict verified(const Certificate& c) {
   Verdict verdict;

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "certificate.hpp"
+
 namespace fathom_check {
 
 /// In quotes, printable and short, whatever it was. Blanks stay.
@@ -45,5 +47,6 @@ std::optional<Int> short_integer(std::string_view token) {
 
 /// "p/q" for a fraction in lowest terms, without a denominator of 1. The denominator is positive.
 std::string ratio_text(const mpz_class& num, const mpz_class& den);
+inline std::string text(const Rational& r) { return ratio_text(r.num.value(), r.den.value()); }
 
 }  // namespace fathom_check

@@ -33,7 +33,7 @@ mpq_class on_grid(const mpz_class& numerator, const mpz_class& denominator, long
 
 /// Neighbouring slopes differ by width / count at least, and edges are as long as that: rounded
 /// edges turn in the right direction if the grid is a few times finer than the square of it.
-long grid_bits(std::size_t count, const mpq_class& width, long least) {
+long grid_bits_for(std::size_t count, const mpq_class& width, long least) {
   const mpq_class steps = mpq_class(count) / width;
   const mpz_class square = rounded(mpq_class(steps * steps));
   return std::max<long>(least, static_cast<long>(mpz_sizeinbase(square.get_mpz_t(), 2)) + 2);
@@ -86,7 +86,7 @@ Chain tangent_chain(const Outline& outline, const std::vector<mpz_class>& slopes
     const mpz_class square = x * x;
     return mpz_class(((quadratic * square) << (2 * slope_bits)) + quartic * square * square);
   };
-  const long bits = grid_bits(slopes.size(), width, least_bits);
+  const long bits = grid_bits_for(slopes.size(), width, least_bits);
   const auto cut_off = [&](const mpz_class& x, const mpq_class& at) {
     const mpq_class height = support(x) - times_power_of_two(mpq_class(x * at), scale - slope_bits);
     return ChainPoint{at, on_grid(height.get_num(), height.get_den(), scale, bits)};
@@ -112,7 +112,7 @@ namespace {
 unsigned at_least(unsigned least, unsigned n) { return std::max(least, n); }
 
 /// n distinct integers in [low, high], ascending.
-std::set<std::int64_t> distinct(Random& random, unsigned n, std::int64_t low, std::int64_t high) {
+std::set<std::int64_t> distinct_integers(Random& random, unsigned n, std::int64_t low, std::int64_t high) {
   std::set<std::int64_t> chosen;
   while (chosen.size() < n) chosen.insert(random.between(low, high));
   return chosen;
@@ -131,7 +131,7 @@ ChainPoint on_circle(std::uint64_t k, std::uint64_t n) {
 Chain random_circle_chain(Random& random, unsigned n) {
   constexpr std::int64_t turn = std::int64_t{1} << 24;
   Chain chain;
-  for (const std::int64_t k : distinct(random, n, turn / 8, 3 * turn / 8))
+  for (const std::int64_t k : distinct_integers(random, n, turn / 8, 3 * turn / 8))
     chain.push_back(on_circle(static_cast<std::uint64_t>(k), turn));
   return chain;
 }
@@ -139,7 +139,7 @@ Chain random_circle_chain(Random& random, unsigned n) {
 Chain random_parabola_chain(Random& random, unsigned n) {
   constexpr long bits = 26;  // squares fit into a binary64
   Chain chain;
-  for (const std::int64_t t : distinct(random, n, -(std::int64_t{1} << bits), std::int64_t{1} << bits)) {
+  for (const std::int64_t t : distinct_integers(random, n, -(std::int64_t{1} << bits), std::int64_t{1} << bits)) {
     const mpq_class along = times_power_of_two(t, -bits);
     chain.push_back({along, mpq_class(-along * along)});
   }

@@ -23,7 +23,8 @@ PlaneDirection plane_direction(const mpq_class& t) {
   return {mpq_class((1 - t * t) / norm), mpq_class(2 * t / norm)};
 }
 
-mpq_class random_length(Random& random) { return ratio(random.between(16, 64), 32); }
+/// In [1/2, 2].
+mpq_class random_reach(Random& random) { return ratio(random.between(16, 64), 32); }
 
 void add(Body& body, const PlaneDirection& direction, const mpq_class& length) {
   body.points.push_back({mpq_class(length * direction.x), mpq_class(length * direction.y), 0});
@@ -35,18 +36,18 @@ Body feature_body(FeatureKind feature, const PlaneDirection& edge, Random& rando
   Body body;
   if (feature == FeatureKind::vertex) body.points.push_back({0, 0, 0});
   if (feature == FeatureKind::edge) {
-    add(body, edge, random_length(random));
-    add(body, edge, mpq_class(-random_length(random)));
+    add(body, edge, random_reach(random));
+    add(body, edge, mpq_class(-random_reach(random)));
   }
   if (feature == FeatureKind::face) {
     // Angles of 0 and about +-120 degrees: O is inside whatever the lengths, and more corners do no
     // harm.
     const PlaneDirection first = plane_direction(0), second = plane_direction(ratio(7, 4)),
                          third = plane_direction(ratio(-7, 4));
-    for (const PlaneDirection* direction : {&first, &second, &third}) add(body, *direction, random_length(random));
+    for (const PlaneDirection* direction : {&first, &second, &third}) add(body, *direction, random_reach(random));
     for (std::int64_t more = random.between(0, 3); more > 0; --more) {
       const mpq_class t = ratio(random.between(-32, 32), 8);
-      add(body, plane_direction(t), random_length(random));
+      add(body, plane_direction(t), random_reach(random));
     }
   }
   return body;
@@ -56,7 +57,7 @@ Body feature_body(FeatureKind feature, const PlaneDirection& edge, Random& rando
 void add_base(Body& body, Random& random, unsigned n) {
   for (unsigned i = 0; i < std::max(4u, n); ++i) {
     const int x = i % 2 ? 1 : -1, y = i / 2 % 2 ? 1 : -1;  // the four quadrants in turn
-    const mpq_class across = random_length(random), along = random_length(random), down = random_length(random);
+    const mpq_class across = random_reach(random), along = random_reach(random), down = random_reach(random);
     body.points.push_back({mpq_class(x * (3 + across)), mpq_class(y * (3 + along)), mpq_class(-3 - down)});
   }
 }

@@ -33,7 +33,7 @@ struct Features {
 };
 
 template <class Map>
-Body mapped(Body body, Map map) {
+Body points_mapped(Body body, Map map) {
   for (Point& p : body.points.edit()) p = map(p);
   return body;
 }
@@ -71,7 +71,7 @@ Point across(const Point& p, const Point& normal) { return p - along(p, normal);
 Body edge_aligned(const Body& body, const Point& from, const Point& to) {
   const Point step = along(from, to) - from;
   const mpq_class square = dot(from, from);
-  return mapped(body, [&](const Point& p) { return p + (dot(from, p) / square) * step; });
+  return points_mapped(body, [&](const Point& p) { return p + (dot(from, p) / square) * step; });
 }
 
 /// The linear map after which facets with the outward normal `from` have one along `to`, or against
@@ -81,7 +81,7 @@ Body edge_aligned(const Body& body, const Point& from, const Point& to) {
 Body normal_aligned(const Body& body, const Point& from, const Point& to) {
   const Point target = along(from, to), step = target - from;
   const mpq_class scale = dot(from, target);
-  return mapped(body, [&](const Point& p) { return p - (dot(step, p) / scale) * from; });
+  return points_mapped(body, [&](const Point& p) { return p - (dot(step, p) / scale) * from; });
 }
 
 /// How well two directions agree: cos^2 of their angle with the sign of the cosine. Neither may be
@@ -216,7 +216,7 @@ void snapped_to_lattice(Bodies& bodies, Random&) {
 constexpr std::size_t window =
     24;  // at most this many features of a body are searched, since pairs of them are compared
 
-const Point pole{0, 0, 1}, upright{0, 1, 0};
+const Point pole{0, 0, 1}, y_axis{0, 1, 0};
 
 /// `window` successive members from a random place on; all of a short list, in another order.
 template <class T>
@@ -359,7 +359,7 @@ void arc_on_equator(Bodies& bodies, Random& random) {
 }
 
 void vertical_edge(Bodies& bodies, Random& random) {
-  turn_edges(bodies, random, [](const Point& d) { return across(d, upright); });
+  turn_edges(bodies, random, [](const Point& d) { return across(d, y_axis); });
 }
 
 // The great circle through v and a node m of B has the normal m x v; -A's node -n lies on it if n
@@ -368,7 +368,7 @@ void nodes_on_one_vertical(Bodies& bodies, Random& random) {
   const std::vector<Point> of_a = normals(bodies.a, random);
   std::optional<Turn> best;
   for (const Point& m : normals(bodies.b, random)) {
-    const Point circle = cross(m, upright);
+    const Point circle = cross(m, y_axis);
     if (circle == Point{}) continue;
     const auto turn = smallest_turn(of_a, [&](const Point& n) { return across(n, circle); });
     if (turn && (!best || agreement(turn->from, turn->to) > agreement(best->from, best->to))) best = turn;

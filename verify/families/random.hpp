@@ -41,14 +41,7 @@ class Random {
 };
 
 using kernels::ratio;
-
-/// value * 2^exponent.
-inline mpq_class times_power_of_two(const mpq_class& value, long exponent) {
-  mpq_class result;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
+using kernels::times_power_of_two;
 
 /// A multiple of 2^-bits, uniform in [low, high].
 inline mpq_class random_dyadic(Random& random, std::int64_t low, std::int64_t high, unsigned bits) {

@@ -10,8 +10,8 @@ namespace fathom::families {
 
 namespace {
 
-constexpr long grid_bits = 20;
-constexpr std::int64_t radius = std::int64_t{1} << grid_bits;
+constexpr long ball_grid_bits = 20;
+constexpr std::int64_t radius = std::int64_t{1} << ball_grid_bits;
 
 /// A non-zero grid point in the ball of the given radius, by rejection.
 std::array<std::int64_t, 3> in_ball(Random& random) {
@@ -23,12 +23,12 @@ std::array<std::int64_t, 3> in_ball(Random& random) {
   }
 }
 
-mpq_class on_grid(const mpz_class& value) { return times_power_of_two(mpq_class(value), -grid_bits); }
+mpq_class on_ball_grid(const mpz_class& value) { return times_power_of_two(mpq_class(value), -ball_grid_bits); }
 
 /// p * radius / |p|, rounded towards 0 with a norm that carries 20 bits more than p.
 mpq_class pushed_out(std::int64_t p, const mpz_class& norm) {
   const mpz_class numerator = mpz_class(p) * radius * radius;
-  return on_grid(mpz_class(numerator / norm));
+  return on_ball_grid(mpz_class(numerator / norm));
 }
 
 Body turned(Random& random, const Body& body) { return rotated(body, random_rotation(random)); }
@@ -78,7 +78,7 @@ Body random_ball_body(Random& random, unsigned n) {
   Body body;
   for (unsigned i = 0; i < n; ++i) {
     const auto p = in_ball(random);
-    body.points.push_back({on_grid(p[0]), on_grid(p[1]), on_grid(p[2])});
+    body.points.push_back({on_ball_grid(p[0]), on_ball_grid(p[1]), on_ball_grid(p[2])});
   }
   return body;
 }

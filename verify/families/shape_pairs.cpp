@@ -247,7 +247,7 @@ Quaternion tilt(Random& random) {
   return {mpq_class(w), mpq_class(x), 0, 0};
 }
 
-const Quaternion upright{1, 0, 0, 0}, lying{1, 1, 0, 0}, upside_down{0, 1, 0, 0};
+const Quaternion standing{1, 0, 0, 0}, lying{1, 1, 0, 0}, turned_over{0, 1, 0, 0};
 
 /// A right triangle: p^2 + q^2 = s^2.
 struct Triple {
@@ -303,7 +303,8 @@ MeetingBody frustum_face(Random& random) {
   const mpq_class low = length(random), high = length(random), half_length = length(random);
   const mpq_class x = part(random) * high, least = std::min(low, high);
   NamedBody body = named("frustum", {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
-  return with_top(std::move(body), upright, {x, 0, half_length}, std::clamp<mpq_class>(least - abs(x), 0, half_length));
+  return with_top(std::move(body), standing, {x, 0, half_length},
+                  std::clamp<mpq_class>(least - abs(x), 0, half_length));
 }
 
 MeetingBody rounded_hull_vertex(Random& random) {
@@ -357,7 +358,7 @@ NamedPair random_pair_with_plane(ShapeKind kind, Random& random, unsigned n) {
 
 MeetingBody sphere_cap(Random& random) {
   const mpq_class r = length(random);
-  return with_top(named("sphere", {{"radius", {r}}}), upright, {0, 0, r}, r);
+  return with_top(named("sphere", {{"radius", {r}}}), standing, {0, 0, r}, r);
 }
 
 MeetingBody capsule_cap(Random& random) {
@@ -387,7 +388,7 @@ MeetingBody tapered_side(Random& random) {
 MeetingBody cylinder_face(Random& random) {
   const Lengths of = lengths(random);
   const mpq_class x = part(random) * of.radius;
-  return with_top(with_lengths("cylinder", of), upright, {x, 0, of.half_length},
+  return with_top(with_lengths("cylinder", of), standing, {x, 0, of.half_length},
                   std::min(of.half_length, mpq_class(of.radius - abs(x))));
 }
 
@@ -410,7 +411,7 @@ MeetingBody cylinder_rim(Random& random) {
 MeetingBody cone_base(Random& random) {
   const Lengths of = lengths(random);
   const mpq_class x = part(random) * of.radius, r = of.radius - abs(x), height = 2 * of.half_length * r / of.radius;
-  return with_top(with_lengths("cone", of), upside_down, {x, 0, -of.half_length}, r * height / (2 * r + height));
+  return with_top(with_lengths("cone", of), turned_over, {x, 0, -of.half_length}, r * height / (2 * r + height));
 }
 
 // The plane is outside as long as the tangent of the tilt is at most 2 half_length / radius; it is
@@ -436,13 +437,13 @@ MeetingBody cone_generator(Random& random) {
 MeetingBody ellipsoid_pole(Random& random) {
   const Point radii{length(random), length(random), length(random)};
   const mpq_class inner = std::min<mpq_class>({radii.x * radii.x / radii.z, radii.y * radii.y / radii.z, radii.z});
-  return with_top(named("ellipsoid", {{"radii", {radii.x, radii.y, radii.z}}}), upright, {0, 0, radii.z}, inner);
+  return with_top(named("ellipsoid", {{"radii", {radii.x, radii.y, radii.z}}}), standing, {0, 0, radii.z}, inner);
 }
 
 MeetingBody box_face(Random& random) {
   const Block of = block(random);
   const mpq_class x = part(random) * of.half.x, y = part(random) * of.half.y;
-  return with_top(of.body, upright, {x, y, of.half.z},
+  return with_top(of.body, standing, {x, y, of.half.z},
                   std::min<mpq_class>({of.half.x - abs(x), of.half.y - abs(y), of.half.z}));
 }
 
@@ -492,7 +493,7 @@ NamedPair meeting(MakeMeetingBody first, MakeMeetingBody second, Random& random)
   const Quaternion turn{mpq_class(random.between(1, 5)), mpq_class(random.between(-5, 5)),
                         mpq_class(random.between(-5, 5)), mpq_class(random.between(-5, 5))};
   const Point shift = random_shift(random, 2);
-  NamedBody a = posed(posed(std::move(of_a.body), upside_down, {0, 0, mpq_class(-depth)}), turn, shift);
+  NamedBody a = posed(posed(std::move(of_a.body), turned_over, {0, 0, mpq_class(-depth)}), turn, shift);
   NamedBody b = posed(std::move(of_b.body), turn, shift);
   return {std::move(a), std::move(b), KnownDepth{{depth, 0}, rotated({0, 0, 1}, turn)}};
 }

@@ -139,21 +139,21 @@ Pieces cut_into_grid(const Point& low, const Point& high, unsigned cells) {
 
 namespace {
 
-constexpr long grid_bits = 16;
+constexpr long union_grid_bits = 16;
 
 /// The multiple of 2^-16 at or below it.
-mpq_class on_grid(const mpq_class& value) {
-  const mpq_class scaled = times_power_of_two(value, grid_bits);
+mpq_class down_to_grid(const mpq_class& value) {
+  const mpq_class scaled = times_power_of_two(value, union_grid_bits);
   mpz_class below;
   mpz_fdiv_q(below.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
-  return times_power_of_two(below, -grid_bits);
+  return times_power_of_two(below, -union_grid_bits);
 }
 
 Point unit_vector(Random& random) { return random_sphere_body(random, 1).points.front(); }
 
 Point at(const Point& center, const mpq_class& radius, const Point& unit) {
-  return {on_grid(center.x + radius * unit.x), on_grid(center.y + radius * unit.y),
-          on_grid(center.z + radius * unit.z)};
+  return {down_to_grid(center.x + radius * unit.x), down_to_grid(center.y + radius * unit.y),
+          down_to_grid(center.z + radius * unit.z)};
 }
 
 /// Multiples of 1/64.

@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,6 +21,8 @@
 namespace fathom::harness {
 
 using judging::scaled;
+
+inline constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
 
 /// floor(log2 |value|); the value must not be 0.
 long exponent_of(const mpq_class& value);

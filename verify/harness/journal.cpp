@@ -54,23 +54,23 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
   return kept;
 }
 
-using Json = text::JsonValue;
+using text::JsonValue;
 
 constexpr int digits_of_binary32 = 24, digits_of_binary64 = 53;
 
 /// Returns the type of a line of a report; empty if it is none.
-std::string type_of(const Json& line) {
-  const Json *const schema = line.find("schema"), *const type = line.find("type");
+std::string type_of(const JsonValue& line) {
+  const JsonValue *const schema = line.find("schema"), *const type = line.find("type");
   const bool is_ours = schema && schema->is_string() && schema->string() == "fathom/verdict/1";
   return is_ours && type && type->is_string() ? type->string() : "";
 }
 
-Json value_on(std::string_view line) {
+JsonValue value_on(std::string_view line) {
   text::JsonRead read = text::read_json(line);
-  return read.whole ? std::move(read.value) : Json();
+  return read.whole ? std::move(read.value) : JsonValue();
 }
 
-void flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& fields) {
+void flatten(const JsonValue& json, const std::string& path, std::map<std::string, std::string>& fields) {
   if (!json.is_object()) fields[path] = json.is_string() ? json.string() : json.written().text();
   for (const auto& [name, value] : json.fields())
     flatten(*value, path.empty() ? std::string(name) : path + '.' + std::string(name), fields);
@@ -84,7 +84,7 @@ bool header_says_binary32(const std::map<std::string, std::string>& header) {
   return false;
 }
 
-void take_header(const Json& header, ReportFile& report) {
+void take_header(const JsonValue& header, ReportFile& report) {
   flatten(header, "", report.header);
   for (const char* name : {"schema", "type", "command", "subject.type", "subject.protocol"}) report.header.erase(name);
   const bool is_binary32 = header_says_binary32(report.header);
@@ -177,7 +177,7 @@ ReportFile read_report(const std::string& path) {
     const std::string_view line = std::string_view(text).substr(begin, end - begin);
     ++number;
     if (number == 1) {
-      const Json header = value_on(line);
+      const JsonValue header = value_on(line);
       if (type_of(header) != "header")
         throw InputError(path, 1,
                          "expected the header of a report, schema fathom/verdict/1, found " + kernels::shown(line));

@@ -91,11 +91,10 @@ std::string with_exponent_in_reach(std::string_view text) {
   return std::string(text.substr(0, digits)) + (in_reach ? std::string(text.substr(digits)) : largest);
 }
 
-using Json = JsonValue;
 constexpr std::size_t shown_bytes = 200;
 
 /// A field that an object in the value has twice; or "".
-std::string repeated_field(const Json& value) {
+std::string repeated_field(const JsonValue& value) {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < value.items().size(); ++i) {
     if (value.is_object()) names.push_back(value.key(i));
@@ -135,8 +134,8 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
 // ---- what subjects answer ----
 
 /// For messages: in quotes, with numbers as they were written.
-std::string shown_json(const Json& value) {
-  return '\'' + kernels::printable(value.written(Json::Form::sorted).text(), shown_bytes) + '\'';
+std::string shown_json(const JsonValue& value) {
+  return '\'' + kernels::printable(value.written(JsonValue::Form::sorted).text(), shown_bytes) + '\'';
 }
 
 /// Throws ProtocolError: "expected ..., found ...".
@@ -146,16 +145,16 @@ std::string shown_json(const Json& value) {
 
 // Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the
 // object in the message.
-std::string text_in(const Json& object, const char* name, const char* of) {
-  const Json* value = object.find(name);
+std::string text_in(const JsonValue& object, const char* name, const char* of) {
+  const JsonValue* value = object.find(name);
   if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
   if (!value->is_string()) refuse(fmt::format("a text for \"{}\" in {}", name, of), shown_json(*value));
   return value->text();
 }
 
 /// A text, or an integer.
-std::string id_in(const Json& reply) {
-  const Json* id = reply.find("id");
+std::string id_in(const JsonValue& reply) {
+  const JsonValue* id = reply.find("id");
   if (!id || !id->is_number()) return text_in(reply, "id", "the reply");
   const std::optional<std::string> integer = read_integer(id->text());
   if (!integer) refuse("a text or an integer for \"id\" in the reply", shown_json(*id));
@@ -163,7 +162,7 @@ std::string id_in(const Json& reply) {
 }
 
 /// The reason in the place of an answer.
-std::string reason_in(const Json& reply, const char* name) {
+std::string reason_in(const JsonValue& reply, const char* name) {
   std::vector<std::string_view> others = text::names_of(judging::reply_fields);
   others.insert(others.end(), {"hull", "unsupported", "failed"});
   for (const std::string_view other : others)
@@ -187,7 +186,7 @@ std::optional<double> read_number(std::string_view text, Precision precision) {
 }
 
 /// A number, or a text of one, rounded to the precision; NaN and infinities too.
-double number_of(const Json& value, const char* name, Precision precision) {
+double number_of(const JsonValue& value, const char* name, Precision precision) {
   std::optional<double> number;
   if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
   if (!number)
@@ -196,7 +195,7 @@ double number_of(const Json& value, const char* name, Precision precision) {
 }
 
 /// Of a value, not of a field: `name` is what it is called.
-Triple triple_of(const Json& value, const char* name, Precision precision) {
+Triple triple_of(const JsonValue& value, const char* name, Precision precision) {
   Triple triple;
   if (value.items().size() != triple.size() || !value.is_array())
     refuse(fmt::format("three numbers for \"{}\"", name), shown_json(value));
@@ -205,14 +204,14 @@ Triple triple_of(const Json& value, const char* name, Precision precision) {
 }
 
 /// The vertices of one used hull, if there is one.
-std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name, const char* called,
+std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* name, const char* called,
                                            Precision precision) {
-  const Json* list = object.find(name);
+  const JsonValue* list = object.find(name);
   if (!list) return std::nullopt;
   if (!list->is_array() || list->items().empty())
     refuse(fmt::format("a list of vertices for \"{}\"", called), shown_json(*list));
   std::vector<Triple> vertices;
-  for (const Json& vertex : list->items()) {
+  for (const JsonValue& vertex : list->items()) {
     vertices.push_back(triple_of(vertex, called, precision));
     if (!std::ranges::all_of(vertices.back(), [](double x) { return std::isfinite(x); }))
       refuse(fmt::format("finite numbers for \"{}\"", called), shown_json(vertex));
@@ -221,13 +220,13 @@ std::optional<std::vector<Triple>> hull_in(const Json& object, const char* name,
 }
 
 /// What is beside an answer.
-void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
-  if (const Json* hull = object.find("hull")) {
+void read_rest(const JsonValue& object, Precision points, SubjectAnswer& answer) {
+  if (const JsonValue* hull = object.find("hull")) {
     if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
     answer.hull_a = hull_in(*hull, "a", "hull.a", points);
     answer.hull_b = hull_in(*hull, "b", "hull.b", points);
   }
-  const Json* time = object.find("microseconds");
+  const JsonValue* time = object.find("microseconds");
   if (!time) return;
   const std::optional<double> value = time->is_number() ? read_number(time->text(), Precision::binary64) : std::nullopt;
   if (value && std::isfinite(*value) && *value >= 0) answer.microseconds = value;
@@ -235,52 +234,55 @@ void read_rest(const Json& object, Precision points, SubjectAnswer& answer) {
 }
 
 /// Three of them; nullopt if the field is not there.
-std::optional<Triple> triple_in(const Json& object, const char* name, const char* called, Precision precision) {
-  const Json* value = object.find(name);
+std::optional<Triple> triple_in(const JsonValue& object, const char* name, const char* called, Precision precision) {
+  const JsonValue* value = object.find(name);
   return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
 }
 
-std::vector<ContactPoint> contacts_in(const Json& list, Precision precision) {
+std::vector<ContactPoint> contacts_in(const JsonValue& list, Precision precision) {
   if (!list.is_array() || list.items().empty()) refuse("a list of contacts for \"contacts\"", shown_json(list));
   std::vector<ContactPoint> contacts;
-  for (const Json& each : list.items()) {
+  for (const JsonValue& each : list.items()) {
     const std::optional<Triple> position =
         each.is_object() ? triple_in(each, "position", "position", precision) : std::nullopt;
     if (!position) refuse("an object with a \"position\" in \"contacts\"", shown_json(each));
     contacts.push_back({*position, {}});
-    if (const Json* depth = each.find("depth")) contacts.back().depth = number_of(*depth, "depth", precision);
+    if (const JsonValue* depth = each.find("depth")) contacts.back().depth = number_of(*depth, "depth", precision);
   }
   return contacts;
 }
 
 // A field of a reply, if it is there: of the object, by its name there; `called` in messages.
-void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<double>& value) {
-  if (const Json* found = object.find(name)) value = number_of(*found, called, precision);
+void read(const JsonValue& object, const char* name, const char* called, Precision precision,
+          std::optional<double>& value) {
+  if (const JsonValue* found = object.find(name)) value = number_of(*found, called, precision);
 }
-void read(const Json& object, const char* name, const char* called, Precision precision, std::optional<Triple>& value) {
+void read(const JsonValue& object, const char* name, const char* called, Precision precision,
+          std::optional<Triple>& value) {
   value = triple_in(object, name, called, precision);
 }
-void read(const Json& object, const char* name, const char*, Precision precision, std::vector<ContactPoint>& contacts) {
-  if (const Json* found = object.find(name)) contacts = contacts_in(*found, precision);
+void read(const JsonValue& object, const char* name, const char*, Precision precision,
+          std::vector<ContactPoint>& contacts) {
+  if (const JsonValue* found = object.find(name)) contacts = contacts_in(*found, precision);
 }
-bool flag_in(const Json& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
-  const Json* value = object.find(name);
+bool flag_in(const JsonValue& object, const char* name, const char* of, std::optional<bool> otherwise = std::nullopt) {
+  const JsonValue* value = object.find(name);
   if (!value && otherwise) return *otherwise;
   if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
   if (!value->is_boolean()) refuse(fmt::format("true or false for \"{}\" in {}", name, of), shown_json(*value));
   return value->boolean();
 }
 
-void read(const Json& object, const char* name, const char*, Precision, bool& value) {
+void read(const JsonValue& object, const char* name, const char*, Precision, bool& value) {
   value = flag_in(object, name, "the reply");
 }
 
-Reply read_answer(const Json& object, Precision precision) {
+Reply read_answer(const JsonValue& object, Precision precision) {
   Reply reply;
   text::for_each_field(judging::reply_fields, [&](const auto& row) {
     const std::string path(row.name);
     const std::size_t dot = path.find('.');
-    const Json* of = &object;
+    const JsonValue* of = &object;
     if (dot != path.npos) {
       const std::string whole = path.substr(0, dot);
       of = object.find(whole);
@@ -292,25 +294,25 @@ Reply read_answer(const Json& object, Precision precision) {
 }
 
 /// Of all objects of a reply.
-std::string misspelt(const Json& reply) {
+std::string misspelt(const JsonValue& reply) {
   constexpr std::string_view of_witness[] = {"a", "b"};
   const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
   std::vector<std::string_view> known = text::names_of(judging::reply_fields);
   known.insert(known.begin(), {"type", "id"});
   known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
-  const auto fields = [](const Json& object) {
+  const auto fields = [](const JsonValue& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.fields()) names.emplace_back(name);
     return names;
   };
   std::string remark = kernels::near_misses(fields(reply), known);
-  const auto look_inside = [&](const Json& object, std::span<const std::string_view> names) {
+  const auto look_inside = [&](const JsonValue& object, std::span<const std::string_view> names) {
     if (const std::string inside = kernels::near_misses(fields(object), names); !inside.empty())
       remark += (remark.empty() ? "" : "; ") + inside;
   };
-  if (const Json* witness = reply.find("witness")) look_inside(*witness, of_witness);
-  if (const Json* contacts = reply.find("contacts"))
-    for (const Json& contact : contacts->items()) look_inside(contact, of_contact);
+  if (const JsonValue* witness = reply.find("witness")) look_inside(*witness, of_witness);
+  if (const JsonValue* contacts = reply.find("contacts"))
+    for (const JsonValue& contact : contacts->items()) look_inside(contact, of_contact);
   return remark;
 }
 
@@ -318,7 +320,7 @@ std::string misspelt(const Json& reply) {
 
 /// The value of one of the words of its type.
 template <class Value>
-Value word_in(const Json& object, const char* name, const char* of) {
+Value word_in(const JsonValue& object, const char* name, const char* of) {
   const std::string text = text_in(object, name, of);
   std::vector<std::string_view> expected;
   for (const auto& [word, value] : judging::words_of(Value())) {
@@ -329,21 +331,21 @@ Value word_in(const Json& object, const char* name, const char* of) {
 }
 
 // What is missing keeps its usual value, if the row says when it is there.
-void read(const Json& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
+void read(const JsonValue& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
 template <class Value>
-void read(const Json& said, const char* name, const char* of, Value& value) {
+void read(const JsonValue& said, const char* name, const char* of, Value& value) {
   value = word_in<Value>(said, name, of);
 }
 
-const Json& object_in(const Json& object, const char* name, const char* of) {
-  const Json* value = object.find(name);
+const JsonValue& object_in(const JsonValue& object, const char* name, const char* of) {
+  const JsonValue* value = object.find(name);
   if (!value || !value->is_object())
     refuse(fmt::format("an object for \"{}\" in {}", name, of), value ? shown_json(*value) : "none");
   return *value;
 }
 
-Conventions conventions_in(const Json& hello) {
-  const Json& said = object_in(hello, "conventions", "the hello");
+Conventions conventions_in(const JsonValue& hello) {
+  const JsonValue& said = object_in(hello, "conventions", "the hello");
   Conventions conventions;
   text::for_each_field(judging::conventions_fields, [&](const auto& row) {
     const std::string name(row.name);
@@ -352,11 +354,11 @@ Conventions conventions_in(const Json& hello) {
   return conventions;
 }
 
-std::set<std::string> promises_in(const Json& list) {
+std::set<std::string> promises_in(const JsonValue& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
   constexpr std::array<std::string_view, 5> known = {"depth", "direction", "witness", "contacts", "distance"};
-  for (const Json& promise : list.items()) {
+  for (const JsonValue& promise : list.items()) {
     if (!promise.is_string() || std::ranges::find(known, promise.string()) == known.end())
       refuse("depth, direction, witness, contacts, distance in \"promises\" in the hello", shown_json(promise));
     promises.insert(promise.string());
@@ -364,10 +366,10 @@ std::set<std::string> promises_in(const Json& list) {
   return promises;
 }
 
-std::set<std::string> shapes_in(const Json& list) {
+std::set<std::string> shapes_in(const JsonValue& list) {
   std::set<std::string> shapes;
   if (!list.is_array()) refuse("a list for \"shapes\" in its capabilities", shown_json(list));
-  for (const Json& word : list.items()) {
+  for (const JsonValue& word : list.items()) {
     const std::string name = word.is_string() ? word.text() : "";
     const files::NamedShape named = files::named_shape(name);
     if (name != margin_word && name != pieces_word && (!named.shape || named.rounded))
@@ -379,29 +381,29 @@ std::set<std::string> shapes_in(const Json& list) {
   return shapes;
 }
 
-void read_capabilities(const Json& capabilities, SubjectInfo& info) {
+void read_capabilities(const JsonValue& capabilities, SubjectInfo& info) {
   info.wants_faces = flag_in(capabilities, "faces", "its capabilities", false);
-  if (const Json* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
+  if (const JsonValue* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
 }
 
 /// A type for both, or one for points and one for answers.
-NumberFormat format_in(const Json& hello) {
-  const auto type = [](const Json& object, const char* name, const char* of) {
+NumberFormat format_in(const JsonValue& hello) {
+  const auto type = [](const JsonValue& object, const char* name, const char* of) {
     return word_in<Precision>(object, name, of);
   };
-  const Json* said = hello.find("precision");
+  const JsonValue* said = hello.find("precision");
   if (!said || !said->is_object()) return type(hello, "precision", "the hello");
   return {type(*said, "points", "the hello's precision"), type(*said, "answers", "the hello's precision")};
 }
 
-mpq_class radius_in(const Json& value) {
+mpq_class radius_in(const JsonValue& value) {
   const double radius = value.is_number() ? number_of(value, "rounding", Precision::binary64) : -1;
   if (!std::isfinite(radius) || radius < 0) refuse("a radius of at least 0 for \"rounding\"", shown_json(value));
   return exact_value(radius);
 }
 
 /// A radius for all bodies, or one for each word.
-std::map<std::string, mpq_class> rounding_in(const Json& said) {
+std::map<std::string, mpq_class> rounding_in(const JsonValue& said) {
   if (!said.is_object()) return {{"", radius_in(said)}};
   std::map<std::string, mpq_class> result;
   for (const auto& [word, value] : said.fields()) {
@@ -416,10 +418,10 @@ std::map<std::string, mpq_class> rounding_in(const Json& said) {
 
 /// The same, which must be an object, each with its fields once: readers differ in which of two
 /// they take.
-Json object_on(std::string_view line) {
+JsonValue object_on(std::string_view line) {
   if (line.find('\0') != std::string_view::npos)
     refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
-  Json object = json_on(line);
+  JsonValue object = json_on(line);
   if (!object.is_object())
     throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));
   if (const std::string repeated = repeated_field(object); !repeated.empty())
@@ -440,9 +442,9 @@ std::optional<std::string> read_integer(std::string_view text) {
   return number.value->get_num().get_str();
 }
 
-Json json_on(std::string_view line) {
+JsonValue json_on(std::string_view line) {
   text::JsonRead read = text::read_json(line, number_word);
-  return read.whole ? std::move(read.value) : Json();
+  return read.whole ? std::move(read.value) : JsonValue();
 }
 
 Faces faces_of(const std::vector<Point>& points) {
@@ -476,7 +478,7 @@ std::string body_message(const Body& body, Precision precision, bool with_faces)
 std::string stop_message() { return R"({"type":"stop"})"; }
 
 SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
-  const Json object = object_on(line);
+  const JsonValue object = object_on(line);
   if (text_in(object, "type", "the reply") != "reply") refuse("a message of type \"reply\"", kernels::shown(line));
   SubjectAnswer answer{id_in(object), Failed()};
   if (object.find("unsupported")) answer.said = Unsupported{reason_in(object, "unsupported")};
@@ -490,7 +492,7 @@ SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
 }
 
 SubjectInfo read_hello(std::string_view line) {
-  const Json hello = object_on(line);
+  const JsonValue hello = object_on(line);
   const char* const of = "the hello";
   if (text_in(hello, "type", of) != "hello") refuse("a message of type \"hello\"", kernels::shown(line));
   if (const std::string protocol = text_in(hello, "protocol", of); protocol != protocol_name)
@@ -507,14 +509,14 @@ SubjectInfo read_hello(std::string_view line) {
     for (const auto& [key, value] : object_in(hello, "settings", of).fields())
       info.settings[std::string(key)] =
           value->is_string() ? value->text() : value->written(JsonValue::Form::sorted).text();
-  if (const Json* promises = hello.find("promises")) info.promises = promises_in(*promises);
-  if (const Json* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
+  if (const JsonValue* promises = hello.find("promises")) info.promises = promises_in(*promises);
+  if (const JsonValue* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
   return info;
 }
 
 bool is_hello(std::string_view line) {
-  const Json object = json_on(line);
-  const Json* const type = object.find("type");
+  const JsonValue object = json_on(line);
+  const JsonValue* const type = object.find("type");
   return type && type->is_string() && type->string() == "hello";
 }
 

@@ -26,8 +26,6 @@ constexpr long exponents[] = {10, -10, 3, -3, 1, -1};  // of scale, in the order
 constexpr long bulky = 20;         // coordinates from 2^bulky on are made smaller rather than larger
 constexpr std::uint64_t seed = 7;  // of all permutations
 
-constexpr std::array axes = {&Point::x, &Point::y, &Point::z};
-
 /// The coordinates of points; of a body that has words, of its place.
 template <class Fits>
 bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {

@@ -119,7 +119,6 @@ constexpr double hardly = 1e-9;        // of the body's extent: places are no mo
 constexpr std::size_t most_rims = 64;  // bodies with more are no cylinders
 
 Triple operator*(double c, const Triple& v) { return {c * v.x, c * v.y, c * v.z}; }
-double length(const Triple& v) { return std::sqrt(dot(v, v)); }
 
 /// An atom of a body, in units of the body's extent, seen from the first atom of its term.
 struct NearAtom {

@@ -227,7 +227,7 @@ std::string contact_elements(const PairScene& scene, const Window& window) {
 }
 
 /// Of the areas the one with the greatest box.
-std::vector<Dot> largest(const std::vector<std::vector<Dot>>& areas) {
+std::vector<Dot> largest_area(const std::vector<std::vector<Dot>>& areas) {
   const auto size = [](const std::vector<Dot>& area) {
     if (area.empty()) return 0.0;
     const auto [low, high] = box_around(area);
@@ -255,7 +255,7 @@ std::string letters(const PairScene& scene, const Window& window) {
       scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; if it is apart, it comes from the left
   std::string result;
   const auto add = [&](const Drawn& body, double side, const char* style, const char* letter) {
-    if (const std::optional<Dot> at = letter_place(largest(silhouettes(body, window)), window, side))
+    if (const std::optional<Dot> at = letter_place(largest_area(silhouettes(body, window)), window, side))
       result +=
           fmt::format("<text class=\"{} letter\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", style, at->x, at->y, letter);
   };

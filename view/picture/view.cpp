@@ -23,7 +23,6 @@ Point shortened(const Point& v) {
 }
 
 Triple rounded(const Point& v) { return {v.x.get_d(), v.y.get_d(), v.z.get_d()}; }
-double length(const Triple& v) { return std::sqrt(dot(v, v)); }
 
 Triple normalised(const Triple& v) {
   const double l = length(v);

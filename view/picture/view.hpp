@@ -7,6 +7,7 @@
 
 #include <gmpxx.h>
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,7 @@ struct Dot {
 
 /// v / |v| to within a few roundings, for any size of v; zero for the zero vector.
 Vec3<double> unit_vector(const Point& v);
+inline double length(const Vec3<double>& v) { return std::sqrt(dot(v, v)); }
 Point exact_point(const Vec3<double>& v);
 
 class View {

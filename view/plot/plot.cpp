@@ -309,7 +309,7 @@ std::string superscript(int value) {
 /// "12,345.5": the figures before the point in groups of three.
 std::string grouped(std::string text) {
   const std::size_t point = std::min(text.find('.'), text.size()), first = text.starts_with('-') ? 1 : 0;
-  for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, ",");
+  for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, 1, ',');
   return text;
 }
 

@@ -45,7 +45,7 @@ struct Refiner {
   }
 };
 
-constexpr std::size_t most_optima = 200;  // that a chart shows
+constexpr std::size_t most_charted_optima = 200;  // that a chart shows
 constexpr double side = 400, left = 58, top = 36, degree = std::numbers::pi / 180, pole = 1e-7;
 constexpr int tick = 30;  // degrees
 
@@ -167,7 +167,7 @@ std::string node_elements(const Square& square) {
 
 std::string optimum_elements(const Stages& all, const Square& square) {
   std::string result;
-  const std::size_t shown = std::min(all.contact.optima.size(), most_optima);
+  const std::size_t shown = std::min(all.contact.optima.size(), most_charted_optima);
   for (std::size_t i = shown; i-- > 0;) {  // the first one on top
     const Place& n = all.contact.optima[i].direction;
     if (dot(n, square.chart.z) < 0) continue;

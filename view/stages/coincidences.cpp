@@ -152,14 +152,14 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
   return names;
 }
 
-constexpr std::size_t most_listed = 20;           // of a kind, as `fathom study` lists
-constexpr std::uint64_t most_pairs = 50'000'000;  // of nodes and arcs, a second or two
+constexpr std::size_t most_listed = 20;                  // of a kind, as `fathom study` lists
+constexpr std::uint64_t most_tested_pairs = 50'000'000;  // of nodes and arcs, a second or two
 
 Study study_of(const StagesSource& subject, const studies::Subjects& subjects, Stages& stages) {
   Study study;
   studies::Findings findings(study, most_listed);
-  studies::find_coincidences(subject.context, subjects, {1, 1, 1}, subject.exact.depth, findings, most_pairs);
-  if (const std::uint64_t pairs = studies::pairs_to_test(subjects); pairs > most_pairs)
+  studies::find_coincidences(subject.context, subjects, {1, 1, 1}, subject.exact.depth, findings, most_tested_pairs);
+  if (const std::uint64_t pairs = studies::pairs_to_test(subjects); pairs > most_tested_pairs)
     stages.left_out.push_back(
         fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
                     "study looks at all.",

@@ -44,6 +44,9 @@ class Placing {
 /// The unit vector in a direction that is not 0.
 Place unit(const Vector& direction);
 
+/// Its coordinates may be 0, but not -0.
+inline Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
+
 /// What the parts are made from. `exact` has hulls, diagrams, charts and canonical subsets whatever
 /// the status.
 struct StagesSource {

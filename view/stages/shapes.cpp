@@ -28,7 +28,6 @@ constexpr int latitudes = 16, longitudes = 32;
 constexpr double steps = 1 << 20;
 
 Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }
-Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
 
 const std::vector<Term>* terms_of(const Shape& shape) { return std::get_if<std::vector<Term>>(&shape.core); }
 

@@ -28,15 +28,9 @@ constexpr int near_origin = 4;
 // Beyond this power of two, squares and products of places would leave binary64.
 constexpr long comfortable_exponent = 300;
 
-mpq_class times_power_of_two(mpq_class value, long exponent) {
-  if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return value;
-}
-
 /// A length by its square, in the unit of places.
 double scaled_root(const mpq_class& squared, const StagedScale& scale) {
-  return root_binary64(times_power_of_two(squared, 2 * scale.exponent));
+  return root_binary64(kernels::times_power_of_two(squared, 2 * scale.exponent));
 }
 
 mpq_class extent_of(const polytope::PlacedPair& pair) {
@@ -63,7 +57,7 @@ double component(const mpz_class& c, long most) {
 // ---- the hulls with their Gaussian diagrams, and the answer ----
 
 // Of very many ties, so many are listed.
-constexpr std::size_t most_optima = 1000;
+constexpr std::size_t most_listed_optima = 1000;
 
 std::optional<Index> index_of(gaussian::NodeId node) {
   return node.is_none() ? std::nullopt : std::optional(node.value);
@@ -99,10 +93,6 @@ void tell_of_lost_places(std::string_view name, const StagedBody& body, Stages& 
         " fall together in binary64: beside the other body, or along one axis, they are too near each other.");
 }
 
-Place times(double length, const Place& direction) {
-  return {length * direction[0] + 0.0, length * direction[1] + 0.0, length * direction[2] + 0.0};
-}
-
 void add_bodies(const StagesSource& subject, Stages& stages) {
   stages.scale = subject.placing.scale();
   stages.a = body_of(subject.exact.hulls.a, subject.exact.diagrams.a, subject.placing);
@@ -122,13 +112,13 @@ void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
   if (const double value = root_binary64(*stages.squared); std::isfinite(value) && value > 0) stages.depth = value;
   const double length = placing.length(*stages.squared);
   for (const Optimum& optimum : depth.optima()) {
-    if (stages.contact.optima.size() == most_optima) break;
+    if (stages.contact.optima.size() == most_listed_optima) break;
     const Place direction = unit(optimum.direction);
     stages.contact.optima.push_back({direction, times(length, direction), optimum.contact});
   }
   stages.contact.translation = stages.contact.optima.front().translation;
-  if (depth.optima_count() > most_optima)
-    stages.left_out.push_back("The first " + std::to_string(most_optima) + " of " +
+  if (depth.optima_count() > most_listed_optima)
+    stages.left_out.push_back("The first " + std::to_string(most_listed_optima) + " of " +
                               std::to_string(depth.optima_count()) + " optima are listed.");
 }
 
@@ -296,7 +286,7 @@ StagedScale scale_of(const Point& origin, const mpq_class& extent) {
 }
 
 double scaled(const mpq_class& value, const StagedScale& scale) {
-  return round_binary64(times_power_of_two(value, scale.exponent)) + 0.0;
+  return round_binary64(kernels::times_power_of_two(value, scale.exponent)) + 0.0;
 }
 
 Placing::Placing(const polytope::PlacedPair& pair) : scale_(scale_of(pair.origin, extent_of(pair))), pair_(&pair) {}

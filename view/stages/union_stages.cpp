@@ -14,7 +14,7 @@
 namespace fathom::stages {
 namespace {
 
-constexpr std::size_t most_pairs = 2000;        // of pieces whose depth is found for the list
+constexpr std::size_t most_piece_pairs = 2000;  // of pieces whose depth is found for the list
 constexpr std::size_t most_drawn = 40;          // P_ij
 constexpr std::size_t most_differences = 4000;  // of vertices, for one of them
 constexpr std::size_t most_ways = 100;
@@ -127,7 +127,7 @@ void add_sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const u
     stages.left_out.emplace_back("The differences of pieces are not drawn: O is in the interior of none of them.");
     return;
   }
-  const bool only_touching = a.size() * b.size() > most_pairs;
+  const bool only_touching = a.size() * b.size() > most_piece_pairs;
   stages.sums = Sums(a, b, depth, placing, monitor).all(only_touching);
   if (only_touching)
     stages.left_out.push_back(

@@ -32,7 +32,7 @@ py::object nearest(const PairAnswer& asked) {
   return py::cast(asked.answer.complete() ? asked.answer.nearest_binary64() : std::nullopt);
 }
 
-py::object exact_value(const PairAnswer& asked) {
+py::object exact_in_python(const PairAnswer& asked) {
   const Part<Surd> value = asked.answer.exact();
   return value ? py::object(py::make_tuple(fraction(value->rational), fraction(value->root))) : py::object(py::none());
 }
@@ -304,7 +304,7 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("low", [](const PairAnswer& asked) { return asked.answer.low_binary64(); })
       .def_property_readonly("high", [](const PairAnswer& asked) { return asked.answer.high_binary64(); })
       .def_property_readonly("nearest", nearest)
-      .def_property_readonly("exact_value", exact_value)
+      .def_property_readonly("exact_value", exact_in_python)
       .def_property_readonly("bounds", bounds)
       .def_property_readonly("squares", squares)
       .def_property_readonly("direction", direction)

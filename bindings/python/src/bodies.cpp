@@ -23,8 +23,6 @@
 namespace fathom::python {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) { throw py::value_error(sentence); }
-
 /// How the mesh that was last asked about differs from its hull. It is the deleter of the faces,
 /// which all copies of a body share.
 class RememberedFact {

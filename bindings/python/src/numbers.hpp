@@ -33,6 +33,8 @@ double float_from(py::handle number, const std::string& name);
 /// The text in UTF-8. Throws py::value_error if it holds half a character, as "\ud800".
 std::string text_from(py::handle text);
 
+[[noreturn]] inline void refuse(const std::string& sentence) { throw py::value_error(sentence); }
+
 /// What messages show of a value: ASCII, and not too long.
 std::string shown(py::handle value);
 

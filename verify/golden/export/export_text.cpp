@@ -18,11 +18,11 @@
 namespace fathom::golden {
 namespace {
 
-using Json = text::JsonValue;
+using text::JsonValue;
 using Triples = std::vector<std::array<double, 3>>;
 
 /// A text of the given characters: exports quote it as it is.
-std::string plain_text(const Json& value, std::string_view characters) {
+std::string plain_text(const JsonValue& value, std::string_view characters) {
   const std::string text = value.is_string() ? value.string() : "";
   if (text.empty() || text.find_first_not_of(characters) != text.npos)
     throw NotARecord("expected a text as the schema says, found " + kernels::shown(value.written().text()));
@@ -30,7 +30,7 @@ std::string plain_text(const Json& value, std::string_view characters) {
 }
 
 /// A hexadecimal float; from_chars wants it without sign and prefix.
-double hexadecimal(const Json& value) {
+double hexadecimal(const JsonValue& value) {
   const std::string text = plain_text(value, "-+.0123456789abcdefinpx");
   std::string_view digits = text;
   const bool negative = digits.starts_with('-');
@@ -44,20 +44,20 @@ double hexadecimal(const Json& value) {
   return negative ? -magnitude : magnitude;
 }
 
-std::array<double, 3> triple(const Json& value) {
+std::array<double, 3> triple(const JsonValue& value) {
   if (value.items().size() != 3) throw NotARecord("expected three numbers, found something else");
   return {hexadecimal(value.at(0)), hexadecimal(value.at(1)), hexadecimal(value.at(2))};
 }
 
-Triples points(const Json& body) {
+Triples points(const JsonValue& body) {
   Triples result;
-  for (const Json& vertex : body.at("vertices").items()) result.push_back(triple(vertex));
+  for (const JsonValue& vertex : body.at("vertices").items()) result.push_back(triple(vertex));
   if (result.empty()) throw NotARecord("expected at least one point, found none");
   return result;
 }
 
 /// To nearest.
-std::array<double, 3> unit(const Json& holder) { return triple(holder.at("unit").at("f64").at("rn")); }
+std::array<double, 3> unit(const JsonValue& holder) { return triple(holder.at("unit").at("f64").at("rn")); }
 
 /// One subtraction, so it is correctly rounded; and so is the longest.
 double longest_side(const Triples& body) {
@@ -78,19 +78,19 @@ double largest_coordinate(const Triples& body) {
 }
 
 /// "edge-edge": A's feature first.
-std::string contact_in(const Json& holder) {
+std::string contact_in(const JsonValue& holder) {
   return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-");
 }
 
-void read_answer(const Json& expected, ExportCase& result) {
+void read_answer(const JsonValue& expected, ExportCase& result) {
   constexpr std::string_view digits = "0123456789/";
   result.status = plain_text(expected.at("status"), "abcdefghijklmnopqrstuvwxyz");
   const bool apart = result.status == "disjoint";
-  const Json& length = expected.at(apart ? "distance" : "depth");
+  const JsonValue& length = expected.at(apart ? "distance" : "depth");
   const double value = hexadecimal(length.at("f64").at("rn"));
   result.signed_depth = apart ? -value : value;
   result.squared = plain_text(length.at("squared"), digits);
-  for (const Json& optimum : expected.at("optima").items()) {
+  for (const JsonValue& optimum : expected.at("optima").items()) {
     result.directions.push_back(unit(optimum));
     if (std::string kind = contact_in(optimum); std::ranges::find(result.contacts, kind) == result.contacts.end())
       result.contacts.push_back(std::move(kind));
@@ -98,10 +98,10 @@ void read_answer(const Json& expected, ExportCase& result) {
   if (result.directions.empty()) result.directions.push_back(unit(expected));
 }
 
-std::vector<std::string> flags_in(const Json& record) {
+std::vector<std::string> flags_in(const JsonValue& record) {
   const std::vector<std::string_view> known = flag_names();
   std::vector<std::string> flags;
-  for (const Json& flag : record.at("flags").items()) {
+  for (const JsonValue& flag : record.at("flags").items()) {
     flags.push_back(flag.string());
     if (std::ranges::find(known, flags.back()) == known.end())
       throw NotARecord("expected a known flag, found " + kernels::shown(flags.back()));
@@ -109,7 +109,7 @@ std::vector<std::string> flags_in(const Json& record) {
   return flags;
 }
 
-std::string group_of(const Json& source) {
+std::string group_of(const JsonValue& source) {
   const std::string kind = source.at("kind").string();
   return kind == "family" ? source.at("name").string() : kind;
 }
@@ -122,15 +122,17 @@ bool all_finite(const ExportCase& result) {
 
 std::optional<ExportCase> export_case(std::string_view line) {
   try {
-    const Json record = text::parsed_json(line);
-    const std::vector<Json>& formats = record.at("formats").items();
-    const auto is = [](std::string_view name) { return [name](const Json& format) { return format.text() == name; }; };
+    const JsonValue record = text::parsed_json(line);
+    const std::vector<JsonValue>& formats = record.at("formats").items();
+    const auto is = [](std::string_view name) {
+      return [name](const JsonValue& format) { return format.text() == name; };
+    };
     if (std::ranges::none_of(formats, is("binary64"))) return std::nullopt;
     ExportCase result;
     result.name = plain_text(record.at("id"), "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
     result.group = group_of(record.at("source"));
     result.flags = flags_in(record);
-    for (const Json& format : formats)
+    for (const JsonValue& format : formats)
       if (!is("exact")(format)) result.formats.push_back(plain_text(format, "binary3264"));
     result.a = points(record.at("a"));
     result.b = points(record.at("b"));

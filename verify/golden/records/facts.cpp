@@ -166,13 +166,6 @@ bool meet(const std::vector<Vector>& u, const std::vector<Vector>& v) {
   return false;
 }
 
-mpq_class power_of_two(long exponent) {
-  mpq_class result = 1;
-  if (exponent >= 0) mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  else mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  return result;
-}
-
 mpq_class magnitude(const mpz_class& n, const Look& look) { return kernels::ratio(n, look.integers.denominator); }
 
 bool penetrating(const Look& look) { return look.truth.answer.status() == Status::penetrating; }
@@ -186,7 +179,7 @@ bool flat_difference(const Look& look) {
 }
 
 bool near_tie(const Look& look) {
-  return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + power_of_two(-20));
+  return look.truth.gap && *look.truth.gap < look.truth.answer.squared() * (1 + kernels::times_power_of_two(1, -20));
 }
 
 bool degenerate_contact(const Look& look) {
@@ -223,11 +216,13 @@ bool opposite_normals(const Look& look) {
   return meet(turned, look.b.normals);
 }
 
-bool offset(const Look& look) { return magnitude(look.greatest, look) > power_of_two(20) * look.extent(); }
+bool offset(const Look& look) {
+  return magnitude(look.greatest, look) > kernels::times_power_of_two(1, 20) * look.extent();
+}
 
 /// Whether a squared length is below (2^-20 of the larger extent)^2.
 bool short_length(const mpq_class& squared, const Look& look) {
-  return squared < look.extent() * look.extent() * power_of_two(-40);
+  return squared < look.extent() * look.extent() * kernels::times_power_of_two(1, -40);
 }
 
 bool deep(const Look& look) {
@@ -254,7 +249,7 @@ bool depth_outside(const Look& look) {
 /// floor(sqrt(q)) after scaling by a power of two, with exactly `bits` bits.
 mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
   const long shift = bits + 1 - kernels::binary_order(q) / 2;
-  const mpq_class scaled = q * power_of_two(2 * shift);
+  const mpq_class scaled = q * kernels::times_power_of_two(1, 2 * shift);
   const mpz_class square = scaled.get_num() / scaled.get_den();
   mpz_class root = sqrt(square);
   root >>= mpz_sizeinbase(root.get_mpz_t(), 2) - static_cast<std::size_t>(bits);
@@ -295,10 +290,14 @@ const Flag table[] = {
     {"parallel_edges", [](const Look& look) { return meet(look.a.edges, look.b.edges); }},
     {"equal_normals", [](const Look& look) { return meet(look.a.normals, look.b.normals); }},
     {"opposite_normals", opposite_normals},
-    {"huge_coordinates", [](const Look& look) { return magnitude(look.greatest, look) >= power_of_two(128); }},
+    {"huge_coordinates",
+     [](const Look& look) { return magnitude(look.greatest, look) >= kernels::times_power_of_two(1, 128); }},
     {"tiny_coordinates",
-     [](const Look& look) { return look.least != 0 && magnitude(look.least, look) < power_of_two(-126); }},
-    {"uneven_coordinates", [](const Look& look) { return look.greatest > look.least * mpz_class(power_of_two(53)); }},
+     [](const Look& look) {
+       return look.least != 0 && magnitude(look.least, look) < kernels::times_power_of_two(1, -126);
+     }},
+    {"uneven_coordinates",
+     [](const Look& look) { return look.greatest > look.least * mpz_class(kernels::times_power_of_two(1, 53)); }},
     {"offset_coordinates", offset},
     {"thin_penetration",
      [](const Look& look) { return penetrating(look) && short_length(look.truth.answer.squared(), look); }},

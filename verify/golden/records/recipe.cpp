@@ -55,22 +55,22 @@ KnownUnion known_of_hulls(const Case& unions) {
 
 using Triple = std::array<double, 3>;
 
-double nearest(double value, Form format) {
+double nearest_in(double value, Form format) {
   return format == Form::binary32 ? kernels::nearest_binary32(value) : value;
 }
 
-double nearest(const mpq_class& value, Form format) {
+double nearest_in(const mpq_class& value, Form format) {
   return format == Form::binary32 ? double{round_binary32(value)} : round_binary64(value);
 }
 
 bool is_in(const mpq_class& value, Form format) {
-  const double closest = nearest(value, format);
+  const double closest = nearest_in(value, format);
   return std::isfinite(closest) && exact_value(closest) == value;
 }
 
 /// Rounds the value. Returns false, and leaves it, if it overflows.
 bool round_to_nearest(mpq_class& value, Form format) {
-  const double closest = nearest(value, format);
+  const double closest = nearest_in(value, format);
   if (std::isfinite(closest)) value = exact_value(closest);
   return std::isfinite(closest);
 }
@@ -87,7 +87,7 @@ bool round(GivenPoints& points, Form form) {
   result.reserve(points.size());
   const auto add = [&result, form](const auto& p) {
     const auto& [x, y, z] = p;
-    result.push_back({nearest(x, form), nearest(y, form), nearest(z, form)});
+    result.push_back({nearest_in(x, form), nearest_in(y, form), nearest_in(z, form)});
     return std::ranges::all_of(result.back(), [](double c) { return std::isfinite(c); });
   };
   const auto all_equal = [](const auto& all) {

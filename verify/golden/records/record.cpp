@@ -95,22 +95,22 @@ std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor, Workspace
 
 namespace {
 
-using Json = text::JsonValue;
+using text::JsonValue;
 
-mpq_class number(const Json& value) {
+mpq_class number(const JsonValue& value) {
   ParsedNumber parsed = parse_number(value.string(), Decimals::exact);
   if (!parsed.value) throw NotARecord(parsed.error);
   return *std::move(parsed.value);
 }
 
-Point point(const Json& value) {
+Point point(const JsonValue& value) {
   if (value.items().size() != 3) throw NotARecord("expected three coordinates, found something else");
   return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
 }
 
-Body body(const Json& value) {
+Body body(const JsonValue& value) {
   Body result;
-  for (const Json& vertex : value.at("vertices").items()) result.points.push_back(point(vertex));
+  for (const JsonValue& vertex : value.at("vertices").items()) result.points.push_back(point(vertex));
   if (result.points.empty()) throw NotARecord("expected at least one point, found none");
   return result;
 }
@@ -132,7 +132,7 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
   throw NotARecord("expected a word of the schema, found '" + name + "'");
 }
 
-void read_source(const Json& source, Claimed& claimed) {
+void read_source(const JsonValue& source, Claimed& claimed) {
   Recipe& recipe = claimed.recipe;
   recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
                                    Source::shape_catalogue, Source::union_family, Source::union_catalogue},
@@ -145,9 +145,9 @@ void read_source(const Json& source, Claimed& claimed) {
   claimed.form = named(std::array{Form::given, Form::binary64, Form::binary32}, source.at("form").string());
 }
 
-std::optional<Witness> read_witness(const Json& expected) {
-  const Json* const distance = expected.find("distance");
-  const Json* const witness = (distance ? *distance : expected).find("witness");
+std::optional<Witness> read_witness(const JsonValue& expected) {
+  const JsonValue* const distance = expected.find("distance");
+  const JsonValue* const witness = (distance ? *distance : expected).find("witness");
   if (!witness) return std::nullopt;
   return Witness{point(witness->at("a")), point(witness->at("b"))};
 }
@@ -169,9 +169,9 @@ std::string shortened(const std::string& value) {
 
 /// The first difference of two values, at the place `path`: fields by their names, then those that
 /// `found` has more; nullopt if there is none.
-std::optional<std::string> difference(const Json* expected, const Json* found, const std::string& path) {
+std::optional<std::string> difference(const JsonValue* expected, const JsonValue* found, const std::string& path) {
   const auto within = [&path](const std::string& part) { return path.empty() ? part : path + '.' + part; };
-  const auto shown = [](const Json* value) {
+  const auto shown = [](const JsonValue* value) {
     return value ? shortened(value->written().text()) : std::string("nothing");
   };
   if (expected && found && expected->is_object() && found->is_object()) {
@@ -182,7 +182,7 @@ std::optional<std::string> difference(const Json* expected, const Json* found, c
     return std::nullopt;
   }
   if (expected && found && expected->is_array() && found->is_array()) {
-    const auto item = [](const Json* list, std::size_t i) {
+    const auto item = [](const JsonValue* list, std::size_t i) {
       return i < list->items().size() ? &list->items()[i] : nullptr;
     };
     for (std::size_t i = 0; item(expected, i) || item(found, i); ++i)
@@ -196,7 +196,7 @@ std::optional<std::string> difference(const Json* expected, const Json* found, c
 }  // namespace
 
 Claimed read_record(std::string_view line) {
-  return read(line, [](const Json& record) {
+  return read(line, [](const JsonValue& record) {
     Claimed claimed;
     read_source(record.at("source"), claimed);
     claimed.id = record.at("id").string();
@@ -210,19 +210,19 @@ Claimed read_record(std::string_view line) {
 }
 
 std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
-  return read(line, [](const Json& record) -> std::pair<Surd, Surd> {
-    const Json& value = record.at("expected").at("signed_depth");
-    if (const Json* const bounds = value.find("bounds"))
+  return read(line, [](const JsonValue& record) -> std::pair<Surd, Surd> {
+    const JsonValue& value = record.at("expected").at("signed_depth");
+    if (const JsonValue* const bounds = value.find("bounds"))
       return {{number(bounds->at(0)), 0}, {number(bounds->at(1)), 0}};
-    const Json& exact = value.at("exact");
+    const JsonValue& exact = value.at("exact");
     const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact_value(exact.at("sign").number())};
     return {surd, surd};
   });
 }
 
 std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line) {
-  return read(line, [](const Json& record) -> std::pair<std::uint32_t, std::uint32_t> {
-    const Json& pieces = record.at("expected").at("distance").at("pieces");
+  return read(line, [](const JsonValue& record) -> std::pair<std::uint32_t, std::uint32_t> {
+    const JsonValue& pieces = record.at("expected").at("distance").at("pieces");
     const auto piece = [&](std::size_t i) {
       return static_cast<std::uint32_t>(pieces.at(i).natural(std::numeric_limits<std::uint32_t>::max()));
     };

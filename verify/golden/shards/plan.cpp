@@ -14,6 +14,25 @@
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
+
+/// What a level adds to those below it.
+struct LevelShare {
+  unsigned each;           ///< cases of each family
+  unsigned most;           ///< the largest size except for a few cases
+  unsigned one_in_larger;  ///< one case in this many is up to five times as large; 0 for none
+};
+
+/// How a family fills its share.
+struct Habit {
+  Source source;
+  std::string_view family;
+  unsigned usual_size;
+  bool sized = true;   ///< whether the size matters
+  bool seeded = true;  ///< whether the seed matters
+};
+
+using Habits = std::vector<Habit>;
+
 namespace {
 
 constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0};
@@ -34,14 +53,7 @@ constexpr std::size_t recipes_in_a_shard(Level level) {
 
 constexpr unsigned least_size = 4;
 
-/// What a level adds to those below it.
-struct Share {
-  unsigned each;           ///< cases of each family
-  unsigned most;           ///< the largest size except for a few cases
-  unsigned one_in_larger;  ///< one case in this many is up to five times as large; 0 for none
-};
-
-constexpr Share share_of(Level level) {
+constexpr LevelShare share_of(Level level) {
   switch (level) {
     case Level::L0: return {3, 12, 0};
     case Level::L1: return {55, 30, 0};
@@ -67,15 +79,6 @@ constexpr std::array<unsigned, 2> giant_sizes{500, 1000};
 
 constexpr std::uint64_t seeds_of_a_release = 1'000'000;
 
-/// How a family fills its share.
-struct Habit {
-  Source source;
-  std::string_view family;
-  unsigned usual_size;
-  bool sized = true;   ///< whether the size matters
-  bool seeded = true;  ///< whether the seed matters
-};
-
 bool same_pieces(const Body& p, const Body& q) {
   return p.pieces && q.pieces ? *p.pieces == *q.pieces : p.pieces == q.pieces;
 }
@@ -93,8 +96,6 @@ Habit habit_of(Source source, const families::Family& family) {
   return habit;
 }
 
-using Habits = std::vector<Habit>;
-
 Habits habits(Kind kind) {
   constexpr std::array sources{Source::family, Source::shape_family, Source::union_family};
   Habits result;
@@ -106,12 +107,12 @@ Habits habits(Kind kind) {
 
 /// Whether there is a case number `index` of a family, counted through all levels, or its share is
 /// used up. Without a seed there is one of each size, or of the usual one.
-bool has_case(const Habit& habit, const Share& share, unsigned index) {
+bool has_case(const Habit& habit, const LevelShare& share, unsigned index) {
   if (habit.seeded) return true;
   return habit.sized ? least_size + index <= share.most : index == 0 && habit.usual_size <= share.most;
 }
 
-unsigned size_of(const Share& share, std::uint64_t seed) {
+unsigned size_of(const LevelShare& share, std::uint64_t seed) {
   families::Random random(seed);
   const bool larger = share.one_in_larger != 0 && random.next() % share.one_in_larger == 0;
   const unsigned most = larger ? 5 * share.most : share.most;
@@ -119,7 +120,7 @@ unsigned size_of(const Share& share, std::uint64_t seed) {
 }
 
 /// Case number `index` of a family that has one.
-Recipe recipe(const Habit& habit, const Share& share, std::uint64_t seed, unsigned index) {
+Recipe recipe(const Habit& habit, const LevelShare& share, std::uint64_t seed, unsigned index) {
   Recipe result{habit.source, std::string(habit.family), habit.usual_size, seed * seeds_of_a_release + index};
   if (!habit.seeded) {
     result.seed = 0;  // whatever the seed of the release
@@ -196,7 +197,7 @@ class Additions {
     }
   }
 
-  Share share_;
+  LevelShare share_;
   std::uint64_t seed_;
   std::shared_ptr<const Habits> families_;
   unsigned first_ = 0;               // cases of each family in the levels below

@@ -47,8 +47,6 @@ std::vector<HeaderDifference> differences(const std::map<std::string, std::strin
 
 using Lines = std::vector<std::string>;
 
-constexpr std::size_t longest_id = 60;  // characters
-
 std::string error_or_none(const std::optional<double>& error) { return error ? error_text(*error) : "none"; }
 
 std::string errors_text(const Change& change) {
@@ -136,8 +134,6 @@ Json changes_json(const std::vector<Change>& changes) {
 }
 
 // ---- as a page ----
-
-constexpr std::size_t most_listed = 5000;
 
 std::string error_cell(const std::optional<double>& error) { return error ? error_text(*error) : ""; }
 

@@ -97,8 +97,6 @@ std::string row_element(const Tally::Line& line, const Tally& tally, const std::
 
 // ---- the table of all cases, folded ----
 
-constexpr std::size_t most_listed = 5000;
-
 /// What tells outcomes apart; those of repeated cases share their pictures one by one.
 using Key = std::tuple<std::string, std::string, std::string, Verdict>;
 Key key_of(const Outcome& outcome) { return {outcome.id, outcome.variant, outcome.digest, outcome.verdict}; }

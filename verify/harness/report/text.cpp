@@ -18,10 +18,9 @@ using Lines = std::vector<std::string>;
 
 constexpr std::size_t narrowest = 40;
 constexpr std::size_t enough_for_errors = 70;  // columns, for all errors in one block
-constexpr std::size_t gap = 2;
+constexpr std::size_t column_gap = 2;
 constexpr std::size_t label_width = 13, verdict_width = 20;
-constexpr std::size_t most_named = 5;   // failing cases of a verdict
-constexpr std::size_t longest_id = 60;  // characters
+constexpr std::size_t most_named = 5;  // failing cases of a verdict
 
 /// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The
 /// first is flush left.
@@ -53,7 +52,7 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
   const auto add_line = [&](const std::function<std::string(const Column&)>& text) {
     std::string line = fmt::format("{:<{}}", text(*columns.front()), columns.front()->width());
     for (std::size_t i = 1; i < columns.size(); ++i)
-      line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + gap);
+      line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + column_gap);
     lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   };
   for (std::size_t i = 0; i < deepest; ++i) {  // heads stand on one ground
@@ -75,7 +74,7 @@ void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& gro
   std::size_t width = first.width();
   for (const Group& group : groups) {
     std::size_t more = 0;
-    for (const Column& column : group) more += gap + column.width();
+    for (const Column& column : group) more += column_gap + column.width();
     if (width + more > widest) {
       add_block(lines, block);
       lines.emplace_back();

@@ -22,6 +22,9 @@ using kernels::counted;
 using picture::ascii;
 using picture::markup;
 
+/// As many characters of an id are shown in a line.
+inline constexpr std::size_t longest_id = 60;
+
 /// The id, and the symmetry if there is one: "id ~swap".
 std::string shown_id(std::string_view id, std::string_view variant);
 

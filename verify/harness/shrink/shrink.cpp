@@ -72,7 +72,6 @@ void drop_points(Search& search) {
 // ---- bodies to the origin, scaled by powers of two ----
 
 constexpr std::size_t vertices_tried = 8;
-constexpr auto axes = {&Point::x, &Point::y, &Point::z};
 
 /// Corners and centres of the box of all points, and their mean.
 std::vector<Point> centres(const Case& pair) {
@@ -223,8 +222,8 @@ void simplify_singly(Search& search, Body Case::*body, mpq_class Point::*axis) {
 /// one axis.
 void round_together(Search& search) {
   round_to_integers(search);
-  round_to_grids(search, {&Case::a, &Case::b}, axes);
-  for (Body Case::*body : {&Case::a, &Case::b}) round_to_grids(search, {body}, axes);
+  round_to_grids(search, {&Case::a, &Case::b}, {axes.begin(), axes.end()});
+  for (Body Case::*body : {&Case::a, &Case::b}) round_to_grids(search, {body}, {axes.begin(), axes.end()});
   for (mpq_class Point::*axis : axes) round_to_grids(search, {&Case::a, &Case::b}, {axis});
 }
 
