@@ -11,16 +11,13 @@
 #include "reference/depth/naive.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/prepared.hpp"
 #include "verify/families/families.hpp"
 
 namespace {
 
 using namespace fathom;
 using namespace fathom::families;
-
-polytope::Polytope hull(const Body& body) {
-  return polytope::convex_hull(polytope::place(body.points, body.points).a.points());
-}
 
 polytope::Polytope hull_of_differences(const polytope::PlacedPair& placed) {
   const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());
@@ -101,8 +98,8 @@ TEST(Families, FlatBodiesHaveTheNamedRanks) {
       for (std::uint64_t seed = 0; seed < 5; ++seed) {
         const Case pair =
             find_family(names[static_cast<std::size_t>(i)] + "_" + names[static_cast<std::size_t>(j)])->make(seed, 6);
-        EXPECT_EQ(hull(pair.a).rank, i) << pair.id;
-        EXPECT_EQ(hull(pair.b).rank, j) << pair.id;
+        EXPECT_EQ(fathom::testing::hull_of(pair.a).rank, i) << pair.id;
+        EXPECT_EQ(fathom::testing::hull_of(pair.b).rank, j) << pair.id;
       }
 }
 

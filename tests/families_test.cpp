@@ -12,6 +12,7 @@
 
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
+#include "tests/support/prepared.hpp"
 #include "verify/families/solids.hpp"
 
 namespace {
@@ -31,10 +32,6 @@ std::uint64_t hash(const Case& pair) {
     add("|");
   }
   return value;
-}
-
-polytope::Polytope hull(const Body& body) {
-  return polytope::convex_hull(polytope::place(body.points, body.points).a.points());
 }
 
 // --- Building blocks
@@ -95,7 +92,7 @@ TEST(Circle, QuarterTurnsAndReflectionsAreExact) {
 
 TEST(Solids, HaveTheirVerticesAndFacets) {
   const auto counts = [](const Body& body) {
-    const polytope::Polytope p = hull(body);
+    const polytope::Polytope p = fathom::testing::hull_of(body);
     return std::array<std::size_t, 3>{p.vertices.size(), p.edges.size(), p.facets.size()};
   };
   EXPECT_EQ(counts(tetrahedron()), (std::array<std::size_t, 3>{4, 6, 4}));

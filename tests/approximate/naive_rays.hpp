@@ -13,6 +13,8 @@
 
 namespace fathom::testing {
 
+inline mpq_class square(const mpq_class& q) { return q * q; }
+
 /// P = B (+) (-A) in the unit of the lattice, moved by -shift.
 inline polytope::Polytope differences(const polytope::PlacedPair& placed, const Vector& shift = {0, 0, 0}) {
   const polytope::Polytope a = polytope::convex_hull(placed.a.points()), b = polytope::convex_hull(placed.b.points());

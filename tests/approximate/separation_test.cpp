@@ -195,10 +195,9 @@ TEST(BodyPair, AMonitorCanStopIt) {
 
 using testing::cases_of_all_families;
 using testing::differences;
+using testing::square;
 
 mpq_class squared_length(const Point& t) { return t.x * t.x + t.y * t.y + t.z * t.z; }
-
-mpq_class square(const mpq_class& q) { return q * q; }
 
 /// bound <= depth <= |t| <= (1 + delta) bound, and t separates along the direction returned.
 void expect_guarantee(const ApproxDepth& approx, const Depth& exact, std::span<const Point> a, std::span<const Point> b,

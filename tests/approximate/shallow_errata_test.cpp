@@ -174,8 +174,7 @@ TEST(ShallowErrata, TheBallIsWithinItsBoundUpToDeltaTwo) {
 
 using testing::factor_naive;
 using testing::ShallowScene;
-
-mpq_class square(const mpq_class& q) { return q * q; }
+using testing::square;
 
 mpq_class depth_squared(const polytope::Polytope& p) {
   mpq_class least = -1;

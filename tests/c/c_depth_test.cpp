@@ -22,18 +22,16 @@ namespace {
 
 using namespace testing;  // handles
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+using Numbers = std::vector<double>;
 
-using Triple = std::vector<double>;
-
-Triple direction_of(const AnswerHandle& answer) {
-  Triple xyz(3, nan);
+Numbers direction_of(const AnswerHandle& answer) {
+  Numbers xyz(3, nan);
   EXPECT_EQ(fathom_answer_direction(answer.get(), xyz.data()), FATHOM_OK) << fathom_last_error();
   return xyz;
 }
 
-Triple translation_of(const AnswerHandle& answer) {
-  Triple xyz(3, nan);
+Numbers translation_of(const AnswerHandle& answer) {
+  Numbers xyz(3, nan);
   EXPECT_EQ(fathom_answer_translation(answer.get(), xyz.data()), FATHOM_OK) << fathom_last_error();
   return xyz;
 }
@@ -55,9 +53,9 @@ TEST(CDepth, PenetratingCubes) {
   EXPECT_EQ(fathom_answer_status(answer.get()), FATHOM_PENETRATING);
   const Rounded depth = depth_of(answer);
   EXPECT_TRUE(depth.nearest == 0.25 && depth.low == 0.25 && depth.high == 0.25);
-  EXPECT_EQ(direction_of(answer), (Triple{-1, 0, 0}));
-  EXPECT_EQ(translation_of(answer), (Triple{-0.25, 0, 0}));
-  Triple a(3), b(3);
+  EXPECT_EQ(direction_of(answer), (Numbers{-1, 0, 0}));
+  EXPECT_EQ(translation_of(answer), (Numbers{-0.25, 0, 0}));
+  Numbers a(3), b(3);
   ASSERT_EQ(fathom_answer_witness(answer.get(), a.data(), b.data()), FATHOM_OK);
   EXPECT_TRUE(a[0] == 1 && b[0] == 0.75);
   EXPECT_EQ(exactly(answer, FATHOM_WITNESS_A).substr(0, 2), "1 ");
@@ -66,7 +64,7 @@ TEST(CDepth, PenetratingCubes) {
   EXPECT_EQ(exactly(answer, FATHOM_DIRECTION), "-1 0 0");
   EXPECT_EQ(exactly(answer, FATHOM_TRANSLATION), "-1/4 0 0");
   ASSERT_EQ(fathom_answer_optima(answer.get()), 1U);
-  Triple direction(3), translation(3);
+  Numbers direction(3), translation(3);
   ASSERT_EQ(fathom_answer_optimum(answer.get(), 0, direction.data(), translation.data()), FATHOM_OK);
   EXPECT_EQ(direction, direction_of(answer));
   EXPECT_EQ(translation, translation_of(answer));
@@ -76,11 +74,11 @@ TEST(CDepth, TouchingAndDisjointCubes) {
   const AnswerHandle touching = answer_about(body_of(cube_at(0)), body_of(cube_at(1)));
   EXPECT_EQ(fathom_answer_status(touching.get()), FATHOM_TOUCHING);
   EXPECT_EQ(exactly(touching, FATHOM_SIGNED_DEPTH), "0");
-  EXPECT_EQ(translation_of(touching), (Triple{0, 0, 0}));
+  EXPECT_EQ(translation_of(touching), (Numbers{0, 0, 0}));
   const AnswerHandle apart = answer_about(body_of(cube_at(0)), body_of(cube_at(3)));
   EXPECT_EQ(fathom_answer_status(apart.get()), FATHOM_DISJOINT);
   EXPECT_EQ(depth_of(apart).nearest, -2);
-  EXPECT_EQ(translation_of(apart), (Triple{2, 0, 0}));
+  EXPECT_EQ(translation_of(apart), (Numbers{2, 0, 0}));
   EXPECT_EQ(exactly(apart, FATHOM_WITNESS_A).substr(0, 2), "1 ");
   EXPECT_EQ(fathom_answer_optima(apart.get()), 0U);
 }

@@ -20,8 +20,6 @@ namespace {
 
 using namespace testing;  // handles
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Makes a body of anything; the message is to hold `expected`, and what was to be made NULL.
 template <class Make>
 void expect_refused(Make make, const std::string& expected) {

@@ -29,7 +29,7 @@ std::vector<Triple> triples(const std::vector<double>& points) {
   return result;
 }
 
-std::vector<Point> box_points(const Point& low, const Point& high) {
+std::vector<Point> box(const Point& low, const Point& high) {
   std::vector<Point> corners;
   for (const Point& x : {low, high})
     for (const Point& y : {low, high})
@@ -173,9 +173,8 @@ TEST_F(CJudge, Unions) {
   b = block();
   claims(1, 1, 0, 0);
   ASSERT_EQ(run(), FATHOM_OK) << fathom_last_error();
-  const Pieces plate{box_points({1, 1, 2}, {3, 3, 6})};
-  const Pieces walls{box_points({0, 0, 0}, {2, 4, 4}), box_points({4, 0, 0}, {6, 4, 4}),
-                     box_points({2, 0, 0}, {4, 4, 1})};
+  const Pieces plate{box({1, 1, 2}, {3, 3, 6})};
+  const Pieces walls{box({0, 0, 0}, {2, 4, 4}), box({4, 0, 0}, {6, 4, 4}), box({2, 0, 0}, {4, 4, 1})};
   Reply reply;
   reply.overlap = true;
   reply.depth = 1;

@@ -35,13 +35,13 @@ std::string verdict(const Certificate& certificate) {
   return fathom_check::verdict_line(fathom_check::verify(certificate_text(certificate)), "name");
 }
 
-Body box(long low, long high) {
+Body cube_between(long low, long high) {
   Body body;
   for (int i = 0; i < 8; ++i) body.points.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
   return body;
 }
 
-const Case cubes{"two cubes", box(0, 2), box(1, 3)};
+const Case cubes{"two cubes", cube_between(0, 2), cube_between(1, 3)};
 
 TEST(Certificate, EveryAnswerOfThePipelineGetsOneThatHolds) {
   for (const Case& input : all_cases()) {
@@ -143,8 +143,8 @@ TEST(Certificate, ContradictsAWrongAnswer) {
   refused_with([](Penetration& p) { p.optima.front().support += mpq_class(1, 1000000); });
   refused_with([](Penetration& p) { p.optima.pop_back(); });
   refused_with([](Penetration& p) { std::swap(p.optima[0], p.optima[1]); });
-  refused(right, box(2, 3));
-  refused(right, box(4, 5));
+  refused(right, cube_between(2, 3));
+  refused(right, cube_between(4, 5));
   Depth wrong = right;
   wrong.outcome = Touch{right.direction(), right.witness()->a};
   refused(wrong, b);
@@ -152,7 +152,7 @@ TEST(Certificate, ContradictsAWrongAnswer) {
     wrong.outcome = Distance{.squared = 1, .direction = direction, .translation = {}, .witness = {}};
     refused(wrong, b);
   }
-  const Body far = box(5, 6);
+  const Body far = cube_between(5, 6);
   wrong = testing::exact_depth(a.points, far.points);
   ASSERT_EQ(wrong.status(), Status::disjoint);
   std::get<Distance>(wrong.outcome).squared += 1;
@@ -160,10 +160,10 @@ TEST(Certificate, ContradictsAWrongAnswer) {
   std::get<Distance>(wrong.outcome).squared -= 1;
   std::get<Distance>(wrong.outcome).direction.x *= 2;
   refused(wrong, far);
-  wrong = testing::exact_depth(a.points, box(2, 3).points);
+  wrong = testing::exact_depth(a.points, cube_between(2, 3).points);
   ASSERT_EQ(wrong.status(), Status::touching);
   std::get<Touch>(wrong.outcome).direction = {0, 0, 1};
-  refused(wrong, box(2, 3));
+  refused(wrong, cube_between(2, 3));
 }
 
 TEST(Certificate, NaiveCheckSeesEachKindOfFault) {
@@ -202,7 +202,7 @@ TEST(Certificate, NaiveCheckSeesEachKindOfFault) {
 }
 
 TEST(Certificate, NaiveCheckSeesEachKindOfFaultInADistance) {
-  const Certificate right = certificate_of({"apart", box(0, 2), box(3, 4)});
+  const Certificate right = certificate_of({"apart", cube_between(0, 2), cube_between(3, 4)});
   ASSERT_TRUE(validate(right).ok());
   ASSERT_EQ(right.low, 3);
   using Change = void (*)(Certificate&);

@@ -74,7 +74,7 @@ std::string corners(const std::string& name, const mpz_class& m, const std::vect
 const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
 
 /// Both bodies are that cube: the coordinates of the vertices are twice as large.
-std::string cube(const mpz_class& m) {
+std::string cubes_of(const mpz_class& m) {
   return "fathom-certificate 1\n" + corners("a", m, all) + corners("b", m, all) + "claim depth " +
          mpz_class(4 * m * m).get_str() +
          "\ndirections 6 all\n-1 0 0\n0 -1 0\n0 0 -1\n0 0 1\n0 1 0\n1 0 0\nvertices 8\n0 7\n1 6\n2 5\n3 4\n4 3\n5 2\n"
@@ -125,7 +125,7 @@ std::vector<std::string> at_the_bounds() {
   std::vector<std::string> result;
   for (const unsigned long exponent : {58, 59, 60, 61, 62, 63, 64, 127}) {
     for (const mpz_class& m : {mpz_class(power(exponent) - 1), power(exponent)})
-      result.insert(result.end(), {cube(m), tetrahedron(m), apart(m, power(62)), apart(m, power(63) - 1),
+      result.insert(result.end(), {cubes_of(m), tetrahedron(m), apart(m, power(62)), apart(m, power(63) - 1),
                                    apart(m, power(63)), apart(m, power(127) - 1), apart(m, power(127))});
   }
   return result;

@@ -65,9 +65,6 @@ TEST(CheckHostile, AnnouncedCountsOfUnionsReserveNothing) {
   }
 }
 
-const DifferenceBox cube{{-1, -1, -1}, {1, 1, 1}};
-const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-
 // Each level is a split whose only child is the next one.
 TEST(CheckHostile, ATreeMayBeAsDeepAsItIsLong) {
   constexpr std::size_t levels = 1'000'000;

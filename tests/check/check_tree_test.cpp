@@ -22,10 +22,8 @@ namespace {
 
 using Nodes = std::vector<std::string>;
 
-const DifferenceBox cube{{-1, -1, -1}, {1, 1, 1}};
-const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
-const std::string all = "split 0 0 1 2 3 4 5";
-const Nodes six_leaves{all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"};
+const std::string split_on_six = "split 0 0 1 2 3 4 5";
+const Nodes six_leaves{split_on_six, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"};
 
 // What is in none of the three is x <= -1, y <= -2, z <= -2, or far away: the nearest place is the
 // corner, 3 away.
@@ -114,7 +112,7 @@ TEST(CheckTree, IsOneTree) {
   fewer.pop_back();
   EXPECT_EQ(of_cube(more), ends);
   EXPECT_EQ(of_cube(fewer), goes_on);
-  EXPECT_EQ(of_cube({all}), goes_on);
+  EXPECT_EQ(of_cube({split_on_six}), goes_on);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4"}), goes_on);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 2", "split 0 0"}), ends);
   const UnionText text = boxes("1", {cube}, six, more);
@@ -129,8 +127,8 @@ TEST(CheckTree, IndicesAreInRange) {
   EXPECT_EQ(of_cube({"split 0 6", "leaf 0"}), "the polytope has no facet of this number");
   EXPECT_EQ(of_slabs({"split 0 6", "split 1 2", "split 2 4", "leaf 0 1 2"}), "the polytope has no facet of this number")
       << "that of the next";
-  EXPECT_EQ(of_cube({all, "leaf 1", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
-  EXPECT_EQ(of_cube({all, "leaf 0", "leaf 2", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
+  EXPECT_EQ(of_cube({split_on_six, "leaf 1", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
+  EXPECT_EQ(of_cube({split_on_six, "leaf 0", "leaf 2", "leaf 2", "leaf 3", "leaf 4", "leaf 5"}), no_constraint);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1 3"}), no_constraint);
   EXPECT_EQ(of_cube({"leaf 0"}), no_constraint) << "the path of the root is empty";
 }
@@ -140,7 +138,7 @@ TEST(CheckTree, LeavesOfTooFewOrTooManyConstraints) {
   EXPECT_EQ(of_cube({"split 0 0", "leaf"}), no_multipliers);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 0 1"}), nearer);
   EXPECT_EQ(of_slabs({"split 0 0", "split 1 2", "split 2 4", "leaf 1 2"}), nearer);
-  EXPECT_EQ(of_cube({all, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 0 1 2 3 5"}),
+  EXPECT_EQ(of_cube({split_on_six, "leaf 0", "leaf 1", "leaf 2", "leaf 3", "leaf 4", "leaf 0 1 2 3 5"}),
             "a leaf has at most four constraints");
 }
 

@@ -16,6 +16,10 @@ struct DifferenceBox {
   Triple low, high;
 };
 
+inline const DifferenceBox cube{{-1, -1, -1}, {1, 1, 1}};
+/// Its optima.
+inline const std::vector<Triple> six{{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {1, 0, 0}};
+
 /// The text, part by part: so that a test may change one.
 struct UnionText {
   std::string id = "boxes", pieces, claim, end;

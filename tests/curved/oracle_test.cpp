@@ -150,7 +150,7 @@ TEST(Oracle, ManyPointsAreScannedAsFewAre) {
 // Bounds of random pairs: against the naive check, against other frames, and against prisms inside
 // and outside of cylinders.
 
-CurvedBounds bounds_of(const Shape& a, const Shape& b, std::size_t support_calls = 1000) {
+CurvedBounds bounds_40(const Shape& a, const Shape& b, std::size_t support_calls = 1000) {
   kernels::Context context;
   return signed_bounds(context, a, b, 40, support_calls);
 }
@@ -162,7 +162,7 @@ TEST(CurvedPairs, OfAllKindsHaveProofs) {
     for (const std::string_view kind_a : ShapeMaker::kinds) {
       for (const std::string_view kind_b : ShapeMaker::kinds) {
         const Shape a = make.posed(make.shape(kind_a), 1), b = make.posed(make.shape(kind_b), 3);
-        const CurvedBounds bounds = bounds_of(a, b);
+        const CurvedBounds bounds = bounds_40(a, b);
         ++signs[bounds.low > 0 ? 0 : bounds.high < 0 ? 1 : 2];
         if (bounds.bracket.polytope.facets.size() > 60)
           continue;  // the naive check takes long; the checkers see them all
@@ -182,8 +182,8 @@ TEST(CurvedPairs, HaveOneDepthInAllFrames) {
     const Shape a = make.posed(make.any_shape(), 1), b = make.posed(make.any_shape(), 2);
     const Quaternion q = make.rotation();
     const Pose pose = rigid_pose(q, make.point(5));
-    const std::array<CurvedBounds, 3> bounds{bounds_of(a, b), bounds_of(b, a),
-                                             bounds_of(moved(a, pose), moved(b, pose))};
+    const std::array<CurvedBounds, 3> bounds{bounds_40(a, b), bounds_40(b, a),
+                                             bounds_40(moved(a, pose), moved(b, pose))};
     for (const CurvedBounds& x : bounds)
       for (const CurvedBounds& y : bounds) EXPECT_LE(x.low, y.high) << i;
   }
@@ -224,7 +224,7 @@ TEST(CurvedPairs, OfCylindersLieBetweenThoseOfPrisms) {
     const Quaternion p = make.rotation(), q = make.rotation();
     const Pose pose_a = rigid_pose(p, make.point(1)), pose_b = rigid_pose(q, make.point(3));
     const Prisms a = prisms(r, s, pose_a), b = prisms(t, u, pose_b);
-    const CurvedBounds bounds = bounds_of(moved(cylinder(r, s), pose_a), moved(cylinder(t, u), pose_b));
+    const CurvedBounds bounds = bounds_40(moved(cylinder(r, s), pose_a), moved(cylinder(t, u), pose_b));
     const Surd inside{0, signed_square(penetration_depth(a.inside, b.inside))},
         outside{0, signed_square(penetration_depth(a.outside, b.outside))};
     EXPECT_LE(compare(inside, bounds.high), 0) << i;

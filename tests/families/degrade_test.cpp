@@ -242,7 +242,9 @@ void PrintTo(const DegradationName& name, std::ostream* out) { *out << name.name
 
 namespace {
 
-Depth solved(const Case& input) { return penetration_depth(input.a.points, input.b.points, {.method = Method::naive}); }
+Depth solved_naively(const Case& input) {
+  return penetration_depth(input.a.points, input.b.points, {.method = Method::naive});
+}
 
 /// k, if the ratio is (1 + 2^-k)^2.
 std::optional<std::size_t> exact_gap(const mpq_class& squared_ratio) {
@@ -264,7 +266,7 @@ TEST(Inverse, HasTheKindAndTheGapThatWereChosen) {
     for (const unsigned size : {1U, 12U, 20U}) {
       for (std::uint64_t seed = 0; seed < 12; ++seed) {
         const Case input = find_family(name)->make(100 * size + seed, size);
-        const Depth depth = solved(input);
+        const Depth depth = solved_naively(input);
         ASSERT_EQ(depth.optima().size(), 1U) << input.id;
         EXPECT_EQ(depth.contact()->kind, kind) << input.id;
         const std::optional<mpq_class> next = depth::second_nearest_squared_naive(input.a.points, input.b.points);
@@ -286,11 +288,11 @@ TEST(Inverse, TheNextFacetLiesOppositeAndIsOfAnyKind) {
   std::set<ContactKind> seen;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     Case input = find_family("inverse_edge_edge")->make(seed, 8);
-    const Depth before = solved(input);
+    const Depth before = solved_naively(input);
     const Point& t = before.translation();
     const mpq_class part = ratio(1, 100);
     input.b = translated(input.b, {mpq_class(t.x * part), mpq_class(t.y * part), mpq_class(t.z * part)});
-    const Depth after = solved(input);
+    const Depth after = solved_naively(input);
     ASSERT_EQ(after.optima().size(), 1U) << input.id;
     EXPECT_EQ(after.direction(), -before.direction()) << input.id;
     seen.insert(after.contact()->kind);
@@ -301,7 +303,7 @@ TEST(Inverse, TheNextFacetLiesOppositeAndIsOfAnyKind) {
 TEST(Inverse, TiesAreExactAndOfTwoKinds) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Case input = find_family("inverse_tie")->make(seed, 10);
-    const Depth depth = solved(input);
+    const Depth depth = solved_naively(input);
     ASSERT_EQ(depth.optima().size(), 2U) << input.id;
     EXPECT_EQ(depth.optima()[0].direction, -depth.optima()[1].direction) << input.id;
     EXPECT_NE(depth.optima()[0].contact.kind, depth.optima()[1].contact.kind) << input.id;
@@ -320,7 +322,7 @@ TEST(Inverse, RidgesHaveTheGapNearly) {
   std::set<long> gaps;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Case input = find_family("inverse_ridge")->make(seed, seed % 2 ? 12 : 5);
-    const Depth depth = solved(input);
+    const Depth depth = solved_naively(input);
     ASSERT_EQ(depth.optima().size(), 1U) << input.id;
     const mpq_class gap =
         relative_gap(*depth::second_nearest_squared_naive(input.a.points, input.b.points), depth.squared());

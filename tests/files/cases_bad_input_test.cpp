@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "fathom/files.hpp"
+#include "tests/support/case_files.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/words.hpp"
 
@@ -119,16 +120,10 @@ TEST(BadCase, TheIdIsToldWhereverItStands) {
   EXPECT_EQ(parse_case(R"({"a":{"id":"not this"},"id")", "c", 9).id, "9");
 }
 
-std::vector<CaseItem> all(CaseStream stream) {
-  std::vector<CaseItem> items;
-  while (std::optional<CaseItem> item = stream.next()) items.push_back(*std::move(item));
-  return items;
-}
-
 TEST(BadStream, NothingAtAll) {
   for (const char* text : {"", "\n", " \n\t\r\n"}) {
     std::istringstream input(text);
-    const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+    const std::vector<CaseItem> items = testing::all(CaseStream(input, "c"));
     ASSERT_EQ(items.size(), 1u);
     EXPECT_STREQ(items[0].error().what(), "c:1: expected at least one case, found an empty input");
   }
@@ -139,7 +134,7 @@ TEST(BadStream, ReadingFails) {
     int_type underflow() override { throw std::runtime_error("no more"); }
   } buffer;
   std::istream input(&buffer);
-  const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+  const std::vector<CaseItem> items = testing::all(CaseStream(input, "c"));
   ASSERT_EQ(items.size(), 1u);
   EXPECT_STREQ(items[0].error().what(), "c:1: expected a line, found that the input cannot be read further");
 }
@@ -178,7 +173,7 @@ TEST(Truncation, EveryPrefixOfAStream) {
   for (std::size_t length = 0; length <= text.size(); ++length) {
     std::istringstream input(text.substr(0, length));
     std::size_t good = 0;
-    const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+    const std::vector<CaseItem> items = testing::all(CaseStream(input, "c"));
     for (const CaseItem& item : items) good += item.ok() ? 1 : 0;
     EXPECT_TRUE(!items.empty() && items.size() <= 3 && good + 1 >= items.size()) << length;
     EXPECT_TRUE(length < text.size() || good == 3);
@@ -188,7 +183,7 @@ TEST(Truncation, EveryPrefixOfAStream) {
 /// Every outcome is a well-formed case or a sentence in printable ASCII.
 void expect_sound(const std::string& text) {
   std::istringstream input(text);
-  const std::vector<CaseItem> items = all(CaseStream(input, "c"));
+  const std::vector<CaseItem> items = testing::all(CaseStream(input, "c"));
   EXPECT_FALSE(items.empty());
   for (const CaseItem& item : items) {
     if (item.ok()) {
@@ -208,7 +203,7 @@ TEST(Noise, BytesChanged) {
   }));
 }
 
-TEST(Noise, TokensThatNearlyFit) {
+TEST(Noise, TokensOfCasesThatNearlyFit) {
   std::vector<std::string> tokens = testing::words(
       R"({ } [ ] : , "a" "b" "vertices" "pose" "id" "schema" "pose_rounding" "binary64" 1 -2.5 1e400 null true "1/3"
       {"vertices":[[1,2,3]]} [1,2,3] " \ {"a":)");

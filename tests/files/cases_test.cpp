@@ -18,11 +18,12 @@
 #include "fathom/files.hpp"
 #include "reference/files/fcl_text.hpp"
 #include "reference/files/file_io.hpp"
+#include "tests/support/case_files.hpp"
 
 namespace fathom::files {
 namespace {
 
-const std::string data = FATHOM_TEST_DATA "/";
+using testing::data;
 
 /// A case with the one vertex `vertex` in A and whatever `more` adds to A.
 std::string with_vertex(const std::string& vertex, const std::string& more = "", const std::string& rest = "") {
@@ -38,16 +39,9 @@ Point first_vertex(const std::string& text) {
   return item.value().a.points.exact().at(0);
 }
 
-std::vector<CaseItem> all(CaseStream stream) {
-  std::vector<CaseItem> items;
-  while (std::optional<CaseItem> item = stream.next()) items.push_back(*std::move(item));
-  EXPECT_FALSE(stream.next().has_value()) << "the end stays the end";
-  return items;
-}
-
 std::vector<CaseItem> all(const std::string& text) {
   std::istringstream input(text);
-  return all(CaseStream(input, "c"));
+  return testing::all(CaseStream(input, "c"));
 }
 
 /// "id" for good cases, "!id@line" for bad ones.
@@ -231,7 +225,7 @@ TEST(CaseStream, ACaseIsYieldedBeforeTheNextLineIsRead) {
 TEST(CaseStream, OpensFiles) {
   const auto open = [](const std::string& name) {
     std::istringstream unused;
-    return all(CaseStream::open(data + name, unused));
+    return testing::all(CaseStream::open(data + name, unused));
   };
   const std::vector<CaseItem> posed = open("posed_boxes.json");
   ASSERT_EQ(outline(posed), "posed boxes");
@@ -245,7 +239,7 @@ TEST(CaseStream, OpensFiles) {
 
 TEST(CaseStream, DashIsStandardInput) {
   std::istringstream input(with_vertex("[1,2,3]") + "\nnoise\n");
-  const std::vector<CaseItem> items = all(CaseStream::open("-", input));
+  const std::vector<CaseItem> items = testing::all(CaseStream::open("-", input));
   EXPECT_EQ(outline(items), "x !2@2");
   EXPECT_EQ(items[1].error().file(), "<stdin>");
 }
@@ -256,7 +250,7 @@ class JsonFile : public ::testing::Test {
     const std::string path = (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + name)).string();
     std::ofstream(path) << text;
     std::istringstream unused;
-    const std::string result = outline(all(CaseStream::open(path, unused)));
+    const std::string result = outline(testing::all(CaseStream::open(path, unused)));
     std::filesystem::remove(path);
     return result;
   }

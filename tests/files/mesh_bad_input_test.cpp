@@ -154,7 +154,7 @@ std::string complaint_of_file(const std::string& path) {
   return "";
 }
 
-class Files : public testing::Test {
+class Files : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string name = (std::filesystem::temp_directory_path() / "fathom-files-XXXXXX").string();

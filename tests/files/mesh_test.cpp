@@ -14,13 +14,14 @@
 
 #include "fathom/files.hpp"
 #include "reference/files/file_io.hpp"
+#include "tests/support/case_files.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/words.hpp"
 
 namespace fathom::files {
 namespace {
 
-const std::string data = FATHOM_TEST_DATA "/";
+using testing::data;
 
 using Points = std::vector<Point>;
 
@@ -318,7 +319,7 @@ TEST(Noise, BytesAfterEveryHeader) {
                     [&] { is_body(*rc::gen::elementOf(headers) + noise(), *rc::gen::elementOf(names)); }));
 }
 
-TEST(Noise, TokensThatNearlyFit) {
+TEST(Noise, TokensOfMeshesThatNearlyFit) {
   std::vector<std::string> tokens = testing::words(
       R"(OFF 3 0 1 -1 1e400 nan 0x1p3 1/2 # v f 1/1/1 ply format ascii 1.0 element vertex face property list float int x
       y z vertex_indices end_header solid facet normal outer loop endloop endfacet endsolid , \ 18446744073709551615

@@ -69,7 +69,7 @@ TEST(Pose, PlacesEachPointOfEachPiece) {
   }));
 }
 
-GivenPose read(const std::string& text, Decimals decimals = Decimals::exact) {
+GivenPose pose_of(const std::string& text, Decimals decimals = Decimals::exact) {
   std::string fault;
   const GivenPose pose = parse_pose(text, decimals, fault);
   EXPECT_EQ(fault, "") << text;
@@ -80,7 +80,7 @@ std::string fault_of(const std::string& text) {
   parse_pose(text, Decimals::exact, fault);
   return fault;
 }
-std::string note_of(const std::string& text) { return pose_note(read(text), false); }
+std::string note_of(const std::string& text) { return pose_note(pose_of(text), false); }
 
 const Pose quarter{{{0, -1, 0, 1}, {1, 0, 0, 2}, {0, 0, 1, 3}}};  // a quarter turn about z
 
@@ -93,9 +93,9 @@ TEST(PoseText, HasManyForms) {
         R"([["0",-1,0,"1"],[1,0,0,2],[0,0,1,3]])", "{{0,-1,0,1},{1,0,0,2},{0,0,1,3}}", "xyz=1,2,3 quat=1,0,0,1",
         "quat=2,0,0,2;xyz=1 2 3", "xyz=(1, 2, 3), xyzw=[0, 0, 5, 5]", "translation=1,2,3 quaternion=1,0,0,1",
         "xyz=1,2,3 rpy=0,0,90deg", "rpy = 0, 0, 90 deg xyz=1,2,3", "xyz=1,2,3 rpy=360,0,-270deg"})
-    EXPECT_EQ(exact_pose(read(text)), quarter) << text;
-  EXPECT_EQ(exact_pose(read("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1")), quarter) << "written column by column";
-  EXPECT_EQ(exact_pose(read("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
+    EXPECT_EQ(exact_pose(pose_of(text)), quarter) << text;
+  EXPECT_EQ(exact_pose(pose_of("0 1 0 0; -1 0 0 0; 0 0 1 0; 1 2 3 1")), quarter) << "written column by column";
+  EXPECT_EQ(exact_pose(pose_of("xyz=1,2,3")), (Pose{{{1, 0, 0, 1}, {0, 1, 0, 2}, {0, 0, 1, 3}}}));
 }
 
 TEST(PoseText, AFileMayBeginWithAByteOrderMark) {
@@ -108,20 +108,20 @@ TEST(PoseText, AFileMayBeginWithAByteOrderMark) {
 
 TEST(PoseText, DecimalsMeanWhatIsSaid) {
   const std::string text = "1 0 0 0.1; 0 1 0 1/3; 0 0 1 \"0.1\"";
-  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[0][3], mpq_class(0.1));
-  EXPECT_EQ((*read(text, Decimals::exact).matrix)[0][3], mpq_class("1/10"));
-  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[1][3], mpq_class("1/3"));
-  EXPECT_EQ((*read(text, Decimals::binary64).matrix)[2][3], mpq_class("1/10")) << "in quotes";
+  EXPECT_EQ((*pose_of(text, Decimals::binary64).matrix)[0][3], mpq_class(0.1));
+  EXPECT_EQ((*pose_of(text, Decimals::exact).matrix)[0][3], mpq_class("1/10"));
+  EXPECT_EQ((*pose_of(text, Decimals::binary64).matrix)[1][3], mpq_class("1/3"));
+  EXPECT_EQ((*pose_of(text, Decimals::binary64).matrix)[2][3], mpq_class("1/10")) << "in quotes";
 }
 
 // Roll about x, then pitch about y, then yaw about z, all of them fixed axes.
 TEST(PoseText, AnglesAreThoseOfUrdf) {
-  const auto x_to = [](const std::string& rpy, const Point& p) { return placed(p, exact_pose(read("rpy=" + rpy))); };
+  const auto x_to = [](const std::string& rpy, const Point& p) { return placed(p, exact_pose(pose_of("rpy=" + rpy))); };
   EXPECT_EQ(x_to("90,0,0deg", {0, 1, 0}), (Point{0, 0, 1}));
   EXPECT_EQ(x_to("0,90,0deg", {0, 0, 1}), (Point{1, 0, 0}));
   EXPECT_EQ(x_to("0,0,90deg", {1, 0, 0}), (Point{0, 1, 0}));
   EXPECT_EQ(x_to("90,90,0deg", {0, 1, 0}), (Point{1, 0, 0})) << "y to z by the roll, then z to x by the pitch";
-  const Pose turned = exact_pose(read("rpy=0.1,-0.2,0.3rad"));
+  const Pose turned = exact_pose(pose_of("rpy=0.1,-0.2,0.3rad"));
   // By the product of three matrices, in doubles.
   const double expected[3][3] = {{0.9362933635841992, -0.31299182578546797, -0.1593450793079779},
                                  {0.28962947762551555, 0.9447024859948943, -0.1537919979889642},
@@ -176,17 +176,17 @@ TEST(PoseNote, NamesWhatIsNoRotation) {
             "the last column is 0 0 0 1: this 4 x 4 is read as transposed");
   EXPECT_NE(note_of("0 1 0 -1 0 0 0 0 1 1 2 3").find("read column by column, would be a rotation"), std::string::npos);
   EXPECT_EQ(note_of("1 0 0 0; 0 1 0 0; 0 0 1 0; 0 0 0 1"), "");
-  EXPECT_NE(pose_note(read("2 0 0 0; 0 2 0 0; 0 0 2 0"), true).find("radius or margin stays"), std::string::npos);
+  EXPECT_NE(pose_note(pose_of("2 0 0 0; 0 2 0 0; 0 0 2 0"), true).find("radius or margin stays"), std::string::npos);
 }
 
 TEST(Place, MapsPointsAndShapes) {
   Body points{{{1, 0, 0}}}, ball;
   ball.shape = sphere(2);
-  place(points, read("xyz=1,2,3 quat=1,0,0,1"));
-  place(ball, read("xyz=1,2,3 quat=1,0,0,1"));
+  place(points, pose_of("xyz=1,2,3 quat=1,0,0,1"));
+  place(ball, pose_of("xyz=1,2,3 quat=1,0,0,1"));
   EXPECT_EQ(points.points.exact().at(0), (Point{1, 3, 3}));
   EXPECT_EQ(*ball.shape, moved(sphere(2), quarter));
-  EXPECT_THROW(place(ball, read("0 0 0 0; 0 0 0 0; 0 0 0 0")), std::invalid_argument);
+  EXPECT_THROW(place(ball, pose_of("0 0 0 0; 0 0 0 0; 0 0 0 0")), std::invalid_argument);
 }
 
 TEST(RoundToBinary64, TiesGoToEven) {

@@ -26,7 +26,7 @@ const std::string hello =
     R"("conventions":{"touching":"either","depth":"positive","moves":"a","unit":true}})";
 
 /// Says hello, then for each run executes `body` with the run's id in $id.
-SubjectCommand subject(const std::string& body) {
+SubjectCommand shell_subject(const std::string& body) {
   return {"read x; echo '" + hello +
           R"('; while read -r x; do id=${x#*id\":\"}; id=${id%%\"*}; case $x in *stop*) exit 0;; esac; )" + body +
           "; done"};
@@ -50,7 +50,7 @@ struct Notes {
 
 TEST(Examiner, AsksAndJudges) {
   Notes notes;
-  Examiner examiner(subject(apart), notes.settings());
+  Examiner examiner(shell_subject(apart), notes.settings());
   EXPECT_EQ(examiner.info().name, "s");
   for (int i = 1; i < 5; ++i) {
     const Outcome outcome = examiner.examine(points(std::to_string(i), i));
@@ -68,7 +68,7 @@ TEST(Examiner, AsksAndJudges) {
 
 TEST(Examiner, BlamesOnlyTheCaseAtHand) {
   Notes notes;
-  Examiner examiner(subject("case $x in *[[]7,*) kill -9 $$;; *[[]8,*) echo nonsense;; *) " + apart + ";; esac"),
+  Examiner examiner(shell_subject("case $x in *[[]7,*) kill -9 $$;; *[[]8,*) echo nonsense;; *) " + apart + ";; esac"),
                     notes.settings());
   const std::vector<std::pair<int, Verdict>> expected{{1, Verdict::pass}, {7, Verdict::crash},   {7, Verdict::crash},
                                                       {2, Verdict::pass}, {8, Verdict::garbage}, {3, Verdict::pass},
@@ -81,7 +81,7 @@ TEST(Examiner, BlamesOnlyTheCaseAtHand) {
 
 TEST(Examiner, GivesUpTime) {
   Notes notes;
-  Examiner examiner(subject("case $x in *[[]7,*) sleep 60;; *) " + apart + ";; esac"), notes.settings(0.2));
+  Examiner examiner(shell_subject("case $x in *[[]7,*) sleep 60;; *) " + apart + ";; esac"), notes.settings(0.2));
   const Outcome outcome = examiner.examine(points("x", 7));
   EXPECT_EQ(outcome.verdict, Verdict::time_out);
   EXPECT_GE(outcome.seconds, 0.2);
@@ -99,7 +99,7 @@ TEST(Examiner, BlamesNoCaseForWhatComesAfterAGoodAnswer) {
   };
   for (const auto& [way, detail] : ways) {
     Notes notes;
-    Examiner examiner(subject(apart + "; " + way), notes.settings());
+    Examiner examiner(shell_subject(apart + "; " + way), notes.settings());
     for (const char* id : {"a", "b", "c"}) EXPECT_EQ(examiner.examine(points(id, 1)).verdict, Verdict::pass) << way;
     examiner.finish();
     const std::vector<std::string> expected{"a: " + detail, "b: " + detail, "c: " + detail};
@@ -109,7 +109,7 @@ TEST(Examiner, BlamesNoCaseForWhatComesAfterAGoodAnswer) {
 
 TEST(Examiner, BlamesTheCaseThatFailsAgain) {
   Notes notes;  // dies after each answer, and whenever it has read case 7
-  Examiner examiner(subject("case $x in *[[]7,*) kill -11 $$;; *) " + apart + "; sleep 0.005; kill -9 $$;; esac"),
+  Examiner examiner(shell_subject("case $x in *[[]7,*) kill -11 $$;; *) " + apart + "; sleep 0.005; kill -9 $$;; esac"),
                     notes.settings());
   EXPECT_EQ(examiner.examine(points("a", 1)).verdict, Verdict::pass);
   const Outcome outcome = examiner.examine(points("b", 7));
@@ -127,7 +127,7 @@ TEST(Examiner, AsksAFreshProcess) {
                                     {"exit 0", "-: ended with exit code 0"}}) {
     ASSERT_EQ(std::system(("rm -f '" + mark + "'").c_str()), 0);
     Notes notes;
-    Examiner examiner(subject(first + way + "; " + apart), notes.settings());
+    Examiner examiner(shell_subject(first + way + "; " + apart), notes.settings());
     EXPECT_EQ(examiner.examine(points("a", 1)).verdict, Verdict::pass) << way;
     EXPECT_EQ(notes.texts, std::vector<std::string>{detail});
     EXPECT_EQ(examiner.starts(), 2U);
@@ -137,7 +137,7 @@ TEST(Examiner, AsksAFreshProcess) {
 
 TEST(Examiner, HearsHowItEnds) {
   const auto at_stop = [](const std::string& way) {
-    SubjectCommand command = subject(apart);
+    SubjectCommand command = shell_subject(apart);
     command.shell.replace(command.shell.find("exit 0"), 6, way);
     return command;
   };
@@ -162,7 +162,7 @@ TEST(Examiner, GivesUpWhatNeverReads) {
 
 TEST(Examiner, TellsOfALineWithoutEnd) {
   Notes notes;
-  Examiner examiner(subject("printf '{\"half'; sleep 60"), notes.settings(0.2));
+  Examiner examiner(shell_subject("printf '{\"half'; sleep 60"), notes.settings(0.2));
   EXPECT_EQ(examiner.examine(points("a", 1)).detail, "no answer within 0.2 s; 6 bytes came, no end of line: '{\"half'");
   Settings impatient = notes.settings(0.1);
   impatient.hello_time_out = 0.2;
@@ -188,7 +188,7 @@ TEST(Examiner, DoesNotStartAgain) {
   const std::string once = ::testing::TempDir() + "examiner_test_once";
   const std::string says_hello_once = "[ -e '" + once + "' ] && exit 5; touch '" + once + "'; ";
   ASSERT_EQ(std::system(("rm -f '" + once + "'").c_str()), 0);
-  Examiner examiner({says_hello_once + subject("exit 4").shell}, notes.settings());
+  Examiner examiner({says_hello_once + shell_subject("exit 4").shell}, notes.settings());
   EXPECT_THROW(examiner.examine(points("x", 1)), SubjectError) << "where the fresh process is due";
   ASSERT_EQ(std::system(("rm -f '" + once + "'").c_str()), 0);
 }
@@ -198,7 +198,7 @@ TEST(Examiner, Stops) {
   bool stop = false;
   Settings settings = notes.settings();
   settings.stop = [&] { return stop; };
-  Examiner examiner(subject("sleep 60"), settings);
+  Examiner examiner(shell_subject("sleep 60"), settings);
   stop = true;
   EXPECT_THROW(examiner.examine(points("x", 1)), Interrupted);
 }

@@ -206,7 +206,7 @@ TEST(Process, HasDefaultSignals) {
   ::signal(SIGPIPE, SIG_DFL);
 }
 
-constexpr const char* hello =
+constexpr const char* hello_with_all =
     R"({"type":"hello","protocol":"fathom/subject/1","name":"x","version":"1","precision":"binary32",)"
     R"("conventions":{"touching":"separate","depth":"negative","moves":"b","unit":false},"library":"fcl",)"
     R"("capabilities":{"faces":true,"more":1},"promises":["witness","depth"],"settings":{"eps":1e-4,"deep":{"a":[1]},"mode":"x"},"unknown":[]})";
@@ -217,7 +217,7 @@ std::string with(std::string text, const std::string& part, const std::string& o
 }
 
 TEST(Hello, IsReadAndWrittenBack) {
-  const SubjectInfo info = read_hello(hello);
+  const SubjectInfo info = read_hello(hello_with_all);
   EXPECT_EQ(info.name, "x");
   EXPECT_EQ(info.format, Precision::binary32);
   EXPECT_EQ(info.conventions.touching, Conventions::Touching::separate);
@@ -237,7 +237,7 @@ TEST(Hello, LacksNothing) {
   for (const char* part :
        {R"("protocol":"fathom/subject/1",)", R"("name":"x",)", R"("version":"1",)", R"("precision":"binary32",)",
         R"("touching":"separate",)", R"("depth":"negative",)", R"("moves":"b",)", R"(,"unit":false)"})
-    EXPECT_THROW(read_hello(without(hello, part)), ProtocolError) << part;
+    EXPECT_THROW(read_hello(without(hello_with_all, part)), ProtocolError) << part;
   for (const auto& [part, other] : {std::pair("subject/1", "subject/2"),
                                     {"binary32", "binary16"},
                                     {"\"separate\"", "\"maybe\""},
@@ -247,7 +247,7 @@ TEST(Hello, LacksNothing) {
                                     {"{\"touching", "[{\"touching"},
                                     {"\"hello\"", "\"reply\""},
                                     {"{\"eps\":1e-4", "3,\"x\":{\"y\":1"}})
-    EXPECT_THROW(read_hello(with(hello, part, other)), ProtocolError) << other;
+    EXPECT_THROW(read_hello(with(hello_with_all, part, other)), ProtocolError) << other;
   for (const char* line : {"", "hello", "{", "[]", "\"hello\"", "null", "{}", "\xff\xfe"})
     EXPECT_THROW(read_hello(line), ProtocolError) << line;
 }
@@ -322,7 +322,7 @@ TEST(Replies, HaveEachFieldOnce) {
   }
   EXPECT_NO_THROW(
       replied(R"("overlap":true,"depth":1,"contacts":[{"position":[1,2,3]},{"position":[1,2,3]}],"x":{"depth":1})"));
-  EXPECT_THROW(read_hello(with(hello, R"("name":"x")", R"("name":"x","name":"x")")), ProtocolError);
+  EXPECT_THROW(read_hello(with(hello_with_all, R"("name":"x")", R"("name":"x","name":"x")")), ProtocolError);
 }
 
 // As any other number that is too large or too small.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,11 @@
 
 namespace fathom::testing {
 
-inline constexpr Triple left{-1, 0, 0}, right{1, 0, 0};
+inline constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 0, 1}, down{0, 0, -1};
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+inline const Tolerance none{0, 0, 0};  // half an ulp of each number
 
 using Findings = std::vector<Verdict>;
 

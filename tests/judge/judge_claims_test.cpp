@@ -34,13 +34,13 @@ using testing::down;
 using testing::Findings;
 using testing::findings;
 using testing::left;
+using testing::nan;
+using testing::none;
 using testing::overlap;
 using testing::right;
 using testing::touching_cubes;
 using testing::up;
 using testing::with_witness;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // 1/2 apart along x.
 TEST(Judge, Distances) {
@@ -232,8 +232,6 @@ TEST(Judge, ContactsAreAsDeepAsTheAnswer) {
 }
 
 // Distances, claim classes and contacts of shapes, on pairs whose answers have a closed form.
-
-const Tolerance none{0, 0, 0};  // half an ulp of each number
 
 // The depth of two unit balls, centres 3/2 apart, is 1/2; along y the plane is at 2.
 TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnPrice) {

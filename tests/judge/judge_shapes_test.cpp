@@ -26,13 +26,12 @@ using testing::down;
 using testing::Findings;
 using testing::findings;
 using testing::left;
+using testing::none;
 using testing::opposite;
 using testing::overlap;
 using testing::right;
 using testing::up;
 using testing::with_witness;
-
-const Tolerance none{0, 0, 0};  // half an ulp of each number
 
 /// Parallel capsules with axes sqrt(1/2) apart: the depth is 1 - sqrt(1/2).
 ShapeTruth capsules() {

@@ -21,13 +21,14 @@ using testing::disjoint_cubes;
 using testing::Findings;
 using testing::findings;
 using testing::left;
+using testing::nan;
 using testing::overlap;
 using testing::right;
 using testing::touching_cubes;
+using testing::up;
 using testing::with_witness;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-constexpr Triple up{0, 0, 1};
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Judge, ARightAnswerPassesWithItsClass) {
   const Judgement result = judge(cubes(), overlap(0.6, left));

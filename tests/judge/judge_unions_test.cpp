@@ -30,7 +30,7 @@ using testing::right;
 using unions::box;
 using unions::moved;
 
-constexpr Triple up{0, 1, 0}, down{0, -1, 0}, back{0, 0, 1};
+constexpr Triple along_y{0, 1, 0}, against_y{0, -1, 0}, along_z{0, 0, 1};
 
 /// A plate between two blocks, 1/2 deep in the one on its right; the slot is as wide as it, and it
 /// comes to lie there exactly.
@@ -69,7 +69,7 @@ TEST(JudgeUnions, ARightAnswerPassesThoughNoTranslationBesideItDoes) {
 }
 
 TEST(JudgeUnions, TheDeepestPairHasItsPrice) {
-  const Judgement result = judge(bar(), overlap(0.5, down));
+  const Judgement result = judge(bar(), overlap(0.5, against_y));
   EXPECT_EQ(result.findings, (Findings{Verdict::too_shallow, Verdict::not_separating}));
   EXPECT_EQ(result.bounds->deepest_pair, mpq_class(1, 4));
   EXPECT_EQ(result.depth_squared, mpq_class(17, 4));
@@ -93,12 +93,12 @@ TEST(JudgeUnions, Classification) {
   Conventions conventions;
   conventions.touching = Conventions::Touching::overlap;
   EXPECT_EQ(findings(touching, separate, conventions), Findings{Verdict::false_separation});
-  EXPECT_EQ(findings(bar(), overlap(std::numeric_limits<double>::quiet_NaN(), down)).front(), Verdict::nan);
+  EXPECT_EQ(findings(bar(), overlap(std::numeric_limits<double>::quiet_NaN(), against_y)).front(), Verdict::nan);
 }
 
 TEST(JudgeUnions, TooDeepAndTheWayThatIsLeft) {
   EXPECT_EQ(findings(bar(), overlap(2.5, right)), (Findings{Verdict::too_deep, Verdict::not_separating}));
-  const Judgement far = judge(slot(), overlap(20, up));
+  const Judgement far = judge(slot(), overlap(20, along_y));
   EXPECT_EQ(far.findings, (Findings{Verdict::too_deep, Verdict::inconsistent}));
   EXPECT_EQ(far.inconsistency, 10.0);
   EXPECT_NE(far.sentence.find("inconsistent: its translation leaves a gap of 10"), std::string::npos) << far.sentence;
@@ -139,14 +139,15 @@ TEST(JudgeUnions, Signs) {
 TEST(JudgeUnions, Policies) {
   Tolerance tolerance;
   tolerance.policy.kind = Policy::Kind::separating;
-  const Judgement longer = judge(slot(), overlap(10, up), {}, Precision::binary64, tolerance);
+  const Judgement longer = judge(slot(), overlap(10, along_y), {}, Precision::binary64, tolerance);
   EXPECT_EQ(longer.findings, Findings{}) << longer.sentence;
   EXPECT_TRUE(longer.longer);
-  EXPECT_EQ(findings(slot(), overlap(9, up), {}, tolerance), (Findings{Verdict::too_deep, Verdict::not_separating}));
+  EXPECT_EQ(findings(slot(), overlap(9, along_y), {}, tolerance),
+            (Findings{Verdict::too_deep, Verdict::not_separating}));
   tolerance.policy = {Policy::Kind::within, 19};
-  EXPECT_EQ(findings(slot(), overlap(10, up), {}, tolerance), Findings{});
+  EXPECT_EQ(findings(slot(), overlap(10, along_y), {}, tolerance), Findings{});
   tolerance.policy.most = mpq_class(189, 10);
-  EXPECT_EQ(findings(slot(), overlap(10, up), {}, tolerance), Findings{Verdict::too_deep});
+  EXPECT_EQ(findings(slot(), overlap(10, along_y), {}, tolerance), Findings{Verdict::too_deep});
 }
 
 TEST(JudgeUnions, Distances) {
@@ -155,7 +156,7 @@ TEST(JudgeUnions, Distances) {
   EXPECT_EQ(findings(far_away(), apart(1, right)), Findings{Verdict::wrong_sign});
   EXPECT_EQ(findings(far_away(), apart(2, left)), (Findings{Verdict::too_far, Verdict::inconsistent}));
   EXPECT_EQ(findings(far_away(), apart(0.5, left)), (Findings{Verdict::too_near, Verdict::inconsistent}));
-  EXPECT_EQ(findings(far_away(), apart(1, up)), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(far_away(), apart(1, along_y)), Findings{Verdict::inconsistent});
 }
 
 TEST(JudgeUnions, WitnessPointsAreOnOneOfThePieces) {
@@ -289,7 +290,7 @@ TEST(JudgeUnions, TheTwinFindsTheSame) {
     const UnionTruth truth = truth_about(a, b);
     const NaiveJudge naive(a, b, tolerance.absolute);
     for (const long length : {1, 2, 3, 4}) {
-      const std::array directions{left, right, up, down, back};
+      const std::array directions{left, right, along_y, against_y, along_z};
       const Triple direction = directions[random() % directions.size()];
       const bool says =
           random() % 4 != 0 ? truth.depth.status == Status::penetrating : truth.depth.status != Status::penetrating;

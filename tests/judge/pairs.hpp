@@ -15,9 +15,6 @@
 
 namespace fathom::testing {
 
-/// The box between two corners.
-inline std::vector<Point> box(const Point& low, const Point& high) { return box_points(low, high); }
-
 inline std::vector<Point> cube(const mpq_class& x, const mpq_class& y = 0, const mpq_class& z = 0) {
   return box({x, y, z}, {x + 1, y + 1, z + 1});
 }

@@ -9,7 +9,6 @@
 
 namespace fathom::testing {
 
-inline constexpr Triple up{0, 0, 1}, down{0, 0, -1};
 inline const Triple diagonal{-std::sqrt(0.5), -std::sqrt(0.5), 0};
 
 inline Shape at(const Shape& shape, const mpq_class& x, const mpq_class& y = 0, const mpq_class& z = 0) {

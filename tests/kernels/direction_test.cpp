@@ -29,12 +29,6 @@ namespace {
 
 using namespace fathom::testing;
 
-template <class Property>
-void for_all_sizes(const std::string& law, const Property& property) {
-  for (const Size size : all_sizes)
-    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
-}
-
 TEST(Vector, ProductsOfTheAxes) {
   const Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   EXPECT_EQ(cross(x, y), z);
@@ -127,9 +121,9 @@ using namespace fathom::testing;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-std::size_t bits(const mpz_class& c) { return c == 0 ? 0 : mpz_sizeinbase(c.get_mpz_t(), 2); }
+std::size_t size_in_bits(const mpz_class& c) { return c == 0 ? 0 : mpz_sizeinbase(c.get_mpz_t(), 2); }
 
-std::size_t significant_bits(const mpz_class& c) { return c == 0 ? 0 : bits(c) - mpz_scan1(c.get_mpz_t(), 0); }
+std::size_t significant_bits(const mpz_class& c) { return c == 0 ? 0 : size_in_bits(c) - mpz_scan1(c.get_mpz_t(), 0); }
 
 /// c * 2^-shift.
 mpq_class scaled(const mpz_class& c, std::size_t shift) {
@@ -152,7 +146,7 @@ int width(const DoubleInterval& e) {
 /// Checks all that enclose() promises, component by component.
 void expect_enclosed(const Vector& v) {
   const Vec3<DoubleInterval> e = enclose(v);
-  const std::size_t shift = std::max({bits(v.x), bits(v.y), bits(v.z)});
+  const std::size_t shift = std::max({size_in_bits(v.x), size_in_bits(v.y), size_in_bits(v.z)});
   double largest = 0;
   for (const auto& [c, x] : {std::pair(v.x, e.x), std::pair(v.y, e.y), std::pair(v.z, e.z)}) {
     const mpq_class value = scaled(c, shift);
@@ -234,11 +228,11 @@ TEST(Direction, KeepsTheExactVector) {
 
 // A sign that is sure is right, in every rounding mode; and in general position it is sure.
 
-struct Tally {
+struct SignTally {
   int sure = 0, unsure = 0;
 };
 
-void expect_right(Tally& tally, int exact, const std::function<std::optional<Sign>()>& approximate) {
+void expect_right(SignTally& tally, int exact, const std::function<std::optional<Sign>()>& approximate) {
   for (const int mode : rounding_modes) {
     const std::optional<Sign> sign = [&] {
       const RoundingMode set(mode);
@@ -279,7 +273,7 @@ TEST(Images, AreTruncatedAndOdd) {
 // Normal to d except for a multiple of some power of two: values on both sides of the error bound.
 TEST(Images, SureSidesAreRight) {
   std::mt19937_64 random(3);
-  Tally near, far;
+  SignTally near, far;
   for (int i = 0; i < 4000; ++i) {
     const unsigned long bits = 20 + random() % 200;
     const Vector d = random_direction(random, bits), e = random_direction(random, bits);
@@ -298,7 +292,7 @@ TEST(Images, SureSidesAreRight) {
 // d2 differs little from d1, or its circle nearly passes d1's point on the vertical.
 TEST(Images, SureOrdersOnAVerticalAreRight) {
   std::mt19937_64 random(4);
-  Tally near, far;
+  SignTally near, far;
   for (int i = 0; i < 4000; ++i) {
     const unsigned long bits = 20 + random() % 100;
     const Vector d1 = random_direction(random, bits), n = random_direction(random, bits),
@@ -307,7 +301,7 @@ TEST(Images, SureOrdersOnAVerticalAreRight) {
     const Vector c = mpz_class(dot(d1, v)) * n - mpz_class(dot(d1, n)) * v;
     const Vector close = random() & 1 ? add(mpz_class(power_of_two(2 * bits)) * d1, step) : add(cross(c, e), step);
     if (is_zero(close)) continue;
-    const auto check = [&](Tally& tally, const Vector& d2) {
+    const auto check = [&](SignTally& tally, const Vector& d2) {
       const int exact = unperturbed().order_on_vertical(Direction(d1), Direction(d2), Direction(n), Direction(v));
       EXPECT_EQ(exact, sgn(dot(c, d2)));
       expect_right(tally, exact, [&] {

@@ -19,28 +19,33 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "tests/support/full_size.hpp"
 #include "tests/support/property.hpp"
 #include "verify/families/random.hpp"
 
 namespace fathom::kernels {
 namespace {
 
-constexpr mp_bitcnt_t bits = 8192;
+using testing::random_in;
+using testing::random_word;
+using testing::square;
+
+constexpr mp_bitcnt_t slow_bits = 8192;
 
 mpf_class slow(const mpq_class& x) {
-  mpf_class numerator(x.get_num(), bits), denominator(x.get_den(), bits);
-  return mpf_class(numerator / denominator, bits);
+  mpf_class numerator(x.get_num(), slow_bits), denominator(x.get_den(), slow_bits);
+  return mpf_class(numerator / denominator, slow_bits);
 }
 
 mpf_class slow_root(const mpq_class& x) {
-  const mpf_class root(sqrt(slow(abs(x))), bits);
-  return sgn(x) < 0 ? mpf_class(-root, bits) : root;
+  const mpf_class root(sqrt(slow(abs(x))), slow_bits);
+  return sgn(x) < 0 ? mpf_class(-root, slow_bits) : root;
 }
 
 /// Nothing here is that small but 0.
 int slow_sign(const mpf_class& x) {
-  mpf_class hair(1, bits);
-  mpf_div_2exp(hair.get_mpf_t(), hair.get_mpf_t(), bits / 2);
+  mpf_class hair(1, slow_bits);
+  mpf_div_2exp(hair.get_mpf_t(), hair.get_mpf_t(), slow_bits / 2);
   return abs(x) < hair ? 0 : sgn(x);
 }
 
@@ -59,7 +64,7 @@ TEST(Surd, SignsOfOneRoot) {
   int zeros = 0;
   for (const mpq_class& q : numbers()) {
     for (const mpq_class& x : numbers()) {
-      const int expected = slow_sign(mpf_class(slow(q) + slow_root(x), bits));
+      const int expected = slow_sign(mpf_class(slow(q) + slow_root(x), slow_bits));
       EXPECT_EQ(sign({q, x}), expected) << q << " " << x;
       zeros += expected == 0;
     }
@@ -74,7 +79,7 @@ TEST(Surd, SignsOfTwoRoots) {
     for (const mpq_class& x : all) {
       for (std::size_t k = 0; k < all.size(); k += 1 + all.size() / 17) {
         const mpq_class& y = all[(k + x.get_num().get_ui()) % all.size()];
-        const int expected = slow_sign(mpf_class(slow(q) + slow_root(x) + slow_root(y), bits));
+        const int expected = slow_sign(mpf_class(slow(q) + slow_root(x) + slow_root(y), slow_bits));
         EXPECT_EQ(sign_of_sum(q, x, y), expected) << q << " " << x << " " << y;
         zeros += expected == 0;
       }
@@ -92,9 +97,9 @@ TEST(Surd, ComparesWithRationalsAndWithEachOther) {
   for (const mpq_class& p : all) {
     for (const mpq_class& q : all) {
       const mpq_class &r = all[++k * 7 % all.size()], &s = all[k * 11 % all.size()];
-      const mpf_class left(slow(p) + slow_root(q), bits), right(slow(r) + slow_root(s), bits);
-      const int with_rational = slow_sign(mpf_class(left - slow(r), bits)),
-                with_surd = slow_sign(mpf_class(left - right, bits));
+      const mpf_class left(slow(p) + slow_root(q), slow_bits), right(slow(r) + slow_root(s), slow_bits);
+      const int with_rational = slow_sign(mpf_class(left - slow(r), slow_bits)),
+                with_surd = slow_sign(mpf_class(left - right, slow_bits));
       EXPECT_EQ(compare(Surd{p, q}, r), with_rational) << p << " " << q << " " << r;
       EXPECT_EQ(compare(Surd{p, q}, Surd{r, s}), with_surd) << p << " " << q << " " << r << " " << s;
       equal += with_surd == 0 || with_rational == 0 ? 1 : 0;
@@ -149,22 +154,22 @@ TEST(Surd, RoundsIrrationalNumbers) {
     // A rational that agrees with the root to i bits: cancellation.
     mpq_class near(slow_root(s));
     near = families::times_power_of_two(mpq_class(mpz_class(families::times_power_of_two(near, i))), -i);
-    expect_rounded({near, -s}, mpf_class(slow(near) - slow_root(s), bits));
-    expect_rounded({near, s}, mpf_class(slow(near) + slow_root(s), bits));
-    expect_rounded({-near, -s}, mpf_class(-slow(near) - slow_root(s), bits));
+    expect_rounded({near, -s}, mpf_class(slow(near) - slow_root(s), slow_bits));
+    expect_rounded({near, s}, mpf_class(slow(near) + slow_root(s), slow_bits));
+    expect_rounded({-near, -s}, mpf_class(-slow(near) - slow_root(s), slow_bits));
     // From the subnormal numbers of binary32 to those of binary64, and beyond.
     const mpq_class tiny = families::times_power_of_two(near, -100 - 3 * i),
                     square = families::times_power_of_two(s, -200 - 6 * i);
-    expect_rounded({tiny, -square}, mpf_class(slow(tiny) - slow_root(square), bits));
-    expect_rounded({tiny, square}, mpf_class(slow(tiny) + slow_root(square), bits));
+    expect_rounded({tiny, -square}, mpf_class(slow(tiny) - slow_root(square), slow_bits));
+    expect_rounded({tiny, square}, mpf_class(slow(tiny) + slow_root(square), slow_bits));
     // And to infinity.
     const mpq_class huge = families::times_power_of_two(near, 3 * i), large = families::times_power_of_two(s, 6 * i);
-    expect_rounded({huge, large}, mpf_class(slow(huge) + slow_root(large), bits));
+    expect_rounded({huge, large}, mpf_class(slow(huge) + slow_root(large), slow_bits));
     expect_nearest(nearest_root_binary64({near + 1, s}),
-                   mpf_class(sqrt(mpf_class(slow(near + 1) + slow_root(s), bits)), bits));
+                   mpf_class(sqrt(mpf_class(slow(near + 1) + slow_root(s), slow_bits)), slow_bits));
     if (near * near > s)
       expect_nearest(nearest_root_binary64({near, -s}),
-                     mpf_class(sqrt(mpf_class(slow(near) - slow_root(s), bits)), bits));
+                     mpf_class(sqrt(mpf_class(slow(near) - slow_root(s), slow_bits)), slow_bits));
   }
 }
 
@@ -204,7 +209,7 @@ TEST(Surd, RoundsAtTheEndsOfTheRange) {
 // ---- any number of digits ----
 
 std::string both(const Surd& value, std::size_t digits) {
-  const Enclosure e = enclose(value, digits);
+  const Enclosure e = fathom::enclose(value, digits);
   return e.low + " " + e.high;
 }
 
@@ -218,8 +223,8 @@ TEST(EncloseSurd, InPrint) {
   EXPECT_EQ(both({mpq_class(1, 3), mpq_class(4, 9)}, 1), "1 1");
   EXPECT_EQ(both({-100, mpq_class(9999)}, 3), "-0.00501 -0.00500");
   EXPECT_EQ(both({7, 9}, 1), "10 10");
-  EXPECT_THROW(enclose({1, 2}, 0), std::invalid_argument);
-  EXPECT_THROW(enclose({1, 2}, most_root_digits + 1), std::invalid_argument);
+  EXPECT_THROW(fathom::enclose({1, 2}, 0), std::invalid_argument);
+  EXPECT_THROW(fathom::enclose({1, 2}, most_root_digits + 1), std::invalid_argument);
 }
 
 /// |x| cut to N digits, by trial of powers of ten.
@@ -241,14 +246,14 @@ TEST(EncloseSurd, EqualsDigitsCutFromALongNumber) {
     mpq_class near(slow_root(s));
     near = families::times_power_of_two(mpq_class(mpz_class(families::times_power_of_two(near, i))), -i);
     for (const Surd& surd : {Surd{near, -s}, Surd{near, s}, Surd{-near, s}, Surd{-near, -s}, Surd{near - i, s}}) {
-      const mpf_class value(slow(surd.rational) + slow_root(surd.root), bits);
+      const mpf_class value(slow(surd.rational) + slow_root(surd.root), slow_bits);
       if (slow_sign(value) == 0) continue;
       const unsigned long digits = 1 + static_cast<unsigned long>(i) % 40;
       const auto [low, high] = around(value);
       const mpq_class expected = cut(low, digits);
       if (expected != cut(high, digits))
         continue;  // a rational value that is a decimal itself: they are in print above
-      const Enclosure found = enclose(surd, digits);
+      const Enclosure found = fathom::enclose(surd, digits);
       EXPECT_EQ(abs(read(sgn(value) > 0 ? found.low : found.high)), expected) << surd.rational << " " << surd.root;
       EXPECT_LE(compare(surd, read(found.high)), 0);
       EXPECT_GE(compare(surd, read(found.low)), 0);
@@ -257,7 +262,7 @@ TEST(EncloseSurd, EqualsDigitsCutFromALongNumber) {
 }
 
 TEST(EncloseSurd, ToAHundredThousandDigits) {
-  const Enclosure found = enclose({1, 2}, 100000), root = enclose_root(2, 100000);
+  const Enclosure found = fathom::enclose({1, 2}, 100000), root = enclose_root(2, 100000);
   EXPECT_EQ(found.low.substr(1), root.low.substr(1));
   EXPECT_EQ(found.high.substr(1), root.high.substr(1));
 }
@@ -275,8 +280,6 @@ mpq_class read(const std::string& text) {
   EXPECT_TRUE(parsed.value.has_value()) << parsed.error;
   return parsed.value.value_or(mpq_class(-1));
 }
-
-mpq_class square(const mpq_class& x) { return mpq_class(x * x); }
 
 mpz_class floor_of(const mpq_class& x) { return mpz_class(x.get_num() / x.get_den()); }  // for x >= 0
 
@@ -302,12 +305,6 @@ void expect_as_naive(const mpq_class& q, long digits) {
   EXPECT_EQ(values(enclose_root(q, static_cast<std::size_t>(digits))), naive(q, digits))
       << exact_text(q) << " to " << digits;
 }
-
-// At full size from the first case on: RapidCheck would begin with small numbers.
-std::uint64_t random_word() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()); }
-
-/// From first to last - 1.
-int random_in(int first, int last) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last)); }
 
 TEST(EncloseRoot, InPrint) {
   const auto both = [](const mpq_class& q, std::size_t digits) {
@@ -340,7 +337,7 @@ TEST(EncloseRoot, AsTheNaiveTwin) {
     q.canonicalize();
     q *= power_of_ten(random_in(-40, 41));
     expect_as_naive(q, random_in(1, 60));
-    RC_ASSERT(!testing::Test::HasFailure());
+    RC_ASSERT(!::testing::Test::HasFailure());
   }));
 }
 
@@ -355,7 +352,7 @@ TEST(EncloseRoot, DecimalsAndHairsBesideThem) {
     for (const mpq_class& q : {square(root), mpq_class(square(root) - hair), mpq_class(square(root) + hair)}) {
       expect_as_naive(q, std::max(count, 1L));
     }
-    RC_ASSERT(!testing::Test::HasFailure());
+    RC_ASSERT(!::testing::Test::HasFailure());
   }));
 }
 

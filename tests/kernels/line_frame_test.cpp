@@ -143,11 +143,11 @@ Scene chain(Random& random, bool across, int n, long noise) {
   return {31, std::move(lines)};
 }
 
-struct Tally {
+struct FrameTally {
   int tests = 0, clear = 0, wide = 0;  // wide: cleared in wide floats only
 };
 
-void check(const Scene& a, const Scene& b, const mpq_class& bound, Tally& tally, int mode_number) {
+void check(const Scene& a, const Scene& b, const mpq_class& bound, FrameTally& tally, int mode_number) {
   const std::vector<std::uint32_t> rows = all_indices(a.lines.size()), columns = all_indices(b.lines.size());
   bool beyond = false;
   {
@@ -192,7 +192,7 @@ mpq_class least(const Scene& a, const Scene& b) {
 // never one at it.
 TEST(FramesBeyond, SharpOnSmoothChains) {
   Random random(4);
-  Tally below, at;
+  FrameTally below, at;
   for (int n = 0; n < 200; ++n) {
     const int size = 1 + n % 24;
     Scene a = chain(random, false, size, n % 2 ? 50 : 0), b = chain(random, true, size, n % 2 ? 50 : 0);
@@ -210,7 +210,7 @@ TEST(FramesBeyond, SharpOnSmoothChains) {
 TEST(FramesBeyond, WideFramesTellNearerBounds) {
   Random random(14);
   for (const unsigned long digits : {56UL, 70UL, 90UL, 100UL}) {
-    Tally tally;
+    FrameTally tally;
     for (int n = 0; n < 40; ++n) {
       Scene a = chain(random, false, 1, 50), b = chain(random, true, 1, 50);
       if (n % 2 == 0) a = turned(a), b = turned(b);
@@ -222,7 +222,7 @@ TEST(FramesBeyond, WideFramesTellNearerBounds) {
 
 TEST(FramesBeyond, SoundOnWildLines) {
   Random random(5);
-  Tally tally;
+  FrameTally tally;
   for (int n = 0; n < 60; ++n) {
     const std::vector<Scene> scenes = adversarial_scenes(random, 6);
     for (const Scene& scene : scenes) {

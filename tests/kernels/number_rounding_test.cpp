@@ -18,12 +18,17 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
+#include "tests/support/full_size.hpp"
 #include "tests/support/property.hpp"
 
 namespace fathom::kernels {
 namespace {
 
-mpq_class power_of_two(long exponent) {
+using testing::random_in;
+using testing::random_word;
+using testing::square;
+
+mpq_class two_to(long exponent) {
   mpq_class one = 1;
   return exponent < 0 ? mpq_class(one >> static_cast<mp_bitcnt_t>(-exponent))
                       : mpq_class(one << static_cast<mp_bitcnt_t>(exponent));
@@ -34,8 +39,6 @@ mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
   result.canonicalize();
   return result;
 }
-
-mpq_class square(const mpq_class& x) { return mpq_class(x * x); }
 
 /// The finite numbers x >= 0 of a format are those of its bit patterns 0 .. last, in the same
 /// order.
@@ -55,7 +58,7 @@ struct Patterns<float> {
 /// The exact value; infinity stands for 2^top, the number that would follow the largest.
 template <class Float>
 mpq_class value_of(Float x) {
-  return std::isinf(x) ? power_of_two(Patterns<Float>::top) : exact_value(x);
+  return std::isinf(x) ? two_to(Patterns<Float>::top) : exact_value(x);
 }
 
 template <class Float>
@@ -161,12 +164,6 @@ std::vector<mpq_class> hard_points(const std::pair<mpq_class, mpq_class>& neighb
   return points;
 }
 
-// At full size from the first case on: RapidCheck would begin with small numbers.
-std::uint64_t random_word() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()); }
-
-/// From first to last - 1.
-int random_in(int first, int last) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last)); }
-
 mpz_class random_integer() {
   mpz_class result = 0;
   for (auto words = random_in(1, 5); words > 0; --words)
@@ -196,9 +193,9 @@ TEST(Rounding, NumbersTiesAndHairsOfBinary32) {
 
 TEST(Rounding, RandomRationals) {
   EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
-    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-2300, 2300));
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * two_to(random_in(-2300, 2300));
     expect_as_naive(q);
-    RC_ASSERT(!testing::Test::HasFailure());
+    RC_ASSERT(!::testing::Test::HasFailure());
   }));
 }
 
@@ -218,14 +215,14 @@ TEST(Rounding, TheRootLiesBetweenNeighboursBySquaring) {
 }
 
 TEST(Rounding, TheRootOfANearTieIsDecidedHoweverNear) {
-  const mpq_class middle = 1 + power_of_two(-53);  // between 1 and its successor
+  const mpq_class middle = 1 + two_to(-53);  // between 1 and its successor
   const double next = std::nextafter(1.0, 2.0);
   for (const long bits : {60L, 500L, 5000L, 100000L}) {
-    EXPECT_EQ(root_binary64(mpq_class(square(middle) - power_of_two(-bits - 110)), Rounding::rn), 1.0) << bits;
-    EXPECT_EQ(root_binary64(mpq_class(square(middle) + power_of_two(-bits - 110)), Rounding::rn), next) << bits;
+    EXPECT_EQ(root_binary64(mpq_class(square(middle) - two_to(-bits - 110)), Rounding::rn), 1.0) << bits;
+    EXPECT_EQ(root_binary64(mpq_class(square(middle) + two_to(-bits - 110)), Rounding::rn), next) << bits;
   }
   EXPECT_EQ(root_binary64(square(middle), Rounding::rn), 1.0);
-  EXPECT_EQ(root_binary64(square(mpq_class(middle + power_of_two(-52))), Rounding::rn), std::nextafter(next, 2.0));
+  EXPECT_EQ(root_binary64(square(mpq_class(middle + two_to(-52))), Rounding::rn), std::nextafter(next, 2.0));
 }
 
 TEST(Rounding, PerfectSquares) {
@@ -240,11 +237,11 @@ TEST(Rounding, PerfectSquares) {
 
 TEST(Rounding, OverflowBorder) {
   constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
-  const mpq_class border = power_of_two(1024) - power_of_two(970);  // the largest number plus half an ulp
-  const mpq_class hair = power_of_two(-3000);
+  const mpq_class border = two_to(1024) - two_to(970);  // the largest number plus half an ulp
+  const mpq_class hair = two_to(-3000);
   for (const mpq_class& x :
-       {border, mpq_class(border - hair), mpq_class(border + hair), power_of_two(1024),
-        mpq_class(power_of_two(1024) - hair), exact_value(largest), mpq_class(exact_value(largest) + hair)}) {
+       {border, mpq_class(border - hair), mpq_class(border + hair), two_to(1024), mpq_class(two_to(1024) - hair),
+        exact_value(largest), mpq_class(exact_value(largest) + hair)}) {
     EXPECT_EQ(round_binary64(x, Rounding::rd), largest);
     EXPECT_EQ(round_binary64(x, Rounding::ru), x == exact_value(largest) ? largest : infinity);
     EXPECT_EQ(round_binary64(x, Rounding::rn), x < border ? largest : infinity);
@@ -253,7 +250,7 @@ TEST(Rounding, OverflowBorder) {
     EXPECT_EQ(root_binary64(square(x), Rounding::rn), x < border ? largest : infinity);
   }
   constexpr float largest32 = std::numeric_limits<float>::max(), infinity32 = std::numeric_limits<float>::infinity();
-  const mpq_class border32 = power_of_two(128) - power_of_two(103);
+  const mpq_class border32 = two_to(128) - two_to(103);
   EXPECT_EQ(round_binary32(mpq_class(border32 - hair), Rounding::rn), largest32);
   EXPECT_EQ(round_binary32(border32, Rounding::rn), infinity32);
   EXPECT_EQ(root_binary32(square(mpq_class(border32 - hair)), Rounding::rn), largest32);
@@ -263,7 +260,7 @@ TEST(Rounding, OverflowBorder) {
 
 TEST(Rounding, UnderflowBorder) {
   constexpr double least = std::numeric_limits<double>::denorm_min();
-  const mpq_class half = power_of_two(-1075), hair = power_of_two(-5000);
+  const mpq_class half = two_to(-1075), hair = two_to(-5000);
   for (const mpq_class& x : {half, mpq_class(half - hair), mpq_class(half + hair), hair}) {
     EXPECT_EQ(round_binary64(x, Rounding::rd), 0.0);
     EXPECT_EQ(round_binary64(x, Rounding::ru), least);
@@ -272,9 +269,8 @@ TEST(Rounding, UnderflowBorder) {
     EXPECT_EQ(root_binary64(square(x), Rounding::ru), least);
     EXPECT_EQ(root_binary64(square(x), Rounding::rn), x > half ? least : 0.0);
   }
-  EXPECT_EQ(round_binary32(power_of_two(-150), Rounding::rn), 0.0f);
-  EXPECT_EQ(round_binary32(mpq_class(power_of_two(-150) + hair), Rounding::rn),
-            std::numeric_limits<float>::denorm_min());
+  EXPECT_EQ(round_binary32(two_to(-150), Rounding::rn), 0.0f);
+  EXPECT_EQ(round_binary32(mpq_class(two_to(-150) + hair), Rounding::rn), std::numeric_limits<float>::denorm_min());
 }
 
 TEST(Rounding, FarBeyondBothEnds) {
@@ -288,14 +284,14 @@ TEST(Rounding, FarBeyondBothEnds) {
 
 TEST(Rounding, NegativeValuesMirrorAndNegativeSquaresThrow) {
   EXPECT_TRUE(holds({.seed = 20, .runs = 2000}, [] {
-    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-1200, 1100));
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * two_to(random_in(-1200, 1100));
     const mpq_class minus = -q;
     RC_ASSERT(round_binary64(minus, Rounding::rn) == -round_binary64(q, Rounding::rn));
     RC_ASSERT(round_binary64(minus, Rounding::rd) == -round_binary64(q, Rounding::ru));
     RC_ASSERT(round_binary64(minus, Rounding::ru) == -round_binary64(q, Rounding::rd));
     RC_ASSERT(round_binary32(minus, Rounding::rd) == -round_binary32(q, Rounding::ru));
   }));
-  EXPECT_TRUE(std::signbit(round_binary64(mpq_class(-power_of_two(-2000)), Rounding::rn)));
+  EXPECT_TRUE(std::signbit(round_binary64(mpq_class(-two_to(-2000)), Rounding::rn)));
   EXPECT_FALSE(std::signbit(round_binary64(mpq_class(0), Rounding::rd)));
   EXPECT_THROW(root_binary64(mpq_class(-1), Rounding::rn), std::domain_error);
   EXPECT_THROW(root_binary32(mpq_class(-1), Rounding::rn), std::domain_error);
@@ -305,11 +301,11 @@ TEST(Rounding, NegativeValuesMirrorAndNegativeSquaresThrow) {
 TEST(Rounding, TheEnvironmentHasNoSay) {
   const mpq_class third = ratio(1, 3), loose(mpz_class(12), mpz_class(36));
   const Neighbours<double> expected = rounded_root<double>(third);
-  const Neighbours<double> subnormal = rounded_value<double>(third * power_of_two(-1070));
+  const Neighbours<double> subnormal = rounded_value<double>(third * two_to(-1070));
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
     const Neighbours<double> found = rounded_root<double>(third), of_loose = rounded_root<double>(loose);
-    const Neighbours<double> small = rounded_value<double>(third * power_of_two(-1070));
+    const Neighbours<double> small = rounded_value<double>(third * two_to(-1070));
     std::fesetround(FE_TONEAREST);
     EXPECT_TRUE(same(found, expected) && same(of_loose, expected) && same(small, subnormal)) << mode;
   }

@@ -29,23 +29,21 @@
 #include "fathom/body.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
+#include "tests/support/full_size.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/words.hpp"
 
 namespace fathom::kernels {
 namespace {
 
+using testing::random_in;
+using testing::random_word;
+
 mpq_class exact(std::string_view token) {
   const ParsedNumber parsed = parse_number(token, Decimals::exact);
   EXPECT_TRUE(parsed.value.has_value()) << token.substr(0, 100) << ": " << parsed.error;
   return parsed.value.value_or(mpq_class(-12345));
 }
-
-// At full size from the first case on: RapidCheck would begin with small numbers.
-std::uint64_t random_word() { return *rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()); }
-
-/// From first to last - 1.
-int random_in(int first, int last) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(first, last)); }
 
 double random_double() {
   const double x = std::bit_cast<double>(random_word());

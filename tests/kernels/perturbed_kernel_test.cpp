@@ -22,12 +22,6 @@ namespace {
 
 using namespace fathom::testing;
 
-template <class Property>
-void for_all_sizes(const std::string& law, const Property& property) {
-  for (const Size size : all_sizes)
-    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
-}
-
 // Plain formulas, written out once more.
 int plain_dot(const Vector& a, const Vector& b) { return sgn(mpz_class(a.x * b.x + a.y * b.y + a.z * b.z)); }
 
@@ -55,10 +49,10 @@ int xorder(const Vector& n1, const Vector& n2, const Vector& v) {
   return unperturbed(counts).x_order(Direction(n1), Direction(n2), Direction(v));
 }
 int side(const Vector& n, const Vector& d) { return unperturbed(counts).side_of_arc(Direction(n), Direction(d)); }
-int vertical(const Vector& d1, const Vector& d2, const Vector& n, const Vector& v) {
+int vertical_order(const Vector& d1, const Vector& d2, const Vector& n, const Vector& v) {
   return unperturbed(counts).order_on_vertical(Direction(d1), Direction(d2), Direction(n), Direction(v));
 }
-int infinity(const Vector& d1, const Vector& d2, const Vector& z) {
+int order_far_out(const Vector& d1, const Vector& d2, const Vector& z) {
   return unperturbed(counts).order_at_infinity(Direction(d1), Direction(d2), Direction(z));
 }
 
@@ -163,12 +157,12 @@ TEST(OrderOnVertical, IsTheSignOfTheBinetCauchyForm) {
   for_all_sizes("det(d1, d2, v x n), antisymmetric, odd", [](Size size) {
     const Vector v = *directions(size), n = *directions(size), d1 = *directions(size);
     const Vector d2 = *rc::gen::element(*directions(size), nearly_dependent(d1, cross(v, n), size));
-    const int s = vertical(d1, d2, n, v);
+    const int s = vertical_order(d1, d2, n, v);
     RC_ASSERT(s == plain_det(d1, d2, cross(v, n)));
-    RC_ASSERT(vertical(d2, d1, n, v) == -s);   // (1)
-    RC_ASSERT(vertical(-d1, d2, n, v) == -s);  // (2)
-    RC_ASSERT(vertical(d1, -d2, n, v) == -s);
-    RC_ASSERT(vertical(d1, d1, n, v) == 0);
+    RC_ASSERT(vertical_order(d2, d1, n, v) == -s);   // (1)
+    RC_ASSERT(vertical_order(-d1, d2, n, v) == -s);  // (2)
+    RC_ASSERT(vertical_order(d1, -d2, n, v) == -s);
+    RC_ASSERT(vertical_order(d1, d1, n, v) == 0);
   });
 }
 
@@ -182,7 +176,7 @@ TEST(OrderOnVertical, ComparesTheHeightsOfTheArcs) {
     const mpq_class t1 = quotient(-dot(d1, n), dot(d1, v)), t2 = quotient(-dot(d2, n), dot(d2, v));
     // In the chart n + t v lies at the height (<n,v> + t |v|^2) / <n,z>.
     const mpq_class y1 = (dot(n, v) + t1 * dot(v, v)) / dot(n, z), y2 = (dot(n, v) + t2 * dot(v, v)) / dot(n, z);
-    RC_ASSERT(vertical(d1, d2, n, v) == up1 * up2 * order(y1, y2));
+    RC_ASSERT(vertical_order(d1, d2, n, v) == up1 * up2 * order(y1, y2));
   });
 }
 
@@ -190,12 +184,12 @@ TEST(OrderAtInfinity, IsTheSignOfTheDeterminant) {
   for_all_sizes("plain, antisymmetric, odd", [](Size size) {
     const Vector z = *directions(size), d1 = *directions(size);
     const Vector d2 = *rc::gen::element(*directions(size), nearly_dependent(d1, z, size));
-    const int s = infinity(d1, d2, z);
+    const int s = order_far_out(d1, d2, z);
     RC_ASSERT(s == plain_det(d1, d2, z));
-    RC_ASSERT(infinity(d2, d1, z) == -s);   // (1)
-    RC_ASSERT(infinity(-d1, d2, z) == -s);  // (2)
-    RC_ASSERT(infinity(d1, -d2, z) == -s);
-    RC_ASSERT(infinity(d1, d2, -z) == -s);
+    RC_ASSERT(order_far_out(d2, d1, z) == -s);   // (1)
+    RC_ASSERT(order_far_out(-d1, d2, z) == -s);  // (2)
+    RC_ASSERT(order_far_out(d1, -d2, z) == -s);
+    RC_ASSERT(order_far_out(d1, d2, -z) == -s);
   });
 }
 
@@ -209,8 +203,8 @@ TEST(OrderAtInfinity, IsTheOrderOnVerticalsFarAway) {
     // sign from some k on.
     const mpz_class middle = plain::OrderOnVertical{}(d1, d2, z, v), k = abs(middle) + 1;
     RC_PRE(far != 0);
-    RC_ASSERT(vertical(d1, d2, z + k * left, v) == infinity(d1, d2, z));
-    RC_ASSERT(vertical(d1, d2, z - k * left, v) == -infinity(d1, d2, z));
+    RC_ASSERT(vertical_order(d1, d2, z + k * left, v) == order_far_out(d1, d2, z));
+    RC_ASSERT(vertical_order(d1, d2, z - k * left, v) == -order_far_out(d1, d2, z));
   });
 }
 
@@ -221,8 +215,8 @@ TEST(Predicates, DoNotSeeTheLengthOfADirection) {
     RC_ASSERT(equator(s * a, t * b) == equator(a, b));
     RC_ASSERT(xorder(s * a, t * b, s * d) == xorder(a, b, d));
     RC_ASSERT(side(t * d, s * c) == side(d, c));
-    RC_ASSERT(vertical(a, s * b, t * c, s * d) == vertical(a, b, c, d));
-    RC_ASSERT(infinity(t * a, s * b, s * d) == infinity(a, b, d));
+    RC_ASSERT(vertical_order(a, s * b, t * c, s * d) == vertical_order(a, b, c, d));
+    RC_ASSERT(order_far_out(t * a, s * b, s * d) == order_far_out(a, b, d));
   });
 }
 
@@ -269,8 +263,8 @@ TEST(Tiers, IntervalsDecideSmallIntegers) {
     check(Predicate::side_of_equator, [&] { return equator(a, b); });
     check(Predicate::x_order, [&] { return xorder(a, b, c); });
     check(Predicate::side_of_arc, [&] { return side(a, b); });
-    check(Predicate::order_on_vertical, [&] { return vertical(a, b, c, d); });
-    check(Predicate::order_at_infinity, [&] { return infinity(a, b, c); });
+    check(Predicate::order_on_vertical, [&] { return vertical_order(a, b, c, d); });
+    check(Predicate::order_at_infinity, [&] { return order_far_out(a, b, c); });
   }));
 }
 
@@ -297,11 +291,11 @@ TEST(Tiers, ExactArithmeticDecidesNearZeros) {
     expect_counts(counted(Predicate::side_of_arc, [&] { EXPECT_EQ(side(cross(a, b) - unit, a), -sgn(a.x)); }), 1, 1, 0);
     expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum + unit), plain_det(a, b, unit)); }), 1,
                   1, 0);
-    expect_counts(
-        counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum - unit), -plain_det(a, b, unit)); }),
-        1, 1, 0);
+    expect_counts(counted(Predicate::order_at_infinity,
+                          [&] { EXPECT_EQ(order_far_out(a, b, sum - unit), -plain_det(a, b, unit)); }),
+                  1, 1, 0);
     expect_counts(counted(Predicate::order_on_vertical,
-                          [&] { EXPECT_EQ(vertical(a, a + unit, b, c), plain_det(a, unit, cross(c, b))); }),
+                          [&] { EXPECT_EQ(vertical_order(a, a + unit, b, c), plain_det(a, unit, cross(c, b))); }),
                   1, 1, 0);
   }
 }
@@ -313,9 +307,9 @@ TEST(Tiers, ExactZerosAreCountedAsZero) {
   expect_counts(counted(Predicate::side_of_equator, [&] { EXPECT_EQ(equator(cross(a, b), a), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::side_of_arc, [&] { EXPECT_EQ(side(cross(a, b), b), 0); }), 1, 1, 1);
   expect_counts(counted(Predicate::x_order, [&] { EXPECT_EQ(xorder(a, b, sum), 0); }), 1, 1, 1);
-  expect_counts(counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(infinity(a, b, sum), 0); }), 1, 1, 1);
-  expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical(a, mpz_class(3) * a, b, c), 0); }), 1, 1,
-                1);
+  expect_counts(counted(Predicate::order_at_infinity, [&] { EXPECT_EQ(order_far_out(a, b, sum), 0); }), 1, 1, 1);
+  expect_counts(counted(Predicate::order_on_vertical, [&] { EXPECT_EQ(vertical_order(a, mpz_class(3) * a, b, c), 0); }),
+                1, 1, 1);
 }
 
 TEST(Tiers, LeaveTheRoundingModeAlone) {

@@ -17,7 +17,7 @@ using testing::power_of_two;
 using Random = std::mt19937_64;
 
 /// Below 2^bits in size, of every length; often around a power of 2 or of 2^64.
-mpz_class some_integer(Random& random, long bits) {
+mpz_class some_short_integer(Random& random, long bits) {
   const auto length = static_cast<unsigned long>(random() % static_cast<std::uint64_t>(bits + 1));
   if (random() % 3 > 0) return testing::random_integer(random, length);
   const unsigned long power = random() % 2 == 0 ? length : length / 64 * 64;
@@ -34,13 +34,13 @@ TYPED_TEST(WordIntegers, ComputeAsGmpDoes) {
   constexpr long most = TypeParam::most_bits;
   Random random(1);
   for (int i = 0; i < 40000; ++i) {
-    const mpz_class a = some_integer(random, most - 1), b = i % 7 == 0 ? a : some_integer(random, most - 1);
+    const mpz_class a = some_short_integer(random, most - 1), b = i % 7 == 0 ? a : some_short_integer(random, most - 1);
     const TypeParam x(a), y(b);
     ASSERT_EQ(to_mpz(x), a);
     ASSERT_EQ(to_mpz(x + y), a + b) << a << " " << b;
     ASSERT_EQ(to_mpz(x - y), a - b) << a << " " << b;
     ASSERT_EQ(to_mpz(-x), -a);
-    const mpz_class factor = some_integer(random, most - bit_length(a));
+    const mpz_class factor = some_short_integer(random, most - bit_length(a));
     ASSERT_EQ(to_mpz(x * TypeParam(factor)), a * factor) << a << " " << factor;
     ASSERT_EQ(sgn(x), sgn(a));
     ASSERT_EQ(cmp(x, y) > 0, a > b);
@@ -73,7 +73,7 @@ TYPED_TEST(WordIntegers, HaveTheImagesOfGmpInEveryRoundingMode) {
   Random random(3);
   for (int i = 0; i < 40000; ++i) {
     const testing::RoundingMode mode(testing::rounding_modes[i % 4]);
-    const mpz_class a = some_integer(random, TypeParam::most_bits);
+    const mpz_class a = some_short_integer(random, TypeParam::most_bits);
     const long exponent = std::max(bit_length(a), static_cast<long>(random() % 400));
     ASSERT_EQ(image(TypeParam(a), exponent), image(a, exponent)) << a << " * 2^-" << exponent;
   }

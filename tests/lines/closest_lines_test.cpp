@@ -72,16 +72,9 @@ TEST(LineScene, CarriesTheEdgesOfTheArcsDirectedUpward) {
   EXPECT_LT(flipped, arcs - arcs / 10);
 }
 
+using testing::expect_equal;
 using testing::prepare;
 using testing::text;
-
-void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right, const std::string& where) {
-  ASSERT_EQ(left.empty(), right.empty()) << where;
-  if (left.empty()) return;
-  EXPECT_EQ(mpz_class(left.numerator() * right.denominator()), mpz_class(right.numerator() * left.denominator()))
-      << where;
-  EXPECT_EQ(left.directions(), right.directions()) << where;
-}
 
 // The filtered scan against exact arithmetic on every pair, one canonical pair at a time, so that
 // ties and near ties that a better pair elsewhere would hide are seen as well.

@@ -295,13 +295,6 @@ kernels::NearestPlanes exhaustive(const Grid& grid) {
   return nearest;
 }
 
-void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right, const std::string& where) {
-  ASSERT_EQ(left.empty(), right.empty()) << where;
-  if (left.empty()) return;
-  EXPECT_EQ(squared_distance(left), squared_distance(right)) << where;
-  EXPECT_EQ(left.directions(), right.directions()) << where;
-}
-
 // One grid under both engines, with cells so small that there is something to cut; without and with
 // a good bound at the start.
 void expect_engines_agree(const Grid& grid, std::uint64_t seed, const std::string& where) {

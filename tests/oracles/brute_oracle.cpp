@@ -14,11 +14,6 @@ namespace fathom::oracles {
 
 namespace {
 
-struct Less {
-  bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
-};
-using Directions = std::set<Vector, Less>;
-
 /// One of each pair of opposite vectors.
 void add_up_to_sign(Directions& set, const Vector& v) {
   if (is_zero(v)) return;

@@ -28,13 +28,9 @@ struct FreePolyhedra {
 using Matrix = std::unique_ptr<dd_MatrixType, FreeMatrix>;
 using Polyhedra = std::unique_ptr<dd_PolyhedraType, FreePolyhedra>;
 
-struct Less {
-  bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
-};
-
 /// One row (1, b - a) for each difference, in integer units.
 Matrix generators(const IntegerBodies& bodies) {
-  std::set<Vector, Less> differences;
+  Directions differences;
   for (const Vector& p : bodies.a)
     for (const Vector& q : bodies.b) differences.insert(q - p);
   Matrix matrix(dd_CreateMatrix(static_cast<dd_rowrange>(differences.size()), 4));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,11 @@
 #include "kernels/vector.hpp"
 
 namespace fathom::oracles {
+
+struct LexicographicallyLess {
+  bool operator()(const Vector& a, const Vector& b) const { return lexicographically_less(a, b); }
+};
+using Directions = std::set<Vector, LexicographicallyLess>;
 
 /// squared: depth^2 in lowest terms, 0 unless penetrating. directions: of all optima, primitive,
 /// sorted lexicographically; empty unless penetrating.

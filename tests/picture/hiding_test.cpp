@@ -23,7 +23,7 @@
 namespace fathom::picture {
 namespace {
 
-using testing::box_points;
+using testing::box;
 using Solid = std::vector<Point>;
 
 /// The total length of the wires that run along an axis, by its number, which are hidden or not.
@@ -44,9 +44,9 @@ const View from_above(Point{1, 0, mpq_class(-1, 4)}, Point{0, 1, mpq_class(1, 4)
 // crosses.
 TEST(Hiding, CrossingBars) {
   ASSERT_GT(from_above.towards().z, 0.9);
-  const Solid lower = box_points({-1, -6, -1}, {1, 6, 1});
+  const Solid lower = box({-1, -6, -1}, {1, 6, 1});
   for (const int sunk : {0, 1}) {  // 1: the bars have a common part
-    const Compound body = compound_of({box_points({-6, -1, 1 - sunk}, {6, 1, 3 - sunk}), lower}, from_above);
+    const Compound body = compound_of({box({-6, -1, 1 - sunk}, {6, 1, 3 - sunk}), lower}, from_above);
     const std::vector<Wires::Wire>& wires = body.pieces[1].wires;
     EXPECT_EQ(length(wires, 1, true) + length(wires, 1, false), 48) << "law: no part of an edge is lost";
     // Of the lower bar's edges along y one is hidden by the bar itself, and two at the top by the
@@ -68,8 +68,8 @@ TEST(Hiding, SeamsOnTheSurfaceAreSeen) {
   for (const int axis : {0, 1, 2}) {
     const auto at = [&](const mpq_class& p) { return Point{axis == 0 ? p : 1, axis == 1 ? p : 1, axis == 2 ? p : 1}; };
     const auto low = [&](const mpq_class& p) { return Point{axis == 0 ? p : 0, axis == 1 ? p : 0, axis == 2 ? p : 0}; };
-    const Compound body = compound_of(
-        {box_points({0, 0, 0}, at(mpq_class(1, 3))), box_points(low(mpq_class(1, 3)), {1, 1, 1})}, from_above);
+    const Compound body =
+        compound_of({box({0, 0, 0}, at(mpq_class(1, 3))), box(low(mpq_class(1, 3)), {1, 1, 1})}, from_above);
     for (const Wires& piece : body.pieces) {
       mpq_class hidden = 0, seen = 0;
       for (const Wires::Wire& wire : piece.wires) {
@@ -155,9 +155,7 @@ TEST(Hiding, AgreesWithLooksFromSinglePlaces) {
       Solid points;
       if (pieces.size() % 2 == 0)
         for (int i = 0; i < 5; ++i) points.push_back({number(), number(), number()});
-      else
-        points =
-            box_points({number(), number(), number()}, {7, 8, 9});  // all with one corner, and three faces, in common
+      else points = box({number(), number(), number()}, {7, 8, 9});  // all with one corner, and three faces, in common
       std::vector<HalfSpaceOf> halves = half_spaces(points);
       const auto flat = [&](const HalfSpaceOf& h) {
         return std::ranges::all_of(points, [&](const Point& p) { return dot(h.normal, p) == h.offset; });

@@ -9,21 +9,20 @@
 #include <cmath>
 
 #include "kernels/vector.hpp"
-#include "tests//support/boxes.hpp"
+#include "tests/picture/picture_size.hpp"
+#include "tests/support/boxes.hpp"
 
 namespace fathom::picture {
 namespace {
 
-using testing::box_points;
-
-const PixelSize size{400, 300};
+using testing::box;
 
 struct Cubes {
-  GivenPoints a = box_points({0, 0, 0}, {1, 1, 1}), b;
+  GivenPoints a = box({0, 0, 0}, {1, 1, 1}), b;
   Depth depth;
 
   explicit Cubes(const mpq_class& at)
-      : b(box_points({at, 0, 0}, {mpq_class(at + 1), 1, 1})), depth(penetration_depth(a.exact(), b.exact())) {}
+      : b(box({at, 0, 0}, {mpq_class(at + 1), 1, 1})), depth(penetration_depth(a.exact(), b.exact())) {}
   [[nodiscard]] PairScene scene() const { return scene_of({a, b, depth}); }
 };
 
@@ -152,14 +151,14 @@ TEST(Scene, OutlinesOfShapes) {
     EXPECT_NEAR(box.width().get_d(), width, 1e-9) << what;
     EXPECT_NEAR(box.height().get_d(), height, 1e-9) << what;
   };
-  expect(box({1, 2, 3}), 2, 6, "a box");
+  expect(fathom::box({1, 2, 3}), 2, 6, "a box");
   expect(capsule(1, 2), 2, 6, "a capsule");
   expect(cylinder(1, 2), 2, 4, "a cylinder");
   expect(cone(2, 1), 4, 2, "a cone");
   expect(ellipsoid({3, 1, 2}), 6, 4, "an ellipsoid");
-  expect(with_margin(box({1, 1, 1}), mpq_class(1, 2)), 3, 3, "a margin");
+  expect(with_margin(fathom::box({1, 1, 1}), mpq_class(1, 2)), 3, 3, "a margin");
   expect(minkowski_sum(cylinder(1, 1), at(sphere(1), {0, 0, 1})), 4, 4, "a sum");
-  EXPECT_TRUE(std::holds_alternative<Wires>(drawn_shape(box({1, 1, 1}), view)));
+  EXPECT_TRUE(std::holds_alternative<Wires>(drawn_shape(fathom::box({1, 1, 1}), view)));
 }
 
 TEST(Scene, HalfSpacesEndAtTheirPlane) {

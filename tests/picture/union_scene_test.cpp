@@ -9,7 +9,8 @@
 #include <random>
 
 #include "kernels/vector.hpp"
-#include "tests//support/boxes.hpp"
+#include "tests/picture/picture_size.hpp"
+#include "tests/support/boxes.hpp"
 #include "tests/support/matches.hpp"
 #include "view/picture/scene.hpp"
 #include "view/picture/view.hpp"
@@ -17,14 +18,12 @@
 namespace fathom::picture {
 namespace {
 
-using testing::box_points;
-
-const PixelSize size{400, 300};
+using testing::box;
 
 /// An L of two bars, and a peg in its corner.
 struct Corner {
-  Pieces a{box_points({0, 0, 0}, {1, 1, 1})};
-  Pieces b{box_points({mpq_class(1, 2), -3, -3}, {1, 4, 4}), box_points({-3, mpq_class(3, 4), -3}, {1, 1, 4})};
+  Pieces a{box({0, 0, 0}, {1, 1, 1})};
+  Pieces b{box({mpq_class(1, 2), -3, -3}, {1, 4, 4}), box({-3, mpq_class(3, 4), -3}, {1, 1, 4})};
   UnionDepth depth = union_depth(a, b);
 };
 
@@ -73,7 +72,7 @@ TEST(UnionScene, PiecesInContactAreMarked) {
   const PairScene scene = scene_of(corner.a, corner.b, corner.depth);
   EXPECT_EQ(std::get<Compound>(scene.b).in_contact, (std::vector<bool>{true, true}));
   Pieces more = corner.b;
-  more.push_back(box_points({50, 50, 50}, {51, 51, 51}));
+  more.push_back(box({50, 50, 50}, {51, 51, 51}));
   const PairScene third = scene_of(corner.a, more, union_depth(corner.a, more));
   EXPECT_EQ(std::get<Compound>(third.b).in_contact, (std::vector<bool>{true, true, false}));
   const std::string text = painted(third, panels_of(third, size).front(), "x");
@@ -84,8 +83,7 @@ TEST(UnionScene, PiecesInContactAreMarked) {
 }
 
 TEST(UnionScene, TouchingAndDisjoint) {
-  const Pieces a{box_points({0, 0, 0}, {1, 1, 1})}, near{box_points({1, 0, 0}, {2, 1, 1})},
-      far{box_points({3, 0, 0}, {4, 1, 1})};
+  const Pieces a{box({0, 0, 0}, {1, 1, 1})}, near{box({1, 0, 0}, {2, 1, 1})}, far{box({3, 0, 0}, {4, 1, 1})};
   const PairScene touching = scene_of(a, near, union_depth(a, near));
   EXPECT_FALSE(touching.moves());
   EXPECT_TRUE(is_in(a, touching.anchor) && is_in(near, touching.anchor));
@@ -99,7 +97,7 @@ TEST(UnionScene, TouchingAndDisjoint) {
 TEST(UnionScene, ManyEdgesAreLeftOut) {
   const View view(Point{1, 0, 0}, std::nullopt);
   Pieces some, many;
-  for (int i = 0; i < 100; ++i) (i < 20 ? some : many).push_back(box_points({i, 0, 0}, {i + 1, 1, 1}));
+  for (int i = 0; i < 100; ++i) (i < 20 ? some : many).push_back(box({i, 0, 0}, {i + 1, 1, 1}));
   for (const Wires& piece : compound_of(some, view).pieces)
     EXPECT_TRUE(!piece.wires.empty() && std::ranges::none_of(piece.wires, &Wires::Wire::hidden));
   for (const Wires& piece : compound_of(many, view).pieces) EXPECT_TRUE(piece.wires.empty());

@@ -15,6 +15,7 @@
 #include "fathom/numbers.hpp"
 #include "tests/harness/report/outcomes.hpp"
 #include "tests/harness/report/well_formed.hpp"
+#include "tests/picture/picture_size.hpp"
 #include "tests/support/property.hpp"
 #include "view/picture/markup.hpp"
 
@@ -104,8 +105,6 @@ TEST(View, UnitVectors) {
 
 // Windows: everything fits, true to scale, whatever the numbers are; and what lies far outside is
 // cut exactly.
-
-const PixelSize size{400, 300};
 
 mpq_class ten_to(int exponent) {
   const mpz_class power("1" + std::string(static_cast<std::size_t>(std::abs(exponent)), '0'));

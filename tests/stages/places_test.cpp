@@ -241,7 +241,7 @@ TEST(Strips, HoldTheCrossings) {
 
 using std::numbers::pi;
 
-Stages staged(std::string_view family, unsigned size = 12) {
+Stages staged_sample(std::string_view family, unsigned size = 12) {
   const Case pair = families::find_family(family)->make(3, size);
   return stages::stages_of(pair.a, pair.b);
 }
@@ -250,7 +250,7 @@ double distance(const Place& p, const Place& q) { return std::hypot(p[0] - q[0],
 
 TEST(Arcs, EndAtTheirNodes) {
   for (const char* family : {"random_sphere", "boxes_aligned", "crossed_fans"}) {
-    const Stages all = staged(family);
+    const Stages all = staged_sample(family);
     for (const stages::StagedBody* body : {&all.a, &all.b})
       for (Index edge = 0; edge < body->arcs.size(); ++edge) {
         const std::optional<SphereArc> arc = arc_of(*body, edge);
@@ -263,7 +263,7 @@ TEST(Arcs, EndAtTheirNodes) {
 }
 
 TEST(Arcs, OfFlatBodiesGoRound) {
-  const Stages flat = staged("polygon_segment");
+  const Stages flat = staged_sample("polygon_segment");
   bool half = false, full = false;
   for (const stages::StagedBody* body : {&flat.a, &flat.b})
     for (Index edge = 0; edge < body->arcs.size(); ++edge) {
@@ -280,7 +280,7 @@ TEST(Arcs, OfFlatBodiesGoRound) {
 }
 
 TEST(Arcs, PartsLieInTheirHemisphere) {
-  const Stages all = staged("random_sphere", 40);
+  const Stages all = staged_sample("random_sphere", 40);
   for (const stages::StagedChart& chart : all.charts) {
     const Place other{-chart.z[0], -chart.z[1], -chart.z[2]};
     for (Index edge = 0; edge < all.a.arcs.size(); ++edge) {
@@ -386,14 +386,14 @@ TEST(Sum, FacetsAreThoseOfTheHullOfAllDifferences) {
 
 TEST(Sum, TheNearestAreThoseOfTheNaiveTwin) {
   for (const Case& input : polytopes()) {
-    const stages::Stages staged = stages::stages_of(input.a, input.b);
+    const stages::Stages staged_sample = stages::stages_of(input.a, input.b);
     const polytope::PlacedPair pair = polytope::place(input.a.points.exact(), input.b.points.exact());
     const depth::NaiveDepth twin = depth::naive_depth(pair.a.points(), pair.b.points());
     if (twin.status != Status::penetrating) {
-      EXPECT_EQ(staged.sum.kind, stages::SumKind::none) << input.id;
+      EXPECT_EQ(staged_sample.sum.kind, stages::SumKind::none) << input.id;
       continue;
     }
-    const std::vector<stages::StagedFacet>& facets = staged.sum.facets;
+    const std::vector<stages::StagedFacet>& facets = staged_sample.sum.facets;
     const mpq_class unit = kernels::ratio(1, pair.denominator * pair.denominator);
     ASSERT_FALSE(facets.empty()) << input.id;
     EXPECT_EQ(facets.front().squared, mpq_class(twin.squared * unit))
@@ -419,13 +419,13 @@ std::vector<std::vector<std::uint32_t>> edges(const stages::StagedBody& body, co
 TEST(Sum, EachEdgeEdgeFacetNamesItsOnePair) {
   std::size_t seen = 0;
   for (const Case& input : polytopes()) {
-    const stages::Stages staged = stages::stages_of(input.a, input.b);
-    for (const stages::StagedFacet& facet : staged.sum.facets) {
+    const stages::Stages staged_sample = stages::stages_of(input.a, input.b);
+    for (const stages::StagedFacet& facet : staged_sample.sum.facets) {
       if (facet.kind != stages::SumFacetKind::edges) continue;
       ++seen;
       ASSERT_EQ(facet.pairs.size(), 1U) << input.id << ", law: each crossing once";
-      const stages::StagedPair& pair = staged.pairs[facet.pairs.front()];
-      const auto a = edges(staged.a, pair.a), b = edges(staged.b, pair.b);
+      const stages::StagedPair& pair = staged_sample.pairs[facet.pairs.front()];
+      const auto a = edges(staged_sample.a, pair.a), b = edges(staged_sample.b, pair.b);
       EXPECT_TRUE(std::ranges::count(a, facet.a) == 1 && std::ranges::count(b, facet.b) == 1)
           << input.id << ", law: the pair holds both edges";
     }

@@ -19,9 +19,7 @@
 namespace fathom::studies {
 namespace {
 
-using Kind = ShapeCoincidence;
-
-std::uint64_t count(const ShapeStudy& study, Kind kind) { return study[kind].count; }
+std::uint64_t count(const ShapeStudy& study, ShapeCoincidence kind) { return study[kind].count; }
 
 /// Where optima form a continuum, bounds end by the number of calls.
 ShapeStudy study_of(const Shape& a, const Shape& b) { return study(a, b, {.support_calls = 300}); }
@@ -168,19 +166,21 @@ TEST(ShapeStudy, OfPolytopesFindsWhatTheirOwnStudyFinds) {
   for (const Case& input : testing::cases_of_all_families(2, 8)) {
     const Study known = fathom::study(input.a.points, input.b.points);
     const ShapeStudy found = study(hull(input.a.points), hull(input.b.points));
-    EXPECT_EQ(count(found, Kind::parallel_faces),
+    EXPECT_EQ(count(found, ShapeCoincidence::parallel_faces),
               known[Coincidence::coincident_normals].count + known[Coincidence::equal_normals].count)
         << input.id;
-    EXPECT_EQ(count(found, Kind::coplanar_faces), known[Coincidence::coplanar_facets].count) << input.id;
-    EXPECT_EQ(count(found, Kind::generators_along_faces), known[Coincidence::normals_on_arcs].count) << input.id;
-    EXPECT_EQ(count(found, Kind::touching_features), known.depth.status() == Status::touching ? 1U : 0U) << input.id;
+    EXPECT_EQ(count(found, ShapeCoincidence::coplanar_faces), known[Coincidence::coplanar_facets].count) << input.id;
+    EXPECT_EQ(count(found, ShapeCoincidence::generators_along_faces), known[Coincidence::normals_on_arcs].count)
+        << input.id;
+    EXPECT_EQ(count(found, ShapeCoincidence::touching_features), known.depth.status() == Status::touching ? 1U : 0U)
+        << input.id;
     ASSERT_TRUE(found.cores) << input.id;
     for (std::size_t i = 0; i < coincidence_names.size(); ++i)
       EXPECT_EQ(found.cores->coincidences[i].count, known.coincidences[i].count)
           << input.id << ": " << coincidence_names[i];
-    faces += count(found, Kind::parallel_faces);
-    coplanar += count(found, Kind::coplanar_faces);
-    along += count(found, Kind::generators_along_faces);
+    faces += count(found, ShapeCoincidence::parallel_faces);
+    coplanar += count(found, ShapeCoincidence::coplanar_faces);
+    along += count(found, ShapeCoincidence::generators_along_faces);
   }
   EXPECT_GT(faces, 100U);
   EXPECT_GT(coplanar, 20U);
@@ -203,39 +203,47 @@ TEST(ShapeStudy, FeaturesThatTouchAreTheLeast) {
 TEST(ShapeStudy, NoToleranceDecides) {
   const mpq_class hair = families::times_power_of_two(1, -300);
   const auto at = [](const Shape& shape, const Point& place) { return moved(shape, rigid_pose({1, 0, 0, 0}, place)); };
-  const auto both = [&](Kind kind, const Shape& a, const auto& b_off_by) {
+  const auto both = [&](ShapeCoincidence kind, const Shape& a, const auto& b_off_by) {
     const mpq_class zero = 0;
     return std::pair(count(study_of(a, b_off_by(zero)), kind), count(study_of(a, b_off_by(hair)), kind));
   };
-  const auto expect_one = [&](Kind kind, const Shape& a, const auto& b_off_by) {
+  const auto expect_one = [&](ShapeCoincidence kind, const Shape& a, const auto& b_off_by) {
     EXPECT_EQ(both(kind, a, b_off_by), std::pair(std::uint64_t{1}, std::uint64_t{0}))
         << shape_coincidence_names[static_cast<std::size_t>(kind)];
   };
   const Shape drum = cylinder(1, 3), egg = ellipsoid({1, 2, 3});
-  expect_one(Kind::concentric, egg, [&](const mpq_class& e) { return at(box({1, 1, 1}), {e, 0, 0}); });
-  expect_one(Kind::centre_on_axis, drum, [&](const mpq_class& e) { return at(egg, {e, 0, 7}); });
-  expect_one(Kind::coaxial, drum, [&](const mpq_class& e) { return at(cone(1, 1), {0, e, 5}); });
-  expect_one(Kind::parallel_axes, drum, [&](const mpq_class& e) {
+  expect_one(ShapeCoincidence::concentric, egg, [&](const mpq_class& e) { return at(box({1, 1, 1}), {e, 0, 0}); });
+  expect_one(ShapeCoincidence::centre_on_axis, drum, [&](const mpq_class& e) { return at(egg, {e, 0, 7}); });
+  expect_one(ShapeCoincidence::coaxial, drum, [&](const mpq_class& e) { return at(cone(1, 1), {0, e, 5}); });
+  expect_one(ShapeCoincidence::parallel_axes, drum, [&](const mpq_class& e) {
     return moved(cone(1, 1), rigid_pose({1, e, 0, 0}, {5, 0, 0}));
   });
-  expect_one(Kind::orthogonal_axes, drum, [&](const mpq_class& e) {
+  expect_one(ShapeCoincidence::orthogonal_axes, drum, [&](const mpq_class& e) {
     return moved(cone(1, 1), rigid_pose({1, 1 + e, 0, 0}, {5, 0, 0}));
   });
-  expect_one(Kind::intersecting_axes, drum, [&](const mpq_class& e) { return at(cone(1, 1, Axis::x), {0, e, 0}); });
-  expect_one(Kind::equal_radii, drum, [&](const mpq_class& e) { return sphere(1 + e); });
-  expect_one(Kind::parallel_generators, drum, [&](const mpq_class& e) {
+  expect_one(ShapeCoincidence::intersecting_axes, drum, [&](const mpq_class& e) {
+    return at(cone(1, 1, Axis::x), {0, e, 0});
+  });
+  expect_one(ShapeCoincidence::equal_radii, drum, [&](const mpq_class& e) { return sphere(1 + e); });
+  expect_one(ShapeCoincidence::parallel_generators, drum, [&](const mpq_class& e) {
     return moved(capsule(1, 1), rigid_pose({1, 0, e, 0}, {5, 0, 0}));
   });
-  expect_one(Kind::tangent_generators, drum, [&](const mpq_class& e) { return at(capsule(1, 1), {2 + e, 0, 0}); });
-  expect_one(Kind::tangent_generators, drum, [&](const mpq_class& e) {
+  expect_one(ShapeCoincidence::tangent_generators, drum, [&](const mpq_class& e) {
+    return at(capsule(1, 1), {2 + e, 0, 0});
+  });
+  expect_one(ShapeCoincidence::tangent_generators, drum, [&](const mpq_class& e) {
     return at(capsule(mpq_class(1, 2), 1), {mpq_class(1, 2) + e, 0, 0});
   });
-  expect_one(Kind::tangent_generators, capsule(mpq_class(1, 2), 1), [&](const mpq_class& e) {
+  expect_one(ShapeCoincidence::tangent_generators, capsule(mpq_class(1, 2), 1), [&](const mpq_class& e) {
     return at(drum, {mpq_class(1, 2) + e, 0, 0});
   });
-  expect_one(Kind::supporting_faces, drum, [&](const mpq_class& e) { return at(sphere(1), {9, 0, 4 + e}); });
-  expect_one(Kind::distance_of_radii, capsule(1, 1), [&](const mpq_class& e) { return at(sphere(1), {2 + e, 0, 0}); });
-  expect_one(Kind::touching_cores, sphere(1), [&](const mpq_class& e) { return at(sphere(2), {e, 0, 0}); });
+  expect_one(ShapeCoincidence::supporting_faces, drum, [&](const mpq_class& e) {
+    return at(sphere(1), {9, 0, 4 + e});
+  });
+  expect_one(ShapeCoincidence::distance_of_radii, capsule(1, 1), [&](const mpq_class& e) {
+    return at(sphere(1), {2 + e, 0, 0});
+  });
+  expect_one(ShapeCoincidence::touching_cores, sphere(1), [&](const mpq_class& e) { return at(sphere(2), {e, 0, 0}); });
 }
 
 // Centres, axes and faces against the support function, by their definitions.

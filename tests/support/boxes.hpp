@@ -8,7 +8,7 @@
 
 namespace fathom::testing {
 
-inline std::vector<Point> box_points(const Point& low, const Point& high) {
+inline std::vector<Point> box(const Point& low, const Point& high) {
   std::vector<Point> result;
   for (int i = 0; i < 8; ++i)
     result.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});

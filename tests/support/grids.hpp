@@ -2,9 +2,12 @@
 // Grids of prepared cases, with the exact order of all their distances.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "reference/lines/closest_lines.hpp"
@@ -114,6 +117,14 @@ inline mpq_class squared_distance(const kernels::NearestPlanes& nearest) {
   mpq_class squared(nearest.numerator(), nearest.denominator());
   squared.canonicalize();
   return squared;
+}
+
+inline void expect_equal(const kernels::NearestPlanes& left, const kernels::NearestPlanes& right,
+                         const std::string& where) {
+  ASSERT_EQ(left.empty(), right.empty()) << where;
+  if (left.empty()) return;
+  EXPECT_EQ(squared_distance(left), squared_distance(right)) << where;
+  EXPECT_EQ(left.directions(), right.directions()) << where;
 }
 
 }  // namespace fathom::testing

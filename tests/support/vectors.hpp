@@ -3,6 +3,7 @@
 // whose components differ by hundreds of binary orders.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
+#include "tests/support/property.hpp"
 
 namespace fathom {
 
@@ -81,6 +83,13 @@ inline rc::Gen<Vector> vectors(Size size) {
 
 inline rc::Gen<Vector> directions(Size size) {
   return rc::gen::suchThat(vectors(size), [](const Vector& v) { return !is_zero(v); });
+}
+
+/// The property holds for vectors of each size.
+template <class Property>
+void for_all_sizes(const std::string& law, const Property& property) {
+  for (const Size size : all_sizes)
+    EXPECT_TRUE(holds({.seed = 11, .runs = 400}, [&] { property(size); })) << law + ", " + name(size);
 }
 
 /// Zero, or one unit along an axis: what separates an exact zero from its neighbours.

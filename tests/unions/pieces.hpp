@@ -17,8 +17,7 @@
 namespace fathom::unions {
 
 using polytope::joined;
-
-inline std::vector<Point> box(const Point& low, const Point& high) { return testing::box_points(low, high); }
+using testing::box;
 
 inline std::vector<Vector> integers(const std::vector<Point>& points) {
   std::vector<Vector> result;

@@ -28,9 +28,9 @@ namespace fathom::harness {
 namespace {
 
 using testing::Element;
-using testing::judged;
+using testing::judged_outcome;
+using testing::judged_subject;
 using testing::outcome;
-using testing::subject;
 using Outcomes = std::vector<Outcome>;
 using Failures = std::vector<HtmlFailure>;
 
@@ -128,8 +128,8 @@ TEST(Html, AFailureInFull) {
   reply.direction = Triple{0.6, 0.8, 0};
   const HtmlFailure deep = failure(cubes("cubes::deep", mpq_class(3, 2)), reply);
   ASSERT_EQ(deep.outcome.verdict, Verdict::too_deep);
-  const Element page = read_page(
-      html_page(subject(), Outcomes{deep.outcome, judged("cubes::2", Verdict::pass, 0, 0)}, Failures{deep}, {}));
+  const Element page = read_page(html_page(
+      judged_subject(), Outcomes{deep.outcome, judged_outcome("cubes::2", Verdict::pass, 0, 0)}, Failures{deep}, {}));
   ASSERT_EQ(page.all("article").size(), 1u);
   const Element& article = *page.all("article")[0];
   for (const std::string what : {"cubes::deep", "too-deep", "0.75", "(0.6, 0.8, 0)", "0.5 (squared: 1/4)",
@@ -165,7 +165,7 @@ TEST(Html, PicturesOfAllFamilies) {
     failures.push_back(made);
     outcomes.push_back(made.outcome);
   }
-  const Element page = read_page(html_page(subject(), outcomes, failures, {}));
+  const Element page = read_page(html_page(judged_subject(), outcomes, failures, {}));
   EXPECT_EQ(page.all("article").size(), failures.size());
   for (const Element* article : page.all("article")) EXPECT_GE(article->all("svg").size(), 1u) << (*article)["id"];
   for (const Element* path : page.all("path")) {
@@ -187,16 +187,16 @@ TEST(Html, NoPairAndNoAnswer) {
 TEST(Html, WhatIsNoCasesFault) {
   RunInfo run;
   run.unattributed = {{"ended by signal 11 after an answer", 2}, {testing::hostile(), 1}};
-  const Element page = read_page(html_page(subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, {}, run));
+  const Element page = read_page(html_page(judged_subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, {}, run));
   EXPECT_TRUE(says(page, "1 case: 1 pass, 0 fail; 3 unattributed"));
   EXPECT_TRUE(says(page, "2 x ended by signal 11 after an answer"));
   EXPECT_FALSE(says(read_page(html_page({}, {}, {}, {})), "No case's fault"));
 }
 
 TEST(Html, WellFormedWhateverOthersSay) {
-  SubjectInfo info = subject();
+  SubjectInfo info = judged_subject();
   info.name = info.version = info.library = info.settings[testing::hostile()] = testing::hostile();
-  HtmlFailure bad{judged(testing::hostile(), Verdict::too_deep, -INFINITY, NAN), cubes(testing::hostile(), 1),
+  HtmlFailure bad{judged_outcome(testing::hostile(), Verdict::too_deep, -INFINITY, NAN), cubes(testing::hostile(), 1),
                   testing::hostile()};
   bad.outcome.detail = bad.outcome.variant = testing::hostile();
   bad.outcome.judgement->sentence = testing::hostile();
@@ -208,10 +208,10 @@ TEST(Html, WellFormedWhateverOthersSay) {
 TEST(Html, Histograms) {
   Outcomes outcomes;
   for (const double error : {0.0, 1e-16, 2e-16, 5e-9, -0.3})
-    outcomes.push_back(judged("a::1", Verdict::pass, error, 0));
+    outcomes.push_back(judged_outcome("a::1", Verdict::pass, error, 0));
   for (const double error : {-0.0, 1e-40, 1e40, double{INFINITY}})
-    outcomes.push_back(judged("a::2", Verdict::too_deep, error, 0));
-  const Element page = read_page(html_page(subject(), outcomes, {}, {}));
+    outcomes.push_back(judged_outcome("a::2", Verdict::too_deep, error, 0));
+  const Element page = read_page(html_page(judged_subject(), outcomes, {}, {}));
   std::vector<const Element*> charts;
   for (const Element* picture : page.all("svg"))
     if (picture->attributes.contains("viewBox")) charts.push_back(picture);
@@ -229,11 +229,11 @@ TEST(Html, ThousandsOfFailures) {
   Outcomes outcomes;
   Failures failures;
   for (int i = 0; i < 6000; ++i)
-    outcomes.push_back(judged("many::" + std::to_string(i), Verdict::too_shallow, -1e-3 * i, 1));
-  outcomes.push_back(judged("rare::1", Verdict::too_shallow, -1e-9, 1));
-  outcomes.push_back(judged("many::x", Verdict::too_deep, 1e-9, 1));
+    outcomes.push_back(judged_outcome("many::" + std::to_string(i), Verdict::too_shallow, -1e-3 * i, 1));
+  outcomes.push_back(judged_outcome("rare::1", Verdict::too_shallow, -1e-9, 1));
+  outcomes.push_back(judged_outcome("many::x", Verdict::too_deep, 1e-9, 1));
   for (const Outcome& each : outcomes) failures.push_back({each, cubes(each.id, 1), ""});
-  const Element page = read_page(html_page(subject(), outcomes, failures, {}));
+  const Element page = read_page(html_page(judged_subject(), outcomes, failures, {}));
   EXPECT_EQ(page.all("article").size(), most_shown_failures);
   EXPECT_TRUE(says(page, "200 of 6002 are shown in full"));
   EXPECT_TRUE(says(page, "too-shallow: 199 of 6001"));
@@ -259,15 +259,15 @@ std::vector<std::vector<std::string>> rows_of(const Element& page, const std::st
 // wrong.
 TEST(Html, WrongAnswersBeforeThoseThatAreNotThere) {
   Failures failures;
-  Outcomes outcomes{judged("fine", Verdict::pass, 0, 0), outcome("touch", Verdict::touching_by_convention),
+  Outcomes outcomes{judged_outcome("fine", Verdict::pass, 0, 0), outcome("touch", Verdict::touching_by_convention),
                     outcome("not mine", Verdict::unsupported)};
   for (const Verdict verdict : {Verdict::crash, Verdict::time_out})
     failures.push_back({outcome("lost", verdict), cubes("lost", 1), ""});
   for (const auto& [id, error] :
        {std::pair{"deep little", 0.25}, std::pair{"deep most", 4.0}, std::pair{"deep more", 0.5}})
-    failures.push_back({judged(id, Verdict::too_deep, error, 1), cubes("deep", 1), ""});
+    failures.push_back({judged_outcome(id, Verdict::too_deep, error, 1), cubes("deep", 1), ""});
   for (const HtmlFailure& each : failures) outcomes.push_back(each.outcome);
-  const Element page = read_page(html_page(subject(), outcomes, failures, {}));
+  const Element page = read_page(html_page(judged_subject(), outcomes, failures, {}));
   std::vector<std::string> headings, cards;
   for (const Element* heading : page.all("h3")) headings.push_back(heading->text);
   EXPECT_EQ(headings, (std::vector<std::string>{"too-deep: 3 of 3", "crash: 1 of 1", "time-out: 1 of 1"}));
@@ -295,7 +295,7 @@ TEST(Html, CountsAgree) {
   for (const auto& [verdict, count] : counts)
     for (std::size_t i = 0; i < count; ++i)
       outcomes.push_back(outcome("a::" + std::to_string(outcomes.size()), verdict));
-  const Element page = read_page(html_page(subject(), outcomes, {}, {}));
+  const Element page = read_page(html_page(judged_subject(), outcomes, {}, {}));
   EXPECT_TRUE(says(page, "15 cases: 7 pass, 7 fail, 1 unsupported"));
   EXPECT_TRUE(says(page, "Passes are pass and touching-by-convention: 5 + 2."));
   const Element& bar = *page.all("figure").at(0);
@@ -389,7 +389,7 @@ TEST(Junit, EachVerdictInItsPlace) {
     const auto verdict = static_cast<Verdict>(i);
     outcomes.push_back(outcome(std::string(name(verdict)), verdict));
   }
-  const Element root = read_junit(junit_xml(subject(), outcomes));
+  const Element root = read_junit(junit_xml(judged_subject(), outcomes));
   for (const std::string verdict : {"crash", "time-out", "silent", "garbage", "failed"})
     EXPECT_EQ(child(root, verdict), "error") << verdict;
   for (const std::string verdict : {"pass", "touching-by-convention"}) EXPECT_EQ(child(root, verdict), "") << verdict;
@@ -404,8 +404,9 @@ TEST(Junit, SuitesAreFamilies) {
   crash.detail = "killed by signal 11";
   crash.seconds = 1.25;
   const Element root = read_junit(junit_xml(
-      subject(), Outcomes{judged("b::2", Verdict::too_deep, 1, 1), judged("a-n8-s1", Verdict::pass, 0, 0), crash,
-                          outcome("alone", Verdict::pass), outcome("b::2", Verdict::not_invariant, "swap")}));
+      judged_subject(),
+      Outcomes{judged_outcome("b::2", Verdict::too_deep, 1, 1), judged_outcome("a-n8-s1", Verdict::pass, 0, 0), crash,
+               outcome("alone", Verdict::pass), outcome("b::2", Verdict::not_invariant, "swap")}));
   ASSERT_EQ(root.children.size(), 3u);
   EXPECT_EQ(root["name"], "fathom certify demo 2.1 (libccd, binary64)");
   EXPECT_EQ(root.children[0]["name"], "demo");
@@ -425,7 +426,7 @@ TEST(Junit, KnownFailures) {
   const Outcomes outcomes{outcome("known", Verdict::nan), outcome("new", Verdict::nan), outcome("fixed", Verdict::pass),
                           outcome("changed", Verdict::crash)};
   const auto known = ExpectedFailures::parse("nan known\nnan fixed\nnan changed\nnan gone\n", "list").check(outcomes);
-  const Element root = read_junit(junit_xml(subject(), outcomes, known));
+  const Element root = read_junit(junit_xml(judged_subject(), outcomes, known));
   EXPECT_EQ(child(root, "known"), "skipped");
   EXPECT_EQ((*root.all("skipped")[0])["message"], "known failure: nan: nan");
   EXPECT_EQ(child(root, "new"), "failure");
@@ -441,18 +442,18 @@ TEST(Junit, KnownFailures) {
 TEST(Junit, WhatIsNoCasesFaultIsAnErrorOfItsOwn) {
   RunInfo run;
   run.unattributed = {{"ended by signal 11 after an answer", 2}, {testing::hostile(), 1}};
-  const Element root = read_junit(junit_xml(subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, run));
+  const Element root = read_junit(junit_xml(judged_subject(), Outcomes{outcome("fine", Verdict::pass)}, {}, run));
   EXPECT_EQ(root.children.back()["name"], "unattributed");
   EXPECT_EQ(root["errors"], "2");
   EXPECT_EQ(child(root, "2 x ended by signal 11 after an answer"), "error");
 }
 
-TEST(Junit, OfNothing) { EXPECT_EQ(read_junit(junit_xml(subject(), {})).children.size(), 0u); }
+TEST(Junit, OfNothing) { EXPECT_EQ(read_junit(junit_xml(judged_subject(), {})).children.size(), 0u); }
 
 TEST(Junit, WellFormedWhateverOthersSay) {
-  SubjectInfo info = subject();
+  SubjectInfo info = judged_subject();
   info.name = info.version = info.settings[testing::hostile()] = testing::hostile();
-  Outcome bad = judged(testing::hostile(), Verdict::too_deep, 1, 1);
+  Outcome bad = judged_outcome(testing::hostile(), Verdict::too_deep, 1, 1);
   bad.detail = bad.variant = testing::hostile();
   const auto known = ExpectedFailures::parse("nan gone%00%ff%3c", "list").check(Outcomes{bad});
   EXPECT_EQ(read_junit(junit_xml(info, Outcomes{bad, outcome(testing::hostile() + "::", Verdict::crash)}, known))
@@ -461,7 +462,7 @@ TEST(Junit, WellFormedWhateverOthersSay) {
   EXPECT_TRUE(holds({.seed = 73, .runs = 1000}, [](const std::string& id, const std::string& detail) {
     Outcome any = outcome(id, Verdict::garbage);
     any.detail = detail;
-    const Element root = testing::read_xml(junit_xml(subject(), Outcomes{any}));
+    const Element root = testing::read_xml(junit_xml(judged_subject(), Outcomes{any}));
     RC_ASSERT(root.all("error").size() == 1U);
   }));
 }

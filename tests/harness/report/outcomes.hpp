@@ -17,7 +17,7 @@ inline Outcome outcome(const std::string& id, Verdict verdict, const std::string
 }
 
 /// One whose depth was judged.
-inline Outcome judged(const std::string& id, Verdict verdict, double relative, double u_r) {
+inline Outcome judged_outcome(const std::string& id, Verdict verdict, double relative, double u_r) {
   Outcome result = outcome(id, verdict);
   result.judgement.emplace();
   result.judgement->verdict = verdict;
@@ -27,7 +27,7 @@ inline Outcome judged(const std::string& id, Verdict verdict, double relative, d
   return result;
 }
 
-inline SubjectInfo subject() {
+inline SubjectInfo judged_subject() {
   SubjectInfo result;
   result.name = "demo";
   result.version = "2.1";

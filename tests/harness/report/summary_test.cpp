@@ -25,7 +25,7 @@
 namespace fathom::harness {
 namespace {
 
-using testing::judged;
+using testing::judged_outcome;
 using testing::outcome;
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -67,10 +67,10 @@ TEST(Errors, WorstKeepsItsSignAndMedianIsOfMagnitudes) {
 
 TEST(Summary, Table) {
   Summary summary;
-  summary.add(judged("cubes::1", Verdict::pass, 0, 0));
-  summary.add(judged("cubes::2", Verdict::too_deep, 0.25, 1e12));
-  summary.add(judged("cubes::3", Verdict::too_shallow, -0.5, -2e12));
-  summary.add(judged("balls-n8-s1", Verdict::pass, 1e-16, 0.5));
+  summary.add(judged_outcome("cubes::1", Verdict::pass, 0, 0));
+  summary.add(judged_outcome("cubes::2", Verdict::too_deep, 0.25, 1e12));
+  summary.add(judged_outcome("cubes::3", Verdict::too_shallow, -0.5, -2e12));
+  summary.add(judged_outcome("balls-n8-s1", Verdict::pass, 1e-16, 0.5));
   summary.add(outcome("balls-n8-s2", Verdict::unsupported));
   summary.add(outcome("alone", Verdict::crash));
   summary.add(outcome("cubes::1", Verdict::not_invariant, "swap"));
@@ -78,7 +78,7 @@ TEST(Summary, Table) {
   EXPECT_EQ(summary.passes(), 2u);
   EXPECT_EQ(summary.failures(), 4u);
 
-  const std::string table = summary.table(testing::subject());
+  const std::string table = summary.table(testing::judged_subject());
   const auto lines = lines_of(table);
   EXPECT_EQ(lines[0], "demo 2.1 (libccd, binary64)");
   EXPECT_EQ(lines[1],
@@ -100,7 +100,7 @@ TEST(Summary, Table) {
 TEST(Summary, ClassesOfPasses) {
   Summary summary;
   for (const Accuracy accuracy : {Accuracy::millionth, Accuracy::correctly_rounded, Accuracy::correctly_rounded}) {
-    Outcome passed = judged("a::1", Verdict::pass, 0, 0);
+    Outcome passed = judged_outcome("a::1", Verdict::pass, 0, 0);
     passed.judgement->accuracy = accuracy;
     summary.add(passed);
   }
@@ -110,7 +110,7 @@ TEST(Summary, ClassesOfPasses) {
 }
 
 Outcome answered(bool overlap, bool depth, bool direction, bool witness_b) {
-  Outcome result = judged("a::1", Verdict::pass, 0, 0);
+  Outcome result = judged_outcome("a::1", Verdict::pass, 0, 0);
   result.reply = Reply();
   result.reply->overlap = overlap;
   result.reply->witness_a = Triple{};
@@ -156,7 +156,7 @@ TEST(Summary, WhatWasJudged) {
 TEST(Summary, SolidAndMetreSizedCasesApart) {
   Summary summary;
   const auto add = [&](bool solid, bool metre_sized, double dearer) {
-    Outcome each = judged("a::1", Verdict::pass, 0, 0);
+    Outcome each = judged_outcome("a::1", Verdict::pass, 0, 0);
     each.solid = solid;
     each.metre_sized = metre_sized;
     each.judgement->dearer = dearer;
@@ -179,9 +179,12 @@ TEST(Summary, SolidAndMetreSizedCasesApart) {
 }
 
 TEST(Summary, WorstFailuresByName) {
-  const std::vector<Outcome> outcomes{judged("a", Verdict::too_deep, 0.1, 1),  judged("b", Verdict::pass, 9, 1),
-                                      judged("c", Verdict::too_deep, -0.5, 1), judged("d", Verdict::too_deep, 0.5, 1),
-                                      outcome("e", Verdict::crash, "swap"),    outcome("f", Verdict::unsupported)};
+  const std::vector<Outcome> outcomes{judged_outcome("a", Verdict::too_deep, 0.1, 1),
+                                      judged_outcome("b", Verdict::pass, 9, 1),
+                                      judged_outcome("c", Verdict::too_deep, -0.5, 1),
+                                      judged_outcome("d", Verdict::too_deep, 0.5, 1),
+                                      outcome("e", Verdict::crash, "swap"),
+                                      outcome("f", Verdict::unsupported)};
   Summary summary;
   for (const Outcome& each : outcomes) summary.add(each);
   const std::string table = summary.table({}, outcomes, {"here", "there"});
@@ -193,7 +196,7 @@ TEST(Summary, WorstFailuresByName) {
 
 TEST(Summary, WhatIsNoCasesFault) {
   Summary summary;
-  summary.add(judged("a::1", Verdict::pass, 0, 0));
+  summary.add(judged_outcome("a::1", Verdict::pass, 0, 0));
   for (const char* detail : {"wrote 'x'", "killed", "wrote 'x'"}) summary.add(Unattributed{"a::1", detail});
   EXPECT_EQ(summary.unattributed(), 3u);
   EXPECT_NE(summary.table({}).find("\nunattributed 1 x killed; 2 x wrote 'x'\nwords "), std::string::npos)
@@ -201,7 +204,7 @@ TEST(Summary, WhatIsNoCasesFault) {
 }
 
 TEST(Summary, OfNothing) {
-  const std::string table = Summary().table(testing::subject());
+  const std::string table = Summary().table(testing::judged_subject());
   EXPECT_EQ(row(table, "all"), (Words{"all", "0"}));
   EXPECT_EQ(lines_of(table).back(), "0 cases: 0 pass, 0 fail");
 }
@@ -210,16 +213,16 @@ TEST(Summary, OfNothing) {
 // the errors in one block.
 TEST(Summary, NeverWiderThanItMay) {
   Summary summary;
-  SubjectInfo subject = testing::subject();
+  SubjectInfo subject = testing::judged_subject();
   subject.name = testing::hostile();
   for (int i = 0; i < 40; ++i)
     subject.settings["setting" + std::to_string(i)] = std::string(static_cast<std::size_t>(i * 7), 'x');
   for (std::size_t i = 0; i < verdict_count; ++i)
-    summary.add(judged(testing::hostile() + std::to_string(i) + std::string(i * 4, 'f') + "::1",
-                       static_cast<Verdict>(i), -1.25e-300, 1e300));
+    summary.add(judged_outcome(testing::hostile() + std::to_string(i) + std::string(i * 4, 'f') + "::1",
+                               static_cast<Verdict>(i), -1.25e-300, 1e300));
   for (int i = 0; i < 300; ++i)
-    summary.add(
-        judged("family" + std::to_string(i) + "::1", Verdict::pass, std::numeric_limits<double>::infinity(), 0));
+    summary.add(judged_outcome("family" + std::to_string(i) + "::1", Verdict::pass,
+                               std::numeric_limits<double>::infinity(), 0));
   const std::string table = summary.table(subject), all = summary.table(subject, {}, {}, 140, true);
   EXPECT_EQ(table.find("\nfamily299"), std::string::npos);
   EXPECT_NE(all.find("\nfamily299"), std::string::npos);
@@ -242,10 +245,10 @@ using Outcomes = std::vector<Outcome>;
 
 TEST(FailuresToShow, WorstFirstAndOneOfEachVerdictAndFamily) {
   Outcomes outcomes;
-  for (int i = 1; i <= 50; ++i) outcomes.push_back(judged("a::" + std::to_string(i), Verdict::too_deep, i, 1));
-  outcomes.push_back(judged("a::shallow", Verdict::too_shallow, -1e-3, 1));
-  outcomes.push_back(judged("b::deep", Verdict::too_deep, 1e-3, 1));
-  outcomes.push_back(judged("c::fine", Verdict::pass, 1e9, 1));
+  for (int i = 1; i <= 50; ++i) outcomes.push_back(judged_outcome("a::" + std::to_string(i), Verdict::too_deep, i, 1));
+  outcomes.push_back(judged_outcome("a::shallow", Verdict::too_shallow, -1e-3, 1));
+  outcomes.push_back(judged_outcome("b::deep", Verdict::too_deep, 1e-3, 1));
+  outcomes.push_back(judged_outcome("c::fine", Verdict::pass, 1e9, 1));
   outcomes.push_back(outcome("a::dead", Verdict::crash));
   const auto shown = failures_to_show(outcomes, 6);
   EXPECT_EQ(shown, (std::vector<std::size_t>{53, 49, 48, 47, 50, 51}));
@@ -257,7 +260,7 @@ TEST(FailuresToShow, DoNotDependOnTheOrderInWhichAnswersCame) {
   Outcomes outcomes;
   for (const char* id : {"a::1", "a::2", "b::1", "b::2"}) {
     outcomes.push_back(outcome(id, Verdict::crash));
-    outcomes.push_back(judged(id, Verdict::too_deep, 1, 1));
+    outcomes.push_back(judged_outcome(id, Verdict::too_deep, 1, 1));
   }
   const auto shown = [&] {
     std::vector<std::pair<std::string, Verdict>> result;
@@ -369,7 +372,7 @@ TEST(ExpectedFailures, WhatIsWrittenAgrees) {
                           outcome("c", Verdict::pass),
                           outcome(testing::hostile(), Verdict::crash),
                           outcome("", Verdict::silent)};
-  const std::string text = expected_failures_text(testing::subject(), outcomes);
+  const std::string text = expected_failures_text(testing::judged_subject(), outcomes);
   EXPECT_TRUE(text.starts_with("# Known failures of demo 2.1 (libccd, binary64), for fathom certify --expect-fail."));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 5);
   EXPECT_LT(text.find("not-invariant a~swap\n"), text.find("too-deep a\n")) << "sorted";
