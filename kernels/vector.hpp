@@ -105,11 +105,27 @@ inline Point operator+(const Point& p, const Point& q) { return {p.x + q.x, p.y 
 inline Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
 inline Point operator-(const Point& p) { return {-p.x, -p.y, -p.z}; }
 inline Point operator*(const mpq_class& s, const Point& p) { return {s * p.x, s * p.y, s * p.z}; }
+/// s n in lowest terms, as s is: n alone can share a factor with the denominator.
+inline mpq_class rational_product(const mpq_class& s, const mpz_class& n) {
+  mpq_class result;
+  const mpz_ptr above = result.get_num_mpz_t(), below = result.get_den_mpz_t();
+  mpz_gcd(below, n.get_mpz_t(), s.get_den_mpz_t());
+  if (mpz_cmp_ui(below, 1) == 0) {
+    mpz_mul(above, s.get_num_mpz_t(), n.get_mpz_t());
+    mpz_set(below, s.get_den_mpz_t());
+  } else {
+    mpz_divexact(above, n.get_mpz_t(), below);
+    mpz_mul(above, above, s.get_num_mpz_t());
+    mpz_divexact(below, s.get_den_mpz_t(), below);
+  }
+  return result;
+}
+
 /// For rationals and their expressions alone: an int or an mpz_class times a vector is a vector.
 template <class Expression>
 Point operator*(const __gmp_expr<mpq_t, Expression>& factor, const Vector& v) {
   const mpq_class s(factor);
-  return {s * v.x, s * v.y, s * v.z};
+  return {rational_product(s, v.x), rational_product(s, v.y), rational_product(s, v.z)};
 }
 
 inline mpq_class dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }

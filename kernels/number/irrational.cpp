@@ -57,6 +57,13 @@ auto rounded(const Surd& value, const Round& round) {
   return result == 0 ? std::copysign(result, sign(value) < 0 ? decltype(result){-1} : decltype(result){1}) : result;
 }
 
+/// Of a root alone: one integer root in the place of an enclosure. `round` takes its square.
+template <class Float>
+Float round_signed_root(const mpq_class& root, Rounding mode, Float (*round)(const mpq_class&, Rounding)) {
+  if (sgn(root) == 0) return 0;
+  return sgn(root) > 0 ? round(root, mode) : -round(mpq_class(-root), mirrored(mode));
+}
+
 class Mpfr {
  public:
   explicit Mpfr(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
@@ -336,11 +343,13 @@ int compare(const Surd& left, const Surd& right) {
 }
 
 double round_binary64(const Surd& value, Rounding mode) {
+  if (sgn(value.rational) == 0) return kernels::round_signed_root<double>(value.root, mode, root_binary64);
   const kernels::DefaultFloatEnvironment environment;
   return kernels::rounded(value, [&](const mpq_class& x) { return round_binary64(x, mode); });
 }
 
 float round_binary32(const Surd& value, Rounding mode) {
+  if (sgn(value.rational) == 0) return kernels::round_signed_root<float>(value.root, mode, root_binary32);
   const kernels::DefaultFloatEnvironment environment;
   return kernels::rounded(value, [&](const mpq_class& x) { return round_binary32(x, mode); });
 }

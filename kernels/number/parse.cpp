@@ -14,6 +14,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "kernels/number/rational.hpp"
 
 namespace fathom::kernels {
 
@@ -249,6 +250,10 @@ mpq_class exact_value(double value) {
   return bits >> 63 != 0 ? mpq_class(-result) : result;
 }
 
-std::string exact_text(const mpq_class& value) { return value.get_str(); }
+std::string exact_text(const mpq_class& value) {
+  std::string text;
+  kernels::append_exact(value, text);
+  return text;
+}
 
 }  // namespace fathom

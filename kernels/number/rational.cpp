@@ -129,14 +129,56 @@ struct Cut {
   bool rest;
 };
 
-/// floor(q / 2^exponent) for q >= 0. `rest` tells whether q / 2^exponent is not an integer.
+/// floor(|q| / 2^exponent). `rest` tells whether q / 2^exponent is not an integer.
 mpz_class scaled_floor(const mpq_class& q, long exponent, bool& rest) {
-  mpz_class numerator = q.get_num(), denominator = q.get_den(), quotient, remainder;
+  mpz_class numerator = abs(q.get_num()), denominator = q.get_den(), quotient, remainder;
   if (exponent < 0) numerator <<= static_cast<mp_bitcnt_t>(-exponent);
   if (exponent > 0) denominator <<= static_cast<mp_bitcnt_t>(exponent);
   mpz_tdiv_qr(quotient.get_mpz_t(), remainder.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
   rest = remainder != 0;
   return quotient;
+}
+
+// The same of few words, without a call for memory: scaled_floor is for all that is longer.
+
+constexpr mp_size_t few_limbs = 16;  // numerator, denominator and quotient, scaled
+
+struct ShortFloor {
+  std::array<mp_limb_t, few_limbs + 1> limbs;
+  mp_size_t size;  // without leading zeros
+  bool rest;
+};
+
+/// |n| 2^shift, without leading zeros; its size. There is room for it.
+mp_size_t scaled_limbs(mpz_srcptr n, long shift, mp_limb_t* to) {
+  const mp_size_t size = static_cast<mp_size_t>(mpz_size(n)), words = shift / GMP_NUMB_BITS;
+  std::fill_n(to, words, 0);
+  if (size == 0) return 0;
+  const auto bits = static_cast<unsigned>(shift % GMP_NUMB_BITS);
+  if (bits == 0) {
+    mpn_copyi(to + words, mpz_limbs_read(n), size);
+    return words + size;
+  }
+  to[words + size] = mpn_lshift(to + words, mpz_limbs_read(n), size, bits);
+  return words + size + (to[words + size] != 0 ? 1 : 0);
+}
+
+std::optional<ShortFloor> short_floor(const mpq_class& q, long exponent) {
+  const auto fits = [](mpz_srcptr n, long shift) {
+    return static_cast<mp_size_t>(mpz_size(n)) + shift / GMP_NUMB_BITS < few_limbs;
+  };
+  const mpz_srcptr n = q.get_num_mpz_t(), d = q.get_den_mpz_t();
+  const long up = std::max(-exponent, 0L), down = std::max(exponent, 0L);
+  if (!fits(n, up) || !fits(d, down)) return std::nullopt;
+  std::array<mp_limb_t, few_limbs> above, below, remainder;
+  const mp_size_t size = scaled_limbs(n, up, above.data()), size_below = scaled_limbs(d, down, below.data());
+  ShortFloor floor{{}, 0, size > 0};
+  if (size < size_below) return floor;
+  mpn_tdiv_qr(floor.limbs.data(), remainder.data(), 0, above.data(), size, below.data(), size_below);
+  floor.size = size - size_below + 1;
+  while (floor.size > 0 && floor.limbs[static_cast<std::size_t>(floor.size - 1)] == 0) --floor.size;
+  floor.rest = mpn_zero_p(remainder.data(), size_below) == 0;
+  return floor;
 }
 
 /// The exponent for a cut of v >= 2^low: precision + 1 bits or more, but nothing finer than half of
@@ -147,8 +189,11 @@ long cut_exponent(long low, const Format& format) {
 
 static_assert(sizeof(unsigned long) >= sizeof(Cut::bits), "get_ui() would lose bits");
 
+/// Of |q|.
 Cut cut_value(const mpq_class& q, const Format& format) {
   Cut cut{0, cut_exponent(binary_order(q) - 1, format), false};
+  if (const std::optional<ShortFloor> floor = short_floor(q, cut.exponent))
+    return {floor->size > 0 ? floor->limbs[0] : 0, cut.exponent, floor->rest};
   cut.bits = scaled_floor(q, cut.exponent, cut.rest).get_ui();
   return cut;
 }
@@ -156,6 +201,12 @@ Cut cut_value(const mpq_class& q, const Format& format) {
 Cut cut_root(const mpq_class& q, const Format& format) {
   // sqrt(q) > 2^((k-1)/2); the shift halves towards minus infinity.
   Cut cut{0, cut_exponent((binary_order(q) - 1) >> 1, format), false};
+  if (const std::optional<ShortFloor> square = short_floor(q, 2 * cut.exponent)) {
+    std::array<mp_limb_t, few_limbs> root{}, rest;
+    if (square->size == 0) return {0, cut.exponent, square->rest};
+    const mp_size_t of_rest = mpn_sqrtrem(root.data(), rest.data(), square->limbs.data(), square->size);
+    return {root[0], cut.exponent, square->rest || of_rest != 0};
+  }
   bool rest_of_floor = false;
   const mpz_class square = scaled_floor(q, 2 * cut.exponent, rest_of_floor);
   mpz_class root, rest_of_root;
@@ -194,14 +245,10 @@ double assemble(const Cut& cut, const Format& format, Rounding mode) {
   return std::ldexp(static_cast<double>(largest), static_cast<int>(format.top - format.precision));
 }
 
-Rounding mirrored(Rounding mode) {
-  return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn;
-}
-
 double round_value(const mpq_class& value, const Format& format, Rounding mode) {
   const int sign = sgn(value);
   if (sign == 0) return 0.0;
-  if (sign < 0) return -assemble(cut_value(mpq_class(-value), format), format, mirrored(mode));
+  if (sign < 0) return -assemble(cut_value(value, format), format, mirrored(mode));
   return assemble(cut_value(value, format), format, mode);
 }
 
@@ -242,8 +289,8 @@ std::optional<ShortRational> short_rational(const mpq_class& value) {
 Roundings roundings(const mpq_class& value) {
   const DefaultFloatEnvironment environment;
   if (sgn(value) == 0) return {};
-  if (sgn(value) > 0) return roundings_of(cut_value(value, binary64));
-  const Roundings positive = roundings_of(cut_value(mpq_class(-value), binary64));
+  const Roundings positive = roundings_of(cut_value(value, binary64));
+  if (sgn(value) > 0) return positive;
   return {negative(positive.binary64), negative(positive.binary32)};
 }
 
@@ -251,6 +298,58 @@ Roundings roundings_of_root(const mpq_class& squared) {
   const DefaultFloatEnvironment environment;
   require_square(squared);
   return sgn(squared) == 0 ? Roundings{} : roundings_of(cut_root(squared, binary64));
+}
+
+/// "00", "01" to "99".
+constexpr std::array<char, 200> digit_pairs = [] {
+  std::array<char, 200> pairs{};
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = static_cast<char>('0' + (i % 2 == 0 ? i / 20 : i / 2 % 10));
+  return pairs;
+}();
+
+void append_digits(mpz_srcptr n, std::string& text) {
+  constexpr std::size_t few = 8;  // words; more are for GMP, whose time does not grow with their square
+  std::size_t size = mpz_size(n);
+  if (size > few) {
+    const std::size_t begin = text.size();
+    text.resize(begin + mpz_sizeinbase(n, 10) + 2);
+    mpz_get_str(text.data() + begin, 10, n);
+    text.resize(text.find('\0', begin));
+    return;
+  }
+  constexpr mp_limb_t chunk = 10'000'000'000'000'000'000U;
+  constexpr std::ptrdiff_t chunk_digits = 19;
+  std::array<mp_limb_t, few> rest;
+  std::copy_n(mpz_limbs_read(n), size, rest.begin());
+  std::array<char, 20 * few + 1> digits;
+  char *const end = digits.data() + digits.size(), *at = end;
+  while (true) {
+    mp_limb_t last = 0;  // what is left of it behind the whole chunks
+    for (std::size_t i = size; i-- > 0;) {
+      const Uint128 both = Uint128{last} << 64 | rest[i];
+      rest[i] = static_cast<mp_limb_t>(both / chunk);
+      last = static_cast<mp_limb_t>(both - Uint128{rest[i]} * chunk);
+    }
+    while (size > 0 && rest[size - 1] == 0) --size;
+    char* const stop = at;
+    for (; last >= 10; last /= 100) {
+      at -= 2;
+      std::copy_n(digit_pairs.begin() + 2 * (last % 100), 2, at);
+    }
+    if (last > 0) *--at = static_cast<char>('0' + last);
+    if (size == 0) break;
+    while (stop - at < chunk_digits) *--at = '0';
+  }
+  if (at == end) *--at = '0';
+  if (mpz_sgn(n) < 0) *--at = '-';
+  text.append(at, end);
+}
+
+void append_exact(const mpq_class& value, std::string& text) {
+  append_digits(value.get_num_mpz_t(), text);
+  if (mpz_cmp_ui(value.get_den_mpz_t(), 1) == 0) return;
+  text += '/';
+  append_digits(value.get_den_mpz_t(), text);
 }
 
 void append_hex(double value, std::string& text) {

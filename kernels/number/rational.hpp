@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "fathom/numbers.hpp"
+
 namespace fathom::kernels {
 
 /// p / q in lowest terms; q is not zero.
@@ -103,6 +105,11 @@ double nearest_binary32(double value);
 /// The number in binary64; nullopt if it is none.
 std::optional<double> in_binary64(const mpq_class& value);
 
+/// How the negative of a number is rounded, so that the number itself is rounded by `mode`.
+constexpr Rounding mirrored(Rounding mode) {
+  return mode == Rounding::rd ? Rounding::ru : mode == Rounding::ru ? Rounding::rd : Rounding::rn;
+}
+
 // All roundings of one number at once, and numbers in hexadecimal, for results that print them.
 
 template <class Float>
@@ -123,6 +130,10 @@ Roundings roundings(const mpq_class& value);
 /// Returns what root_binary64 and root_binary32, the naive twins, say in each mode, by one division
 /// and one integer root. Throws std::domain_error if `squared` is negative.
 Roundings roundings_of_root(const mpq_class& squared);
+
+/// Appends the decimal digits to `text`, and exact_text(value).
+void append_digits(mpz_srcptr n, std::string& text);
+void append_exact(const mpq_class& value, std::string& text);
 
 /// Appends hex_text(value) to `text`.
 void append_hex(double value, std::string& text);

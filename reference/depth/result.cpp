@@ -2,11 +2,14 @@
 // What fathom/depth.hpp declares beside the questions: words, accessors of Depth for every status,
 // and what follows from a few of an answer's numbers.
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
 
@@ -54,13 +57,72 @@ std::optional<Status> status_named(std::string_view text) {
 
 namespace {
 
-// The point of the edge of A that lies over the line of the edge of B, seen along n. The edges are
-// not parallel.
-Point over_line(const CrossingEdges& edges, const Vector& n) {
-  const Point start = edges.a[0].exact(), on_b = edges.b[0].exact();
-  const Point along = edges.a[1].exact() - start, across = cross(edges.b[1].exact() - on_b, rational(n));
-  const mpq_class share = dot(on_b - start, across) / dot(along, across);
-  return start + share * along;
+// The point of an edge that lies over the line of another one, seen along n: it divides the edge in
+// the ratio `over` / `under`. The edges are not parallel.
+template <class Position>
+struct Crossing {
+  Position start, along;
+  decltype(Position::x) over, under;
+
+  Crossing(const std::array<Position, 2>& edge, const std::array<Position, 2>& other, const Position& n)
+      : start(edge[0]), along(edge[1] - edge[0]) {
+    const Position across = cross(other[1] - other[0], n);
+    over = dot(other[0] - start, across);
+    under = dot(along, across);
+  }
+};
+
+Point place_of(const Crossing<Point>& c) { return c.start + mpq_class(c.over / c.under) * c.along; }
+
+// The same, of ends that were multiplied by 2^shift. If p/q is a multiple of `along` in lowest
+// terms, start + p/q = (start q + p)/q is in lowest terms too, but for a power of two.
+Point place_of(const Crossing<Vector>& c, mp_bitcnt_t shift) {
+  const mpq_class share = kernels::ratio(c.over, c.under);
+  const auto coordinate = [&](const mpz_class& start, const mpz_class& along) {
+    mpq_class result = rational_product(share, along);
+    const mpz_ptr above = result.get_num_mpz_t(), below = result.get_den_mpz_t();
+    mpz_addmul(above, start.get_mpz_t(), below);
+    if (mpz_sgn(above) == 0) return result;
+    const mp_bitcnt_t zeros = std::min(mpz_scan1(above, 0), shift);
+    mpz_tdiv_q_2exp(above, above, zeros);
+    mpz_mul_2exp(below, below, shift - zeros);
+    return result;
+  };
+  return {coordinate(c.start.x, c.along.x), coordinate(c.start.y, c.along.y), coordinate(c.start.z, c.along.z)};
+}
+
+// The ends in binary64 as integers, each times 2^shift; nullopt if they are given in another form.
+struct BinaryEnds {
+  std::array<Vector, 2> a, b;
+  mp_bitcnt_t shift;
+};
+std::optional<BinaryEnds> binary_ends(const CrossingEdges& edges) {
+  std::array<std::array<kernels::Dyadic, 3>, 4> all;
+  long least = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const GivenPoint& point = i < 2 ? edges.a[i] : edges.b[i - 2];
+    const auto* const given = std::get_if<std::array<double, 3>>(&point.coordinates);
+    if (!given) return std::nullopt;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all[i][axis] = kernels::dyadic((*given)[axis]);
+      least = std::min(least, all[i][axis].exponent);
+    }
+  }
+  const auto scaled = [&](const kernels::Dyadic& c) {
+    mpz_class result(c.mantissa);
+    result <<= static_cast<mp_bitcnt_t>(c.exponent - least);
+    return result;
+  };
+  const auto point = [&](std::size_t i) { return Vector{scaled(all[i][0]), scaled(all[i][1]), scaled(all[i][2])}; };
+  return BinaryEnds{{point(0), point(1)}, {point(2), point(3)}, static_cast<mp_bitcnt_t>(-least)};
+}
+
+Witness witness_of(const CrossingEdges& edges, const Vector& n) {
+  if (const std::optional<BinaryEnds> ends = binary_ends(edges))
+    return {place_of(Crossing<Vector>(ends->a, ends->b, n), ends->shift),
+            place_of(Crossing<Vector>(ends->b, ends->a, n), ends->shift)};
+  const std::array a{edges.a[0].exact(), edges.a[1].exact()}, b{edges.b[0].exact(), edges.b[1].exact()};
+  return {place_of(Crossing<Point>(a, b, rational(n))), place_of(Crossing<Point>(b, a, rational(n)))};
 }
 
 // The faces overlap on the lattice of the answer.
@@ -90,7 +152,12 @@ Point GivenPoint::exact() const {
   return {exact_value(x), exact_value(y), exact_value(z)};
 }
 
-Point Optimum::translation() const { return mpq_class(support / dot(direction, direction)) * direction; }
+Point Optimum::translation() const {
+  // As h(n) is in lowest terms, only its numerator shares a factor with <n,n>.
+  const mpz_class length = dot(direction, direction), shared = gcd(support.get_num(), length);
+  const mpq_class share(support.get_num() / shared, support.get_den() * (length / shared));
+  return share * direction;
+}
 
 mpq_class Penetration::squared() const {
   // h(n) is in lowest terms, so only its numerator can share a factor with <n,n>.
@@ -114,10 +181,7 @@ Witness Penetration::witness() const {
                                [&](const CornerOfB& b) {
                                  return Witness{b.point.exact() - first.translation(), b.point.exact()};
                                },
-                               [&](const CrossingEdges& edges) {
-                                 Point p = over_line(edges, first.direction), q = p + first.translation();
-                                 return Witness{std::move(p), std::move(q)};
-                               }},
+                               [&](const CrossingEdges& edges) { return witness_of(edges, first.direction); }},
                     meeting);
 }
 

@@ -3,6 +3,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::rounded {
@@ -10,11 +11,11 @@ namespace {
 
 /// from + length n/|n|.
 Coordinates beyond(const Point& from, const mpq_class& length, const Vector& n) {
-  const mpz_class square = dot(n, n);
+  const mpz_class factor = length.get_num() * abs(length.get_num()),
+                  divisor = length.get_den() * length.get_den() * dot(n, n);
   const auto coordinate = [&](const mpq_class& start, const mpz_class& n_i) {
     if (sgn(length) == 0 || sgn(n_i) == 0) return Surd{start, 0};
-    const mpq_class along = length * n_i;
-    return Surd{start, mpq_class(along * abs(along) / square)};
+    return Surd{start, kernels::ratio(factor * n_i * abs(n_i), divisor)};
   };
   return {coordinate(from.x, n.x), coordinate(from.y, n.y), coordinate(from.z, n.z)};
 }
@@ -47,6 +48,22 @@ CoordinatePair coordinates(const RoundedWitness& witness) { return {coordinates(
 
 std::array<double, 3> nearest_binary64(const Coordinates& values) {
   return {nearest(values[0]), nearest(values[1]), nearest(values[2])};
+}
+
+std::array<double, 3> nearest_binary64(const Point& p) {
+  return {round_binary64(p.x), round_binary64(p.y), round_binary64(p.z)};
+}
+
+std::array<double, 3> nearest_binary64(const AlongNormal& vector) { return nearest_binary64(coordinates(vector)); }
+std::array<double, 3> nearest_binary64(const RoundedPoint& point) { return nearest_binary64(coordinates(point)); }
+
+std::array<double, 3> nearest_unit(const Vector& n) {
+  const mpz_class square = dot(n, n);
+  const auto rounded = [&square](const mpz_class& c) {
+    const double size = root_binary64(mpq_class(mpz_class(c * c), square));
+    return sgn(c) < 0 ? -size : size;
+  };
+  return {rounded(n.x), rounded(n.y), rounded(n.z)};
 }
 
 std::optional<Point> rational_point(const AlongNormal& vector) {

@@ -35,6 +35,12 @@ CoordinatePair coordinates(const RoundedWitness& witness);
 
 /// Each coordinate to the nearest binary64; infinite beyond that.
 std::array<double, 3> nearest_binary64(const Coordinates& values);
+std::array<double, 3> nearest_binary64(const Point& p);
+std::array<double, 3> nearest_binary64(const AlongNormal& vector);
+std::array<double, 3> nearest_binary64(const RoundedPoint& point);
+
+/// That of unit(n), without a fraction in lowest terms.
+std::array<double, 3> nearest_unit(const Vector& n);
 
 /// The vector or the point, if it is rational.
 std::optional<Point> rational_point(const AlongNormal& vector);

@@ -118,6 +118,38 @@ TEST(Depth, UnitCubesAThirdDeep) {
   EXPECT_EQ(depth.optima()[0].contact, (Contact{ContactKind::facet_facet, {1, 3, 5, 7}, {0, 2, 4, 6}}));
 }
 
+// In binary64 by integers, else in rationals.
+TEST(Depth, TheWitnessOfCrossingEdgesDoesNotDependOnTheirForm) {
+  std::mt19937_64 random(3);
+  const auto number = [&random] {
+    const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random()) >> 11);
+    return random() % 8 == 0 ? 0.0 : std::ldexp(mantissa, -static_cast<int>(random() % 90));
+  };
+  for (int run = 0; run < 500; ++run) {
+    Penetration given, exact;
+    CrossingEdges edges, exact_edges;
+    const auto end = [&](GivenPoint& one, GivenPoint& other) {
+      one = {std::array{number(), number(), number()}};
+      other = {one.exact()};
+    };
+    for (std::size_t i = 0; i < 2; ++i) end(edges.a[i], exact_edges.a[i]), end(edges.b[i], exact_edges.b[i]);
+    const Vector n =
+        primitive_along(cross(edges.a[1].exact() - edges.a[0].exact(), edges.b[1].exact() - edges.b[0].exact()));
+    if (is_zero(n)) continue;
+    const Optimum optimum{n, dot(n, edges.b[0].exact() - edges.a[0].exact()), {}};
+    given.optima = exact.optima = {optimum};
+    given.meeting = edges, exact.meeting = exact_edges;
+    const Witness witness = given.witness();
+    EXPECT_EQ(witness, exact.witness());
+    EXPECT_EQ(witness.b - witness.a, optimum.translation());
+    const auto on_line = [](const Point& p, const std::array<GivenPoint, 2>& edge) {
+      const Point start = edge[0].exact();
+      return cross(p - start, edge[1].exact() - start) == Point{};
+    };
+    EXPECT_TRUE(on_line(witness.a, edges.a) && on_line(witness.b, edges.b));
+  }
+}
+
 TEST(Depth, AMonitorHearsOfProgressAndCanStopTheRun) {
   const Case input = families::find_family("random_sphere")->make(1, 60);
   testing::Recorder all;

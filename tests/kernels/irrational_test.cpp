@@ -157,6 +157,12 @@ TEST(Surd, RoundsIrrationalNumbers) {
     expect_rounded({near, -s}, mpf_class(slow(near) - slow_root(s), slow_bits));
     expect_rounded({near, s}, mpf_class(slow(near) + slow_root(s), slow_bits));
     expect_rounded({-near, -s}, mpf_class(-slow(near) - slow_root(s), slow_bits));
+    // A root alone, which goes another way.
+    for (const mpq_class& root :
+         {s, families::times_power_of_two(s, -200 - 6 * i), families::times_power_of_two(s, 6 * i)}) {
+      expect_rounded({0, root}, slow_root(root));
+      expect_rounded({0, -root}, mpf_class(-slow_root(root), slow_bits));
+    }
     // From the subnormal numbers of binary32 to those of binary64, and beyond.
     const mpq_class tiny = families::times_power_of_two(near, -100 - 3 * i),
                     square = families::times_power_of_two(s, -200 - 6 * i);

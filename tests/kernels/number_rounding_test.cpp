@@ -225,6 +225,21 @@ TEST(Rounding, TheRootOfANearTieIsDecidedHoweverNear) {
   EXPECT_EQ(root_binary64(square(mpq_class(middle + two_to(-52))), Rounding::rn), std::nextafter(next, 2.0));
 }
 
+// Long numbers go another way than short ones. One value has both forms, as lowest terms are not
+// needed.
+TEST(Rounding, ShortAndLongFormsOfAValueAgree) {
+  const mpz_class large = (mpz_class(1) << 2000) + 1;
+  EXPECT_TRUE(holds({.seed = 21, .runs = 2000}, [&large] {
+    mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-900, 900));
+    if (random_in(0, 3) == 0) q = square(mpq_class(q.get_num()));
+    const mpq_class same(q.get_num() * large, q.get_den() * large);
+    const Roundings short_form = roundings(q), long_form = roundings(same), root = roundings_of_root(q),
+                    long_root = roundings_of_root(same);
+    RC_ASSERT(short_form.binary64 == long_form.binary64 && short_form.binary32 == long_form.binary32);
+    RC_ASSERT(root.binary64 == long_root.binary64 && root.binary32 == long_root.binary32);
+  }));
+}
+
 TEST(Rounding, PerfectSquares) {
   for (long n = 0; n < 3000; ++n) {
     const mpq_class root = ratio(n, 1024);
@@ -309,6 +324,26 @@ TEST(Rounding, TheEnvironmentHasNoSay) {
     std::fesetround(FE_TONEAREST);
     EXPECT_TRUE(same(found, expected) && same(of_loose, expected) && same(small, subnormal)) << mode;
   }
+}
+
+TEST(ExactText, IsThatOfGmp) {
+  const auto expect_same = [](const mpz_class& n) {
+    for (const mpz_class& signed_one : {n, mpz_class(-n)}) {
+      std::string text = "n = ";
+      append_digits(signed_one.get_mpz_t(), text);
+      ASSERT_EQ(text, "n = " + signed_one.get_str());
+    }
+  };
+  mpz_class power = 1;  // whole chunks of zeros and of nines, through the number of words that go to GMP
+  for (int digits = 0; digits < 200; ++digits, power *= 10)
+    for (const int off : {-1, 0, 1}) expect_same(power + off);
+  for (unsigned bits = 0; bits < 700; ++bits)
+    for (const int off : {-1, 0, 1}) expect_same((mpz_class(1) << bits) + off);
+  EXPECT_TRUE(holds({.seed = 22, .runs = 2000}, [] {
+    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1));
+    RC_ASSERT(exact_text(q) == q.get_str() && exact_text(-q) == mpq_class(-q).get_str());
+    RC_ASSERT(exact_text(q.get_num()) == q.get_num().get_str());
+  }));
 }
 
 TEST(HexText, AsPercentAPrintsIt) {

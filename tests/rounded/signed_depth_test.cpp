@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernels/vector.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/random.hpp"
 
@@ -46,6 +47,17 @@ void expect_laws(const SignedDepth& depth, const std::string& id) {
   EXPECT_LE(depth.low_binary64(), depth.high_binary64()) << id;
   EXPECT_LE(compare(*depth.exact(), exact_value(depth.high_binary64())), 0) << id;
   EXPECT_GE(compare(*depth.exact(), exact_value(depth.low_binary64())), 0) << id;
+}
+
+TEST(NearestUnit, RoundsTheCoordinatesOfTheUnitVector) {
+  families::Random random(7);
+  for (int run = 0; run < 500; ++run) {
+    const auto coordinate = [&] { return mpz_class(mpz_class(random.between(-9, 9)) << random.between(0, 600)); };
+    const Vector n = random.between(0, 1) == 0
+                         ? Vector{random.between(-9, 9), random.between(-9, 9), random.between(1, 9)}
+                         : Vector{coordinate(), coordinate(), mpz_class(1) << random.between(0, 1200)};
+    EXPECT_EQ(nearest_unit(n), nearest_binary64(unit(n)));
+  }
 }
 
 TEST(SignedDepth, IsThatOfTheCoresAndBothRadii) {
