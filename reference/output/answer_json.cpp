@@ -38,7 +38,7 @@ Lengths lengths_of(const Depth& depth, const std::optional<unsigned>& digits) {
   } else {
     lengths.signed_depth = signed_depth_object(penetrating_by(rounded));
   }
-  lengths.signed_depth["exact"] = exact_object({0, signed_square(depth)});
+  lengths.signed_depth["exact"] = exact_object({0, depth.distance() ? mpq_class(-depth.distance()->squared) : squared});
   return lengths;
 }
 

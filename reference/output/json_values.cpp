@@ -19,18 +19,30 @@ Json nearest_binary64(double value, int sign) {
   return value;
 }
 
+/// What `write` writes.
+template <class Write>
+Json written(Write write) {
+  JsonStream out(256);  // most take less
+  write(out);
+  return Json::written(out.take());
+}
+
 template <class Float>
-Json in_every_direction(const kernels::EveryMode<Float>& rounded) {
-  return {{"rn", Json::plain(hex_text(rounded.rn))},
-          {"rd", Json::plain(hex_text(rounded.rd))},
-          {"ru", Json::plain(hex_text(rounded.ru))}};
+void write(JsonStream& out, const kernels::EveryMode<Float>& rounded) {
+  out.open('{').key("rn").hex(rounded.rn).key("rd").hex(rounded.rd).key("ru").hex(rounded.ru).close('}');
 }
 
 /// The fields of a number that is printed exactly as `key`.
 Json rounded_number(std::string_view key, const mpq_class& exactly, const kernels::Roundings& rounded) {
-  return {{key, Json::plain(exact_text(exactly))},
-          {"value", nearest_binary64(rounded.binary64.rn, sgn(exactly))},
-          {"rounded", {{"f64", in_every_direction(rounded.binary64)}, {"f32", in_every_direction(rounded.binary32)}}}};
+  return written([&](JsonStream& out) {
+    out.open('{').key(key).exact(exactly).key("value").value(
+        nearest_binary64(rounded.binary64.rn, sgn(exactly)).text());
+    out.key("rounded").open('{').key("f64");
+    write(out, rounded.binary64);
+    out.key("f32");
+    write(out, rounded.binary32);
+    out.close('}').close('}');
+  });
 }
 
 std::optional<mpq_class> rational_square(const Surd& value) {
@@ -41,9 +53,9 @@ std::optional<mpq_class> rational_square(const Surd& value) {
 
 template <class Float>
 Json in_every_direction(const Surd& value, Float (*round)(const Surd&, Rounding)) {
-  return {{"rn", Json::plain(hex_text(round(value, Rounding::rn)))},
-          {"rd", Json::plain(hex_text(round(value, Rounding::rd)))},
-          {"ru", Json::plain(hex_text(round(value, Rounding::ru)))}};
+  const kernels::EveryMode<Float> rounded{round(value, Rounding::rn), round(value, Rounding::rd),
+                                          round(value, Rounding::ru)};
+  return written([&](JsonStream& out) { write(out, rounded); });
 }
 
 Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -51,7 +63,8 @@ Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 /// null for what is not finite.
 Json finite_array(const std::optional<std::array<double, 3>>& values) {
   if (!values || !std::ranges::all_of(*values, [](double x) { return std::isfinite(x); })) return {};
-  return Json::array({(*values)[0], (*values)[1], (*values)[2]});
+  const auto& [x, y, z] = *values;
+  return written([&](JsonStream& out) { out.open('[').decimal(x).decimal(y).decimal(z).close(']'); });
 }
 
 Json object_of(const polytope::Dents& dents) {
@@ -79,12 +92,16 @@ Json array_of(const shapes::DentedPieces& pieces) {
 
 }  // namespace
 
+Json exact(const mpq_class& q) {
+  return written([&](JsonStream& out) { out.exact(q); });
+}
+
 Json exact(const Point& p) {
-  return Json::array({Json::plain(exact_text(p.x)), Json::plain(exact_text(p.y)), Json::plain(exact_text(p.z))});
+  return written([&](JsonStream& out) { out.exact(p); });
 }
 
 Json exact(const Vector& v) {
-  return Json::array({Json::plain(v.x.get_str()), Json::plain(v.y.get_str()), Json::plain(v.z.get_str())});
+  return written([&](JsonStream& out) { out.exact(v); });
 }
 
 Json length(const mpq_class& squared, const std::optional<unsigned>& digits) {
@@ -119,9 +136,7 @@ Json surd_length(const Surd& value, const std::optional<unsigned>& digits) {
 }
 
 Json exact_object(const Surd& value) {
-  return {{"sign", sgn(value.root)},
-          {"root", Json::plain(exact_text(abs(value.root)))},
-          {"plus", Json::plain(exact_text(value.rational))}};
+  return {{"sign", sgn(value.root)}, {"root", exact(abs(value.root))}, {"plus", exact(value.rational)}};
 }
 
 SignedDepthBounds penetrating_by(const kernels::Roundings& depth) { return {depth.binary64.rd, depth.binary64.ru}; }
@@ -142,23 +157,23 @@ Json signed_depth_object(const SignedDepth& depth) {
 
 Json vector_object(const AlongNormal& vector) {
   if (const std::optional<Point> point = rounded::rational_point(vector)) return exact(*point);
-  return {{"normal", exact(vector.normal)},
-          {"alpha", Json::plain(exact_text(vector.alpha))},
-          {"beta", Json::plain(exact_text(vector.beta))}};
+  return {{"normal", exact(vector.normal)}, {"alpha", exact(vector.alpha)}, {"beta", exact(vector.beta)}};
 }
 
 Json point_object(const RoundedPoint& point) {
   if (const std::optional<Point> place = rounded::rational_point(point)) return exact(*place);
-  return {{"core", exact(point.core)},
-          {"normal", exact(point.normal)},
-          {"distance", Json::plain(exact_text(point.distance))}};
+  return {{"core", exact(point.core)}, {"normal", exact(point.normal)}, {"distance", exact(point.distance)}};
 }
 
-Json numbers(const rounded::Coordinates& values) { return finite_array(rounded::nearest_binary64(values)); }
-Json unit_f64(const Vector& direction) { return numbers(rounded::unit(direction)); }
+Json numbers(const std::array<double, 3>& values) { return finite_array(values); }
+Json unit_f64(const Vector& direction) { return numbers(rounded::nearest_unit(direction)); }
 
 Json contact_object(const Contact& contact) {
-  return {{"kind", name(contact.kind)}, {"a", Json(contact.a)}, {"b", Json(contact.b)}};
+  return written([&](JsonStream& out) {
+    out.open('{').key("kind").plain(name(contact.kind)).key("a").array_of(contact.a);
+    out.key("b").array_of(contact.b);
+    out.close('}');
+  });
 }
 
 Json witness_object(const Witness& witness) { return {{"a", exact(witness.a)}, {"b", exact(witness.b)}}; }

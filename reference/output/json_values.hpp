@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,9 +22,11 @@
 namespace fathom::output {
 
 using text::Json;
+using text::JsonStream;
 
 // ---- rational numbers ----
 
+Json exact(const mpq_class& q);
 Json exact(const Point& p);
 Json exact(const Vector& v);
 
@@ -65,18 +68,16 @@ Json point_object(const RoundedPoint& point);
 
 // Null of what there is not, and of what is beyond all finite numbers.
 
-/// Each coordinate to the nearest.
-Json numbers(const rounded::Coordinates& values);
+Json numbers(const std::array<double, 3>& values);
 Json unit_f64(const Vector& direction);
 template <class Translation>
 Json translation_f64(const std::optional<Translation>& translation) {
-  return translation ? numbers(rounded::coordinates(*translation)) : Json();
+  return translation ? numbers(rounded::nearest_binary64(*translation)) : Json();
 }
 template <class SomeWitness>
 Json witness_f64(const std::optional<SomeWitness>& witness) {
   if (!witness) return {};
-  const rounded::CoordinatePair points = rounded::coordinates(*witness);
-  return {{"a", numbers(points.front())}, {"b", numbers(points.back())}};
+  return {{"a", numbers(rounded::nearest_binary64(witness->a))}, {"b", numbers(rounded::nearest_binary64(witness->b))}};
 }
 
 // ---- contacts and bodies ----

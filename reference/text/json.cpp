@@ -70,18 +70,26 @@ std::string quoted(std::string_view string) {
 }
 
 /// The shortest digits that read back as the number, always with a point or an exponent: 0.5, 2.0,
-/// 1e-05, 1.5e+20.
-std::string decimal(double value) {
-  if (!std::isfinite(value)) return "null";
+/// 1e-05, 1.5e+20. null of what is not finite.
+void append_decimal(double value, std::string& text) {
+  if (!std::isfinite(value)) {
+    text += "null";
+    return;
+  }
   const double size = std::abs(value);
   const bool in_place = value == 0 || (size >= 1e-4 && size < 1e15);
-  std::array<char, 32> buffer;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                  in_place ? std::chars_format::fixed : std::chars_format::scientific)
                        .ptr;
-  std::string digits(buffer.data(), end);
-  if (in_place && digits.find('.') == digits.npos) digits += ".0";
-  return digits;
+  text.append(digits.data(), end);
+  if (in_place && std::find(digits.data(), end, '.') == end) text += ".0";
+}
+
+void append_key(std::string_view key, std::string& text) {
+  if (std::ranges::all_of(key, is_plain)) ((text += '"') += key) += '"';
+  else text += quoted(key);
+  text += ':';
 }
 
 }  // namespace
@@ -102,10 +110,19 @@ Json::Json(std::string_view string) {
   }
 }
 
-Json::Json(double value) : text_(decimal(value)) {}
+Json::Json(double value) { append_decimal(value, text_); }
 
-Json::Json(std::initializer_list<Field> fields) : text_("{}") {
-  for (const Field& field : fields) add(field.key, field.value);
+Json::Json(std::initializer_list<Field> fields) {
+  std::size_t size = 2;
+  for (const Field& field : fields) size += field.key.size() + field.value.text_.size() + 4;
+  text_.reserve(size);
+  text_ = '{';
+  for (const Field& field : fields) {
+    if (text_.size() > 1) text_ += ',';
+    append_key(field.key, text_);
+    text_ += field.value.text_;
+  }
+  text_ += '}';
 }
 
 Json Json::written(std::string text) {
@@ -153,9 +170,8 @@ void Json::push_back(const Json& value) {
 void Json::add(std::string_view key, const Json& value) {
   if (text_ == "null") text_ = "{}";
   open_for_more();
-  if (std::ranges::all_of(key, is_plain)) ((text_ += '"') += key) += '"';
-  else text_ += quoted(key);
-  ((text_ += ':') += value.text_) += '}';
+  append_key(key, text_);
+  (text_ += value.text_) += '}';
 }
 
 std::string Json::indented() const {
@@ -229,17 +245,16 @@ JsonStream& JsonStream::numbers(const std::array<double, 3>& values, int digits)
   return open('[').number(values[0], digits).number(values[1], digits).number(values[2], digits).close(']');
 }
 
-void JsonStream::digits(mpz_srcptr n) {
-  const std::size_t begin = text_.size();
-  text_.resize(begin + mpz_sizeinbase(n, 10) + 2);
-  mpz_get_str(text_.data() + begin, 10, n);
-  text_.resize(text_.find('\0', begin));
+JsonStream& JsonStream::decimal(double value) {
+  separate();
+  append_decimal(value, text_);
+  return *this;
 }
 
 JsonStream& JsonStream::exact(const mpz_class& n) {
   separate();
   text_ += '"';
-  digits(n.get_mpz_t());
+  kernels::append_digits(n.get_mpz_t(), text_);
   text_ += '"';
   return *this;
 }
@@ -247,11 +262,7 @@ JsonStream& JsonStream::exact(const mpz_class& n) {
 JsonStream& JsonStream::exact(const mpq_class& q) {
   separate();
   text_ += '"';
-  digits(q.get_num_mpz_t());
-  if (q.get_den() != 1) {
-    text_ += '/';
-    digits(q.get_den_mpz_t());
-  }
+  kernels::append_exact(q, text_);
   text_ += '"';
   return *this;
 }

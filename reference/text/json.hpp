@@ -64,6 +64,11 @@ class Json {
   static Json exact(const mpq_class& value);
   static Json exact(const Point& p) { return array({exact(p.x), exact(p.y), exact(p.z)}); }
 
+  /// Makes room for a text of so many bytes.
+  Json& reserve(std::size_t room) {
+    text_.reserve(room);
+    return *this;
+  }
   /// Appends to an array.
   void push_back(const Json& value);
   /// Appends a field to an object; null becomes one. The key, any bytes, is new.
@@ -99,6 +104,9 @@ struct Json::Field {
 /// Appends values to a text, with commas where needed. Keys need no escapes.
 class JsonStream {
  public:
+  /// With room for so many bytes; it grows.
+  explicit JsonStream(std::size_t room = 0) { text_.reserve(room); }
+
   [[nodiscard]] std::string take() { return std::move(text_); }
 
   JsonStream& open(char bracket);
@@ -141,6 +149,8 @@ class JsonStream {
   /// back as it. -0 becomes 0.
   JsonStream& number(double value, int digits);
   JsonStream& numbers(const std::array<double, 3>& values, int digits);
+  /// A number as Json writes it: 2.0, and null of what is not finite.
+  JsonStream& decimal(double value);
   /// Exact numbers, as strings.
   JsonStream& exact(const mpz_class& n);
   JsonStream& exact(const mpq_class& q);
@@ -158,7 +168,6 @@ class JsonStream {
 
  private:
   void separate();
-  void digits(mpz_srcptr n);
 
   std::string text_;
   bool first_ = true;  // no comma is due

@@ -166,6 +166,7 @@ TEST(JsonWritten, AsALibraryWritesIt) {
     if (run % 4 == 0)
       number = std::ldexp(static_cast<double>(random.below(100'000)), static_cast<int>(random.below(80)) - 40);
     const std::string text = Json(number).text();
+    EXPECT_EQ(JsonStream().decimal(number).take(), text);
     same += text == by_library(number) ? 1 : 0;
     if (std::isfinite(number)) {
       EXPECT_EQ(Library::parse(text).get<double>(), number);
