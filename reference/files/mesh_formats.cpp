@@ -172,7 +172,7 @@ mpq_class exact(Coordinate coordinate) {
   return std::get<mpq_class>(std::move(coordinate));
 }
 
-void CollectedPoints::add(std::array<Coordinate, 3> point) {
+void CollectedPoints::add(std::array<Coordinate, 3>&& point) {
   auto& [x, y, z] = point;
   if (in_binary64_) {
     const double *const u = std::get_if<double>(&x), *const v = std::get_if<double>(&y),

@@ -92,7 +92,7 @@ class CollectedPoints {
   [[nodiscard]] std::size_t size() const { return in_binary64_ ? binary64_.size() : exact_.size(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
   void reserve(std::size_t count) { binary64_.reserve(count); }
-  void add(std::array<Coordinate, 3> point);
+  void add(std::array<Coordinate, 3>&& point);
   GivenPoints take() { return in_binary64_ ? GivenPoints(std::move(binary64_)) : GivenPoints(std::move(exact_)); }
 
  private:

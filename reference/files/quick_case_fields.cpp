@@ -34,7 +34,9 @@ std::string_view token_of(Value value) {
   if (value.raw_json_token().get(token)) return "";
   // simdjson would take a string that is passed over, with a colon behind it, for a key.
   if (token.starts_with('"') && value.get_raw_json_string().error()) return "";
-  return token.substr(0, token.find_last_not_of(" \t\r\n") + 1);
+  const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
+  while (!token.empty() && is_blank(token.back())) token.remove_suffix(1);
+  return token;
 }
 
 /// The content of a string; nullopt if there is an escape in it, or if it is no string.
