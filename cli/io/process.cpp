@@ -54,7 +54,12 @@ void* take_from_reserve(std::size_t size) {
   return block;
 }
 
+/// GMP asks for one word and soon for two or three: in a block of so many bytes a number grows
+/// where it is.
+constexpr std::size_t least_block = 64;
+
 void* allocate(std::size_t size) {
+  size = std::max(size, least_block);
   void* const block = std::malloc(size);
   return block ? block : take_from_reserve(size);
 }
@@ -65,6 +70,8 @@ void release(void* block, std::size_t) {
 }
 
 void* reallocate(void* old, std::size_t old_size, std::size_t size) {
+  if (std::max(old_size, size) <= least_block) return old;
+  size = std::max(size, least_block);
   const bool reserved = is_in_reserve(old);
   if (!reserved) {
     if (void* const block = std::realloc(old, size)) return block;
