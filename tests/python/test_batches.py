@@ -71,7 +71,35 @@ def test_one_pair_in_many_places():
         "pose_b: det 8, not a rotation: the body is scaled by 2"]
 
 
+def test_bodies_in_arrays():
+    """The naive twin is a list of pairs."""
+    rng = np.random.default_rng(4)
+    a, b = rng.normal(size=(2, 50, 12, 3))
+    alone = fathom.depths(list(zip(a, b)))
+    for given in ((a, b), (a.copy(order="F"), b), (np.repeat(a, 2, axis=1)[:, ::2], b)):
+        hits = fathom.depths(*given)
+        assert [hit.exact.signed_depth for hit in hits] == [hit.exact.signed_depth for hit in alone]
+        assert [hit.exact.witness for hit in hits] == [hit.exact.witness for hit in alone]
+    for kind in (np.float32, np.int32):
+        many = (100 * a).astype(kind)
+        assert fathom.depths(many, CUBE).low.tolist() == fathom.depths([(one, CUBE) for one in many]).low.tolist()
+        assert fathom.depths(fathom.sphere(1), many).low.tolist() == fathom.depths([(fathom.sphere(1), one) for one in many]).low.tolist()
+    poses = np.tile(np.eye(4), (50, 1, 1))
+    poses[:, :3, 3] = rng.normal(size=(50, 3))
+    moved = fathom.depths(a, b, poses_b=poses)
+    assert moved.low.tolist() == [fathom.depth(x, y, pose_b=pose).low for x, y, pose in zip(a, b, poses)]
+    b[7, 3, 1] = math.nan
+    hits = fathom.depths(a, b, errors="return")
+    assert hits.status.tolist().count("failed") == 1 and str(hits[7]) == "pair 7: b: expected finite coordinates, found others in row 3"
+    assert fathom.depths(a[:0], CUBE) == []
+
+
 @pytest.mark.parametrize("call, fault, sentence", [
+    (lambda: fathom.depths(np.zeros((2, 4, 3)), np.zeros((3, 4, 3))), ValueError, "as many bodies of a as of b, found 2 and 3"),
+    (lambda: fathom.depths(np.zeros((2, 4, 3)), CUBE, poses_a=[np.eye(4)]), ValueError, "as many bodies of a as poses of a, found 2 and 1"),
+    (lambda: fathom.depths(np.zeros((2, 4, 3)), CUBE, poses_b=[np.eye(4)]), ValueError, "as many bodies of a as poses of b, found 2 and 1"),
+    (lambda: fathom.depths(np.zeros((2, 4, 2)), CUBE), ValueError, "a: expected an array of n x m x 3 coordinates, found one of 2 x 4 x 2"),
+    (lambda: fathom.depths(CUBE, np.zeros((2, 0, 3))), ValueError, "pair 0: b: expected at least one point, found none"),
     (lambda: fathom.depths([(CUBE, CUBE)], poses_b=[np.eye(4)]), TypeError, "expected poses with two bodies"),
     (lambda: fathom.depths(CUBE, CUBE, poses_b=7), TypeError, "poses_b: expected a sequence of poses"),
     (lambda: fathom.depths(CUBE, CUBE, poses_b="xyz=1,2,3"), TypeError, "poses_b: expected a sequence of poses"),

@@ -376,9 +376,11 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]] | BodyLike, b: BodyLike | 
            poses_a: Sequence[PoseLike] | FloatArray | None = None, poses_b: Sequence[PoseLike] | FloatArray | None = None,
            threads: int | None = None, method: str = "automatic", optima: int | None = None, bits: int = DEFAULT_BITS,
            errors: str = "raise", progress: Callable[[int, int], Any] | None = None) -> Depths:
-    """Answers many pairs: `depths(pairs)`; or two bodies in many places: `depths(a, b, poses_b=poses)`.
+    """Answers many pairs: `depths(pairs)`; two bodies in many places: `depths(a, b, poses_b=poses)`; or arrays of bodies: `depths(a, b)`.
 
     pairs             pairs of bodies
+    a, b              a body for all pairs, or an array of shape (n, m, 3) with n bodies of m points each: where both are arrays, the first
+                      of a with the first of b, and so on. Nothing is made of Python between an array of floats and the answers
     poses_a, poses_b  poses of a and of b, an array of shape (n, 4, 4) or (n, 3, 4) or any sequence: where both are given, as many of both
     threads           how many, or all cores; fewer where the system gives no more
     method, optima, bits  as for `depth`
@@ -394,6 +396,8 @@ def depths(pairs: Iterable[tuple[BodyLike, BodyLike]] | BodyLike, b: BodyLike | 
     >>> poses = np.tile(np.eye(4), (3, 1, 1))
     >>> poses[:, 0, 3] = 0.5, 1, 1.5
     >>> fathom.depths(cube, cube, poses_b=poses).signed_depth
+    array([ 0.5,  0. , -0.5])
+    >>> fathom.depths(cube, cube + poses[:, None, :3, 3]).signed_depth
     array([ 0.5,  0. , -0.5])
     """
     if b is None and (poses_a is not None or poses_b is not None):

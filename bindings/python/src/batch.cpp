@@ -168,22 +168,67 @@ std::optional<std::size_t> count_of(const py::object& poses, const char* name) {
   return py::len(poses);
 }
 
-/// One pair, by as many poses as there are.
-std::vector<MaybeAsked> asked_poses(const py::object& a, const py::object& b, const py::object& poses_a,
+/// One of the two bodies of all pairs: always the same or one of a stack, perhaps each with a pose.
+class Side {
+ public:
+  Side(const py::object& body, const py::object& poses, const char* name)
+      : name_(name), stack_(named(name, [&] { return stacked_points(body); })), poses_(poses) {
+    if (!stack_) body_ = body_from(body, py::none(), name);
+    if (stack_) count(stack_->size(), "bodies");
+    if (const std::optional<std::size_t> of_poses = count_of(poses, (std::string("poses_") + name).c_str()))
+      count(*of_poses, "poses");
+  }
+
+  /// How many there are, and of what; nullopt if it is the same everywhere.
+  struct Count {
+    std::size_t count;
+    std::string what, of;
+  };
+  [[nodiscard]] const std::optional<Count>& count() const { return count_; }
+
+  [[nodiscard]] Body body(std::size_t i, const std::string& place) const {
+    if (!stack_) return body_;
+    if (const auto* const fault = std::get_if<std::string>(&(*stack_)[i]))
+      throw py::value_error(place + name_ + ": " + *fault);
+    return {std::get<GivenPoints>((*stack_)[i])};
+  }
+  [[nodiscard]] std::optional<files::GivenPose> pose(std::size_t i, const std::string& place) const {
+    return poses_.is_none() ? std::nullopt : pose_from(py::object(poses_[py::int_(i)]), (place + name_).c_str());
+  }
+
+  static void require_same(const Count& x, const Count& y) {
+    if (x.count != y.count)
+      throw py::value_error("expected as many " + x.what + " of " + x.of + " as " +
+                            (x.what == y.what ? "" : y.what + " ") + "of " + y.of + ", found " +
+                            std::to_string(x.count) + " and " + std::to_string(y.count));
+  }
+
+ private:
+  void count(std::size_t count, const char* what) {
+    const Count found{count, what, name_};
+    if (count_) require_same(*count_, found);
+    count_ = found;
+  }
+
+  std::string name_;
+  std::optional<std::vector<MaybePoints>> stack_;
+  Body body_;
+  py::object poses_;
+  std::optional<Count> count_;
+};
+
+/// Pairs of two bodies, by as many bodies or poses as there are on either side.
+std::vector<MaybeAsked> asked_sides(const py::object& body_a, const py::object& body_b, const py::object& poses_a,
                                     const py::object& poses_b, Faults faults) {
-  const Asked unposed{body_from(a, py::none(), "a"), body_from(b, py::none(), "b")};
-  const std::optional<std::size_t> of_a = count_of(poses_a, "poses_a"), of_b = count_of(poses_b, "poses_b");
-  if (of_a && of_b && *of_a != *of_b)
-    throw py::value_error("expected as many poses of a as of b, found " + std::to_string(*of_a) + " and " +
-                          std::to_string(*of_b));
+  const Side a(body_a, poses_a, "a"), b(body_b, poses_b, "b");
+  if (a.count() && b.count()) Side::require_same(*a.count(), *b.count());
+  const std::size_t count = a.count() ? a.count()->count : b.count() ? b.count()->count : 1;
   std::vector<MaybeAsked> result;
-  for (std::size_t i = 0; i < of_a.value_or(of_b.value_or(1)); ++i) {
+  result.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
     const std::string place = "pair " + std::to_string(i) + ": ";
-    const auto pose = [&](const py::object& poses, const char* name) {
-      return poses.is_none() ? std::nullopt : pose_from(py::object(poses[py::int_(i)]), (place + name).c_str());
-    };
     result.push_back(asked_or_fault(faults, [&] {
-      return Asked{unposed.a, unposed.b, pose(poses_a, "a"), pose(poses_b, "b")};
+      return Asked{a.body(i, place), b.body(i, place), a.pose(i, place), b.pose(i, place)};
     }));
   }
   return result;
@@ -207,7 +252,7 @@ py::object told_by(const py::object& progress, const std::atomic<std::size_t>& d
 
 py::list depths(const py::object& a, const py::object& b, const py::object& poses_a, const py::object& poses_b,
                 const Question& how, unsigned threads, Faults faults, const py::object& progress) {
-  std::vector<MaybeAsked> pairs = b.is_none() ? asked_pairs(a, faults) : asked_poses(a, b, poses_a, poses_b, faults);
+  std::vector<MaybeAsked> pairs = b.is_none() ? asked_pairs(a, faults) : asked_sides(a, b, poses_a, poses_b, faults);
   const std::size_t total = pairs.size();
   std::atomic<std::size_t> done = 0;
   std::vector<MaybeAnswer> outcomes =

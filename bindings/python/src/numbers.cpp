@@ -85,23 +85,34 @@ void refuse_masks(py::handle from) {
     refuse("expected an array without a mask, found one where some numbers are masked: drop or fill them first");
 }
 
-GivenPoints points_from_array(const py::array& array) {
-  if (array.ndim() != 2 || array.shape(1) != 3) {
-    std::string shape;
-    for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i == 0 ? "" : " x ") + std::to_string(array.shape(i));
-    refuse("expected an array of n x 3 coordinates, found one of " + (shape.empty() ? "no dimension" : shape));
-  }
-  const auto doubles = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(array);
-  if (!doubles) throw py::error_already_set();
-  const auto view = doubles.unchecked<2>();
-  Triples points(static_cast<std::size_t>(array.shape(0)));
-  for (py::ssize_t i = 0; i < view.shape(0); ++i) {
-    std::array<double, 3>& point = points[static_cast<std::size_t>(i)];
-    point = {view(i, 0), view(i, 1), view(i, 2)};
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+GivenPoints points_from_rows(const double* rows, py::ssize_t count) {
+  Triples points(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::copy_n(rows + 3 * i, 3, points[i].begin());
+    if (!std::ranges::all_of(points[i], [](double c) { return std::isfinite(c); }))
       refuse("expected finite coordinates, found others in row " + std::to_string(i));
   }
   return GivenPoints(std::move(points));
+}
+
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Row after row, of an array of so many dimensions.
+Rows rows_of(const py::array& array, py::ssize_t dimensions, const char* expected) {
+  if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3) {
+    std::string shape;
+    for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i == 0 ? "" : " x ") + std::to_string(array.shape(i));
+    refuse(std::string("expected an array of ") + expected + " coordinates, found one of " +
+           (shape.empty() ? "no dimension" : shape));
+  }
+  Rows rows = Rows::ensure(array);
+  if (!rows) throw py::error_already_set();
+  return rows;
+}
+
+GivenPoints points_from_array(const py::array& array) {
+  const Rows rows = rows_of(array, 2, "n x 3");
+  return points_from_rows(rows.data(), rows.shape(0));
 }
 
 bool are_binary64(const Point& p) {
@@ -275,6 +286,24 @@ GivenPoints given_points(py::handle from) {
   if (!py::isinstance<py::array>(vertices) && py::hasattr(vertices, "vertices"))  // it may go on like that for ever
     refuse_type("`vertices` to be an array of points", vertices);
   return plain_points(vertices);
+}
+
+std::optional<std::vector<MaybePoints>> stacked_points(py::handle from) {
+  if (!py::isinstance<py::array>(from)) return std::nullopt;
+  const auto array = py::reinterpret_borrow<py::array>(from);
+  if (array.ndim() != 3 || !fits_binary64(array.dtype())) return std::nullopt;
+  refuse_masks(from);
+  const Rows rows = rows_of(array, 3, "n x m x 3");
+  std::vector<MaybePoints> bodies(static_cast<std::size_t>(rows.shape(0)));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    try {
+      if (rows.shape(1) == 0) refuse("expected at least one point, found none");
+      bodies[i] = points_from_rows(rows.data(static_cast<py::ssize_t>(i), 0, 0), rows.shape(1));
+    } catch (const py::value_error& fault) {
+      bodies[i] = std::string(fault.what());
+    }
+  }
+  return bodies;
 }
 
 std::shared_ptr<const MeshFaces> given_faces(py::handle from, std::size_t points) {

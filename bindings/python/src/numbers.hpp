@@ -10,7 +10,9 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -58,6 +60,13 @@ py::array_t<double> array(const Point& point);
 /// The points, in binary64 if all of them are. Throws py::value_error, which names the first bad
 /// point, and py::type_error.
 GivenPoints given_points(py::handle from);
+
+/// Points, or what is wrong with them.
+using MaybePoints = std::variant<GivenPoints, std::string>;
+
+/// Those of each body of an array of shape (n, m, 3), whose elements are binary64 numbers: no
+/// object is made in between. Returns nullopt of anything else.
+std::optional<std::vector<MaybePoints>> stacked_points(py::handle from);
 
 /// The same of points that are there.
 GivenPoints given_form(std::vector<Point> points);
