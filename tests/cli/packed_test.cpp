@@ -28,7 +28,9 @@ TEST(Packed, OtherTextsAreRefused) {
   const std::string good = packed({"abc", "defg"});
   for (std::size_t length = 1; length < good.size(); ++length) {
     const std::string part = good.substr(0, length);
-    if (part != packed({"abc"})) EXPECT_THROW(unpacked(part), std::invalid_argument) << part;
+    if (part != packed({"abc"})) {
+      EXPECT_THROW(unpacked(part), std::invalid_argument) << part;
+    }
   }
   for (const char* text : {"x", " ", "x 1", "5", "-1 a"}) EXPECT_THROW(unpacked(text), std::invalid_argument) << text;
 }

@@ -6,9 +6,10 @@ Counted are the files that git tracks, as they lie in the folder. A line is a li
 The bundle of three.js is not ours. A header's reader is a file outside of tests that includes it; a source of the same
 name is none. Headers for users are not counted there: their readers are elsewhere.
 
-With a folder that holds a release build, also the sources on the way of one answer: those with a function of their own
-that ran in `depth --json --certificate` on two meshes, as Callgrind (Debian: valgrind) saw it. Functions that were
-inlined, and templates, have no source there."""
+With BUILD, a folder with a build of the preset `dev`, or of another that compiles file by file, also the sources on the
+way of one answer: those with a function of their own that ran in `depth --json --certificate` on two meshes, as
+Callgrind (Debian: valgrind) saw it. Functions that were inlined, templates, and files that include CGAL, which every
+preset joins, have no source there. A build of `release`, which joins all, ends with exit code 2."""
 import collections
 import pathlib
 import re
@@ -23,6 +24,11 @@ CPP = {".cpp", ".hpp", ".ipp", ".h", ".c"}
 
 def on_the_way(root, build):
     """The sources whose functions ran; a name that several objects define says nothing."""
+    joined = next((path for path in build.rglob("Unity/*.o") if not path.parts[-3].endswith("_cgal.dir")), None)
+    if joined:
+        print(f"{joined} holds several sources joined: build with a preset that compiles file by file, such as dev",
+              file=sys.stderr)
+        sys.exit(2)
     with tempfile.TemporaryDirectory() as folder:
         meshes = [root.resolve() / "examples" / "data" / name for name in ("a.off", "b.stl")]
         subprocess.run(["valgrind", "--quiet", "--tool=callgrind", "--demangle=no", f"--callgrind-out-file={folder}/ran",
