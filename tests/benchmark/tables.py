@@ -270,20 +270,36 @@ def families(pair):
     table(["family, records a second and core, by points a body", "10", "20"], rows)
 
 
+def processor_time(whose, work):
+    """Seconds that `work` takes in this process, or in those that it waits for."""
+    used = lambda: resource.getrusage(whose).ru_utime + resource.getrusage(whose).ru_stime
+    begin = used()
+    work()
+    return used() - begin
+
+
 def stream(pair):
+    """One thread, beside the answer alone, on doubles that are there, and Python's json.loads of the same lines."""
+    count, answer = 10000, "random_sphere/20/answer"
+
     def measure(build):
-        with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as cases:
-            cases.write(run([build / "fathom", "cases", "--family", "random_sphere", "--count", "10000", "--size", "20"]))
-            cases.flush()
-            begin, used = os.times().elapsed, resource.getrusage(resource.RUSAGE_CHILDREN)
-            run([build / "fathom", "depth", "--json", cases.name])
-            after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            return {"wall": (os.times().elapsed - begin) / 10000,
-                    "processor": (after.ru_utime + after.ru_stime - used.ru_utime - used.ru_stime) / 10000}
+        cases = run([build / "fathom", "cases", "--family", "random_sphere", "--count", count, "--size", "20"])
+        lines = cases.splitlines()
+        with tempfile.NamedTemporaryFile("w", suffix=".jsonl") as file:
+            file.write(cases)
+            file.flush()
+            depth = processor_time(resource.RUSAGE_CHILDREN,
+                                   lambda: run([build / "fathom", "depth", "--json", "--threads", "1", file.name]))
+            begin = os.times().elapsed
+            run([build / "fathom", "depth", "--json", file.name])
+            wall = os.times().elapsed - begin
+        loads = processor_time(resource.RUSAGE_SELF, lambda: [json.loads(line) and None for line in lines])
+        alone = google_benchmark(build, "certificate_benchmark", f"^{answer}$")[answer]
+        return {"processor": depth / count, "wall": wall / count, "loads": loads / count, "answer": alone}
     p = pair(measure)
     rate = lambda value: f"{1 / value:,.0f}"
-    table(["`fathom depth --json`, 10,000 pairs of 20 vertices", "processor time a pair", "pairs a second"],
-          [["random_sphere", p.cell("processor"), p.cell("wall", rate)]])
+    table(["pairs of 20 vertices", "processor time", "of the answer alone", "of `json.loads`", "pairs a second, all cores"],
+          [["random_sphere", p.cell("processor"), p.ratio("processor", "answer"), p.ratio("processor", "loads"), p.cell("wall", rate)]])
 
 
 def worst(pair):
