@@ -230,7 +230,7 @@ TEST(Rounding, TheRootOfANearTieIsDecidedHoweverNear) {
 TEST(Rounding, ShortAndLongFormsOfAValueAgree) {
   const mpz_class large = (mpz_class(1) << 2000) + 1;
   EXPECT_TRUE(holds({.seed = 21, .runs = 2000}, [&large] {
-    mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * power_of_two(random_in(-900, 900));
+    mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1)) * two_to(random_in(-900, 900));
     if (random_in(0, 3) == 0) q = square(mpq_class(q.get_num()));
     const mpq_class same(q.get_num() * large, q.get_den() * large);
     const Roundings short_form = roundings(q), long_form = roundings(same), root = roundings_of_root(q),

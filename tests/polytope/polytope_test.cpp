@@ -22,23 +22,23 @@
 namespace fathom::polytope {
 namespace {
 
-using Points = std::vector<Vector>;
+using Vectors = std::vector<Vector>;
 
-Points operator*(const mpz_class& scale, Points points) {
+Vectors operator*(const mpz_class& scale, Vectors points) {
   for (Vector& p : points) p = {scale * p.x, scale * p.y, scale * p.z};
   return points;
 }
 
-Points grid(int side) {
-  Points points;
+Vectors grid(int side) {
+  Vectors points;
   for (int i = 0; i < side * side * side; ++i) points.push_back({i % side, i / side % side, i / side / side});
   return points;
 }
 
 /// (0, +-a, +-b) and its cyclic shifts: an icosahedron for a/b between 0 and 1, with two kinds of
 /// edges unless a/b is golden.
-Points icosahedron(int a, int b) {
-  Points points;
+Vectors icosahedron(int a, int b) {
+  Vectors points;
   for (const int s : {-1, 1}) {
     for (const int t : {-1, 1}) {
       points.insert(points.end(), {{0, s * a, t * b}, {t * b, 0, s * a}, {s * a, t * b, 0}});
@@ -48,17 +48,17 @@ Points icosahedron(int a, int b) {
 }
 
 /// A dodecahedron with rational corners: the pyritohedron for h = 1/2.
-Points dodecahedron() {
-  Points points = icosahedron(3, 6);
+Vectors dodecahedron() {
+  Vectors points = icosahedron(3, 6);
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 4 : -4, i & 2 ? 4 : -4, i & 4 ? 4 : -4});
   return points;
 }
 
 /// On a sphere of radius 2^40, rounded to integers.
-Points sphere(int count, unsigned seed) {
+Vectors sphere(int count, unsigned seed) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
-  Points points;
+  Vectors points;
   for (int i = 0; i < count; ++i) {
     const double x = normal(generator), y = normal(generator), z = normal(generator),
                  scale = std::ldexp(1 / std::hypot(x, y, z), 40);
@@ -83,14 +83,14 @@ NaiveHull as_sets(const Polytope& p) {
   return hull;
 }
 
-std::string faults(const Polytope& polytope, const Points& points) {
+std::string faults(const Polytope& polytope, const Vectors& points) {
   std::string all;
   for (const std::string& fault : validate(polytope, points).faults) all += fault + "; ";
   return all;
 }
 
 /// Vertices, edges and facets of a hull that keeps all its laws.
-std::vector<std::size_t> counts(const Points& points) {
+std::vector<std::size_t> counts(const Vectors& points) {
   const Polytope p = convex_hull(points);
   EXPECT_EQ(faults(p, points), "");
   return {p.vertices.size(), p.edges.size(), p.facets.size()};
@@ -113,8 +113,9 @@ TEST(ConvexHull, PointsInsideFacetsEdgesAndTheBodyAreDropped) {
 }
 
 TEST(ConvexHull, TheCubeInFull) {
-  Points points{{1, 1, 1}, {0, 0, 0}};
-  for (const Vector& p : grid(3)) points.push_back(mpz_class(2) * Points{p} == Points{{2, 2, 2}} ? Vector{1, 1, 1} : p);
+  Vectors points{{1, 1, 1}, {0, 0, 0}};
+  for (const Vector& p : grid(3))
+    points.push_back(mpz_class(2) * Vectors{p} == Vectors{{2, 2, 2}} ? Vector{1, 1, 1} : p);
   const Polytope p = convex_hull(points);
   EXPECT_EQ(p.input_ids, (std::vector<std::uint32_t>{1, 4, 8, 10, 20, 22, 26, 28}));
   EXPECT_EQ(p.corners,
@@ -128,12 +129,12 @@ TEST(ConvexHull, TheCubeInFull) {
 
 /// Random points of a small grid, pushed through a random integer matrix: every rank, many
 /// coincidences.
-Points degenerate_points() {
+Vectors degenerate_points() {
   const int side = *rc::gen::inRange(2, 5), count = *rc::gen::inRange(1, 25);
   const auto matrix =
       *rc::gen::container<std::vector<int>>(9, rc::gen::weightedElement<int>({{5, 0}, {4, 1}, {2, -1}, {1, 3}}));
   const bool plain = *rc::gen::arbitrary<bool>();
-  Points points;
+  Vectors points;
   for (int i = 0; i < count; ++i) {
     const Vector p{*rc::gen::inRange(0, side), *rc::gen::inRange(0, side), *rc::gen::inRange(0, side)};
     const auto row = [&](int r) { return mpz_class(matrix[r] * p.x + matrix[r + 1] * p.y + matrix[r + 2] * p.z); };
@@ -145,7 +146,7 @@ Points degenerate_points() {
 TEST(ConvexHull, EqualsTheNaiveTwinOnDegenerateInput) {
   std::array<int, 4> met{};
   EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [&] {
-    const Points points = degenerate_points();
+    const Vectors points = degenerate_points();
     const Polytope p = convex_hull(points);
     ++met[p.rank];
     RC_ASSERT(as_sets(p) == convex_hull_naive(points));
@@ -155,11 +156,11 @@ TEST(ConvexHull, EqualsTheNaiveTwinOnDegenerateInput) {
 }
 
 TEST(ConvexHull, EqualsTheNaiveTwinOnSpheresGridsAndTheParaboloid) {
-  Points paraboloid;
+  Vectors paraboloid;
   for (int x = 0; x < 5; ++x) {
     for (int y = 0; y < 5; ++y) paraboloid.push_back({x, y, x * x + y * y});
   }
-  for (const Points& points : {paraboloid, sphere(30, 1), grid(3), dodecahedron(), icosahedron(1, 3)}) {
+  for (const Vectors& points : {paraboloid, sphere(30, 1), grid(3), dodecahedron(), icosahedron(1, 3)}) {
     const Polytope p = convex_hull(points);
     EXPECT_EQ(as_sets(p), convex_hull_naive(points));
     EXPECT_EQ(faults(p, points), "");
@@ -167,8 +168,8 @@ TEST(ConvexHull, EqualsTheNaiveTwinOnSpheresGridsAndTheParaboloid) {
 }
 
 /// The combinatorial result and the normals of scaled and moved points are those of the points.
-void expect_unchanged(const Points& points, const mpz_class& scale, const Vector& shift) {
-  Points moved = scale * points;
+void expect_unchanged(const Vectors& points, const mpz_class& scale, const Vector& shift) {
+  Vectors moved = scale * points;
   for (Vector& p : moved) p = p + shift;
   const Polytope p = convex_hull(points), q = convex_hull(moved);
   EXPECT_EQ(faults(q, moved), "");
@@ -178,8 +179,8 @@ void expect_unchanged(const Points& points, const mpz_class& scale, const Vector
 
 TEST(ConvexHull, HugeCoordinates) {
   const mpz_class decimal("1" + std::string(300, '0')), binary = (mpz_class(1) << 2000) + 1;
-  for (const Points& points : {dodecahedron(), sphere(100, 2), grid(4), Points{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
-                               Points{{1, 1, 0}, {2, 5, 0}, {7, 7, 0}}}) {
+  for (const Vectors& points : {dodecahedron(), sphere(100, 2), grid(4), Vectors{{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
+                                Vectors{{1, 1, 0}, {2, 5, 0}, {7, 7, 0}}}) {
     expect_unchanged(points, decimal, {7, -decimal, 1});
     expect_unchanged(points, 1, {binary, binary * binary, -binary});
     expect_unchanged(points, binary, {decimal, 0, 1});
@@ -198,7 +199,7 @@ TEST(ConvexHull, AHairAboveAPlane) {
 
 TEST(ConvexHull, RandomSphere) {
   EXPECT_EQ(counts(sphere(700, 3)), (Counts{700, 2094, 1396}));
-  const Points points = sphere(2000, 4);
+  const Vectors points = sphere(2000, 4);
   const Polytope p = convex_hull(points);
   EXPECT_EQ(p.vertices.size(), 2000u);
   EXPECT_EQ(p.facets.size(), 3996u);
@@ -208,7 +209,7 @@ TEST(ConvexHull, RandomSphere) {
 /// Large facets: all points of either base are coplanar, and the bases also hold points that are
 /// not corners.
 TEST(ConvexHull, PrismWithManyCorners) {
-  Points points;
+  Vectors points;
   const int half = 300;
   for (int i = -half; i <= half; ++i) {
     for (const int z : {0, 1, 2}) points.insert(points.end(), {{i, i * i, z}, {i, i * i / 2 + half * half, z}});
@@ -220,10 +221,10 @@ TEST(ConvexHull, PrismWithManyCorners) {
 }
 
 TEST(ConvexHull, PointAndSegment) {
-  const Polytope point = convex_hull(Points(3, {5, -7, 9}));
+  const Polytope point = convex_hull(Vectors(3, {5, -7, 9}));
   EXPECT_EQ(point.rank, 0);
   EXPECT_EQ(point.input_ids, std::vector<std::uint32_t>{0});
-  const Points line{{2, 4, 6}, {3, 6, 9}, {1, 2, 3}, {3, 6, 9}, {1, 2, 3}, {2, 4, 6}};
+  const Vectors line{{2, 4, 6}, {3, 6, 9}, {1, 2, 3}, {3, 6, 9}, {1, 2, 3}, {2, 4, 6}};
   const Polytope segment = convex_hull(line);
   EXPECT_EQ(segment.rank, 1);
   EXPECT_EQ(segment.input_ids, (std::vector<std::uint32_t>{1, 2}));
@@ -236,8 +237,8 @@ TEST(ConvexHull, PolygonsOfEveryDirection) {
   for (const Vector& n :
        {Vector{0, 0, 1}, Vector{0, 1, 0}, Vector{1, 0, 0}, Vector{0, 1, -1}, Vector{2, -3, 5}, Vector{1, 1, 0}}) {
     const Vector u = cross(n, Vector{7, 11, 13}), v = cross(n, u);
-    Points points;
-    for (int i = 0; i < 9; ++i) points.push_back((i % 3 * Points{u})[0] + (i / 3 * Points{v})[0]);
+    Vectors points;
+    for (int i = 0; i < 9; ++i) points.push_back((i % 3 * Vectors{u})[0] + (i / 3 * Vectors{v})[0]);
     const Polytope p = convex_hull(points);
     EXPECT_EQ(p.rank, 2);
     EXPECT_EQ(p.facets.front().normal, n);
@@ -260,11 +261,11 @@ bool same(const Polytope& p, const Polytope& q) {
 
 TEST(ConvexHull, IsWrittenInOneWayOnly) {
   EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [] {
-    const Points points = degenerate_points();
+    const Vectors points = degenerate_points();
     const Polytope p = convex_hull(points);
     // More points that are not vertices change the hull's construction, not its result.
-    Points more = mpz_class(2) * points;
-    Points twice = more;
+    Vectors more = mpz_class(2) * points;
+    Vectors twice = more;
     for (std::size_t i = 0; i < points.size(); ++i) twice.push_back(points[i] + points[(i * 5 + 3) % points.size()]);
     RC_ASSERT(same(convex_hull(more), convex_hull(twice)));
     RC_ASSERT(p.corners == convex_hull(more).corners);
@@ -282,12 +283,12 @@ TEST(ConvexHull, IsWrittenInOneWayOnly) {
 
 TEST(ConvexHull, ReorderedInputGivesTheSameHullUnderNewIds) {
   EXPECT_TRUE(holds({.seed = 36, .runs = 1000}, [] {
-    const Points points = degenerate_points();
+    const Vectors points = degenerate_points();
     const Polytope p = convex_hull(points);
     std::vector<std::uint32_t> old_id(points.size());
     std::iota(old_id.begin(), old_id.end(), 0);
     std::shuffle(old_id.begin(), old_id.end(), std::mt19937(*rc::gen::arbitrary<unsigned>()));
-    Points shuffled;
+    Vectors shuffled;
     for (const std::uint32_t i : old_id) shuffled.push_back(points[i]);
     // Of equal points another one may be first now: compare lowest old ids.
     const auto renamed = [&](std::uint32_t i) {
@@ -314,7 +315,7 @@ TEST(PolygonCorners, AreTheCornersOfTheHullAroundTheDirection) {
   for (int i = 0; i < 3000; ++i) {
     const Vector u = testing::random_direction(random, 1 + random() % 3), along = testing::random_vector(random, 2),
                  e = cross(u, along), f = cross(u, e), from = testing::random_vector(random, 40);
-    Points points;
+    Vectors points;
     const auto step = [&] { return mpz_class(static_cast<long>(random() % 4)); };
     for (std::size_t k = 1 + random() % 9; k > 0; --k) points.push_back(from + step() * e + step() * f);
     std::vector<std::uint32_t> ids(points.size());

@@ -13,23 +13,23 @@
 namespace fathom::polytope {
 namespace {
 
-using Points = std::vector<Vector>;
+using Vectors = std::vector<Vector>;
 
-Points box() {
-  Points points{{1, 1, 1}};
+Vectors box() {
+  Vectors points{{1, 1, 1}};
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? 2 : 0, i & 2 ? 2 : 0, i & 4 ? 2 : 0});
   points.push_back({2, 2, 2});
   return points;
 }
 
-Points square() { return {{0, 0, 1}, {1, 1, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {0, 0, 1}}; }
+Vectors square() { return {{0, 0, 1}, {1, 1, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {0, 0, 1}}; }
 
 struct Damage {
   std::string law;  // a part of the fault that must be among those reported
   std::function<void(Polytope&)> inflict;
 };
 
-void expect_all_found(const Points& points, const std::vector<Damage>& damages) {
+void expect_all_found(const Vectors& points, const std::vector<Damage>& damages) {
   const Polytope sound = convex_hull(points);
   ASSERT_TRUE(validate(sound, points).ok());
   for (const Damage& damage : damages) {
@@ -135,7 +135,7 @@ TEST(Validate, Polygons) {
 }
 
 TEST(Validate, InputPointsOutside) {
-  const auto faults_after = [](Points points, const Vector& extra, bool thorough) {
+  const auto faults_after = [](Vectors points, const Vector& extra, bool thorough) {
     const Polytope polytope = convex_hull(points);
     points.push_back(extra);
     return validate(polytope, points, thorough).faults.size();
@@ -152,7 +152,7 @@ TEST(Validate, InputPointsOutside) {
 }
 
 /// The polytope with other points in place of its vertices and normals that suit them.
-Polytope with_vertices(Polytope p, const Points& points) {
+Polytope with_vertices(Polytope p, const Vectors& points) {
   p.vertices.assign(points.begin(), points.end());
   for (Facet& f : p.facets) {
     const auto corner = [&](int i) { return p.vertices[p.corners[f.begin + i]]; };
@@ -165,7 +165,7 @@ Polytope with_vertices(Polytope p, const Points& points) {
 /// triangles, V - E + F = 2, convex at every edge, and still no polytope. Its vertices are
 /// five-pointed stars.
 TEST(Validate, AStarIsNoCone) {
-  Points convex, star;
+  Vectors convex, star;
   for (const int s : {-1, 1}) {
     for (const int t : {-1, 1}) {
       convex.insert(convex.end(), {{0, s * 987, t * 1597}, {t * 1597, 0, s * 987}, {s * 987, t * 1597, 0}});
@@ -181,7 +181,7 @@ TEST(Validate, AStarIsNoCone) {
 }
 
 /// A polygon of rank 2 on these corners, in this order.
-Polytope polygon(const Points& corners) {
+Polytope polygon(const Vectors& corners) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   Polytope p;
   p.rank = 2;
@@ -199,7 +199,7 @@ Polytope polygon(const Points& corners) {
 
 /// The double pyramid over a cycle of corners with z = 0; each apex finds its triangles in an order
 /// that ends with `last`.
-Polytope double_pyramid(const Points& corners, std::uint32_t last) {
+Polytope double_pyramid(const Vectors& corners, std::uint32_t last) {
   const auto n = static_cast<std::uint32_t>(corners.size());
   Polytope p;
   p.rank = 3;
@@ -233,12 +233,12 @@ Polytope double_pyramid(const Points& corners, std::uint32_t last) {
 
 /// Winds twice around the axis and turns left throughout. Seen from the first corner, the others
 /// turn left throughout, too; of the fifth side all corners lie to the left.
-Points double_loop() {
+Vectors double_loop() {
   return {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {3, 0, 0}, {0, 3, 0}, {-3, 0, 0}, {0, -3, 0}};
 }
 
 TEST(Validate, AFacetThatWindsTwice) {
-  Points corners = double_loop();
+  Vectors corners = double_loop();
   for (int start = 0; start < 8; ++start) {
     const std::vector<std::string> faults = validate(polygon(corners), corners, false).faults;
     ASSERT_EQ(faults.size(), 2u);
@@ -249,7 +249,7 @@ TEST(Validate, AFacetThatWindsTwice) {
 }
 
 TEST(Validate, ADentedFacet) {
-  Points corners{{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {4, 4, 0}, {0, 4, 0}};
+  Vectors corners{{0, 0, 0}, {4, 0, 0}, {3, 1, 0}, {4, 4, 0}, {0, 4, 0}};
   for (int start = 0; start < 5; ++start) {
     EXPECT_EQ(validate(polygon(corners), corners, false).faults.size(), 2u);
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
@@ -273,7 +273,7 @@ TEST(Validate, AnApexThatWindsTwice) {
 /// Two double pyramids, one inside the other, that share their apexes: V - E + F = 2, and locally
 /// each is convex.
 TEST(Validate, TwoFansAtOneVertex) {
-  Points points{{0, 0, 9}, {0, 0, -9}};
+  Vectors points{{0, 0, 9}, {0, 0, -9}};
   const auto add_pyramid = [&](int size) {
     points.insert(points.end(), {{size, 0, 0}, {-size, size, 0}, {-size, -size, 0}});
   };
@@ -300,11 +300,11 @@ TEST(Validate, TwoFansAtOneVertex) {
 
 /// A flat edge and a reflex one: a pyramid's apex pressed into, and through, its base's neighbour.
 TEST(Validate, FlatAndReflexEdges) {
-  const Points base{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 2}};
+  const Vectors base{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {2, 2, 2}};
   const Polytope p = convex_hull(base);
   ASSERT_EQ(p.facets.size(), 6u);
   for (const Vector& apex : {Vector{1, 1, 2}, Vector{1, 1, 1}}) {
-    Points points = base;
+    Vectors points = base;
     points[4] = apex;
     const std::vector<std::string> faults = validate(with_vertices(p, points), points, false).faults;
     const bool found = std::ranges::any_of(
