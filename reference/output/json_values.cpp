@@ -63,8 +63,8 @@ Json bound(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 /// null for what is not finite.
 Json finite_array(const std::optional<std::array<double, 3>>& values) {
   if (!values || !std::ranges::all_of(*values, [](double x) { return std::isfinite(x); })) return {};
-  const auto& [x, y, z] = *values;
-  return written([&](JsonStream& out) { out.open('[').decimal(x).decimal(y).decimal(z).close(']'); });
+  return written(
+      [&v = *values](JsonStream& out) { out.open('[').decimal(v[0]).decimal(v[1]).decimal(v[2]).close(']'); });
 }
 
 Json object_of(const polytope::Dents& dents) {
