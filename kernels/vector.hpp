@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <cstdint>
+#include <type_traits>
 
 #include "fathom/point.hpp"
 
@@ -68,13 +69,10 @@ Vec3<NT> operator-(const Vec3<NT>& a) {
   return {NT(-a.x), NT(-a.y), NT(-a.z)};
 }
 
+/// The kind of numbers is that of v: an int or an expression of GMP's becomes one of them.
 template <class NT>
-Vec3<NT> operator*(const NT& s, const Vec3<NT>& v) {
+Vec3<NT> operator*(const std::type_identity_t<NT>& s, const Vec3<NT>& v) {
   return {NT(s * v.x), NT(s * v.y), NT(s * v.z)};
-}
-
-inline Vector operator*(const mpz_class& s, const Vector& v) {
-  return {mpz_class(s * v.x), mpz_class(s * v.y), mpz_class(s * v.z)};
 }
 
 template <class NT>

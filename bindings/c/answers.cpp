@@ -35,7 +35,8 @@ T present(const Part<T>& part) {
   return *part;
 }
 
-void copy(const SurdPoint& from, double* to) { std::ranges::copy(rounded::nearest_binary64(from), to); }
+void copy(const std::array<double, 3>& from, double* to) { std::ranges::copy(from, to); }
+void copy(const SurdPoint& from, double* to) { copy(rounded::nearest_binary64(from), to); }
 
 /// What the caller asks, by the monitor of this call.
 Question question_of(const fathom_options& given, Monitor& monitor) {
@@ -228,7 +229,7 @@ int fathom_answer_direction(const fathom_answer* answer, double direction[3]) {
   return guarded([&] {
     require(answer, "answer");
     require(direction, "direction");
-    copy(fathom::rounded::unit(present(answer->answer.direction())), direction);
+    copy(fathom::rounded::nearest_unit(present(answer->answer.direction())), direction);
   });
 }
 
@@ -265,7 +266,7 @@ int fathom_answer_optimum(const fathom_answer* answer, size_t index, double dire
     require(answer, "answer");
     require_way_out(*answer, index);
     const fathom::WayOut way = answer->answer.way_out(index);
-    if (direction) copy(fathom::rounded::unit(way.direction), direction);
+    if (direction) copy(fathom::rounded::nearest_unit(way.direction), direction);
     if (translation) copy(way.translation, translation);
   });
 }

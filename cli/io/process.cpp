@@ -55,7 +55,7 @@ void* take_from_reserve(std::size_t size) {
 }
 
 /// GMP asks for one word and soon for two or three: in a block of so many bytes a number grows
-/// where it is.
+/// where it is. What it asked for before `guard_memory` are constants, which never grow.
 constexpr std::size_t least_block = 64;
 
 void* allocate(std::size_t size) {

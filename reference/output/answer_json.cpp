@@ -28,7 +28,7 @@ struct Lengths {
 
 /// Of polytopes: sign * sqrt(root), rounded in all ways by one integer root.
 Lengths lengths_of(const Depth& depth, const std::optional<unsigned>& digits) {
-  const mpq_class squared = depth.squared();
+  const mpq_class signed_squared = signed_square(depth), squared = signed_squared > 0 ? signed_squared : mpq_class(0);
   const kernels::Roundings rounded = kernels::roundings_of_root(squared);
   Lengths lengths{{}, length(squared, rounded, digits), {}};
   if (const Distance* const apart = depth.distance()) {
@@ -38,7 +38,7 @@ Lengths lengths_of(const Depth& depth, const std::optional<unsigned>& digits) {
   } else {
     lengths.signed_depth = signed_depth_object(penetrating_by(rounded));
   }
-  lengths.signed_depth["exact"] = exact_object({0, depth.distance() ? mpq_class(-depth.distance()->squared) : squared});
+  lengths.signed_depth["exact"] = exact_object({0, signed_squared});
   return lengths;
 }
 

@@ -37,9 +37,8 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
 /// What penetration_depth says of two bodies, and the lattice on which it found the answer.
 struct PlacedDepth {
   Depth depth;
-  /// Both bodies on one lattice. Not set if it was a narrow one, as happens to bodies that
-  /// penetrate; nor if the bodies' denominators share so little that deciding points gave the
-  /// answer.
+  /// Both bodies on one lattice. Not set if a narrow one gave the answer, nor if the bodies'
+  /// denominators share so little that deciding points did.
   std::optional<polytope::PlacedPair> pair;
 };
 

@@ -52,21 +52,22 @@ std::optional<Seen> seen_on_narrow_lattice(kernels::Context& context, const poly
   Workspace& workspace = given != nullptr ? *given : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
   if (!polytope::place_narrow(a, b, parts.pair)) return std::nullopt;
-  Seen seen{Status::penetrating};
+  std::optional<Status> status;  // none if the growing polytope leaves it open
+  mpq_class square;
   polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
     const expanding::OriginExpansion found = expanding::locate_origin(context, bodies, &workspace, asked.has_value());
-    if (found.end == expanding::ExpansionEnd::proved) return;
-    seen.status = found.side < 0 ? Status::disjoint : Status::touching;  // or what follows
-    if (found.side < 0 && asked) seen.square = square_of(found.normal, found.height, bodies.unit());
+    if (found.end == expanding::ExpansionEnd::proved) status = Status::penetrating;
+    if (found.side < 0) status = Status::disjoint;
+    if (found.side < 0 && asked) square = square_of(found.normal, found.height, bodies.unit());
   });
-  if (seen.status == Status::penetrating) return seen;
+  if (status == Status::penetrating) return Seen{*status};
   polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-    if (seen.status == Status::touching) seen.status = status_of(polytope::position_of_origin(bodies.differences()));
-    if (seen.status != Status::disjoint || !asked || seen.square >= *asked) return;
+    if (!status) status = status_of(polytope::position_of_origin(bodies.differences()));
+    if (status != Status::disjoint || !asked || square >= *asked) return;
     const polytope::NearestPoints nearest = polytope::nearest_points(bodies.differences());
-    seen.square = square_of(nearest.normal, nearest.height, bodies.unit());
+    square = square_of(nearest.normal, nearest.height, bodies.unit());
   });
-  return seen;
+  return Seen{*status, std::move(square)};
 }
 
 /// With their proofs.

@@ -78,7 +78,7 @@ py::object translation(const PairAnswer& asked, bool exact) {
 
 py::object rounded_point(const RoundedPoint& p, bool exact) {
   if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
-  return array(rounded::nearest_binary64(rounded::coordinates(p)));
+  return array(rounded::nearest_binary64(p));
 }
 
 py::object witness_in_python(const PairAnswer& asked, bool exact) {
@@ -127,7 +127,7 @@ py::list optima(const PairAnswer& answer) {
     const AlongNormal& t = translations[i];
     const Contact* const touching =
         core && i < core->optima().size() ? &core->optima()[i].contact : answer.of_shapes()->contact();
-    list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(rounded::coordinates(t))),
+    list.append(optimum(t.normal, touching, array(rounded::nearest_binary64(t)),
                         py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta))));
   }
   return list;
@@ -294,7 +294,7 @@ py::object witness(const std::optional<Witness>& found, bool exact) {
   return py::make_tuple(array(found->a), array(found->b));
 }
 
-py::array_t<double> unit(const Vector& n) { return array(rounded::nearest_binary64(rounded::unit(n))); }
+py::array_t<double> unit(const Vector& n) { return array(rounded::nearest_unit(n)); }
 
 void bind_answers(py::module_& module) {
   using py::arg;
