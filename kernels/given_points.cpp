@@ -19,7 +19,9 @@ using Bits = std::array<std::uint64_t, 3>;
 }  // namespace
 
 struct GivenPoints::Given {
-  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<double, 3>> points;  // or else
+  std::size_t count = 0;
+  std::function<std::vector<Point>()> make;
   mutable std::once_flag asked;
   mutable std::vector<Point> exact;  // once asked for
 };
@@ -39,6 +41,17 @@ GivenPoints::GivenPoints(std::vector<std::array<double, 3>> points) {
   given_ = std::move(given);
 }
 
+GivenPoints::GivenPoints(std::size_t count, std::function<std::vector<Point>()> make) {
+  auto given = std::make_shared<Given>();
+  given->count = count;
+  given->make = std::move(make);
+  given_ = std::move(given);
+}
+
+std::size_t GivenPoints::size() const {
+  return given_ ? std::max(given_->points.size(), given_->count) : exact_.size();
+}
+
 std::span<const std::array<double, 3>> GivenPoints::binary64() const {
   return given_ ? std::span<const std::array<double, 3>>(given_->points) : std::span<const std::array<double, 3>>();
 }
@@ -46,6 +59,10 @@ std::span<const std::array<double, 3>> GivenPoints::binary64() const {
 const std::vector<Point>& GivenPoints::exact() const {
   if (!given_) return exact_;
   std::call_once(given_->asked, [given = given_.get()] {
+    if (given->make) {
+      given->exact = given->make();
+      return;
+    }
     std::vector<Point> points;
     points.reserve(given->points.size());
     for (const auto& [x, y, z] : given->points) points.push_back({exact_value(x), exact_value(y), exact_value(z)});

@@ -15,6 +15,7 @@
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/overlap.hpp"
+#include "fathom/prepared.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/output/answer_json.hpp"
@@ -53,6 +54,57 @@ fathom_answer answer_about(const fathom_body& a, const fathom_body& b, const fat
   CallersMonitor monitor(given);
   const Question question = question_of(given, monitor);
   return {a.body, b.body, exact_answer(*a.body, *b.body, question), question.options.optima};
+}
+
+/// A finite distance, exactly.
+mpq_class distance_from(double distance) {
+  if (!std::isfinite(distance)) throw std::invalid_argument("distance: expected a finite number above 0");
+  return distance;
+}
+
+int int_of(const std::optional<bool>& closer) { return closer ? (*closer ? 1 : 0) : -1; }
+
+PlacedBody placed_from(const fathom_prepared* prepared, const double* pose, const std::string& name) {
+  require(prepared, name.c_str());
+  PlacedBody placed{prepared->prepared};
+  if (pose == nullptr) return placed;
+  PoseBinary64 rows;
+  for (std::size_t i = 0; i < 12; ++i) {
+    if (!std::isfinite(pose[i]))
+      throw std::invalid_argument("pose_" + name + ": expected finite numbers, found " + hex_text(pose[i]) +
+                                  " at index " + std::to_string(i));
+    rows[i / 4][i % 4] = pose[i];
+  }
+  placed.pose = rows;
+  return placed;
+}
+
+WarmStart start_from(const fathom_warm_start& given) {
+  if (given.count > WarmStart::most)
+    throw std::invalid_argument("start: expected at most " + std::to_string(WarmStart::most) + " differences, found " +
+                                std::to_string(given.count));
+  WarmStart start;
+  for (std::size_t i = 0; i < given.count; ++i) start.differences.emplace_back(given.a[i], given.b[i]);
+  return start;
+}
+
+void copy(const WarmStart& from, fathom_warm_start& to) {
+  to.count = 0;
+  for (const auto& [i, j] : from.differences) {
+    to.a[to.count] = i;
+    to.b[to.count++] = j;
+  }
+}
+
+/// What `ask` says of both bodies in their poses without a depth.
+template <class Ask>
+auto asked_of_prepared(const fathom_prepared* a, const double* pose_a, const fathom_prepared* b, const double* pose_b,
+                       const fathom_options* given, Ask ask) {
+  const PlacedBody first = placed_from(a, pose_a, "a"), second = placed_from(b, pose_b, "b");
+  const fathom_options options = options_from(given);
+  CallersMonitor monitor(options);
+  const Question question = question_of(options, monitor);
+  return ask(first, second, OverlapOptions{false, question.bits, &monitor, question.options.workspace});
 }
 
 /// The answer of `ask`, which gets what the caller asks; `proof` gets the text of its proof.
@@ -169,10 +221,7 @@ fathom_check::Verdict verify_about(std::string_view text, const fathom_body& a, 
 
 }  // namespace
 
-int status_of(const Answer& answer) {
-  const std::optional<Status> status = answer.status();
-  return status ? static_cast<int>(*status) : FATHOM_UNDECIDED;
-}
+int status_of(const std::optional<Status>& status) { return status ? static_cast<int>(*status) : FATHOM_UNDECIDED; }
 
 RoundedDepth rounded(const Answer& answer) {
   return {answer.nearest_binary64().value_or(std::numeric_limits<double>::quiet_NaN()), answer.low_binary64(),
@@ -213,7 +262,7 @@ const char* fathom_status_name(int status) {
   return status < 0 || status > FATHOM_DISJOINT ? nullptr : fathom::name(static_cast<fathom::Status>(status)).data();
 }
 
-int fathom_answer_status(const fathom_answer* answer) { return answer ? status_of(answer->answer) : -1; }
+int fathom_answer_status(const fathom_answer* answer) { return answer ? status_of(answer->answer.status()) : -1; }
 
 int fathom_answer_signed_depth(const fathom_answer* answer, double* nearest, double* low, double* high) {
   return guarded([&] {
@@ -299,9 +348,12 @@ int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_opti
   if (proof) *proof = nullptr;
   return guarded([&] {
     require(status, "status");
-    const fathom::Overlap found = asked_with_proof(a, b, options, proof, fathom::overlap,
-                                                   [](const fathom::OverlapProof& shown) { return text_of(shown); });
-    *status = found.status ? static_cast<int>(*found.status) : FATHOM_UNDECIDED;
+    const auto ask = [](const fathom::Body& first, const fathom::Body& second, const fathom::OverlapOptions& how) {
+      return fathom::overlap(first, second, how);
+    };
+    const fathom::Overlap found =
+        asked_with_proof(a, b, options, proof, ask, [](const fathom::OverlapProof& shown) { return text_of(shown); });
+    *status = status_of(found.status);
   });
 }
 
@@ -310,15 +362,66 @@ int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distan
   if (proof) *proof = nullptr;
   return guarded([&] {
     require(closer, "closer");
-    if (!std::isfinite(distance)) throw std::invalid_argument("distance: expected a finite number above 0");
+    const mpq_class limit = distance_from(distance);
     const auto ask = [&](const fathom::Body& first, const fathom::Body& second, const fathom::OverlapOptions& how) {
-      return fathom::closer_than(first, second, mpq_class(distance), how);
+      return fathom::closer_than(first, second, limit, how);
     };
     const fathom::Closeness found =
         asked_with_proof(a, b, options, proof, ask, [](const fathom::ClosenessProof& shown) { return text_of(shown); });
-    *closer = found.closer ? (*found.closer ? 1 : 0) : -1;
+    *closer = int_of(found.closer);
   });
 }
+
+// ---- prepared ----
+
+int fathom_prepare(const fathom_body* body, fathom_prepared** prepared) {
+  return make_handle(prepared, [&] {
+    require(body, "body");
+    return fathom_prepared{fathom::Prepared(*body->body)};
+  });
+}
+
+int fathom_prepared_depth(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
+                          const double pose_b[12], fathom_warm_start* start, const fathom_options* options,
+                          fathom_answer** answer) {
+  return make_handle(answer, [&] {
+    const fathom::PlacedBody first = placed_from(a, pose_a, "a"), second = placed_from(b, pose_b, "b");
+    const fathom_options given = options_from(options);
+    CallersMonitor monitor(given);
+    const fathom::Question question = question_of(given, monitor);
+    fathom::WarmStart warm = start ? start_from(*start) : fathom::WarmStart();
+    fathom::Depth depth = penetration_depth(first, second, start ? &warm : nullptr, question.options);
+    if (start) copy(warm, *start);
+    return fathom_answer{std::make_shared<const fathom::Body>(moved(first)),
+                         std::make_shared<const fathom::Body>(moved(second)), fathom::Answer{std::move(depth)},
+                         question.options.optima};
+  });
+}
+
+int fathom_prepared_overlap(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
+                            const double pose_b[12], const fathom_options* options, int* status) {
+  return guarded([&] {
+    require(status, "status");
+    const auto ask = [](const auto& first, const auto& second, const fathom::OverlapOptions& how) {
+      return fathom::overlap(first, second, how);
+    };
+    *status = status_of(asked_of_prepared(a, pose_a, b, pose_b, options, ask).status);
+  });
+}
+
+int fathom_prepared_closer_than(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
+                                const double pose_b[12], double distance, const fathom_options* options, int* closer) {
+  return guarded([&] {
+    require(closer, "closer");
+    const mpq_class limit = distance_from(distance);
+    const auto ask = [&](const auto& first, const auto& second, const fathom::OverlapOptions& how) {
+      return fathom::closer_than(first, second, limit, how);
+    };
+    *closer = int_of(asked_of_prepared(a, pose_a, b, pose_b, options, ask).closer);
+  });
+}
+
+void fathom_prepared_free(fathom_prepared* prepared) { delete prepared; }
 
 // ---- of unions ----
 

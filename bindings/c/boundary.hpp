@@ -15,10 +15,15 @@
 #include "fathom/answer.hpp"
 #include "fathom/fathom.h"
 #include "fathom/files.hpp"
+#include "fathom/prepared.hpp"
 #include "kernels/float_environment.hpp"
 
 struct fathom_body {
   std::shared_ptr<const fathom::Body> body;
+};
+
+struct fathom_prepared {
+  fathom::Prepared prepared;
 };
 
 struct fathom_answer {
@@ -124,7 +129,7 @@ class CallersMonitor final : public Monitor {
 fathom_options options_from(const fathom_options* options);
 
 /// FATHOM_PENETRATING and so on.
-int status_of(const Answer& answer);
+int status_of(const std::optional<Status>& status);
 
 /// A signed depth, rounded: `nearest` is NaN if bounds leave it open.
 struct RoundedDepth {

@@ -197,9 +197,7 @@ void put_word(To& to, const std::vector<Verdict>& findings) {
 void put_word(To& to, const std::optional<Accuracy>& accuracy) {
   to.accuracy = accuracy ? static_cast<int>(*accuracy) : FATHOM_NO_CLASS;
 }
-void put_word(To& to, const std::optional<Status>& status) {
-  to.status = status ? static_cast<int>(*status) : FATHOM_UNDECIDED;
-}
+void put_word(To& to, const std::optional<Status>& status) { to.status = status_of(status); }
 void put_word(To& to, bool longer) { to.longer = longer; }
 void put_word(To&, const std::string&) {}  // the sentence is a text of its own
 void put_word(To&, const mpq_class&) {}    // the squares of the truth, which signed_depth has

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -20,9 +21,9 @@ namespace files {
 struct NamedBody;
 }
 
-/// Points in the form in which they were given: in binary64, or as exact points. Read like a const
-/// std::vector<Point>: points in binary64 become exact ones when these are first asked for, once,
-/// whoever asks; copies share them.
+/// Points in the form in which they were given: in binary64, as exact points, or as what makes
+/// these. Read like a const std::vector<Point>: the exact points of the other forms are made when
+/// they are first asked for, once, whoever asks; copies share them.
 class GivenPoints {
  public:
   using value_type = Point;             ///< of the exact points
@@ -35,9 +36,12 @@ class GivenPoints {
   GivenPoints(std::initializer_list<Point> points) : exact_(points) {}
   /// Throws std::invalid_argument if a coordinate is not finite.
   explicit GivenPoints(std::vector<std::array<double, 3>> points);
+  /// `count` exact points, at least one, as `make` returns them. It is called once at most, by
+  /// whatever thread asks first, and must not throw.
+  GivenPoints(std::size_t count, std::function<std::vector<Point>()> make);
 
   /// Whether they are in binary64; never if there are none.
-  [[nodiscard]] bool in_binary64() const { return given_ != nullptr; }
+  [[nodiscard]] bool in_binary64() const { return !binary64().empty(); }
   /// The points, if they are in binary64; else none. No coordinate is -0.
   [[nodiscard]] std::span<const std::array<double, 3>> binary64() const;
   /// The exact points. May be called from many threads at once.
@@ -46,7 +50,7 @@ class GivenPoints {
     return exact();
   }  // NOLINT(google-explicit-constructor): it stands for them
   /// These are as of a const std::vector<Point>.
-  [[nodiscard]] std::size_t size() const { return given_ ? binary64().size() : exact_.size(); }
+  [[nodiscard]] std::size_t size() const;
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] const Point* data() const { return exact().data(); }
   [[nodiscard]] const_iterator begin() const { return data(); }
@@ -65,7 +69,7 @@ class GivenPoints {
 
  private:
   struct Given;
-  std::shared_ptr<const Given> given_;  // in binary64
+  std::shared_ptr<const Given> given_;  // in binary64, or what makes them
   std::vector<Point> exact_;            // else
 };
 

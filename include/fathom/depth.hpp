@@ -226,7 +226,8 @@ struct SeparationOr : BodyFacts {
 struct Depth : BodyFacts {
   std::variant<Penetration, Touch, Distance> outcome;  ///< in the order of Status
   /// The method that gave the answer, never automatic. The certificate method cannot decide bodies
-  /// that do not penetrate: this is exact then. nullopt if shallow_depth gave the answer.
+  /// that do not penetrate: this is exact then. nullopt of answers by shallow_depth, and about
+  /// prepared bodies.
   std::optional<Method> method;
   Counters counters;  ///< what the run did
 

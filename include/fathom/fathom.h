@@ -174,6 +174,40 @@ FATHOM_API int fathom_overlap(const fathom_body* a, const fathom_body* b, const 
 FATHOM_API int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distance, const fathom_options* options, int* closer,
                                   char** proof);
 
+/* Prepared bodies: many questions about the same hulls, in other poses. */
+
+/** A body that is the hull of points, prepared once for any number of poses. It does not need that
+ * body. */
+typedef struct fathom_prepared fathom_prepared;
+
+/** Prepares a body, which must be the hull of points. */
+FATHOM_API int fathom_prepare(const fathom_body* body, fathom_prepared** prepared);
+
+/** Where a search begins: `count` differences b - a, at most 8, of the points a[i] of A and b[i] of
+ * B. Begin with all members 0, and hand it to one call after another about a pair that moves: each
+ * leaves here what it has ended with. No answer depends on it. */
+typedef struct fathom_warm_start {
+  size_t count;
+  unsigned a[8], b[8];
+} fathom_warm_start;
+
+/** Finds the answer that fathom_depth finds about fathom_body_moved(a, pose_a) and
+ * fathom_body_moved(b, pose_b), sooner. A pose may be NULL: the body stays where it is. So may
+ * `start` and `options`, of which `bits` is not read. */
+FATHOM_API int fathom_prepared_depth(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b, const double pose_b[12],
+                                     fathom_warm_start* start, const fathom_options* options, fathom_answer** answer);
+
+/** The same of fathom_overlap, without a proof. */
+FATHOM_API int fathom_prepared_overlap(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b, const double pose_b[12],
+                                       const fathom_options* options, int* status);
+
+/** The same of fathom_closer_than, without a proof. */
+FATHOM_API int fathom_prepared_closer_than(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
+                                           const double pose_b[12], double distance, const fathom_options* options, int* closer);
+
+/** Ends a prepared body. NULL is allowed. */
+FATHOM_API void fathom_prepared_free(fathom_prepared* prepared);
+
 /** Ends an answer. NULL is allowed. */
 FATHOM_API void fathom_answer_free(fathom_answer* answer);
 

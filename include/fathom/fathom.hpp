@@ -11,6 +11,8 @@
 #include "fathom/judge.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/overlap.hpp"
+#include "fathom/prepared.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/study.hpp"

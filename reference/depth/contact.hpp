@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "kernels/filters/plane.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polygon.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -133,10 +134,22 @@ Penetration penetration_along(const Bodies& bodies, const Normals& nearest,
   return result;
 }
 
+/// Whether binary64 shows that some of these points do not lie in one plane: it looks at few.
+inline bool surely_solid(const kernels::Images& images) {
+  const std::size_t few = std::min<std::size_t>(images.size(), 8);
+  if (few < 4) return false;
+  const auto image = [&](std::size_t i) { return Vec3<double>{images.x[i], images.y[i], images.z[i]}; };
+  const kernels::RoundedPlane plane(image(0), image(1), image(2));
+  for (std::size_t i = 3; i < few; ++i)
+    if (const auto side = plane.side(image(i)); side && *side != kernels::Sign::zero) return true;
+  return false;
+}
+
 /// Whether the bodies are flat; extreme points are not counted.
 template <class Bodies>
 BodyFacts facts_of(const Bodies& bodies) {
   const auto flat = []<class Body>(const Body& body) {
+    if (surely_solid(body.images())) return false;
     return polytope::affine_span<polytope::IntegerOf<Body>>(body, body.size()).rank < 3;
   };
   return {flat(bodies.a), flat(bodies.b), 0, 0};

@@ -5,10 +5,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -84,12 +86,14 @@ class Expander {
   Expander(kernels::Context& context, Differences& differences, Memory<Integer>& memory, std::size_t budget)
       : context_(context), differences_(differences), memory_(memory), surface_(memory.surface), budget_(budget) {}
 
-  /// False if P is flat.
-  bool start() {
+  /// False if P is flat. Q becomes the hull of the differences in `from`, if these are not flat.
+  bool start(std::span<const polytope::Difference> from = {}) {
     memory_.waiting.clear();
-    const auto first = starting_tetrahedron(differences_);
+    auto first = four_of(from);
+    if (!first) first = starting_tetrahedron(differences_);
     if (!first) return false;
     surface_.start({corner((*first)[0]), corner((*first)[1]), corner((*first)[2]), corner((*first)[3])});
+    for (const polytope::Difference& d : from) take_in(corner(d));
     wait_for_all();
     return true;
   }
@@ -171,7 +175,28 @@ class Expander {
     return ExpansionEnd::proved;
   }
 
+  /// The vertices of Q, at most so many, those in nearest facets first.
+  void list_vertices(std::vector<polytope::Difference>& list, std::size_t most) {
+    memory_.merge.name.assign(surface_.vertices().size(), 0);
+    list.clear();
+    const auto list_corners = [&](TriangleId t) {
+      for (const CornerId c : surface_.triangles()[t].corners)
+        if (list.size() < most && std::exchange(memory_.merge.name[c], 1) == 0)
+          list.push_back(surface_.vertices()[c].from);
+    };
+    for (const TriangleId t : memory_.nearest) list_corners(t);
+    for (const TriangleId t : surface_.triangles().ids())
+      if (surface_.triangles()[t].alive) list_corners(t);
+  }
+
   InnerPolytope inner() { return inner_polytope(surface_, memory_.merge); }
+
+  /// The primitive normals of the nearest facets, after find_nearest.
+  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals_of_nearest() {
+    std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
+    for (const TriangleId t : memory_.nearest) normals.insert(without_factor(surface_.plane(t).normal));
+    return normals;
+  }
 
   /// The planes of the nearest facets, after find_nearest and inner.
   kernels::NearestPlanes nearest() {
@@ -190,6 +215,31 @@ class Expander {
   std::size_t points = 0;
 
  private:
+  // The first four of these differences that do not lie in one plane; nullopt if all do.
+  std::optional<std::array<polytope::Difference, 4>> four_of(std::span<const polytope::Difference> from) const {
+    std::array<polytope::Difference, 4> four;
+    std::array<Vec3<Integer>, 4> p;
+    int found = 0;
+    for (const polytope::Difference& d : from) {
+      four[found] = d;
+      p[found] = differences_[d];
+      const bool leads_out = found == 0 || (found == 1 && !(p[1] == p[0])) ||
+                             (found == 2 && !is_zero(cross(p[1] - p[0], p[2] - p[0]))) ||
+                             (found == 3 && sgn(det(p[1] - p[0], p[2] - p[0], p[3] - p[0])) != 0);
+      if (leads_out && ++found == 4) return four;
+    }
+    return std::nullopt;
+  }
+
+  // Q becomes the hull with this point.
+  void take_in(const Corner& point) {
+    for (const TriangleId t : surface_.triangles().ids()) {
+      if (!surface_.triangles()[t].alive || surface_.side(t, point) <= 0) continue;
+      surface_.insert(point, t);
+      return;
+    }
+  }
+
   Corner corner(polytope::Difference d) const {
     Vec3<Integer> exact = differences_[d];
     const Vec3<double> rounded = kernels::image(exact, differences_.exponent());
@@ -322,8 +372,9 @@ struct Workspace::Parts {
   expanding::Memory<polytope::NarrowInteger> narrow;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
-  polytope::NarrowPair pair;    ///< for the caller of an expansion, which leaves it alone
-  polytope::NarrowPair clouds;  ///< of an expansion that is given clouds
+  polytope::NarrowPair pair;                ///< for the caller of an expansion, which leaves it alone
+  polytope::NarrowPair clouds;              ///< of an expansion that is given clouds
+  polytope::DyadicPoints moved_a, moved_b;  ///< of bodies in binary64 that a pose moves
 
   template <class Integer>
   expanding::Memory<Integer>& memory() {

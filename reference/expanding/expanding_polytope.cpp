@@ -222,6 +222,26 @@ template Expansion nearest_by_expansion(kernels::Context&, const polytope::Narro
                                         std::size_t, Workspace*);
 
 template <class Integer>
+WarmExpansion nearest_from(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies, std::size_t budget,
+                           Workspace& workspace, std::vector<polytope::Difference>& start, std::size_t most_vertices) {
+  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  Expander expander(context, differences, workspace.parts->memory<Integer>(), budget);
+  if (!expander.start(start)) return {ExpansionEnd::not_inside, {}, false};
+  WarmExpansion result;
+  result.end = expander.find_nearest();
+  expander.list_vertices(start, most_vertices);
+  result.outside = result.end == ExpansionEnd::not_inside && sgn(expander.plane_of_nearest().height) < 0;
+  if (result.end == ExpansionEnd::proved) result.normals = expander.normals_of_nearest();
+  return result;
+}
+template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&, std::size_t,
+                                    Workspace&, std::vector<polytope::Difference>&, std::size_t);
+template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&, std::size_t,
+                                    Workspace&, std::vector<polytope::Difference>&, std::size_t);
+template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+                                    std::size_t, Workspace&, std::vector<polytope::Difference>&, std::size_t);
+
+template <class Integer>
 OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
                               Workspace* workspace, bool with_normal) {
   const Scratch scratch(workspace);

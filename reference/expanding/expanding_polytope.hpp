@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
@@ -57,6 +59,21 @@ Expansion nearest_by_expansion(kernels::Context& context, const polytope::Narrow
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
                                       const kernels::PointCloud& b, std::size_t budget = unlimited,
                                       Workspace* workspace = nullptr);
+
+/// What a search finds that hands out no polytope.
+struct WarmExpansion {
+  ExpansionEnd end = ExpansionEnd::spent;
+  /// proved: the primitive normals of all facets of P nearest to O.
+  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals;
+  bool outside = false;  ///< as of Expansion
+};
+
+/// The same facets, by a Q that begins as the hull of the differences in `start`, which are not
+/// counted; these become Q's vertices, at most `most_vertices` of them. Indices must be those of
+/// points.                                              [proofs/prepared.md]
+template <class Integer>
+WarmExpansion nearest_from(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies, std::size_t budget,
+                           Workspace& workspace, std::vector<polytope::Difference>& start, std::size_t most_vertices);
 
 /// Where O lies, as far as a growing Q shows it.
 struct OriginExpansion {

@@ -36,8 +36,17 @@ inline std::vector<Point> joined(const Pieces& pieces) {
   return all;
 }
 
+/// Points whose coordinates are integers times a power of two: those of a body in binary64 that a
+/// matrix in binary64 has moved. |n| < 2^most_bits for each integer.
+struct DyadicPoints {
+  static constexpr long most_bits = 124;
+
+  std::vector<Vec3<kernels::Int128>> numerators;
+  long exponent = 0;
+};
+
 /// A view of the points of a body in the form in which they were given: coordinates in binary64,
-/// exact points, or the centers of atoms. What it is made from must outlive it.
+/// exact points, the centers of atoms, or moved points. What it is made from must outlive it.
 class Points {
  public:
   using Doubles = std::span<const std::array<double, 3>>;
@@ -53,13 +62,20 @@ class Points {
   Points(const GivenPoints& points)  // NOLINT(google-explicit-constructor)
       : doubles_(points.binary64()),
         exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
+  Points(const DyadicPoints& points)  // NOLINT(google-explicit-constructor)
+      : exact_(nullptr, 0), dyadic_(&points) {}
 
-  [[nodiscard]] std::size_t size() const { return doubles_.size() + exact_.size(); }
+  [[nodiscard]] std::size_t size() const {
+    return doubles_.size() + exact_.size() + (dyadic_ != nullptr ? dyadic_->numerators.size() : 0);
+  }
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] GivenPoint operator[](std::size_t i) const {
+    if (dyadic_ != nullptr) return {moved_point(i)};
     if (doubles_.empty()) return {exact_[i]};
     return {doubles_[i]};
   }
+  /// The moved points, if they are the form; else null.
+  [[nodiscard]] const DyadicPoints* dyadic() const { return dyadic_; }
   /// The exact points, where they stand or else in `room`, which must outlive them.
   [[nodiscard]] kernels::Positions exact(std::vector<Point>& room) const;
 
@@ -71,12 +87,17 @@ class Points {
       if (!f(p[0]) || !f(p[1]) || !f(p[2])) return false;
     for (const Point& p : exact_)
       if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
+    for (std::size_t i = 0; dyadic_ != nullptr && i < size(); ++i)
+      if (const Point p = moved_point(i); !f(p.x) || !f(p.y) || !f(p.z)) return false;
     return true;
   }
 
  private:
+  [[nodiscard]] Point moved_point(std::size_t i) const;
+
   Doubles doubles_;
   kernels::Positions exact_;  // if they are not in binary64
+  const DyadicPoints* dyadic_ = nullptr;
 };
 
 /// The exact positions. Throws std::invalid_argument if a coordinate is no finite number.

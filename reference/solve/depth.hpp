@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "fathom/overlap.hpp"
 #include "kernels/context.hpp"
 #include "kernels/positions.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -45,6 +46,13 @@ struct PlacedDepth {
 /// Throws as penetration_depth does.
 PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                          const Options& options);
+
+/// What overlap and closer_than say of two polytopes; nullopt if the denominators of their points
+/// share so little that a lattice of both would be long. Throw as they do.
+std::optional<Overlap> overlap_of_points(const polytope::Points& a, const polytope::Points& b,
+                                         const OverlapOptions& options);
+std::optional<Closeness> closeness_of_points(const polytope::Points& a, const polytope::Points& b,
+                                             const mpq_class& distance, const OverlapOptions& options);
 
 // For bodies whose denominators share little: over a common denominator every coordinate would be
 // as long as all of them together, but few points decide the answer.

@@ -17,6 +17,7 @@
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/position.hpp"
+#include "reference/solve/depth.hpp"
 
 namespace fathom {
 namespace {
@@ -99,6 +100,11 @@ bool polytopes(const Body& a, const Body& b, const OverlapOptions& options) {
   return both;
 }
 
+void require_distance(const mpq_class& distance) {
+  if (!kernels::in_lowest_terms(distance) || distance <= 0)
+    throw std::invalid_argument("expected a distance above 0, in lowest terms");
+}
+
 /// Of bodies of other kinds, and of polytopes whose denominators share little: a lattice of both
 /// would be long.
 Answer by_depth(const Body& a, const Body& b, const OverlapOptions& options) {
@@ -112,34 +118,48 @@ Answer by_depth(const Body& a, const Body& b, const OverlapOptions& options) {
 
 }  // namespace
 
+std::optional<Overlap> solve::overlap_of_points(const polytope::Points& a, const polytope::Points& b,
+                                                const OverlapOptions& options) {
+  kernels::Context context(options.monitor);
+  std::vector<Point> room_a, room_b;
+  if (options.proof) return proved_overlap(polytope::place(a.exact(room_a), b.exact(room_b), &context));
+  if (const auto seen = seen_on_narrow_lattice(context, a, b, options.workspace, std::nullopt))
+    return Overlap{seen->status, std::nullopt};
+  if (const auto pair = polytope::place_if_slim(a.exact(room_a), b.exact(room_b), &context))
+    return Overlap{status_of(polytope::position_of_origin(pair->a, pair->b)), std::nullopt};
+  return std::nullopt;
+}
+
+std::optional<Closeness> solve::closeness_of_points(const polytope::Points& a, const polytope::Points& b,
+                                                    const mpq_class& distance, const OverlapOptions& options) {
+  require_distance(distance);
+  kernels::Context context(options.monitor);
+  std::vector<Point> room_a, room_b;
+  if (options.proof) return proved_closeness(polytope::place(a.exact(room_a), b.exact(room_b), &context), distance);
+  const mpq_class square = distance * distance;
+  if (const auto seen = seen_on_narrow_lattice(context, a, b, options.workspace, square))
+    return Closeness{seen->status != Status::disjoint || seen->square < square, std::nullopt};
+  const auto pair = polytope::place_if_slim(a.exact(room_a), b.exact(room_b), &context);
+  if (!pair) return std::nullopt;
+  if (polytope::position_of_origin(pair->a, pair->b).position != Position::outside)
+    return Closeness{true, std::nullopt};
+  const polytope::NearestPoints nearest = polytope::nearest_points(pair->a, pair->b);
+  return Closeness{square_of(nearest.normal, nearest.height, pair->unit()) < square, std::nullopt};
+}
+
 Overlap overlap(const Body& a, const Body& b, const OverlapOptions& options) {
-  if (polytopes(a, b, options)) {
-    const kernels::DefaultFloatEnvironment environment;
-    kernels::Context context(options.monitor);
-    if (options.proof) return proved_overlap(polytope::place(a.points.exact(), b.points.exact(), &context));
-    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, std::nullopt))
-      return {seen->status, std::nullopt};
-    if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context))
-      return {status_of(polytope::position_of_origin(pair->a, pair->b)), std::nullopt};
-  }
+  const kernels::DefaultFloatEnvironment environment;
+  if (polytopes(a, b, options))
+    if (const auto found = solve::overlap_of_points(a.points, b.points, options)) return *found;
   return {by_depth(a, b, options).status(), std::nullopt};
 }
 
 Closeness closer_than(const Body& a, const Body& b, const mpq_class& distance, const OverlapOptions& options) {
-  if (!kernels::in_lowest_terms(distance) || distance <= 0)
-    throw std::invalid_argument("expected a distance above 0, in lowest terms");
+  const kernels::DefaultFloatEnvironment environment;
   if (polytopes(a, b, options)) {
-    const kernels::DefaultFloatEnvironment environment;
-    kernels::Context context(options.monitor);
-    if (options.proof) return proved_closeness(polytope::place(a.points.exact(), b.points.exact(), &context), distance);
-    const mpq_class square = distance * distance;
-    if (const auto seen = seen_on_narrow_lattice(context, a.points, b.points, options.workspace, square))
-      return {seen->status != Status::disjoint || seen->square < square, std::nullopt};
-    if (const auto pair = polytope::place_if_slim(a.points.exact(), b.points.exact(), &context)) {
-      if (polytope::position_of_origin(pair->a, pair->b).position != Position::outside) return {true, std::nullopt};
-      const polytope::NearestPoints nearest = polytope::nearest_points(pair->a, pair->b);
-      return {square_of(nearest.normal, nearest.height, pair->unit()) < square, std::nullopt};
-    }
+    if (const auto found = solve::closeness_of_points(a.points, b.points, distance, options)) return *found;
+  } else {
+    require_distance(distance);
   }
   const Answer answer = by_depth(a, b, options);
   const mpq_class farthest = -distance;  // the signed depth of closer bodies is above it

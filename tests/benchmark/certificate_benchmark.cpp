@@ -17,6 +17,7 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/prepared.hpp"
 #ifdef FATHOM_BULLET
 #include "tests/benchmark/bullet_epa.hpp"
 #endif
@@ -119,6 +120,72 @@ void add_instance(const families::Family& family, unsigned size, std::size_t cou
 #endif
 }
 
+/// One body of a pair moves; in each of its poses the pair penetrates.
+struct Moving {
+  PlacedBody still;
+  std::vector<PlacedBody> moving;
+  std::deque<Case> cases;
+  WarmStart start;
+};
+
+/// A turn by about 1/64 and a shift by less than 1/64 for each pose, in numbers of binary32 as
+/// engines have them.
+std::vector<PoseBinary64> walk(std::size_t count) {
+  std::vector<PoseBinary64> poses;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = 0.4 + static_cast<double>(i) / 64, c = std::cos(t), s = std::sin(t), u = std::cos(2 * t),
+                 v = std::sin(2 * t);
+    const auto float_of = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+    PoseBinary64 pose{{{c, -s * u, s * v, 0.25 * s}, {s, c * u, -c * v, 0.125 * c}, {0, v, u, 0.0625}}};
+    for (auto& row : pose)
+      for (double& x : row) x = float_of(x);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+void add_moving(const std::string& instance, const Body& a, const Body& b) {
+  const auto all = std::make_shared<Moving>(Moving{{Prepared(b)}, {}, {}, {}});
+  const Prepared prepared(a);
+  const auto set = std::make_shared<Set>();
+  for (const PoseBinary64& pose : walk(32)) {
+    all->moving.push_back({prepared, pose});
+    set->cases.push_back({instance, moved(all->moving.back()), b});
+  }
+  add(instance, "answer", set, [set](std::size_t i) {
+    benchmark::DoNotOptimize(penetration_depth(set->cases[i].a, set->cases[i].b, options_with_workspace()));
+  });
+  add(instance, "prepared", set, [all](std::size_t i) {
+    benchmark::DoNotOptimize(penetration_depth(all->moving[i], all->still, &all->start, options_with_workspace()));
+  });
+  add(instance, "overlap", set, [all](std::size_t i) {
+    benchmark::DoNotOptimize(overlap(all->moving[i], all->still, {.workspace = options_with_workspace().workspace}));
+  });
+#ifdef FATHOM_BULLET
+  const auto pairs = std::make_shared<std::vector<benchmarks::BulletPair>>();
+  for (const Case& input : set->cases) pairs->emplace_back(input);
+  add(instance, "bullet_epa", set, [pairs](std::size_t i) { benchmark::DoNotOptimize((*pairs)[i].depth()); });
+#endif
+}
+
+Body box(double x, double y, double z) {
+  Doubles points;
+  for (int k = 0; k < 8; ++k) points.push_back({(k & 1) != 0 ? x : -x, (k & 2) != 0 ? y : -y, (k & 4) != 0 ? z : -z});
+  return {GivenPoints(points)};
+}
+
+/// Points of a sphere around O, in binary32.
+Body ball(std::size_t count, double radius) {
+  Doubles points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count), r = std::sqrt(1 - z * z),
+                 t = 2.4 * static_cast<double>(i);
+    const auto float_of = [&](double x) { return static_cast<double>(static_cast<float>(radius * x)); };
+    points.push_back({float_of(r * std::cos(t)), float_of(r * std::sin(t)), float_of(z)});
+  }
+  return {GivenPoints(points)};
+}
+
 // Remembers each instance's times, to print ratios at the end.
 class RatioReporter : public benchmarks::TimesReporter {
  public:
@@ -142,6 +209,12 @@ class RatioReporter : public benchmarks::TimesReporter {
       }
       std::printf("\n");
     }
+    for (const auto& [instance, times] : this->times()) {
+      if (!times.contains("prepared") || !times.contains("bullet_epa")) continue;
+      const double unit = times.at("bullet_epa");
+      std::printf("%-28s  bullet_epa: answer %.2f, prepared %.2f, overlap %.2f\n", instance.c_str(),
+                  times.at("answer") / unit, times.at("prepared") / unit, times.at("overlap") / unit);
+    }
     if (families == 0) return;
     std::printf("geometric mean of %zu families, 20 points  bullet_epa", families);
     for (const double sum : logarithms) std::printf(" %.2f", std::exp(sum / static_cast<double>(families)));
@@ -150,6 +223,9 @@ class RatioReporter : public benchmarks::TimesReporter {
 };
 
 void add_all() {
+  add_moving("moving_boxes/8", box(0.5, 0.375, 0.25), box(1, 0.75, 0.5));
+  for (const unsigned size : {20U, 40U, 200U})
+    add_moving("moving_spheres/" + std::to_string(size), ball(size, 1), ball(size, 0.875));
   for (const families::Family& family : families::families()) {
     for (const unsigned size : {20U, 200U}) add_instance(family, size, 8, true);
   }

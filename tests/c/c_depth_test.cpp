@@ -242,6 +242,74 @@ TEST(CCloser, ExcludesTheDistanceItself) {
   EXPECT_EQ(result, -1);
 }
 
+struct EndPrepared {
+  void operator()(fathom_prepared* prepared) const { fathom_prepared_free(prepared); }
+};
+using PreparedHandle = std::unique_ptr<fathom_prepared, EndPrepared>;
+
+PreparedHandle prepared_of(const BodyHandle& body) {
+  fathom_prepared* prepared = nullptr;
+  EXPECT_EQ(fathom_prepare(body.get(), &prepared), FATHOM_OK) << fathom_last_error();
+  return PreparedHandle(prepared);
+}
+
+// As if fathom_body_moved had moved them.
+TEST(CPrepared, EveryPose) {
+  const BodyHandle still = body_of({0, 0, 0, 1, 0.125, 0, 0.25, 1, 0, 0, 0.25, 1, 1, 0, 0.75, 0.75, 1, 1.5});
+  const BodyHandle other = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1, 0.25, 0.25, 0.25, 0.75, 0.75, 0.125});
+  const PreparedHandle a = prepared_of(still), b = prepared_of(other);
+  fathom_warm_start start = {};
+  double pose[12] = {0.75, 0.5, 0, 0.875, -0.5, 0.75, 0.125, 0, 0, 0.125, 1, 0};
+  for (int step = 0; step < 8; ++step) {
+    pose[3] += 0.125;
+    fathom_body* moved = nullptr;
+    fathom_answer* made = nullptr;
+    ASSERT_EQ(fathom_body_moved(other.get(), pose, &moved), FATHOM_OK);
+    const BodyHandle there(moved);
+    ASSERT_EQ(fathom_prepared_depth(a.get(), nullptr, b.get(), pose, step % 3 == 0 ? nullptr : &start, nullptr, &made),
+              FATHOM_OK)
+        << fathom_last_error();
+    const AnswerHandle answer(made), plain = answer_about(still, there);
+    for (const int quantity : {FATHOM_SIGNED_DEPTH, FATHOM_DIRECTION, FATHOM_TRANSLATION, FATHOM_WITNESS_A})
+      EXPECT_EQ(exactly(answer, quantity), exactly(plain, quantity));
+    char *proof = nullptr, *plain_proof = nullptr;
+    EXPECT_EQ(fathom_answer_certificate(answer.get(), "", nullptr, &proof), FATHOM_OK);
+    EXPECT_EQ(fathom_answer_certificate(plain.get(), "", nullptr, &plain_proof), FATHOM_OK);
+    EXPECT_EQ(taken(proof), taken(plain_proof));
+    int status = -1, closer = -1, plain_closer = -2;
+    EXPECT_EQ(fathom_prepared_overlap(a.get(), nullptr, b.get(), pose, nullptr, &status), FATHOM_OK);
+    EXPECT_EQ(status, fathom_answer_status(plain.get()));
+    EXPECT_EQ(fathom_prepared_closer_than(a.get(), nullptr, b.get(), pose, 0.25, nullptr, &closer), FATHOM_OK);
+    EXPECT_EQ(fathom_closer_than(still.get(), there.get(), 0.25, nullptr, &plain_closer, nullptr), FATHOM_OK);
+    EXPECT_EQ(closer, plain_closer);
+  }
+  EXPECT_GT(start.count, 0U);
+}
+
+TEST(CPrepared, BadInput) {
+  const PreparedHandle cube = prepared_of(body_of(cube_at(0)));
+  fathom_prepared* none = cube.get();
+  EXPECT_EQ(fathom_prepare(shape_of("sphere:r=1").get(), &none), FATHOM_BAD_INPUT);
+  EXPECT_EQ(none, nullptr);
+  EXPECT_EQ(fathom_prepare(nullptr, &none), FATHOM_BAD_INPUT);
+  fathom_answer* answer = nullptr;
+  const auto refused = [&](const double* pose, fathom_warm_start start) {
+    EXPECT_EQ(fathom_prepared_depth(cube.get(), pose, cube.get(), nullptr, &start, nullptr, &answer), FATHOM_BAD_INPUT);
+    return std::string(fathom_last_error());
+  };
+  const double lost[12] = {1, 0, 0, nan, 0, 1, 0, 0, 0, 0, 1, 0};
+  EXPECT_EQ(refused(lost, {}), "pose_a: expected finite numbers, found nan at index 3");
+  EXPECT_EQ(refused(nullptr, {9, {}, {}}), "start: expected at most 8 differences, found 9");
+  EXPECT_EQ(refused(nullptr, {1, {8}, {0}}), "a warm start names the points 8 and 0, but the bodies have 8 and 8");
+  int status = 7, closer = 7;
+  EXPECT_EQ(fathom_prepared_overlap(cube.get(), lost, cube.get(), nullptr, nullptr, &status), FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_prepared_closer_than(cube.get(), nullptr, cube.get(), nullptr, infinity, nullptr, &closer),
+            FATHOM_BAD_INPUT);
+  EXPECT_EQ(fathom_prepared_closer_than(nullptr, nullptr, cube.get(), nullptr, 1, nullptr, &closer), FATHOM_BAD_INPUT);
+  EXPECT_EQ(status + closer, 14);
+  fathom_prepared_free(nullptr);
+}
+
 TEST(CDepth, CanBeStopped) {
   fathom_options options;
   fathom_options_init(&options);

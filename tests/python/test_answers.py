@@ -313,3 +313,30 @@ def test_closer_than_excludes_the_distance():
     assert fathom.closer_than(fathom.sphere(1), fathom.sphere(1), 1, pose_b="xyz=3,0,0") is False
     with pytest.raises(ValueError, match="above 0"):
         fathom.closer_than(CUBE, far, 0)
+
+
+def test_prepared_bodies_answer_as_others_do():
+    rng = np.random.default_rng(5)
+    points_a, points_b = rng.normal(size=(12, 3)), rng.normal(size=(30, 3))
+    a, b = fathom.Prepared(points_a), fathom.Prepared(points_b)
+    assert b.extreme_points == tuple(sorted(b.extreme_points)) and len(b.extreme_points) < 30
+    start = []
+    for step in range(6):
+        pose = np.eye(4) + 0.01 * step * rng.normal(size=(4, 4))
+        pose[:, 3] = 0.6 * step, 0, 0, 1
+        pose[3] = 0, 0, 0, 1
+        other = fathom.pose((3, 1, step, 0), (0, 0, 0.25))
+        found, plain = a.depth(b, pose_a=pose, pose_b=other, start=start), fathom.depth(points_a, points_b, pose_a=pose, pose_b=other)
+        assert found.exact.signed_depth == plain.exact.signed_depth and found.contact == plain.contact and found.status == plain.status
+        assert found.certificate("walk") == plain.certificate("walk")
+        assert found.method is None and pickle.loads(pickle.dumps(found)).exact.translation == plain.exact.translation
+        assert a.overlap(b, pose_a=pose[:3], pose_b=other) == plain.status
+        closer = fathom.closer_than(points_a, points_b, "1/4", pose_a=pose, pose_b=other)
+        assert a.closer_than(b, "1/4", pose_a=pose, pose_b=other) == closer
+    assert 0 < len(start) <= 8
+    with pytest.raises(ValueError, match="^a warm start names the points 0 and 30, but the bodies have 12 and 30"):
+        a.depth(b, start=[(0, 30)])
+    with pytest.raises(ValueError, match="^pose_b: "):
+        a.depth(b, pose_b=[[1, 2, 3]])
+    with pytest.raises(ValueError, match="only a polytope"):
+        fathom.Prepared(fathom.sphere(1))

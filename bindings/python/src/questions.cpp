@@ -59,7 +59,10 @@ auto asked_with_proof(const py::object& a, const py::object& b, bool proof, cons
 
 py::object overlap_of(const py::object& a, const py::object& b, bool proof, const py::object& pose_a,
                       const py::object& pose_b) {
-  const Overlap found = asked_with_proof(a, b, proof, pose_a, pose_b, overlap);
+  const Overlap found = asked_with_proof(a, b, proof, pose_a, pose_b,
+                                         [](const Body& first, const Body& second, const OverlapOptions& options) {
+                                           return overlap(first, second, options);
+                                         });
   const py::str status(std::string(found.status ? name(*found.status) : "undecided"));
   if (!found.proof) return status;
   py::dict shown;
