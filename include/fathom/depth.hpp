@@ -72,10 +72,16 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
+/// A point, and the pose that moves it.
+struct MovedPoint {
+  std::array<double, 3> point;  ///< before it is moved
+  PoseBinary64 pose;            ///< that moves it
+};
+
 /// A point in the form in which it was given.
 struct GivenPoint {
-  std::variant<std::array<double, 3>, Point> coordinates;  ///< as they were given
-  [[nodiscard]] Point exact() const;                       ///< the same point
+  std::variant<std::array<double, 3>, Point, MovedPoint> coordinates;  ///< as they were given
+  [[nodiscard]] Point exact() const;                                   ///< the same point
 };
 
 /// A corner of one body, which a face of the other is to touch.

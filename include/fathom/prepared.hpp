@@ -36,10 +36,6 @@ class Prepared {
   std::shared_ptr<const Parts> parts;  ///< not for users
 };
 
-/// Rows of a 3 x 4 matrix (M | t) in binary64: x goes to M x + t, and each number stands for its
-/// exact value.
-using PoseBinary64 = std::array<std::array<double, 4>, 3>;
-
 /// A prepared polytope in a pose: any affine map, exactly as it is given. M is hardly ever a
 /// rotation if it is in binary64, but those of rigid_pose are exact ones.
 struct PlacedBody {

@@ -94,6 +94,9 @@ bool is_flat(const Shape& shape);
 /// Rows of a 3 x 4 matrix (M | t): x goes to M x + t.
 using Pose = std::array<std::array<mpq_class, 4>, 3>;
 
+/// The same in binary64: each number stands for its exact value.
+using PoseBinary64 = std::array<std::array<double, 4>, 3>;
+
 /// A rotation v -> q v q^-1. It need not be a unit quaternion.
 struct Quaternion {
   mpq_class w, x, y, z;  ///< w: the real part

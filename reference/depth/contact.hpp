@@ -104,6 +104,8 @@ class Contacts {
     if (a.size() == 1) return CornerOfA{of_a(0)};
     if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
     OverlappingFaces faces{{}, {}, bodies_.point_of_b(0), bodies_.units()};
+    faces.a.reserve(a.size());
+    faces.b.reserve(b.size());
     for (std::size_t k = 0; k < a.size(); ++k) faces.a.push_back(of_a(k));
     for (std::size_t k = 0; k < b.size(); ++k) faces.b.push_back(of_b(k));
     return faces;

@@ -148,8 +148,17 @@ Overloaded(Calls...) -> Overloaded<Calls...>;
 
 Point GivenPoint::exact() const {
   if (const Point* point = std::get_if<Point>(&coordinates)) return *point;
-  const auto& [x, y, z] = std::get<std::array<double, 3>>(coordinates);
-  return {exact_value(x), exact_value(y), exact_value(z)};
+  const auto of = [](const std::array<double, 3>& p) {
+    return Point{exact_value(p[0]), exact_value(p[1]), exact_value(p[2])};
+  };
+  if (const auto* binary64 = std::get_if<std::array<double, 3>>(&coordinates)) return of(*binary64);
+  const MovedPoint& moved = std::get<MovedPoint>(coordinates);
+  const Point p = of(moved.point);
+  const auto coordinate = [&](const std::array<double, 4>& row) {
+    return mpq_class(exact_value(row[0]) * p.x + exact_value(row[1]) * p.y + exact_value(row[2]) * p.z +
+                     exact_value(row[3]));
+  };
+  return {coordinate(moved.pose[0]), coordinate(moved.pose[1]), coordinate(moved.pose[2])};
 }
 
 Point Optimum::translation() const {

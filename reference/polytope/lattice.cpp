@@ -290,22 +290,12 @@ Vector PlacedPair::vector(const Point& position) const {
 
 kernels::Positions Points::exact(std::vector<Point>& room) const {
   if (dyadic_ != nullptr) {
-    for (std::size_t i = 0; i < size(); ++i) room.push_back(moved_point(i));
+    for (std::size_t i = 0; i < size(); ++i) room.push_back((*this)[i].exact());
     return room;
   }
   if (doubles_.empty()) return exact_;
   room = exact_points(doubles_);
   return room;
-}
-
-Point Points::moved_point(std::size_t i) const {
-  const auto exact = [&](kernels::Int128 n) {
-    constexpr long half = DyadicPoints::most_bits / 2;
-    const auto high = static_cast<long>(n >> half), low = static_cast<long>(n - (n >> half << half));
-    return kernels::times_power_of_two(mpq_class((mpz_class(high) << half) + low), dyadic_->exponent);
-  };
-  const Vec3<kernels::Int128>& p = dyadic_->numerators[i];
-  return {exact(p.x), exact(p.y), exact(p.z)};
 }
 
 std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {

@@ -36,13 +36,20 @@ inline std::vector<Point> joined(const Pieces& pieces) {
   return all;
 }
 
-/// Points whose coordinates are integers times a power of two: those of a body in binary64 that a
-/// matrix in binary64 has moved. |n| < 2^most_bits for each integer.
+/// Points of a body in binary64 that a pose in binary64 has moved: integers times a power of two.
+/// |n| < 2^most_bits for each integer. What they were made from must outlive them.
 struct DyadicPoints {
   static constexpr long most_bits = 124;
 
   std::vector<Vec3<kernels::Int128>> numerators;
   long exponent = 0;
+  std::span<const std::array<double, 3>> given;  ///< all points of the body, before they are moved
+  std::span<const std::uint32_t> chosen;         ///< which of them these are; empty: all
+  const PoseBinary64* pose = nullptr;
+
+  [[nodiscard]] GivenPoint point(std::size_t i) const {
+    return {MovedPoint{given[chosen.empty() ? i : chosen[i]], *pose}};
+  }
 };
 
 /// A view of the points of a body in the form in which they were given: coordinates in binary64,
@@ -70,7 +77,7 @@ class Points {
   }
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] GivenPoint operator[](std::size_t i) const {
-    if (dyadic_ != nullptr) return {moved_point(i)};
+    if (dyadic_ != nullptr) return dyadic_->point(i);
     if (doubles_.empty()) return {exact_[i]};
     return {doubles_[i]};
   }
@@ -88,13 +95,11 @@ class Points {
     for (const Point& p : exact_)
       if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
     for (std::size_t i = 0; dyadic_ != nullptr && i < size(); ++i)
-      if (const Point p = moved_point(i); !f(p.x) || !f(p.y) || !f(p.z)) return false;
+      if (const Point p = (*this)[i].exact(); !f(p.x) || !f(p.y) || !f(p.z)) return false;
     return true;
   }
 
  private:
-  [[nodiscard]] Point moved_point(std::size_t i) const;
-
   Doubles doubles_;
   kernels::Positions exact_;  // if they are not in binary64
   const DyadicPoints* dyadic_ = nullptr;

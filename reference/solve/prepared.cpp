@@ -197,6 +197,9 @@ class MovedPoints {
     if (only_extreme && !parts.all_extreme()) chosen = parts.extreme;
     const auto* pose = std::get_if<PoseBinary64>(&placed.pose);
     if (pose != nullptr && parts.integers && move(*parts.integers, *pose, chosen, memory)) {
+      memory.given = parts.body.points.binary64();
+      memory.chosen = chosen;
+      memory.pose = pose;
       view_.emplace(memory);
       return;
     }
@@ -232,8 +235,8 @@ struct AxisBounds {
 
 /// The nearest facets of P by the separating axes of two solid bodies: the normals of facets, and
 /// the cross products of an edge of A and one of B, in both senses. h(n) is at least the depth
-/// times |n| for every n, with equality for normals of nearest facets alone. Binary64 leaves out what is
-/// surely farther; integers decide the rest.                  [proofs/prepared.md, lemma 1]
+/// times |n| for every n, with equality for normals of nearest facets alone. Binary64 leaves out
+/// what is surely farther; integers decide the rest.             [proofs/prepared.md, lemma 1]
 template <class Integer>
 class AxisSearch {
  public:
@@ -269,7 +272,9 @@ class AxisSearch {
     for (std::size_t k = 0; k < below.size(); ++k)
       if (below[k] <= least && !take(axes_[k / 2], k % 2 == 1))
         return {expanding::ExpansionEnd::not_inside, {}, outside_};
-    return {expanding::ExpansionEnd::proved, std::move(normals_), false};
+    expanding::WarmExpansion result{expanding::ExpansionEnd::proved, {}, false};
+    for (const Vec3<Integer>& n : nearest_) result.normals.insert(expanding::without_factor(n));
+    return result;
   }
 
  private:
@@ -308,28 +313,30 @@ class AxisSearch {
     Vec3<Integer> n = cross(exact(axis.e, axis.e_of_b), exact(axis.f, axis.f_of_b));
     if (is_zero(n)) return true;  // parallel edges
     if (reversed) n = -n;
+    for (const Vec3<Integer>& known : nearest_)
+      if (is_zero(cross(known, n)) && sgn(dot(known, n)) > 0) return true;
     const Integer height = dot(n, differences_[differences_.extreme(n)]);
     if (sgn(height) <= 0) {
       outside_ = sgn(height) < 0;
       return false;
     }
     const Square square = Square(height) * Square(height), length = Square(dot(n, n));
-    const int order = normals_.empty() ? -1 : cmp(Square(square * length_), Square(square_ * length));
+    const int order = nearest_.empty() ? -1 : cmp(Square(square * length_), Square(square_ * length));
     if (order > 0) return true;
     if (order < 0) {
-      normals_.clear();
+      nearest_.clear();
       square_ = square;
       length_ = length;
     }
-    normals_.insert(expanding::without_factor(n));
+    nearest_.push_back(std::move(n));
     return true;
   }
 
   const polytope::NarrowBodies<Integer>& bodies_;
   polytope::NarrowDifferences<Integer> differences_;
   std::vector<Axis> axes_;
-  std::set<Vector, kernels::NearestPlanes::LexicographicOrder> normals_;
-  Square square_, length_;  // of the nearest: height^2 and <n,n>
+  std::vector<Vec3<Integer>> nearest_;  // normals of the nearest so far, no two of one direction
+  Square square_, length_;              // of the nearest: height^2 and <n,n>
   bool outside_ = false;
 };
 
