@@ -7,7 +7,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -134,50 +133,12 @@ class Check {
     }
   }
 
-  bool resolve() {
-    for (const auto& [i, j] : c_.inner.vertices) {
-      if (!report_.expect(i < c_.a.size() && j < c_.b.size(), "a vertex of Q has an index out of range")) return false;
-      vertices_.push_back(c_.b[j] - c_.a[i]);
-    }
-    for (const std::vector<std::uint32_t>& facet : c_.inner.facets) {
-      const bool in_range =
-          std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices_.size(); });
-      if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return false;
-    }
-    return report_.expect(c_.inner.facets.size() >= 4, "Q has fewer than four facets");
-  }
-
   void inner_polytope() {
-    if (!resolve()) return;
-    for (const std::vector<std::uint32_t>& facet : c_.inner.facets) facet_of_q(facet);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const std::vector<std::uint32_t>& facet : c_.inner.facets)
-      for (std::size_t k = 0; k < facet.size(); ++k)
-        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
-                       "two facets of Q run along an edge in one sense");
-    for (const auto& [u, v] : edges)
-      report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
-  }
-
-  void facet_of_q(const std::vector<std::uint32_t>& facet) {
-    Point normal;
-    for (std::size_t k = 0; k < facet.size(); ++k) {
-      normal = normal + cross(vertices_[facet[k]], vertices_[facet[(k + 1) % facet.size()]]);
-    }
-    const mpq_class height = dot(normal, vertices_[facet.front()]), square = dot(normal, normal);
-    report_.expect(height > 0 && height * height >= c_.low * square, "a facet of Q is too near");
-    std::size_t on_plane = 0;
-    for (const Point& v : vertices_) {
-      const int order = cmp(dot(normal, v), height);
-      report_.expect(order <= 0, "a vertex of Q lies above a facet");
-      on_plane += order == 0 ? 1U : 0U;
-    }
-    report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
-    for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
-      const Point side = cross(vertices_[facet[k]], vertices_[facet[k + 1]]);
-      report_.expect(dot(side, vertices_[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
-    }
-    if (height * height == c_.low * square) tight_.push_back(normal);
+    expanding::check_inner_polytope(report_, c_.inner, c_.a, c_.b, [&](const Point& n, const mpq_class& height) {
+      const mpq_class square = dot(n, n);
+      report_.expect(height * height >= c_.low * square, "a facet of Q is too near");
+      if (height * height == c_.low * square) tight_.push_back(n);
+    });
   }
 
   [[nodiscard]] static bool parallel(const Vector& n, const Point& m) {
@@ -208,7 +169,7 @@ class Check {
 
   const Certificate& c_;
   kernels::Report report_;
-  std::vector<Point> vertices_, tight_;
+  std::vector<Point> tight_;
 };
 
 // ---- the text: every number is exact and in lowest terms ----

@@ -3,11 +3,11 @@
 // vertices.
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <span>
 
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
 
 namespace fathom::curved {
 namespace {
@@ -114,45 +114,11 @@ class Check {
   }
 
   void polytope() {
-    const std::vector<std::vector<std::uint32_t>>& facets = p_.polytope.facets;
-    std::vector<Point> vertices;
-    for (const auto& [i, j] : p_.polytope.vertices) {
-      if (!report_.expect(i < points_a_.size() && j < points_b_.size(), "a vertex of Q has an index out of range"))
-        return;
-      vertices.push_back(points_b_[j] - points_a_[i]);
-    }
-    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const std::vector<std::uint32_t>& facet : facets) {
-      const bool in_range =
-          std::all_of(facet.begin(), facet.end(), [&](std::uint32_t v) { return v < vertices.size(); });
-      if (!report_.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return;
-      for (std::size_t k = 0; k < facet.size(); ++k)
-        report_.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
-                       "two facets of Q run along an edge in one sense");
-      facet_of_q(vertices, facet);
-    }
-    for (const auto& [u, v] : edges)
-      report_.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
-  }
-
-  void facet_of_q(const std::vector<Point>& vertices, const std::vector<std::uint32_t>& facet) {
-    Point normal;
-    for (std::size_t k = 0; k < facet.size(); ++k)
-      normal = normal + cross(vertices[facet[k]], vertices[facet[(k + 1) % facet.size()]]);
-    const mpq_class height = dot(normal, vertices[facet.front()]),
-                    least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
-    report_.expect(height > 0 && height * height >= least * least * dot(normal, normal), "a facet of Q is too near");
-    std::size_t on_plane = 0;
-    for (const Point& v : vertices) {
-      const int order = cmp(dot(normal, v), height);
-      report_.expect(order <= 0, "a vertex of Q lies above a facet");
-      on_plane += order == 0 ? 1U : 0U;
-    }
-    report_.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
-    for (std::size_t k = 1; k + 1 < facet.size(); ++k) {
-      const Point side = cross(vertices[facet[k]], vertices[facet[k + 1]]);
-      report_.expect(dot(side, vertices[facet.front()]) > 0, "the corners of a facet of Q are not counter-clockwise");
-    }
+    const mpq_class least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
+    expanding::check_inner_polytope(
+        report_, p_.polytope, points_a_, points_b_, [&](const Point& n, const mpq_class& height) {
+          report_.expect(height * height >= least * least * dot(n, n), "a facet of Q is too near");
+        });
   }
 
   const CurvedBounds& bounds_;

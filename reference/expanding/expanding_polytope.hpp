@@ -6,11 +6,14 @@
 //         comes next and integers decide.                                     [proofs/expanding.md]
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fathom/depth.hpp"
@@ -18,6 +21,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::expanding {
@@ -95,6 +99,47 @@ OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowB
 /// Quadratic in the size of Q.
 [[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a,
                                        const kernels::PointCloud& b);
+
+/// Checks by definition, and exactly, that `inner` is a closed convex surface with O below each
+/// facet, whose vertices are differences of points of a and b: of lattice points or of rational
+/// ones. Calls each(n, height) for the plane <n,x> = height of each facet. Quadratic in its size.
+template <class Points, class Each>
+void check_inner_polytope(kernels::Report& report, const InnerPolytope& inner, const Points& a, const Points& b,
+                          Each each) {
+  using Place = std::remove_cvref_t<decltype(a[0])>;
+  std::vector<Place> vertices;
+  for (const auto& [i, j] : inner.vertices) {
+    if (!report.expect(i < a.size() && j < b.size(), "a vertex of Q has an index out of range")) return;
+    vertices.push_back(b[j] - a[i]);
+  }
+  for (const std::vector<std::uint32_t>& facet : inner.facets) {
+    const bool in_range = std::ranges::all_of(facet, [&](std::uint32_t v) { return v < vertices.size(); });
+    if (!report.expect(facet.size() >= 3 && in_range, "a facet of Q is no cycle of its vertices")) return;
+  }
+  report.expect(inner.facets.size() >= 4, "Q has fewer than four facets");
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const std::vector<std::uint32_t>& facet : inner.facets) {
+    const auto corner = [&](std::size_t k) -> const Place& { return vertices[facet[k % facet.size()]]; };
+    const Place n = cross(Place(corner(1) - corner(0)), Place(corner(2) - corner(0)));
+    const auto height = dot(n, corner(0));
+    report.expect(height > 0, "O is not below a facet of Q");
+    std::size_t on_plane = 0;
+    for (const Place& v : vertices) {
+      const int side = cmp(dot(n, v), height);
+      report.expect(side <= 0, "a vertex of Q lies above a facet");
+      on_plane += side == 0 ? 1U : 0U;
+    }
+    report.expect(on_plane == facet.size(), "the corners of a facet of Q are not the vertices on its plane");
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      const Place along = corner(k + 1) - corner(k), onward = corner(k + 2) - corner(k + 1);
+      report.expect(dot(n, cross(along, onward)) > 0, "the corners of a facet of Q do not turn left");
+      report.expect(edges.insert({facet[k], facet[(k + 1) % facet.size()]}).second,
+                    "two facets of Q run along an edge in one sense");
+    }
+    each(n, height);
+  }
+  for (const auto& [u, v] : edges) report.expect(edges.contains({v, u}), "an edge of Q has a facet on one side only");
+}
 
 /// A proof of low <= depth^2 <= high, all in the clouds' unit.
 struct BallExpansion {
