@@ -80,9 +80,9 @@ PlacedBody placed_from(const fathom_prepared* prepared, const double* pose, cons
 }
 
 WarmStart start_from(const fathom_warm_start& given) {
-  if (given.count > WarmStart::most)
-    throw std::invalid_argument("start: expected at most " + std::to_string(WarmStart::most) + " differences, found " +
-                                std::to_string(given.count));
+  if (given.count > most_start_differences)
+    throw std::invalid_argument("start: expected at most " + std::to_string(most_start_differences) +
+                                " differences, found " + std::to_string(given.count));
   WarmStart start;
   for (std::size_t i = 0; i < given.count; ++i) start.differences.emplace_back(given.a[i], given.b[i]);
   return start;

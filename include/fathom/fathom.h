@@ -187,8 +187,9 @@ FATHOM_API int fathom_prepare(const fathom_body* body, fathom_prepared** prepare
  * B. Begin with all members 0, and hand it to one call after another about a pair that moves: each
  * leaves here what it has ended with. No answer depends on it. */
 typedef struct fathom_warm_start {
-  size_t count;
-  unsigned a[8], b[8];
+  size_t count;  /**< of the differences */
+  unsigned a[8]; /**< indices of points of A */
+  unsigned b[8]; /**< indices of points of B */
 } fathom_warm_start;
 
 /** Finds the answer that fathom_depth finds about fathom_body_moved(a, pose_a) and

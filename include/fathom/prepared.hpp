@@ -8,6 +8,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -43,11 +44,14 @@ struct PlacedBody {
   std::variant<PoseBinary64, Pose> pose = PoseBinary64{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  ///< the map
 };
 
+/// How many differences a search may begin with.
+inline constexpr std::size_t most_start_differences = 8;
+
 /// Where a search begins: differences b - a, by the indices of points a of A and b of B, any but no
-/// more than `most`. The search leaves here what it has ended with. No answer depends on it.
+/// more than most_start_differences. The search leaves here what it has ended with. No answer
+/// depends on it.
 struct WarmStart {
-  static constexpr std::size_t most = 8;  ///< how many there may be
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> differences;  ///< index in A, index in B
 };
 
 /// Returns the body in its pose, as exact points: what the questions below are about. Certificates

@@ -341,9 +341,9 @@ class AxisSearch {
 };
 
 void require_differences(const WarmStart& start, const Prepared& a, const Prepared& b) {
-  if (start.differences.size() > WarmStart::most)
-    throw std::invalid_argument("a warm start has at most " + std::to_string(WarmStart::most) + " differences, found " +
-                                std::to_string(start.differences.size()));
+  if (start.differences.size() > most_start_differences)
+    throw std::invalid_argument("a warm start has at most " + std::to_string(most_start_differences) +
+                                " differences, found " + std::to_string(start.differences.size()));
   for (const auto& [i, j] : start.differences)
     if (i >= a.body().points.size() || j >= b.body().points.size())
       throw std::invalid_argument("a warm start names the points " + std::to_string(i) + " and " + std::to_string(j) +
@@ -417,7 +417,7 @@ class PlacedQuestion {
     }
     const std::size_t budget = options_.expansion_budget.value_or(200 + 2 * (bodies.a.size() + bodies.b.size()));
     expanding::WarmExpansion result =
-        expanding::nearest_from(context_, bodies, budget, *options_.workspace, differences, WarmStart::most);
+        expanding::nearest_from(context_, bodies, budget, *options_.workspace, differences, most_start_differences);
     if (start_ == nullptr) return result;
     start_->differences.clear();
     for (const auto& [i, j] : differences) start_->differences.emplace_back(of_a_.extreme[i], of_b_.extreme[j]);

@@ -209,7 +209,7 @@ TEST(Prepared, RefusesWhatIsNone) {
   EXPECT_THROW(penetration_depth(lost, cube), std::invalid_argument);
   WarmStart start{{{0, 9}}};
   EXPECT_THROW(penetration_depth(cube, cube, &start), std::invalid_argument);
-  start.differences.assign(WarmStart::most + 1, {0, 0});
+  start.differences.assign(most_start_differences + 1, {0, 0});
   EXPECT_THROW(penetration_depth(cube, cube, &start), std::invalid_argument);
   EXPECT_THROW(penetration_depth(cube, cube, nullptr, {.optima = 0}), std::invalid_argument);
   EXPECT_THROW(closer_than(cube, cube, mpq_class(0)), std::invalid_argument);
