@@ -12,6 +12,7 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/contact.hpp"
+#include "reference/files/pose.hpp"
 
 namespace fathom {
 
@@ -153,12 +154,7 @@ Point GivenPoint::exact() const {
   };
   if (const auto* binary64 = std::get_if<std::array<double, 3>>(&coordinates)) return of(*binary64);
   const MovedPoint& moved = std::get<MovedPoint>(coordinates);
-  const Point p = of(moved.point);
-  const auto coordinate = [&](const std::array<double, 4>& row) {
-    return mpq_class(exact_value(row[0]) * p.x + exact_value(row[1]) * p.y + exact_value(row[2]) * p.z +
-                     exact_value(row[3]));
-  };
-  return {coordinate(moved.pose[0]), coordinate(moved.pose[1]), coordinate(moved.pose[2])};
+  return files::placed(of(moved.point), files::exact_pose(moved.pose));
 }
 
 Point Optimum::translation() const {

@@ -372,9 +372,9 @@ struct Workspace::Parts {
   expanding::Memory<polytope::NarrowInteger> narrow;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
-  polytope::NarrowPair pair;                ///< for the caller of an expansion, which leaves it alone
-  polytope::NarrowPair clouds;              ///< of an expansion that is given clouds
-  polytope::DyadicPoints moved_a, moved_b;  ///< of bodies in binary64 that a pose moves
+  polytope::NarrowPair pair;               ///< for the caller of an expansion, which leaves it alone
+  polytope::NarrowPair clouds;             ///< of an expansion that is given clouds
+  polytope::PosedPoints posed_a, posed_b;  ///< of bodies that poses move
 
   template <class Integer>
   expanding::Memory<Integer>& memory() {

@@ -255,6 +255,13 @@ Quaternion product(const Quaternion& p, const Quaternion& q) {
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
+Pose exact_pose(const PoseBinary64& pose) {
+  Pose exact;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 4; ++j) exact[i][j] = exact_value(pose[i][j]);
+  return exact;
+}
+
 Point placed(const Point& p, const Pose& pose) {
   return {applied(pose[0], p), applied(pose[1], p), applied(pose[2], p)};
 }

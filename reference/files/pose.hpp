@@ -23,6 +23,9 @@ using kernels::AngleUnit;
 /// The turn by q, and then by p.
 Quaternion product(const Quaternion& p, const Quaternion& q);
 
+/// The numbers of the matrix, exactly. Throws std::invalid_argument if one is not finite.
+Pose exact_pose(const PoseBinary64& pose);
+
 /// Returns M p + t, exactly. M may be any matrix: it need be neither orthonormal nor regular.
 Point placed(const Point& p, const Pose& pose);
 

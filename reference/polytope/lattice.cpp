@@ -289,7 +289,7 @@ Vector PlacedPair::vector(const Point& position) const {
 }
 
 kernels::Positions Points::exact(std::vector<Point>& room) const {
-  if (dyadic_ != nullptr) {
+  if (posed_ != nullptr) {
     for (std::size_t i = 0; i < size(); ++i) room.push_back((*this)[i].exact());
     return room;
   }

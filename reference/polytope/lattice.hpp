@@ -13,6 +13,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -36,20 +37,37 @@ inline std::vector<Point> joined(const Pieces& pieces) {
   return all;
 }
 
-/// Points of a body in binary64 that a pose in binary64 has moved: integers times a power of two.
-/// |n| < 2^most_bits for each integer. What they were made from must outlive them.
-struct DyadicPoints {
+/// Numbers in binary64 as integers times one power of two.
+struct AlignedNumbers {
+  std::vector<std::int64_t> integers;
+  long exponent = 0;
+  long bits = 0;  ///< |n| < 2^bits for each integer
+};
+
+/// Returns nullopt if an integer would have more bits than a word. Throws std::invalid_argument if
+/// a number is not finite.
+std::optional<AlignedNumbers> aligned(std::span<const double> numbers);
+
+/// Points of a body that a pose moves. What they are made from must outlive them.
+struct PosedPoints {
   static constexpr long most_bits = 124;
 
+  const GivenPoints* given = nullptr;        ///< all points of the body, before they are moved
+  const AlignedNumbers* integers = nullptr;  ///< their coordinates, if these are in binary64 and can be aligned
+  std::span<const std::uint32_t> chosen;     ///< which of them these are; empty: all
+  const std::variant<PoseBinary64, Pose>* pose = nullptr;  ///< numbers finite, or in lowest terms
+  /// The moved points over 2^-exponent, if all is in binary64 and each |n| < 2^most_bits; or none.
   std::vector<Vec3<kernels::Int128>> numerators;
   long exponent = 0;
-  std::span<const std::array<double, 3>> given;  ///< all points of the body, before they are moved
-  std::span<const std::uint32_t> chosen;         ///< which of them these are; empty: all
-  const PoseBinary64* pose = nullptr;
 
-  [[nodiscard]] GivenPoint point(std::size_t i) const {
-    return {MovedPoint{given[chosen.empty() ? i : chosen[i]], *pose}};
-  }
+  /// Makes the numerators, if 128 bits suffice, of what is set above. Throws std::invalid_argument
+  /// if a number of the pose is not finite, or not in lowest terms.
+  void move();
+
+  [[nodiscard]] std::size_t size() const { return chosen.empty() ? given->size() : chosen.size(); }
+  /// Which point of the body the i-th of these is.
+  [[nodiscard]] std::size_t index(std::size_t i) const { return chosen.empty() ? i : chosen[i]; }
+  [[nodiscard]] GivenPoint point(std::size_t i) const;
 };
 
 /// A view of the points of a body in the form in which they were given: coordinates in binary64,
@@ -69,20 +87,20 @@ class Points {
   Points(const GivenPoints& points)  // NOLINT(google-explicit-constructor)
       : doubles_(points.binary64()),
         exact_(points.in_binary64() ? kernels::Positions(nullptr, 0) : kernels::Positions(points.exact())) {}
-  Points(const DyadicPoints& points)  // NOLINT(google-explicit-constructor)
-      : exact_(nullptr, 0), dyadic_(&points) {}
+  Points(const PosedPoints& points)  // NOLINT(google-explicit-constructor)
+      : exact_(nullptr, 0), posed_(&points) {}
 
   [[nodiscard]] std::size_t size() const {
-    return doubles_.size() + exact_.size() + (dyadic_ != nullptr ? dyadic_->numerators.size() : 0);
+    return posed_ != nullptr ? posed_->size() : doubles_.size() + exact_.size();
   }
   [[nodiscard]] bool empty() const { return size() == 0; }
   [[nodiscard]] GivenPoint operator[](std::size_t i) const {
-    if (dyadic_ != nullptr) return dyadic_->point(i);
+    if (posed_ != nullptr) return posed_->point(i);
     if (doubles_.empty()) return {exact_[i]};
     return {doubles_[i]};
   }
-  /// The moved points, if they are the form; else null.
-  [[nodiscard]] const DyadicPoints* dyadic() const { return dyadic_; }
+  /// The points that a pose moves, if they are the form; else null.
+  [[nodiscard]] const PosedPoints* posed() const { return posed_; }
   /// The exact points, where they stand or else in `room`, which must outlive them.
   [[nodiscard]] kernels::Positions exact(std::vector<Point>& room) const;
 
@@ -94,7 +112,7 @@ class Points {
       if (!f(p[0]) || !f(p[1]) || !f(p[2])) return false;
     for (const Point& p : exact_)
       if (!f(p.x) || !f(p.y) || !f(p.z)) return false;
-    for (std::size_t i = 0; dyadic_ != nullptr && i < size(); ++i)
+    for (std::size_t i = 0; posed_ != nullptr && i < size(); ++i)
       if (const Point p = (*this)[i].exact(); !f(p.x) || !f(p.y) || !f(p.z)) return false;
     return true;
   }
@@ -102,7 +120,7 @@ class Points {
  private:
   Doubles doubles_;
   kernels::Positions exact_;  // if they are not in binary64
-  const DyadicPoints* dyadic_ = nullptr;
+  const PosedPoints* posed_ = nullptr;
 };
 
 /// The exact positions. Throws std::invalid_argument if a coordinate is no finite number.

@@ -130,8 +130,6 @@ void fill(std::size_t size_a, long low, std::uint64_t divisor, NarrowPair& pair,
   pair.power = all_zero ? 0 : low + static_cast<long>(zeros);
   pair.divisor = divisor / shared;
   if (!all_zero && (zeros > 0 || shared > 1)) for_each_coordinate(pair, list, [&](NT& c) { divide(c, shared, zeros); });
-  pair.exponent = 0;
-  for_each_coordinate(pair, list, [&](const NT& c) { pair.exponent = std::max(pair.exponent, exponent_of(c)); });
 }
 
 void clear_points(NarrowPair& pair) {
@@ -159,77 +157,26 @@ void make_images(const std::vector<Vec3<NT>>& points, long exponent, NarrowCloud
     cloud.z[i] = kernels::image(points[i].z, exponent);
   }
 }
-void make_images(NarrowPair& pair) {
+}  // namespace
+
+void set_images(NarrowPair& pair) {
+  const auto set_exponent = [&](auto list) {
+    pair.exponent = 0;
+    for_each_coordinate(pair, list, [&](const auto& c) { pair.exponent = std::max(pair.exponent, exponent_of(c)); });
+  };
+  if (pair.b.words.empty()) set_exponent(&NarrowCloud::points);
+  else set_exponent(&NarrowCloud::words);
+  if (pair.b.words.empty() && pair.exponent < most_word_bits) shorten(pair);
   for (NarrowCloud* cloud : {&pair.a, &pair.b})
     if (cloud->points.empty()) make_images(cloud->words, pair.exponent, *cloud);
     else make_images(cloud->points, pair.exponent, *cloud);
 }
 
-using kernels::Int128;
-using kernels::Uint128;
-
-Uint128 magnitude(Int128 n) { return static_cast<Uint128>(n < 0 ? -n : n); }
-void put(Int128 n, std::int64_t& c) { c = static_cast<std::int64_t>(n); }
-void put(Int128 n, NarrowCoordinate& c) {
-  const Uint128 m = magnitude(n);
-  const mp_limb_t limbs[2] = {static_cast<mp_limb_t>(m), static_cast<mp_limb_t>(m >> 64)};
-  c = NarrowCoordinate::of_limbs(limbs, 2, n < 0);
-}
-
-// What place_narrow does, for integers times a power of two each. False if both bodies together
-// need more than 128 bits.
-bool place_dyadic(const DyadicPoints& a, const DyadicPoints& b, NarrowPair& pair) {
-  const long low = std::min(a.exponent, b.exponent);
-  const auto fits = [&](const DyadicPoints& body) {
-    Uint128 all = 0;
-    for (const Vec3<Int128>& p : body.numerators) all |= magnitude(p.x) | magnitude(p.y) | magnitude(p.z);
-    return kernels::bit_length(all) + body.exponent - low <= DyadicPoints::most_bits;
-  };
-  if (!fits(a) || !fits(b)) return false;
-  const auto from_origin = [&](const Vec3<Int128>& p, long shift) {
-    const Vec3<Int128>& origin = b.numerators.front();
-    const long of_b = b.exponent - low;
-    return Vec3<Int128>{(p.x << shift) - (origin.x << of_b), (p.y << shift) - (origin.y << of_b),
-                        (p.z << shift) - (origin.z << of_b)};
-  };
-  Uint128 all = 0;
-  for (const DyadicPoints* body : {&a, &b})
-    for (const Vec3<Int128>& p : body->numerators) {
-      const Vec3<Int128> d = from_origin(p, body->exponent - low);
-      all |= magnitude(d.x) | magnitude(d.y) | magnitude(d.z);
-    }
-  const auto half = static_cast<std::uint64_t>(all);
-  const int zeros = all == 0   ? 0
-                    : half > 0 ? std::countr_zero(half)
-                               : 64 + std::countr_zero(static_cast<std::uint64_t>(all >> 64));
-  pair.divisor = 1;
-  pair.power = all == 0 ? 0 : low + zeros;
-  pair.exponent = 0;
-  clear_points(pair);
-  const auto fill = [&](auto list) {
-    for (const auto& [cloud, body] : {std::pair(&pair.a, &a), std::pair(&pair.b, &b)}) {
-      (cloud->*list).resize(body->numerators.size());
-      for (std::size_t i = 0; i < body->numerators.size(); ++i) {
-        const Vec3<Int128> d = from_origin(body->numerators[i], body->exponent - low);
-        auto& p = (cloud->*list)[i];
-        put(d.x >> zeros, p.x);
-        put(d.y >> zeros, p.y);
-        put(d.z >> zeros, p.z);
-        pair.exponent = std::max({pair.exponent, exponent_of(p.x), exponent_of(p.y), exponent_of(p.z)});
-      }
-    }
-  };
-  if (kernels::bit_length(all) - zeros <= most_word_bits) fill(&NarrowCloud::words);
-  else fill(&NarrowCloud::points);
-  make_images(pair);
-  return true;
-}
-
-}  // namespace
-
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   if (a.empty() || b.empty()) return false;
-  if (a.dyadic() != nullptr && b.dyadic() != nullptr) return place_dyadic(*a.dyadic(), *b.dyadic(), pair);
+  const bool posed = a.posed() != nullptr && b.posed() != nullptr;
+  if (posed && !a.posed()->numerators.empty() && !b.posed()->numerators.empty())
+    return place_numerators(*a.posed(), *b.posed(), pair);
   if (!take_apart(a, b, pair)) return false;
   const std::optional<std::uint64_t> divisor = pair.divisors.common(most_word_bits);
   if (!divisor || !pair.divisors.in_lowest_terms()) return false;
@@ -238,13 +185,9 @@ bool place_narrow(const Points& a, const Points& b, NarrowPair& pair) {
   const long bits = range.high - range.low + 1;  // of the differences from the origin
   if (bits > most_narrow_bits) return false;
   clear_points(pair);
-  if (bits <= most_word_bits) {
-    fill(a.size(), range.low, *divisor, pair, &NarrowCloud::words);
-  } else {
-    fill(a.size(), range.low, *divisor, pair, &NarrowCloud::points);
-    if (pair.exponent < most_word_bits) shorten(pair);  // differences may fit words where coordinates do not
-  }
-  make_images(pair);
+  if (bits <= most_word_bits) fill(a.size(), range.low, *divisor, pair, &NarrowCloud::words);
+  else fill(a.size(), range.low, *divisor, pair, &NarrowCloud::points);
+  set_images(pair);
   return true;
 }
 

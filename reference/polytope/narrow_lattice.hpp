@@ -68,6 +68,17 @@ struct NarrowPair {
 /// coordinate in binary64 is no finite number.
 bool place_narrow(const Points& a, const Points& b, NarrowPair& pair);
 
+/// The same for points that poses move, both in numerators. Returns false if these have too many
+/// bits over one power of two.
+bool place_numerators(const PosedPoints& a, const PosedPoints& b, NarrowPair& pair);
+/// The same for points in binary64 that any poses move, over the common denominator of both
+/// matrices: the lattice may be finer than that of `place`, and answers that are not unique others.
+/// Returns false if it is not narrow.
+bool place_over_common_denominator(const PosedPoints& a, const PosedPoints& b, NarrowPair& pair);
+/// Sets what follows from the points, which are in one form in both clouds: the exponent, words if
+/// all coordinates fit them (of differences they may where those of points do not), the images.
+void set_images(NarrowPair& pair);
+
 /// The same for what `place` has placed. Returns false if that lattice is not narrow.
 bool narrow(const PlacedPair& placed, NarrowPair& pair);
 /// The same for the points alone: the unit is 1. The clouds have one exponent.

@@ -33,13 +33,6 @@ namespace fathom {
 
 namespace solve {
 
-/// Numbers in binary64 as integers times one power of two.
-struct Aligned {
-  std::vector<std::int64_t> integers;
-  long exponent = 0;
-  long bits = 0;  ///< |n| < 2^bits for each integer
-};
-
 /// Two indices of points: an edge, directed from the first to the second.
 using EdgeEnds = std::array<std::uint32_t, 2>;
 
@@ -47,47 +40,24 @@ using EdgeEnds = std::array<std::uint32_t, 2>;
 
 namespace {
 
-using kernels::Int128;
-using polytope::DyadicPoints;
 using polytope::Points;
-using solve::Aligned;
+using polytope::PosedPoints;
 using solve::EdgeEnds;
 
 /// Bodies have few axes if there are at most so many.
 constexpr std::size_t few_axes = 64;
 
-/// Returns nullopt if an integer would have more bits than a word. Throws std::invalid_argument if
-/// a number is not finite.
-std::optional<Aligned> aligned(std::span<const double> numbers) {
-  long low = std::numeric_limits<long>::max(), high = std::numeric_limits<long>::min();
-  for (const double x : numbers) {
-    const kernels::Dyadic number = kernels::dyadic(x);
-    if (number.mantissa == 0) continue;
-    low = std::min(low, number.exponent);
-    high = std::max(high, static_cast<long>(std::ilogb(x)) + 1);
-  }
-  if (low > high) return Aligned{std::vector<std::int64_t>(numbers.size(), 0)};
-  if (high - low > polytope::most_word_bits) return std::nullopt;
-  Aligned result{{}, low, high - low};
-  result.integers.reserve(numbers.size());
-  for (const double x : numbers) {
-    const kernels::Dyadic number = kernels::dyadic(x);
-    result.integers.push_back(number.mantissa == 0 ? 0 : number.mantissa << (number.exponent - low));
-  }
-  return result;
-}
-
-std::optional<Aligned> aligned_points(const GivenPoints& points) {
+std::optional<polytope::AlignedNumbers> aligned_points(const GivenPoints& points) {
   if (!points.in_binary64()) return std::nullopt;
   const auto given = points.binary64();
-  return aligned({given.front().data(), 3 * given.size()});
+  return polytope::aligned({given.front().data(), 3 * given.size()});
 }
 
 }  // namespace
 
 struct Prepared::Parts {
   Body body;
-  std::optional<solve::Aligned> integers;  ///< of all points, if they are in binary64 and fit
+  std::optional<polytope::AlignedNumbers> integers;  ///< of all points, if they are in binary64 and fit
 
   // Of the hull, by indices in `extreme`. Parallel edges or facets are listed once.
   std::vector<std::uint32_t> extreme;
@@ -126,99 +96,18 @@ const std::vector<std::uint32_t>& Prepared::extreme_points() const { return part
 
 namespace {
 
-/// The bits of a word.
-long bits_of(const kernels::Dyadic& number) {
-  return std::bit_width(static_cast<std::uint64_t>(std::abs(number.mantissa)));
+/// Makes `view` the points of a placed body where they are, all or only the extreme ones of the
+/// polytope. Throws std::invalid_argument if a number of the pose is not finite, or not in lowest
+/// terms.
+void show(const PlacedBody& placed, bool only_extreme, PosedPoints& view) {
+  const Prepared::Parts& parts = *placed.prepared.parts;
+  view.given = &parts.body.points;
+  view.integers = parts.integers ? &*parts.integers : nullptr;
+  view.chosen = {};
+  if (only_extreme && !parts.all_extreme()) view.chosen = parts.extreme;
+  view.pose = &placed.pose;
+  view.move();
 }
-
-/// Moves the chosen points, or all if none are chosen. Returns false if 128 bits are too few.
-/// Throws std::invalid_argument if a number of the pose is not finite.
-bool move(const Aligned& points, const PoseBinary64& pose, std::span<const std::uint32_t> chosen, DyadicPoints& to) {
-  std::array<double, 9> linear;
-  std::array<kernels::Dyadic, 3> shift;
-  for (int i = 0; i < 3; ++i) {
-    std::copy_n(pose[i].begin(), 3, linear.begin() + 3 * i);
-    shift[i] = kernels::dyadic(pose[i][3]);
-  }
-  const std::optional<Aligned> matrix = aligned(linear);
-  if (!matrix) return false;
-  const long unit = points.exponent + matrix->exponent;
-  to.exponent = unit;
-  for (const kernels::Dyadic& t : shift)
-    if (t.mantissa != 0) to.exponent = std::min(to.exponent, t.exponent);
-  const long finer = unit - to.exponent;
-  if (points.bits + matrix->bits + 2 + finer >= DyadicPoints::most_bits) return false;
-  std::array<Int128, 3> offset{};
-  for (int i = 0; i < 3; ++i) {
-    if (shift[i].mantissa == 0) continue;
-    if (bits_of(shift[i]) + shift[i].exponent - to.exponent >= DyadicPoints::most_bits - 1) return false;
-    offset[i] = static_cast<Int128>(shift[i].mantissa) << (shift[i].exponent - to.exponent);
-  }
-  const std::size_t size = chosen.empty() ? points.integers.size() / 3 : chosen.size();
-  to.numerators.resize(size);
-  for (std::size_t k = 0; k < size; ++k) {
-    const std::int64_t* p = &points.integers[3 * (chosen.empty() ? k : chosen[k])];
-    const auto coordinate = [&](int i) {
-      const std::int64_t* row = &matrix->integers[static_cast<std::size_t>(3 * i)];
-      const Int128 sum =
-          static_cast<Int128>(row[0]) * p[0] + static_cast<Int128>(row[1]) * p[1] + static_cast<Int128>(row[2]) * p[2];
-      return (sum << finer) + offset[static_cast<std::size_t>(i)];
-    };
-    to.numerators[k] = {coordinate(0), coordinate(1), coordinate(2)};
-  }
-  return true;
-}
-
-/// Throws std::invalid_argument unless the numbers of the pose are finite, or in lowest terms.
-void require_numbers(const PlacedBody& placed) {
-  const auto require = [](const auto& pose, auto require_number) {
-    for (const auto& row : pose)
-      for (const auto& x : row) require_number(x);
-  };
-  if (const Pose* exact = std::get_if<Pose>(&placed.pose)) require(*exact, kernels::require_lowest_terms);
-  else require(std::get<PoseBinary64>(placed.pose), [](double x) { kernels::dyadic(x); });
-}
-
-Pose exact_pose_of(const PlacedBody& placed) {
-  if (const Pose* exact = std::get_if<Pose>(&placed.pose)) return *exact;
-  Pose pose;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 4; ++j) pose[i][j] = exact_value(std::get<PoseBinary64>(placed.pose)[i][j]);
-  return pose;
-}
-
-/// The points of a placed body, all or only the extreme ones of the polytope, where they are.
-class MovedPoints {
- public:
-  /// `memory` must outlive it.
-  MovedPoints(const PlacedBody& placed, bool only_extreme, DyadicPoints& memory) {
-    const Prepared::Parts& parts = *placed.prepared.parts;
-    std::span<const std::uint32_t> chosen;
-    if (only_extreme && !parts.all_extreme()) chosen = parts.extreme;
-    const auto* pose = std::get_if<PoseBinary64>(&placed.pose);
-    if (pose != nullptr && parts.integers && move(*parts.integers, *pose, chosen, memory)) {
-      memory.given = parts.body.points.binary64();
-      memory.chosen = chosen;
-      memory.pose = pose;
-      view_.emplace(memory);
-      return;
-    }
-    require_numbers(placed);
-    const Pose exact = exact_pose_of(placed);
-    const std::vector<Point>& points = parts.body.points.exact();
-    const std::size_t size = chosen.empty() ? points.size() : chosen.size();
-    for (std::size_t k = 0; k < size; ++k)
-      exact_.push_back(files::placed(points[chosen.empty() ? k : chosen[k]], exact));
-    view_.emplace(exact_);
-  }
-  MovedPoints(const MovedPoints&) = delete;
-
-  operator const Points&() const { return *view_; }  // NOLINT(google-explicit-constructor): it stands for them
-
- private:
-  std::vector<Point> exact_;
-  std::optional<Points> view_;
-};
 
 /// What binary64 knows of h(n) / |n| for one axis: it is not less than this. [proofs/prepared.md,
 /// "Axes in binary64"]
@@ -382,9 +271,10 @@ class PlacedQuestion {
     std::optional<Depth> depth;
     bool outside = false, apart = false;
     if (options_.method == Method::automatic && !options_.closest_lines && !options_.validate) {
-      const MovedPoints a(a_, true, parts.moved_a), b(b_, true, parts.moved_b);
-      if (polytope::place_narrow(a, b, parts.pair))
-        polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
+      show(a_, true, parts.posed_a);
+      show(b_, true, parts.posed_b);
+      if (placed(parts))
+        polytope::with_narrow_bodies(parts.pair, parts.posed_a, parts.posed_b, parts.scan, [&](const auto& bodies) {
           const BodyFacts facts = depth::facts_of(bodies);
           expanding::WarmExpansion expansion = nearest(bodies, facts);
           outside = expansion.outside;
@@ -397,12 +287,22 @@ class PlacedQuestion {
         });
     }
     if (depth) return std::move(*depth);
-    const MovedPoints a(a_, false, parts.moved_a), b(b_, false, parts.moved_b);
+    show(a_, false, parts.posed_a);
+    show(b_, false, parts.posed_b);
+    const Points a(parts.posed_a), b(parts.posed_b);
     if (apart && polytope::place_narrow(a, b, parts.pair))
       return polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
         return depth::apart_depth(context_, bodies, outside);
       });
     return solve::placed_depth(context_, a, b, options_).depth;
+  }
+
+  /// Places the extreme points. A lattice over a common denominator of matrices may be finer than
+  /// that of `place`: what is unique does not depend on it.
+  bool placed(Workspace::Parts& parts) const {
+    const bool in_integers = !parts.posed_a.numerators.empty() && !parts.posed_b.numerators.empty();
+    return (!in_integers && polytope::place_over_common_denominator(parts.posed_a, parts.posed_b, parts.pair)) ||
+           polytope::place_narrow(parts.posed_a, parts.posed_b, parts.pair);
   }
 
   template <class Integer>
@@ -445,14 +345,15 @@ class PlacedQuestion {
   std::optional<Workspace> own_;
 };
 
-/// Asks about all points of placed bodies in their poses, or if their lattice is too long about the
-/// moved bodies.
+/// Asks about the points of placed bodies in their poses, or if their lattice is too long about the
+/// moved bodies. A proof may name any point.
 template <class OfPoints, class OfBodies>
 auto asked(const PlacedBody& a, const PlacedBody& b, const OverlapOptions& options, OfPoints of_points,
            OfBodies of_bodies) {
   const kernels::DefaultFloatEnvironment environment;
-  DyadicPoints memory_a, memory_b;
-  const MovedPoints points_a(a, !options.proof, memory_a), points_b(b, !options.proof, memory_b);
+  PosedPoints points_a, points_b;
+  show(a, !options.proof, points_a);
+  show(b, !options.proof, points_b);
   if (const auto found = of_points(points_a, points_b)) return *found;
   return of_bodies(moved(a), moved(b));
 }
@@ -460,9 +361,11 @@ auto asked(const PlacedBody& a, const PlacedBody& b, const OverlapOptions& optio
 }  // namespace
 
 Body moved(const PlacedBody& placed) {
-  require_numbers(placed);
+  PosedPoints view;
+  show(placed, false, view);  // it looks at the numbers
   const auto make = [placed] {
-    const Pose pose = exact_pose_of(placed);
+    const auto* const binary64 = std::get_if<PoseBinary64>(&placed.pose);
+    const Pose pose = binary64 != nullptr ? files::exact_pose(*binary64) : std::get<Pose>(placed.pose);
     std::vector<Point> points;
     points.reserve(placed.prepared.body().points.size());
     for (const Point& p : placed.prepared.body().points.exact()) points.push_back(files::placed(p, pose));
