@@ -20,7 +20,9 @@ inline constexpr double product = 0x1p-48;            ///< of <n,d>
 inline constexpr double determinant = 0x1p-46;        ///< of <a x b, c>
 inline constexpr double order_on_vertical = 0x1p-44;  ///< of <d2,n><d1,v> - <d1,n><d2,v>, in either form
 inline constexpr double rise = 0x1p-47;               ///< of <u, q - p>, for points within 2^-52
-inline constexpr double turn = 0x1p-44;               ///< of a width times a rise, less another such product
+/// A direction's enclosure is made an image if it errs by less than 2^-wide_digits.
+inline constexpr int wide_digits = 60;
+inline constexpr double turn = 0x1p-44;  ///< of a width times a rise, less another such product
 template <class Number>
 inline constexpr double height_over_line_of = 96 * unit_of<Number>;  ///< of <p - q, d x e>
 template <class Number>

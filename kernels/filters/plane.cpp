@@ -98,10 +98,10 @@ Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q,
 }
 
 // sqrt(m / n) has few roundings, each by a factor below 1 + 2^-51.
-double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent) {
-  if (mpz_sgn(numerator) == 0) return 0;
-  long i = 0, j = 0;
-  const double m = mpz_get_d_2exp(&i, numerator), n = mpz_get_d_2exp(&j, denominator);
+double root_from_above(const Leading& numerator, const Leading& denominator, long exponent) {
+  const auto& [m, i] = numerator;
+  const auto& [n, j] = denominator;
+  if (m == 0) return 0;
   const long k = i - j - (i - j) % 2;  // even, and what is left is -1, 0 or 1
   const double root = std::sqrt(std::ldexp(m / n, static_cast<int>(i - j - k))) * error_bound::raised_root;
   const long shift = k / 2 - exponent;

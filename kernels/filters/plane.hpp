@@ -70,9 +70,12 @@ class Plane {
 /// zero if they lie on one line.
 Sign turn(const BoxedPoints& points, int axis, std::uint32_t p, std::uint32_t q, std::uint32_t r);
 
-/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it.
-/// `numerator` >= 0, `denominator` > 0.
-double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent);
+/// Returns an upper bound of sqrt(numerator / denominator) * 2^-exponent, a few roundings above it:
+/// of all numbers with these first bits. `numerator` >= 0, `denominator` > 0.
+double root_from_above(const Leading& numerator, const Leading& denominator, long exponent);
+inline double root_from_above(mpz_srcptr numerator, mpz_srcptr denominator, long exponent) {
+  return root_from_above(leading(numerator), leading(denominator), exponent);
+}
 inline double root_from_above(const mpz_class& numerator, const mpz_class& denominator, long exponent) {
   return root_from_above(numerator.get_mpz_t(), denominator.get_mpz_t(), exponent);
 }

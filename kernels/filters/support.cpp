@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -21,12 +22,25 @@ namespace {
 constexpr std::size_t block_size =
     128;  // of points: small enough that a second look is cheap, large enough to skip well
 
+constexpr long worth_wide_floats = 1000;  // bits of a product: shorter ones are computed as soon
+
 // The least e >= 0 with |c| <= 2^e.
 long exponent_of(const mpz_class& c) {
   if (c == 0) return 0;
   const auto bits = static_cast<long>(mpz_sizeinbase(c.get_mpz_t(), 2));
   const bool power_of_two = static_cast<long>(mpz_scan1(c.get_mpz_t(), 0)) == bits - 1;
   return power_of_two ? bits - 1 : bits;
+}
+
+void append_images(std::span<const Vector> points, const Vec3<long>& axes, std::vector<double>& x,
+                   std::vector<double>& y, std::vector<double>& z) {
+  const DefaultFloatEnvironment environment;
+  for (std::vector<double>* images : {&x, &y, &z}) images->reserve(points.size());
+  for (const Vector& p : points) {
+    x.push_back(image(p.x, axes.x));
+    y.push_back(image(p.y, axes.y));
+    z.push_back(image(p.z, axes.z));
+  }
 }
 
 Vec3<long> exponents_of(std::span<const Vector> points) {
@@ -48,6 +62,17 @@ DirectionImage image_for(const PointCloud& cloud, const Vector& u) {
   const auto stretched = [](const mpz_class& c, long axis) { return c == 0 ? 0 : exponent_of(c) + axis; };
   const long f = std::max({stretched(u.x, e.x), stretched(u.y, e.y), stretched(u.z, e.z)});
   return {image(u.x, f - e.x), image(u.y, f - e.y), image(u.z, f - e.z), slack_of(f)};
+}
+
+// Nullopt if the enclosures are too wide for binary64.
+std::optional<DirectionImage> image_for(const Vec3<long>& e, const Vec3<WideEnclosure>& u) {
+  const std::int64_t f = std::max({u.x.order() + e.x, u.y.order() + e.y, u.z.order() + e.z});
+  const auto narrow = [f](const WideEnclosure& c, long axis) {
+    return c.error() + axis < f - error_bound::wide_digits;
+  };
+  if (!narrow(u.x, e.x) || !narrow(u.y, e.y) || !narrow(u.z, e.z)) return std::nullopt;
+  const auto image = [f](const WideEnclosure& c, long axis) { return c.value().truncated(f - axis, negligible_image); };
+  return DirectionImage{image(u.x, e.x), image(u.y, e.y), image(u.z, e.z), 2 * error_bound::product};
 }
 
 // The one place that computes the filter's value of points; two lanes at a time, or one.
@@ -103,11 +128,45 @@ void visit_from(const Images& images, const DirectionImage& u, const std::vector
   }
 }
 
+// Leaves those of the listed points that may maximise <u, p>: none is surely below another.
+// `enclosure(i)` is that of point i.
+template <class EnclosureOf>
+void leave_farthest(const PointCloud& cloud, const Vec3<WideEnclosure>& u, std::vector<std::uint32_t>& listed,
+                    EnclosureOf enclosure) {
+  const std::vector<std::uint32_t> all = std::move(listed);
+  std::vector<WideEnclosure> values;
+  values.reserve(all.size());
+  for (const std::uint32_t i : all) values.push_back(dot<WideEnclosure>(u, enclosure(i)));
+  // Of points that have much in common the difference has more digits than their products with u.
+  const auto below = [&](std::size_t k, std::size_t other) {
+    if (const auto sure = (values[other] - values[k]).sign()) return *sure == Sign::positive;
+    const auto step = [&](int axis) {
+      return WideEnclosure::of_difference(
+          coordinate<WideEnclosure>(enclosure(all[other]), axis), coordinate(cloud[all[other]], axis),
+          coordinate<WideEnclosure>(enclosure(all[k]), axis), coordinate(cloud[all[k]], axis));
+    };
+    return dot<WideEnclosure>(u, {step(0), step(1), step(2)}).sign() == Sign::positive;
+  };
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (below(most, k)) most = k;
+  listed.clear();
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (!below(k, most)) listed.push_back(all[k]);
+}
+
+Vec3<WideEnclosure> enclosed(const Vector& v) { return {WideEnclosure(v.x), WideEnclosure(v.y), WideEnclosure(v.z)}; }
+
 // r = <u, p>, without a temporary.
 void set_dot(mpz_class& r, const Vector& u, const Vector& p) {
   mpz_mul(r.get_mpz_t(), u.x.get_mpz_t(), p.x.get_mpz_t());
   mpz_addmul(r.get_mpz_t(), u.y.get_mpz_t(), p.y.get_mpz_t());
   mpz_addmul(r.get_mpz_t(), u.z.get_mpz_t(), p.z.get_mpz_t());
+}
+
+std::vector<std::uint32_t> extreme_among(const PointCloud& cloud, const Vector& u,
+                                         std::span<const std::uint32_t> listed) {
+  return kernels::greatest<mpz_class>(listed, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud[i]); });
 }
 
 std::vector<std::uint32_t> all_indices(std::size_t n) {
@@ -143,15 +202,13 @@ PointCloud::PointCloud(std::vector<Vector> points) : points_(std::move(points)) 
 
 void PointCloud::make_images(const Vec3<long>& axes) {
   axis_exponents_ = axes;
-  const DefaultFloatEnvironment environment;
-  x_.reserve(size());
-  y_.reserve(size());
-  z_.reserve(size());
-  for (const Vector& p : points_) {
-    x_.push_back(image(p.x, axes.x));
-    y_.push_back(image(p.y, axes.y));
-    z_.push_back(image(p.z, axes.z));
-  }
+  append_images(points_, axes, x_, y_, z_);
+}
+
+LazyCloud::LazyCloud(const PointCloud& cloud) : cloud_(&cloud), axes_(exponents_of(cloud.points())) {
+  append_images(cloud.points(), axes_, x_, y_, z_);
+  enclosures_.reserve(cloud.size());
+  for (const Vector& p : cloud.points()) enclosures_.push_back(enclosed(p));
 }
 
 long binary_exponent(std::span<const Vector> points) {
@@ -173,7 +230,25 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
   near_extreme(cloud.images(), v, memory);
   std::vector<std::uint32_t>& near = memory.near;
   if (near.size() == 1 || v.slack == 0) return std::move(near);
-  return greatest<mpz_class>(near, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud.points()[i]); });
+  if (bit_length(u) + cloud.exponent() < worth_wide_floats) return extreme_among(cloud, u, near);
+  leave_farthest(cloud, enclosed(u), near, [&](std::uint32_t i) { return enclosed(cloud[i]); });
+  return near.size() == 1 ? std::move(near) : extreme_among(cloud, u, near);
+}
+
+std::vector<std::uint32_t> extreme_points(const LazyCloud& cloud, const Vec3<LazyInteger>& u,
+                                          std::span<const std::uint32_t> level) {
+  const Vec3<WideEnclosure> wide = enclosure(u);
+  ScanMemory memory;
+  std::vector<std::uint32_t>& near = memory.near;
+  if (const std::optional<DirectionImage> v = image_for(cloud.axis_exponents(), wide))
+    near_extreme(cloud.images(), *v, memory);
+  else near = all_indices(cloud.points().size());
+  if (near.size() > 1)
+    leave_farthest(cloud.points(), wide, near,
+                   [&](std::uint32_t i) -> const Vec3<WideEnclosure>& { return cloud.enclosure(i); });
+  const bool all_level =
+      near.size() == 1 || std::ranges::all_of(near, [&](std::uint32_t i) { return std::ranges::count(level, i) > 0; });
+  return all_level ? std::move(near) : extreme_among(cloud.points(), {u.x.exact(), u.y.exact(), u.z.exact()}, near);
 }
 
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {

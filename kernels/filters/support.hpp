@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/number/lazy_integer.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::kernels {
@@ -78,10 +79,32 @@ class PointCloud {
 long binary_exponent(std::span<const Vector> points);
 inline long binary_exponent(const Vector& v) { return binary_exponent(std::span(&v, 1)); }
 
-/// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations and exact
-/// ones only for near ties. u may be zero (then every point is extreme). An empty cloud gives an
-/// empty list.
+/// Indices of all points that maximise <u, p>, ascending. Exact; O(n) double operations, those of
+/// wide floats for what they leave open, exact ones for what these do. u may be zero (then every
+/// point is extreme). An empty cloud gives an empty list.
 std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector& u);
+/// A cloud for directions that need not be computed: its coordinates as enclosures, and images with
+/// the least exponent for each axis, whatever the cloud's own are. The cloud must outlive it.
+class LazyCloud {
+ public:
+  explicit LazyCloud(const PointCloud& cloud);
+
+  [[nodiscard]] const PointCloud& points() const { return *cloud_; }
+  [[nodiscard]] Images images() const { return {x_, y_, z_}; }
+  [[nodiscard]] const Vec3<long>& axis_exponents() const { return axes_; }
+  [[nodiscard]] const Vec3<WideEnclosure>& enclosure(std::size_t i) const { return enclosures_[i]; }
+
+ private:
+  const PointCloud* cloud_;
+  std::vector<Vec3<WideEnclosure>> enclosures_;
+  std::vector<double> x_, y_, z_;
+  Vec3<long> axes_;
+};
+
+/// The same in such a direction, not zero; the cloud is not empty. Points of the indices `level`
+/// are known to have one product with u.
+std::vector<std::uint32_t> extreme_points(const LazyCloud& cloud, const Vec3<LazyInteger>& u,
+                                          std::span<const std::uint32_t> level = {});
 
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);

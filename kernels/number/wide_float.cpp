@@ -43,9 +43,9 @@ double WideFloat::leading() const {
          power_of_two(-double_bits);
 }
 
-double WideFloat::truncated() const {
-  const std::int64_t above = exponent_ + bits;  // |x| < 2^above
-  if (significand_ == 0 || above < -900) return 0;
+double WideFloat::truncated(std::int64_t exponent, long least) const {
+  const std::int64_t above = exponent_ + bits - exponent;  // |x| < 2^above
+  if (significand_ == 0 || above < least) return 0;
   const double size = above > 900 ? std::numeric_limits<double>::infinity() : leading() * power_of_two(above);
   return significand_ < 0 ? -size : size;
 }
@@ -71,6 +71,37 @@ WideFloat sqrt(const WideFloat& a) {
   WideFloat root = m * x;
   root.exponent_ += half;
   return root;
+}
+
+Leading leading(mpz_srcptr n) {
+  Leading result{};
+  result.mantissa = mpz_get_d_2exp(&result.exponent, n);
+  return result;
+}
+
+WideEnclosure::WideEnclosure(const mpz_class& n) : value_(WideFloat::scaled(n, 0)) {
+  if (n != 0 && static_cast<std::int64_t>(mpz_scan1(n.get_mpz_t(), 0)) < value_.exponent_) error_ = value_.exponent_;
+}
+
+WideEnclosure WideEnclosure::of_difference(const WideEnclosure& near_n, const mpz_class& n, const WideEnclosure& near_m,
+                                           const mpz_class& m) {
+  const WideEnclosure result = near_n - near_m;
+  return result.has_digits() ? result : WideEnclosure(mpz_class(n - m));
+}
+
+std::optional<Leading> WideEnclosure::leading() const {
+  if (value_.significand_ == 0) return exact() ? std::optional<Leading>{{0, 0}} : std::nullopt;
+  constexpr int beyond = WideFloat::bits - double_bits;  // of the significand's bits
+  if (!exact()) {
+    const std::int64_t units = error_ - value_.exponent_;
+    if (units >= beyond) return std::nullopt;
+    const WideFloat::Unsigned error = WideFloat::Unsigned{1} << std::max<std::int64_t>(units, 0),
+                              whole = WideFloat::Unsigned{1} << beyond,
+                              rest = WideFloat::magnitude(value_.significand_) & (whole - 1);
+    if (rest < error || rest + error >= whole) return std::nullopt;
+  }
+  const double size = value_.leading();
+  return {{value_.sign() < 0 ? -size : size, static_cast<long>(value_.exponent_ + WideFloat::bits)}};
 }
 
 }  // namespace fathom::kernels

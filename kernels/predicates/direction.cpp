@@ -33,12 +33,9 @@ Vec3<DoubleInterval> enclose(const Vector& v) {
   return {enclose(v.x, shift), enclose(v.y, shift), enclose(v.z, shift)};
 }
 
-double image(const mpz_class& c, long exponent) {
-  constexpr long negligible = -500;
-  if (c == 0) return 0;
-  long own = 0;
-  const double mantissa = mpz_get_d_2exp(&own, c.get_mpz_t());
-  return own - exponent < negligible ? 0 : std::ldexp(mantissa, static_cast<int>(own - exponent));
+double image(const Leading& c, long exponent) {
+  if (c.mantissa == 0 || c.exponent - exponent < negligible_image) return 0;
+  return std::ldexp(c.mantissa, static_cast<int>(c.exponent - exponent));
 }
 
 Vec3<double> image(const Vector& v, long exponent) {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "kernels/filters/error_bounds.hpp"
+#include "kernels/number/wide_float.hpp"
 #include "kernels/predicates/perturbation.hpp"
 #include "kernels/vector.hpp"
 
@@ -50,9 +51,11 @@ class Direction {
 // settle, for searches that ask one node or one arc about many arcs.
 //                                                              [proofs/kernels.md, "Plain doubles"]
 
-/// c * 2^-exponent, truncated to 53 bits; 0 below 2^-500, so that no product of two images
-/// underflows.
-double image(const mpz_class& c, long exponent);
+/// Images below 2^negligible_image are 0, so that no product of two underflows.
+inline constexpr long negligible_image = -500;
+/// c * 2^-exponent, truncated to 53 bits; the same of its first bits.
+double image(const Leading& c, long exponent);
+inline double image(const mpz_class& c, long exponent) { return image(leading(c.get_mpz_t()), exponent); }
 Vec3<double> image(const Vector& v, long exponent);
 /// With the exponent for which the largest component lies in [1/2, 1]. v is not zero. The image of
 /// -v is the negative.

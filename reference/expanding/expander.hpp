@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The search: a polytope inside P expands towards the facets of P nearest to O. One template over
-// the integers: those of a fixed size, which need no allocation, where the lattice is narrow, and
-// mpz_class anywhere.                                                         [proofs/expanding.md]
+// the integers: those of a fixed size, which need no allocation, where the lattice is narrow; lazy
+// ones elsewhere; and mpz_class, the naive twin.                              [proofs/expanding.md]
 #pragma once
 
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/plane.hpp"
 #include "kernels/filters/support.hpp"
+#include "kernels/number/lazy_integer.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
@@ -42,6 +43,7 @@ using polytope::to_vector;
 
 /// The vector without the common factor of its components.
 inline Vector without_factor(const Vector& v) { return primitive(v); }
+inline Vector without_factor(const Vec3<kernels::LazyInteger>& v) { return primitive(to_vector(v)); }
 template <class Integer>
 Vector without_factor(const Vec3<Integer>& v) {
   if (kernels::bit_length(v) > 63) return primitive(to_vector(v));
@@ -68,9 +70,11 @@ struct Radius {
   double from_above;
 };
 
-/// The distance of a facet's plane, height / sqrt(length), and such a number.
+/// The distance of the plane of a triangle that lies in a facet of P, height / sqrt(length), and
+/// such a number.
 template <class Integer>
 struct FacetDistance {
+  TriangleId of;
   Integer height, length;
   double from_above;
 };
@@ -109,7 +113,7 @@ class Expander {
                   if (order < 0) {
                     memory_.nearest.clear();
                     const double from_above = radius_of(squared_height(t), squared_length(t)).from_above;
-                    nearest_ = {surface_.plane(t).height, length_of(t), from_above};
+                    nearest_ = {t, surface_.plane(t).height, length_of(t), from_above};
                   }
                   memory_.nearest.push_back(t);
                   return true;
@@ -309,10 +313,34 @@ class Expander {
     return cmp(Square(squared_height(t) * other.denominator), Square(other.numerator * squared_length(t)));
   }
   int compare_distance(TriangleId t, const FacetDistance<Integer>& other) {
+    if constexpr (Surface<Integer>::lazy)
+      if (const auto sure = sure_order(t, other)) return *sure;
     const Integer mine = length_of(t);
     if (mine == other.length) return cmp(surface_.plane(t).height, other.height);
     const Square height(other.height);
     return cmp(Square(squared_height(t) * Square(other.length)), Square(height * height * Square(mine)));
+  }
+
+  // The same if that is sure.                              [proofs/expanding.md, "Lazy integers"]
+  std::optional<int> sure_order(TriangleId t, const FacetDistance<Integer>& other) {
+    using kernels::WideEnclosure;
+    const auto sign_of = [](const WideEnclosure& x) {
+      const auto sure = x.sign();
+      return sure ? std::optional(kernels::to_int(*sure)) : std::nullopt;
+    };
+    const Vec3<WideEnclosure> n = enclosure(surface_.plane(t).normal), m = enclosure(surface_.plane(other.of).normal);
+    const WideEnclosure h = surface_.plane(t).height.enclosure(), g = other.height.enclosure();
+    if (const auto sure = sign_of(h * h * other.length.enclosure() - g * g * dot(n, n))) return sure;
+    if (surface_.in_plane_by_name(other.of, t)) return 0;
+    // <w, h m + g n> for w = h m - g n = (n x m) x p - <m, q - p> n, in a form in which enclosures
+    // have digits left.
+    const Vec3<WideEnclosure> across = surface_.cross_enclosure(t, other.of), sum = h * m + g * n;
+    for (const CornerId c : surface_.triangles()[t].corners) {
+      const Corner& p = surface_.vertices()[c];
+      const Vec3<WideEnclosure> w = cross(across, enclosure(p.exact)) + surface_.height_enclosure(other.of, p) * n;
+      if (const auto sure = sign_of(dot(w, sum))) return sure;
+    }
+    return std::nullopt;
   }
 
   // Whether O lies below the plane, at a greater distance than the radius, or perhaps an equal one.
@@ -333,9 +361,14 @@ class Expander {
   std::optional<Corner> point_above(TriangleId t) {
     std::optional<Corner> found = corner(likely_extreme(t));
     if (surface_.side(t, *found) > 0) return found;
-    found = corner(differences_.extreme(surface_.plane(t).normal));
+    found = corner(extreme(t));
     if (surface_.side(t, *found) > 0) return found;
     return std::nullopt;
+  }
+
+  polytope::Difference extreme(TriangleId t) {
+    if constexpr (Surface<Integer>::lazy) return differences_.extreme(surface_.plane(t).normal, surface_.level(t));
+    else return differences_.extreme(surface_.plane(t).normal);
   }
 
   polytope::Difference likely_extreme(TriangleId t) {
@@ -370,6 +403,7 @@ struct Workspace::Parts {
   expanding::Memory<kernels::Integer127> small;
   expanding::Memory<kernels::Integer255> middle;
   expanding::Memory<polytope::NarrowInteger> narrow;
+  expanding::Memory<kernels::LazyInteger> lazy;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
   polytope::NarrowPair pair;               ///< for the caller of an expansion, which leaves it alone
@@ -381,6 +415,7 @@ struct Workspace::Parts {
     if constexpr (std::is_same_v<Integer, kernels::Integer127>) return small;
     else if constexpr (std::is_same_v<Integer, kernels::Integer255>) return middle;
     else if constexpr (std::is_same_v<Integer, mpz_class>) return wide;
+    else if constexpr (std::is_same_v<Integer, kernels::LazyInteger>) return lazy;
     else return narrow;
   }
 };

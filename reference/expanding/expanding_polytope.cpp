@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The doors of the search choose its integers: of fixed size where they suffice, else mpz_class.
+// The doors of the search choose its integers: of fixed size where they suffice, else lazy ones.
 #include "reference/expanding/expanding_polytope.hpp"
 
 #include <algorithm>
@@ -44,8 +44,8 @@ auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, W
                    F f) {
   require_clouds(a, b);
   if (!fits(a.exponent(), bits)) {
-    polytope::Differences differences{a, b};
-    return f(differences, parts.wide);
+    polytope::LazyDifferences differences{polytope::LazyPoints(a), polytope::LazyPoints(b)};
+    return f(differences, parts.lazy);
   }
   polytope::narrow(a, b, parts.clouds);
   return polytope::with_integers_for(parts.clouds, [&]<class Integer>(Integer) {
@@ -72,6 +72,7 @@ bool shows_bound(polytope::Differences& differences, const Vector& n, const mpq_
 template <class Differences>
 Expansion nearest(kernels::Context& context, Differences& differences, Memory<typename Differences::Integer>& memory,
                   std::size_t budget) {
+  const std::uint64_t computed_before = kernels::LazyInteger::computed();
   Expander<Differences> expander(context, differences, memory, budget);
   Expansion result;
   const bool solid = expander.start();
@@ -83,6 +84,7 @@ Expansion nearest(kernels::Context& context, Differences& differences, Memory<ty
   result.nearest = expander.nearest();
   result.sides = expander.sides().calls;
   result.sides_exact = expander.sides().exact;
+  result.computed = kernels::LazyInteger::computed() - computed_before;
   return result;
 }
 
@@ -220,6 +222,14 @@ template OriginExpansion locate_origin(kernels::Context&, const polytope::Narrow
                                        Workspace*, bool);
 template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
                                        Workspace*, bool);
+
+Expansion nearest_by_expansion_lazily(kernels::Context& context, const kernels::PointCloud& a,
+                                      const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
+  const Scratch scratch(workspace);
+  require_clouds(a, b);
+  polytope::LazyDifferences differences{polytope::LazyPoints(a), polytope::LazyPoints(b)};
+  return nearest(context, differences, (*scratch).lazy, budget);
+}
 
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
                                       const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {

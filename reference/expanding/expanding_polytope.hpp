@@ -48,6 +48,8 @@ struct Expansion {
   /// How often it was asked on which side of a triangle a point lies, and how often binary64 could
   /// not tell.
   std::uint64_t sides = 0, sides_exact = 0;
+  /// In lazy integers: how many had to be computed.
+  std::uint64_t computed = 0;
 };
 
 /// The clouds must be non-empty and have the same exponent, on all axes. Always ends: gives up if Q
@@ -59,7 +61,11 @@ Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCl
 template <class Integer>
 Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
-/// The same in integers of any size: the twin, and the way for lattices that are not narrow.
+/// The same in lazy integers, the way for lattices that are not narrow.
+Expansion nearest_by_expansion_lazily(kernels::Context& context, const kernels::PointCloud& a,
+                                      const kernels::PointCloud& b, std::size_t budget = unlimited,
+                                      Workspace* workspace = nullptr);
+/// The same in integers of any size: the naive twin.
 Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
                                       const kernels::PointCloud& b, std::size_t budget = unlimited,
                                       Workspace* workspace = nullptr);

@@ -15,12 +15,15 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "fathom/depth.hpp"
 #include "kernels/filters/plane.hpp"
 #include "kernels/id.hpp"
+#include "kernels/number/lazy_integer.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -93,12 +96,13 @@ struct SideCounts {
   std::uint64_t calls = 0, exact = 0;
 };
 
-/// `Integer` holds every number of this computation: mpz_class, or a FixedInteger that is wide
-/// enough. One object serves many polytopes, one after another, and keeps its memory.
+/// `Integer` holds every number of this computation: mpz_class, a LazyInteger, or a FixedInteger
+/// that is wide enough. One object serves many polytopes, one after another, and keeps its memory.
 template <class Integer>
 class Surface {
  public:
   using Vertex = SurfaceVertex<Integer>;
+  static constexpr bool lazy = std::is_same_v<Integer, kernels::LazyInteger>;
 
   /// Becomes the tetrahedron of four differences that do not lie in one plane. Throws
   /// std::logic_error if they do.
@@ -120,6 +124,21 @@ class Surface {
   const ExactPlane<Integer>& plane(TriangleId t);
   /// The sign of the height of a point above the plane of triangle t.
   int side(TriangleId t, const Vertex& vertex);
+  /// In lazy integers: <n, v - p> for the normal n of triangle t and that corner p of it which
+  /// leaves most digits.
+  kernels::WideEnclosure height_enclosure(TriangleId t, const Vertex& vertex);
+  /// In lazy integers: the product of the normals of t and another, in a form that leaves digits if
+  /// they share corners, the sum of e_1 (d_3 - d_2) and its like over the other's corners d and
+  /// their heights e above t.
+  Vec3<kernels::WideEnclosure> cross_enclosure(TriangleId t, TriangleId other);
+  /// Whether both triangles lie in one plane whatever the points are.
+  [[nodiscard]] bool in_plane_by_name(TriangleId t, TriangleId other) const {
+    return std::ranges::all_of(triangles_[other].corners,
+                               [&](CornerId c) { return in_plane_by_name(t, vertices_[c].from); });
+  }
+  /// The points of A that corners with one point of B have, and the reverse: an edge of the
+  /// triangle is their difference.
+  [[nodiscard]] polytope::LevelPoints level(TriangleId t) const;
 
  private:
   struct HorizonEdge {
@@ -134,6 +153,8 @@ class Surface {
       if (triangles_[t].corners[k] == from) return k;
     throw std::logic_error("the surface of the expanding polytope is torn");
   }
+  // The same of a difference.
+  [[nodiscard]] bool in_plane_by_name(TriangleId t, polytope::Difference from) const;
   TriangleId add(const std::array<CornerId, 3>& corners);
   void remove(TriangleId t);
   void find_horizon(const Vertex& vertex, TriangleId seen);
@@ -202,8 +223,12 @@ const ExactPlane<Integer>& Surface<Integer>::plane(TriangleId t) {
     ExactPlane<Integer>& exact = planes_[triangle.plane];
     const std::array<CornerId, 3>& c = triangle.corners;
     const Vec3<Integer>& p = vertices_[c[0]].exact;
-    exact.normal = cross(vertices_[c[1]].exact - p, vertices_[c[2]].exact - p);
-    exact.height = dot(exact.normal, p);
+    if constexpr (lazy) {
+      std::tie(exact.normal, exact.height) = plane_through(p, vertices_[c[1]].exact, vertices_[c[2]].exact);
+    } else {
+      exact.normal = cross(vertices_[c[1]].exact - p, vertices_[c[2]].exact - p);
+      exact.height = dot(exact.normal, p);
+    }
   }
   return planes_[triangle.plane];
 }
@@ -213,8 +238,69 @@ int Surface<Integer>::side(TriangleId t, const Vertex& vertex) {
   ++sides_.calls;
   if (const auto sure = triangles_[t].rounded.side(vertex.rounded)) return kernels::to_int(*sure);
   ++sides_.exact;
+  if constexpr (lazy)
+    if (const auto sure = height_enclosure(t, vertex).sign()) return kernels::to_int(*sure);
   const ExactPlane<Integer>& p = plane(t);
   return sgn(Integer(dot(p.normal, vertex.exact) - p.height));
+}
+
+template <class Integer>
+kernels::WideEnclosure Surface<Integer>::height_enclosure(TriangleId t, const Vertex& vertex) {
+  if (in_plane_by_name(t, vertex.from)) return {};
+  const Vec3<kernels::WideEnclosure> normal = enclosure(plane(t).normal);
+  kernels::WideEnclosure nearest;
+  bool first = true;
+  for (const CornerId c : triangles_[t].corners) {
+    const auto found = dot(normal, enclosure_of_difference(vertex.exact, vertices_[c].exact));
+    if (first || found.error() < nearest.error()) nearest = found;
+    first = false;
+    if (nearest.has_digits()) break;
+  }
+  return nearest;
+}
+
+template <class Integer>
+Vec3<kernels::WideEnclosure> Surface<Integer>::cross_enclosure(TriangleId t, TriangleId other) {
+  Vec3<kernels::WideEnclosure> sum;
+  const std::array<CornerId, 3>& c = triangles_[other].corners;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3<Integer>&from = vertices_[c[next(k)]].exact, &to = vertices_[c[next(next(k))]].exact;
+    sum = sum + height_enclosure(t, vertices_[c[k]]) * enclosure_of_difference(to, from);
+  }
+  return sum;
+}
+
+template <class Integer>
+polytope::LevelPoints Surface<Integer>::level(TriangleId t) const {
+  const std::array<CornerId, 3>& c = triangles_[t].corners;
+  polytope::LevelPoints level;
+  const auto add = [](polytope::LevelPoints::Ids& ids, std::uint32_t i) {
+    if (!ids.holds(i)) ids.ids[ids.count++] = i;
+  };
+  for (int k = 0; k < 3; ++k) {
+    const polytope::Difference &d = vertices_[c[k]].from, &e = vertices_[c[next(k)]].from;
+    if (d.second == e.second) {
+      add(level.a, d.first);
+      add(level.a, e.first);
+    }
+    if (d.first == e.first) {
+      add(level.b, d.second);
+      add(level.b, e.second);
+    }
+  }
+  return level;
+}
+
+template <class Integer>
+bool Surface<Integer>::in_plane_by_name(TriangleId t, polytope::Difference from) const {
+  const polytope::LevelPoints known = level(t);
+  const auto same = [](const polytope::LevelPoints::Ids& ids, std::uint32_t i, std::uint32_t j) {
+    return i == j || (ids.holds(i) && ids.holds(j));
+  };
+  return std::ranges::any_of(triangles_[t].corners, [&](CornerId c) {
+    const polytope::Difference& corner = vertices_[c].from;
+    return same(known.a, corner.first, from.first) && same(known.b, corner.second, from.second);
+  });
 }
 
 // Takes out all triangles below the vertex.
@@ -307,9 +393,14 @@ class Start {
     for (const Direction& u : directions) {
       if (is_zero(u)) continue;
       const polytope::Difference d = differences_.extreme(u);
-      if (cmp(Integer(dot(u, differences_[d])), Integer(dot(u, from))) > 0) return d;
+      if (rises(u, from, differences_[d])) return d;
     }
     return std::nullopt;
+  }
+
+  static bool rises(const Direction& u, const Direction& from, const Direction& to) {
+    if constexpr (Surface<Integer>::lazy) return order_along(u, to, from) > 0;
+    else return cmp(Integer(dot(u, to)), Integer(dot(u, from))) > 0;
   }
 
   static Direction some_normal(const Direction& line) {

@@ -4,7 +4,9 @@
 // narrow_lattice.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,6 +24,7 @@
 #include "kernels/context.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/number/lazy_integer.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/number/word_integer.hpp"
 #include "kernels/positions.hpp"
@@ -150,6 +153,16 @@ inline Vector difference(const kernels::PointCloud& a, const kernels::PointCloud
   return b[d.second] - a[d.first];
 }
 
+/// Up to three points of A, and of B, that are known to have one product with a direction.
+struct LevelPoints {
+  struct Ids {
+    std::array<std::uint32_t, 3> ids{};
+    std::size_t count = 0;
+    [[nodiscard]] std::span<const std::uint32_t> all() const { return std::span(ids).first(count); }
+    [[nodiscard]] bool holds(std::uint32_t i) const { return std::ranges::count(all(), i) > 0; }
+  } a, b;
+};
+
 /// The implicit vertex set of P = B (+) (-A): all differences b - a of two bodies, at the cost of
 /// linear scans. The bodies must outlive it.
 template <class Body>
@@ -167,6 +180,13 @@ struct DifferencesOf {
     const std::uint32_t first = extreme_points(a, -u).front();
     return {first, extreme_points(b, u).front()};
   }
+  /// The same in lazy integers, not zero: points that are known to be level need not be compared.
+  Difference extreme(const Vec3<Integer>& u,
+                     const LevelPoints& level) requires std::same_as<Integer, kernels::LazyInteger> {
+    ++scans;
+    const std::uint32_t first = extreme_points(a, -u, level.a.all()).front();
+    return {first, extreme_points(b, u, level.b.all()).front()};
+  }
   /// Returns a difference that is extreme in direction n by its image, without a guarantee.
   [[nodiscard]] Difference likely_extreme(const Vec3<double>& n) const {
     return {kernels::likely_extreme_point(a.images(), -n), kernels::likely_extreme_point(b.images(), n)};
@@ -175,6 +195,34 @@ struct DifferencesOf {
   [[nodiscard]] long exponent() const { return a.exponent(); }
 };
 using Differences = DifferencesOf<const kernels::PointCloud&>;
+
+/// A view of a cloud, in integers that are computed when they are needed.
+class LazyPoints {
+ public:
+  /// The cloud must outlive it.
+  explicit LazyPoints(const kernels::PointCloud& cloud) : cloud_(cloud) {}
+
+  [[nodiscard]] std::size_t size() const { return cloud_.points().size(); }
+  [[nodiscard]] kernels::Images images() const { return cloud_.points().images(); }
+  [[nodiscard]] long exponent() const { return cloud_.points().exponent(); }
+  [[nodiscard]] Vec3<kernels::LazyInteger> operator[](std::size_t i) const { return lazy(cloud_.points()[i]); }
+
+  friend Vec3<kernels::LazyInteger> difference(const LazyPoints& a, const LazyPoints& b, Difference d) {
+    return lazy(difference(a.cloud_.points(), b.cloud_.points(), d));
+  }
+  friend std::vector<std::uint32_t> extreme_points(const LazyPoints& body, const Vec3<kernels::LazyInteger>& u,
+                                                   std::span<const std::uint32_t> level = {}) {
+    return kernels::extreme_points(body.cloud_, u, level);
+  }
+
+ private:
+  static Vec3<kernels::LazyInteger> lazy(const Vector& v) {
+    return {kernels::LazyInteger(v.x), kernels::LazyInteger(v.y), kernels::LazyInteger(v.z)};
+  }
+
+  kernels::LazyCloud cloud_;
+};
+using LazyDifferences = DifferencesOf<LazyPoints>;
 
 /// Throws std::invalid_argument, with the name of the function that asks, if a body is empty or the
 /// bodies differ in their exponents.

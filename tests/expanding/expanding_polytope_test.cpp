@@ -295,7 +295,9 @@ TEST(FixedIntegers, TakeTheStepsOfMpzOnLatticesOfEveryWidth) {
     }
     const polytope::PlacedPair clouds = polytope::place_integers(a, b);
     const Expansion fixed = nearest_by_expansion(context, clouds.a, clouds.b, unlimited, &workspace);
-    expect_same(fixed, nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, unlimited, &workspace));
+    const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, unlimited, &workspace);
+    expect_same(fixed, twin);
+    expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, unlimited, &workspace), twin);
     if (HasFailure()) FAIL() << i << ", " << bits << " bits";
   }
 }
@@ -358,6 +360,60 @@ TEST(WordIntegers, HoldTheLargestNumbers) {
       expect_same(nearest_by_expansion(context, clouds.a, clouds.b, unlimited, &workspace), twin);
       if (HasFailure()) FAIL() << i << ", " << bits << " bits";
     }
+  }
+}
+
+/// Every coordinate has its own size; some points share coordinates, some lie in a plane or on a
+/// line with others.
+std::vector<Vector> wild_body(Random& random, unsigned long spread) {
+  std::vector<Vector> points;
+  const auto coordinate = [&] {
+    return mpz_class(testing::random_integer(random, 1 + random() % 60) << random() % spread);
+  };
+  const auto any = [&] { return points[random() % points.size()]; };
+  const std::size_t size = 4 + random() % 12;
+  while (points.size() < size) {
+    if (points.size() > 2 && random() % 4 == 0) points.push_back(any() + any() - any());
+    else if (points.size() > 2 && random() % 4 == 0) points.push_back({any().x, any().y, coordinate()});
+    else points.push_back({coordinate(), coordinate(), coordinate()});
+  }
+  return points;
+}
+
+TEST(LazyIntegers, TakeTheStepsOfMpzWhereCoordinatesDifferInSize) {
+  Workspace workspace;
+  kernels::Context context;
+  Random random(5);
+  int proved = 0;
+  for (int i = 0; i < 1200; ++i) {
+    const unsigned long spread = 1 + random() % 1200;
+    const polytope::PlacedPair clouds = polytope::place_integers(wild_body(random, spread), wild_body(random, spread));
+    const testing::RoundingMode mode(testing::rounding_modes[i % 4]);
+    const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, 300, &workspace);
+    expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, 300, &workspace), twin);
+    proved += twin.end == ExpansionEnd::proved ? 1 : 0;
+    if (HasFailure()) FAIL() << i << ", " << spread;
+  }
+  EXPECT_GT(proved, 300);
+}
+
+/// Work, in counts: binary64 cannot tell most sides of such bodies, and few numbers are computed.
+TEST(LazyIntegers, AreHardlyComputed) {
+  kernels::Context context;
+  for (const auto& [family, most] : {std::pair("uneven_coordinates", 12U), std::pair("wild_coordinates", 40U)}) {
+    std::uint64_t exact = 0, computed = 0, pairs = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      const Case input = families::find_family(family)->make(seed, 20);
+      const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
+      const Expansion found = nearest_by_expansion(context, clouds.a, clouds.b);
+      if (found.end != ExpansionEnd::proved) continue;
+      ++pairs;
+      exact += found.sides_exact;
+      computed += found.computed;
+    }
+    EXPECT_GT(pairs, 30U) << family;
+    EXPECT_GT(exact, 60 * pairs) << family << ": binary64 decides too much for this test to be hard";
+    EXPECT_LT(computed, most * pairs) << family;
   }
 }
 

@@ -55,6 +55,7 @@ inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, W
   const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
   const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, budget, &workspace);
   expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
+  expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, budget, &workspace), twin);
   polytope::NarrowPair pair;
   if (polytope::narrow(clouds, pair))
     expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);

@@ -36,8 +36,19 @@ using Random = std::mt19937_64;
 
 long below(Random& random, long n) { return static_cast<long>(random() % static_cast<std::uint64_t>(n)); }
 
+Vec3<LazyInteger> lazy(const Vector& v) { return {LazyInteger(v.x), LazyInteger(v.y), LazyInteger(v.z)}; }
+
 void expect_scans_agree(const PointCloud& cloud, const Vector& u, Random& random) {
-  ASSERT_EQ(extreme_points(cloud, u), extreme_points_naive(cloud.points(), u));
+  const std::vector<std::uint32_t> extreme = extreme_points_naive(cloud.points(), u);
+  ASSERT_EQ(extreme_points(cloud, u), extreme);
+  if (cloud.size() > 0 && !is_zero(u)) {
+    const LazyCloud lazy_cloud(cloud);
+    ASSERT_EQ(extreme_points(lazy_cloud, lazy(u)), extreme);
+    ASSERT_EQ(extreme_points(lazy_cloud, lazy(u), extreme), extreme);
+    // Of a product an enclosure may be all that is known.
+    const LazyInteger factor(power_of_two(150) + 1);
+    ASSERT_EQ(extreme_points(lazy_cloud, factor * lazy(u)), extreme);
+  }
   for (int repeat = 0; repeat < 3 && cloud.size() > 0; ++repeat) {
     const auto k = static_cast<std::uint32_t>(below(random, static_cast<long>(cloud.size())));
     ASSERT_EQ(points_beyond(cloud, u, k), points_beyond_naive(cloud.points(), u, k));
@@ -141,6 +152,28 @@ TEST(ExtremePoints, TiesAreAllListed) {
 }
 
 // Two points that no image can tell apart, since the exponent is that of another, far larger point.
+/// Each coordinate has its own size, and all points have one large part in common: binary64 sees
+/// one point, wide floats tell them apart.
+TEST(ExtremePoints, AreFoundInWideFloatsWhereCoordinatesDifferInSize) {
+  Random random(12);
+  std::uint64_t computed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto any_size = [&] { return mpz_class(random_integer(random, 20) << (random() % 1000)); };
+    const auto any_vector = [&] { return Vector{any_size(), any_size(), any_size()}; };
+    const Vector far{power_of_two(2000), 5 * power_of_two(1900), 3 * power_of_two(1990)};
+    std::vector<Vector> points;
+    for (int k = 0; k < 20; ++k) points.push_back(far + any_vector());
+    const Vec3<LazyInteger> u = cross(lazy(any_vector()), lazy(any_vector()));
+    if (is_zero(u)) continue;
+    const PointCloud cloud(points, 2010);
+    computed -= LazyInteger::computed();
+    const std::vector<std::uint32_t> found = extreme_points(LazyCloud(cloud), u);
+    computed += LazyInteger::computed();
+    ASSERT_EQ(found, extreme_points_naive(points, {mpz_class(u.x.exact()), u.y.exact(), u.z.exact()}));
+  }
+  EXPECT_LT(computed, 30U);
+}
+
 TEST(ExtremePoints, DifferencesBelowEveryImageDecide) {
   const PointCloud cloud({{0, 0, -power_of_two(5000)}, {0, 0, 1}, {0, 0, 2}, {0, 0, 2}});
   EXPECT_EQ(extreme_points(cloud, {0, 0, 1}), (std::vector<std::uint32_t>{2, 3}));
