@@ -68,6 +68,13 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
 /// The point center + sum of local_i axes[i].
 Point place(const Atom& atom, std::span<const mpq_class> local);
 
+/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a
+/// combination whose difference is the foot of O on the plane <n,x> = sum of the heights, or
+/// nullopt if none was found. `edges`: it is looked for in the edges of that face too.
+std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
+                                        const std::vector<Term>& b, const Vector& n,
+                                        std::span<const TermHeight> heights, bool edges = true);
+
 /// The square of height/|n| with the sign of the height.
 mpq_class signed_square(const mpq_class& height, const Vector& n);
 

@@ -85,6 +85,16 @@ TEST(CurvedBounds, DecideTouchingWherePeopleMeetIt) {
       {"rims that cross", cylinder(5, 1), at(cylinder(5, 1), {3, 0, 2}, {1, 0, 0, 2})},
       {"a rim on a barrel", cylinder(1, 3, Axis::y),
        at(cylinder(1, 1), {mpq_class(-1, 5), 0, mpq_class(12, 5)}, {3, 0, 1, 0})},
+      {"an apex on the rim of an end", cylinder(5, 1), at(cone(1, 2), {3, 4, 3}, half_x)},
+      {"a corner on the rim of an end", cylinder(5, 1), at(unit_box, {4, 5, 2})},
+      {"a ball on the rim of an end", cylinder(5, 1), at(ball(2), {3, 4, 3})},
+      {"a ball a hair inside of the rim", cylinder(5, 1), at(ball(2), {3, 4 - mpq_class(1, mpz_class(1) << 90), 3})},
+      {"an ellipsoid on the rim of a sum", minkowski_sum(cylinder(5, 1), ball(1)), at(ellipsoid({1, 2, 3}), {3, 4, 5})},
+      {"an end beside an edge, in one plane", cylinder(5, 1), at(unit_box, {mpq_class(9, 2), 4, 2}, {3, 0, 0, 1})},
+      {"an end beside an end, in one plane", cylinder(5, 1),
+       at(minkowski_sum(cylinder(1, third), unit_box), {mpq_class(23, 5), mpq_class(29, 5), mpq_class(7, 3)})},
+      {"a corner beside two ends, in one plane", minkowski_sum(cylinder(2, 1), at(cylinder(3, 1), {1, 0, 0})),
+       at(unit_box, {5, 5, 3})},
       {"a cylinder on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 3})},
       {"a cylinder lies on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2}, quarter_x)},
       {"a sphere on a slope", halfspace({1, 2, 2}, 3),
@@ -223,6 +233,11 @@ TEST(CurvedBounds, SayWhenTheyCannotDecide) {
   EXPECT_GT(grazing.high, 0);
   EXPECT_LE((grazing.high - grazing.low) * (mpz_class(1) << 160), 6);
   expect_around(grazing, {2, -2 * x * x}, "grazing balls");
+  // They touch, but their one common normal, (1, 1, sqrt(2)), is irrational.
+  const CurvedBounds irrational = bounds_of(cone(1, mpq_class(1, 2)), at(ball(1), {1, 1, mpq_class(1, 2)}));
+  EXPECT_LT(irrational.low, 0);
+  EXPECT_GT(irrational.high, 0);
+  expect_around(irrational, {0, 0}, "a ball on a cone");
   const CurvedBounds finer = bounds_of(ball(1), at(ball(1), {x, x, 0}), 310);
   EXPECT_LT(finer.high, 0);
   expect_around(finer, {2, -2 * x * x}, "grazing balls, looked at closely");
