@@ -296,6 +296,22 @@ TEST(CurvedBounds, OfSmallAndLargeNumbersAreThoseOfOrdinaryOnes) {
   EXPECT_GE(mixed.high, -tiny);
 }
 
+// Bounds agree in all bits of binary64 long before they are near enough: nevertheless the facets,
+// whose numbers are long, are seldom compared.
+TEST(CurvedBounds, TakeFewScansForManyBits) {
+  const mpq_class tiny = exact_value(1e-200), large = exact_value(1e308);
+  const Quaternion q{1, 2, 3, 4};
+  const CurvedBounds fine = bounds_of(cone(tiny, large), at(cylinder(large, tiny), {0, 0, 0}, q), 300);
+  EXPECT_GT(fine.support_calls, 400);
+  EXPECT_LE(fine.facet_scans, 2);
+  EXPECT_LE((fine.high - fine.low) * (mpz_class(1) << 300), 8 * large);
+  // O is so near to the boundary of P, for its size, that squares are 0 in binary64.
+  const CurvedBounds thin = bounds_of(at(cylinder(exact_value(1e100), large), {0, 0, 0}, q),
+                                      at(cylinder(tiny, 1), {tiny, 0, tiny}, {7, -1, 4, -6}), most_bound_bits);
+  EXPECT_GE(thin.support_calls, 512);
+  EXPECT_LE(thin.facet_scans, 160);
+}
+
 TEST(CurvedBounds, OfDegenerateAtoms) {
   const Shape point = ShapeMaker::one_atom({{1, 2, 3}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}});
   EXPECT_EQ(bounds_of(point, point).high, 0);
