@@ -32,6 +32,8 @@ constexpr long most_exact_bits = 128;
 constexpr std::size_t first_checkpoint = 128;
 /// After so many scans of all facets in vain the next one has to wait for more calls.
 constexpr std::size_t most_scans_in_a_row = 128;
+/// Of keys; so squares of what is in reach, at most 2, stay below infinity.
+constexpr long most_scale = 400;
 /// Squared distances that differ by less are not told apart.
 constexpr long least_key_exponent = -1000;
 constexpr double least_key = 0x1p-999;
@@ -95,7 +97,9 @@ class Growth {
   };
   struct Reference {
     mpz_class square, length;  ///< height |height| and <n,n> of some ceiling
-    double rounded = 0;        ///< their quotient
+    long scale = 0;            ///< of keys: they are times 4^scale, so that a small reference has a square too
+    double rounded = 0;        ///< their quotient, times 4^scale
+    double far = 0;            ///< a distance that is far above it
   };
 
   [[nodiscard]] Corner corner(polytope::Difference d) const;
@@ -168,19 +172,22 @@ double Growth::key(const mpz_class& height, const Vector& normal) const {
                   scale = length * reference_.length;
   long i = 0, j = 0;
   const double quotient = mpz_get_d_2exp(&i, difference.get_mpz_t()) / mpz_get_d_2exp(&j, scale.get_mpz_t());
-  return std::ldexp(quotient, static_cast<int>(std::max(i - j - 2 * oracle_.exponent(), least_key_exponent)));
+  const long exponent = i - j - 2 * (oracle_.exponent() - reference_.scale);
+  return std::ldexp(quotient, static_cast<int>(std::max(exponent, least_key_exponent)));
 }
 
 double Growth::distance(double key) const {
-  const double square = key + reference_.rounded;
-  return square < 0 ? -std::sqrt(-square) : std::sqrt(square);
+  const double square = key + reference_.rounded, root = std::sqrt(std::fabs(square));
+  return std::ldexp(square < 0 ? -root : root, -static_cast<int>(reference_.scale));
 }
 
 // All keys change, but not their order.
 void Growth::refer_to(const Ceiling& ceiling) {
-  reference_ = {ceiling.height * abs(ceiling.height), dot(ceiling.direction, ceiling.direction), 0};
   const double root = estimates_.ceiling(ceiling);
-  reference_.rounded = root * std::fabs(root);
+  const long scale = root > 0 ? std::clamp(-static_cast<long>(std::ilogb(root)), 0L, most_scale) : 0;
+  const double scaled = std::ldexp(root, static_cast<int>(scale));
+  reference_ = {ceiling.height * abs(ceiling.height), dot(ceiling.direction, ceiling.direction), scale,
+                scaled * std::fabs(scaled), std::sqrt(std::max(0x1p-8 + root * std::fabs(root), 0.0))};
   std::vector<Waiting> waiting = std::move(waiting_);
   waiting_.clear();
   for (const Waiting& w : waiting)
@@ -191,9 +198,9 @@ void Growth::refer_to(const Ceiling& ceiling) {
 // asked for exactly.
 void Growth::wait_for(TriangleId t, bool exact) {
   const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
-  const double far = distance(0x1p-8);
-  if (!exact && rounded.trustworthy() && rounded.estimated_distance() > far) {
-    waiting_.push_back({rounded.estimated_distance() * rounded.estimated_distance() - reference_.rounded, false, t});
+  if (!exact && rounded.trustworthy() && rounded.estimated_distance() > reference_.far) {
+    const double scaled = std::ldexp(rounded.estimated_distance(), static_cast<int>(reference_.scale));
+    waiting_.push_back({scaled * scaled - reference_.rounded, false, t});
   } else {
     const expanding::ExactPlane<mpz_class>& plane = surface_.plane(t);
     waiting_.push_back({key(plane.height, plane.normal), true, t});
@@ -234,10 +241,12 @@ void Growth::run() {
 // Nearly high - low, and surely not more: keys differ where the bounds agree in all their bits. So
 // the planes of all facets, which met() compares exactly, are not looked at after every call.
 double Growth::least_gap(const Waiting& first, double low, double high) const {
-  if (!(low > 0)) return high - low - 0x1p-46;
+  if (!(low > 0)) return high * (1 - 0x1p-10);  // low may be off by 2^-14 high
   const double above = key(oracle_.lowest()->height, oracle_.lowest()->direction),
                rounding = 0x1p-50 * (std::fabs(above) + std::fabs(first.key)) + least_key;
-  return (above - first.key - rounding) / (high + low) * (1 - 0x1p-40);
+  return std::ldexp((above - first.key - rounding) / std::ldexp(high + low, static_cast<int>(reference_.scale)),
+                    -static_cast<int>(reference_.scale)) *
+         (1 - 0x1p-40);
 }
 
 // It takes a scan of all facets. Where binary64 is wrong about the gap, as where O is nearer to the
