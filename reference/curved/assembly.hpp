@@ -97,9 +97,10 @@ class Assembly {
   /// lower side.
   bool meets_in_face();
 
-  /// What the lower side says of the cores, squared, with its sign; and whether both sides are one
-  /// number.
+  /// What the lower side and the lowest ceiling say of the cores, squared, with the sign; and
+  /// whether both sides are one number.
   [[nodiscard]] const mpq_class& lower() const { return lower_; }
+  [[nodiscard]] mpq_class upper() const;
   [[nodiscard]] bool closed() const;
   /// -|z|^2 in the shapes' unit.
   [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot<mpz_class>& z) const;
@@ -109,8 +110,6 @@ class Assembly {
   CurvedBounds take();
 
  private:
-  /// What the lowest ceiling says of the cores, as `lower`.
-  [[nodiscard]] mpq_class upper() const;
   void set_weights(const Combination& combination);
 
   kernels::Context& context_;

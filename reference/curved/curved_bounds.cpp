@@ -409,6 +409,9 @@ class Search {
   void guess() {
     const Ceiling before = *oracle_.lowest();
     ask(short_directions(lattice_, before.direction));
+    if (compare(*oracle_.lowest(), before) < 0 && meets()) return;
+    if (Goal::decided(goal_.from_below(assembly_.lower()), goal_.from_above(assembly_.upper()))) return;
+    ask(fan_directions(lattice_, before.direction));
     if (compare(*oracle_.lowest(), before) < 0) meets();
   }
   // At least one direction is asked for.

@@ -17,8 +17,7 @@ namespace {
 
 constexpr unsigned face_fine = 20;  // 2^-20: points inside a face need not be near its boundary
 constexpr std::size_t most_face_calls = 60;
-constexpr std::size_t most_choices = 256;     // of one atom in each term
-constexpr std::size_t most_edge_points = 12;  // a term of more has no edges tried
+constexpr std::size_t most_choices = 256;  // of one atom in each term
 constexpr std::size_t most_face_directions = 8;
 
 // The faces of one core's terms, as terms, and where their atoms come from.
@@ -156,9 +155,7 @@ class FaceSearch {
     std::vector<Vector> result = likely_directions(face_, most_face_directions);
     for (Vector& m : short_directions(face_, oracle_.lowest()->direction)) result.push_back(std::move(m));
     for (const LatticeTerm& term : face_.terms) {
-      std::vector<Vector> points = term.cloud.points();
-      for (const LatticeAtom& atom : term.atoms)
-        if (atom.axes.empty()) points.push_back(atom.center);
+      const std::vector<Vector> points = points_of(term);
       if (points.size() > most_edge_points) continue;
       for (const Vector& p : points)
         for (const Vector& q : points) result.push_back(cross(n_, Vector(p - q)));

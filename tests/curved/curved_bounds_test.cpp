@@ -143,6 +143,23 @@ TEST(CurvedBounds, DecideTouchingOfEllipsoidsAtRationalPoints) {
   }
 }
 
+// Of these fans of common normals no member is short.
+TEST(CurvedBounds, DecideTouchesWhoseNormalsFormAFan) {
+  const auto q = [](long above, long below) { return kernels::ratio(mpz_class(above), mpz_class(below)); };
+  const std::vector<Placed> touching{
+      {"an apex on an edge", at(cone(q(5, 4), q(13, 16)), {q(-607, 720), q(31, 18), q(167, 90)}, {5, 7, -5, 9}),
+       at(box({q(15, 2), 5, 2}), {q(89, 288), q(-377, 72), q(89, 36)}, {12, 1, -10, -4})},
+      {"an apex on a rim",
+       at(cone(q(48, 13), q(10, 13)), {q(-396037, 764556), q(2033999, 764556), q(-183970, 191139)},
+          {1199, 233, 273, 373}),
+       at(cone(10, 7), {q(90475, 58812), q(-128837, 58812), q(58948, 14703)}, {245, -416, -787, 18})}};
+  for (const Placed& placed : touching) {
+    const CurvedBounds bounds = bounds_of(placed.a, placed.b);
+    EXPECT_EQ(bounds.low, 0) << placed.what;
+    EXPECT_EQ(bounds.high, 0) << placed.what;
+  }
+}
+
 TEST(CurvedBounds, MeetWhereTheNearestFeaturesAreRational) {
   expect_exactly({"a gap between a cylinder and a box", unit_box, at(cylinder(1, 1), {0, 0, mpq_class(7, 3)})},
                  mpq_class(-1, 3));
