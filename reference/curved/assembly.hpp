@@ -68,6 +68,13 @@ std::vector<TightAtom> tight_atoms(const Term& term, const Vector& n, const mpq_
 /// The point center + sum of local_i axes[i].
 Point place(const Atom& atom, std::span<const mpq_class> local);
 
+/// `heights` are those of the terms of A in direction -n and of B in direction n, exact. Returns a
+/// combination whose difference is the foot of O on the plane <n,x> = sum of the heights, or
+/// nullopt if none was found. `edges`: it is looked for in the edges of that face too.
+std::optional<Combination> foot_in_face(kernels::Context& context, const std::vector<Term>& a,
+                                        const std::vector<Term>& b, const Vector& n,
+                                        std::span<const TermHeight> heights, bool edges = true);
+
 /// The square of height/|n| with the sign of the height.
 mpq_class signed_square(const mpq_class& height, const Vector& n);
 
@@ -90,9 +97,10 @@ class Assembly {
   /// lower side.
   bool meets_in_face();
 
-  /// What the lower side says of the cores, squared, with its sign; and whether both sides are one
-  /// number.
+  /// What the lower side and the lowest ceiling say of the cores, squared, with the sign; and
+  /// whether both sides are one number.
   [[nodiscard]] const mpq_class& lower() const { return lower_; }
+  [[nodiscard]] mpq_class upper() const;
   [[nodiscard]] bool closed() const;
   /// -|z|^2 in the shapes' unit.
   [[nodiscard]] mpq_class square_of(const polytope::SimplexFoot<mpz_class>& z) const;
@@ -102,8 +110,6 @@ class Assembly {
   CurvedBounds take();
 
  private:
-  /// What the lowest ceiling says of the cores, as `lower`.
-  [[nodiscard]] mpq_class upper() const;
   void set_weights(const Combination& combination);
 
   kernels::Context& context_;

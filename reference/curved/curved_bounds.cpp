@@ -30,6 +30,13 @@ namespace {
 constexpr long most_exact_bits = 128;
 /// After so many calls the search looks for the first time at how fast it gets on.
 constexpr std::size_t first_checkpoint = 128;
+/// After so many scans of all facets in vain the next one has to wait for more calls.
+constexpr std::size_t most_scans_in_a_row = 128;
+/// Of keys; so squares of what is in reach, at most 2, stay below infinity.
+constexpr long most_scale = 400;
+/// Squared distances that differ by less are not told apart.
+constexpr long least_key_exponent = -1000;
+constexpr double least_key = 0x1p-999;
 
 /// What binary64 says of bounds, of which it decides nothing: in the lattice's coordinates times
 /// 2^-exponent.
@@ -42,8 +49,9 @@ class Estimates {
   [[nodiscard]] double distance(const mpz_class& height, const Vector& normal) const;
   /// Of the foot of O, whose square is numerator / denominator.
   [[nodiscard]] double root(const mpz_class& numerator, const mpz_class& denominator) const;
-  /// False if the goal is out of sight.
-  [[nodiscard]] bool perhaps_met(double low, double high) const;
+  /// False if the goal is out of sight. `gap` is at most high - low, which do not say it once they
+  /// agree in all their bits.
+  [[nodiscard]] bool perhaps_met(double low, double high, double gap) const;
   /// How far bounds of one sign may be apart.
   [[nodiscard]] double allowed() const { return share_ * extent_; }
   /// How fine a point has to be while the bounds differ by this.
@@ -72,6 +80,8 @@ class Growth {
   [[nodiscard]] std::optional<mpq_class> squared();
   /// Q; its vertices name points of the oracle twice.
   InnerPolytope polytope() { return expanding::inner_polytope(surface_, merge_); }
+  /// How often the goal took a scan of all facets.
+  [[nodiscard]] std::size_t scans() const { return scans_; }
 
  private:
   using Corner = expanding::SurfaceVertex<mpz_class>;
@@ -87,7 +97,9 @@ class Growth {
   };
   struct Reference {
     mpz_class square, length;  ///< height |height| and <n,n> of some ceiling
-    double rounded = 0;        ///< their quotient
+    long scale = 0;            ///< of keys: they are times 4^scale, so that a small reference has a square too
+    double rounded = 0;        ///< their quotient, times 4^scale
+    double far = 0;            ///< a distance that is far above it
   };
 
   [[nodiscard]] Corner corner(polytope::Difference d) const;
@@ -96,6 +108,7 @@ class Growth {
   void refer_to(const Ceiling& ceiling);
   [[nodiscard]] double key(const mpz_class& height, const Vector& normal) const;
   [[nodiscard]] double distance(double key) const;
+  [[nodiscard]] double least_gap(const Waiting& first, double low, double high) const;
   bool met();
   bool hopeless(double gap);
   void expand(TriangleId t, double gap);
@@ -109,6 +122,7 @@ class Growth {
   expanding::MergeMemory merge_;
   std::vector<Waiting> waiting_;  // a heap
   Reference reference_;
+  std::size_t scans_ = 0, next_scan_ = 0;
   std::size_t checkpoint_ = first_checkpoint;  // a power of two
   double last_gap_ = 0, last_factor_ = 0;      // at the one before, if any; and by how much it had shrunk there
 };
@@ -131,9 +145,9 @@ double Estimates::distance(const mpz_class& height, const Vector& normal) const 
   return sgn(height) < 0 ? -magnitude : magnitude;
 }
 
-bool Estimates::perhaps_met(double low, double high) const {
+bool Estimates::perhaps_met(double low, double high, double gap) const {
   const double size = std::max({extent_, std::fabs(low + rho_), std::fabs(high + rho_)});
-  return high - low <= 2 * share_ * size + 0x1p-46;
+  return gap <= 2 * share_ * size;
 }
 
 unsigned Estimates::precision(double gap) const {
@@ -158,19 +172,22 @@ double Growth::key(const mpz_class& height, const Vector& normal) const {
                   scale = length * reference_.length;
   long i = 0, j = 0;
   const double quotient = mpz_get_d_2exp(&i, difference.get_mpz_t()) / mpz_get_d_2exp(&j, scale.get_mpz_t());
-  return std::ldexp(quotient, static_cast<int>(std::max(i - j - 2 * oracle_.exponent(), -1000L)));
+  const long exponent = i - j - 2 * (oracle_.exponent() - reference_.scale);
+  return std::ldexp(quotient, static_cast<int>(std::max(exponent, least_key_exponent)));
 }
 
 double Growth::distance(double key) const {
-  const double square = key + reference_.rounded;
-  return square < 0 ? -std::sqrt(-square) : std::sqrt(square);
+  const double square = key + reference_.rounded, root = std::sqrt(std::fabs(square));
+  return std::ldexp(square < 0 ? -root : root, -static_cast<int>(reference_.scale));
 }
 
 // All keys change, but not their order.
 void Growth::refer_to(const Ceiling& ceiling) {
-  reference_ = {ceiling.height * abs(ceiling.height), dot(ceiling.direction, ceiling.direction), 0};
   const double root = estimates_.ceiling(ceiling);
-  reference_.rounded = root * std::fabs(root);
+  const long scale = root > 0 ? std::clamp(-static_cast<long>(std::ilogb(root)), 0L, most_scale) : 0;
+  const double scaled = std::ldexp(root, static_cast<int>(scale));
+  reference_ = {ceiling.height * abs(ceiling.height), dot(ceiling.direction, ceiling.direction), scale,
+                scaled * std::fabs(scaled), std::sqrt(std::max(0x1p-8 + root * std::fabs(root), 0.0))};
   std::vector<Waiting> waiting = std::move(waiting_);
   waiting_.clear();
   for (const Waiting& w : waiting)
@@ -181,9 +198,9 @@ void Growth::refer_to(const Ceiling& ceiling) {
 // asked for exactly.
 void Growth::wait_for(TriangleId t, bool exact) {
   const kernels::RoundedPlane& rounded = surface_.triangles()[t].rounded;
-  const double far = distance(0x1p-8);
-  if (!exact && rounded.trustworthy() && rounded.estimated_distance() > far) {
-    waiting_.push_back({rounded.estimated_distance() * rounded.estimated_distance() - reference_.rounded, false, t});
+  if (!exact && rounded.trustworthy() && rounded.estimated_distance() > reference_.far) {
+    const double scaled = std::ldexp(rounded.estimated_distance(), static_cast<int>(reference_.scale));
+    waiting_.push_back({scaled * scaled - reference_.rounded, false, t});
   } else {
     const expanding::ExactPlane<mpz_class>& plane = surface_.plane(t);
     waiting_.push_back({key(plane.height, plane.normal), true, t});
@@ -209,7 +226,8 @@ void Growth::run() {
   while (const std::optional<Waiting> first = nearest()) {
     const Ceiling& lowest = *oracle_.lowest();
     const double high = estimates_.ceiling(lowest), low = distance(first->key);
-    if (sgn(lowest.height) == 0 || (estimates_.perhaps_met(low, high) && met())) {
+    if (sgn(lowest.height) == 0 ||
+        (oracle_.calls() >= next_scan_ && estimates_.perhaps_met(low, high, least_gap(*first, low, high)) && met())) {
       ask_exactly(first->triangle);
       return;
     }
@@ -220,7 +238,21 @@ void Growth::run() {
   }
 }
 
+// Nearly high - low, and surely not more: keys differ where the bounds agree in all their bits. So
+// the planes of all facets, which met() compares exactly, are not looked at after every call.
+double Growth::least_gap(const Waiting& first, double low, double high) const {
+  if (!(low > 0)) return high * (1 - 0x1p-10);  // low may be off by 2^-14 high
+  const double above = key(oracle_.lowest()->height, oracle_.lowest()->direction),
+               rounding = 0x1p-50 * (std::fabs(above) + std::fabs(first.key)) + least_key;
+  return std::ldexp((above - first.key - rounding) / std::ldexp(high + low, static_cast<int>(reference_.scale)),
+                    -static_cast<int>(reference_.scale)) *
+         (1 - 0x1p-40);
+}
+
+// It takes a scan of all facets. Where binary64 is wrong about the gap, as where O is nearer to the
+// boundary than 2^-500 of the extent, the scans are spread over the calls after a while.
 bool Growth::met() {
+  if (++scans_ > most_scans_in_a_row) next_scan_ = oracle_.calls() + oracle_.calls() / 8;
   std::optional<mpq_class> low = squared();
   if (!low && common_) low = 0;
   if (!low) return false;
@@ -363,17 +395,25 @@ class Search {
   CurvedBounds run() {
     ask(likely_directions(lattice_, directions_tried));
     // Cores that a plane separates, or touches, are often nearest where the plane says.
-    if (meets()) return assembly_.take();
-    search();
-    if (assembly_.lower() > 0 || assembly_.closed()) return assembly_.take();
-    const Ceiling before = *oracle_.lowest();
-    ask(short_directions(lattice_, before.direction));
-    if (compare(*oracle_.lowest(), before) < 0) meets();
-    return assembly_.take();
+    if (!meets()) {
+      search();
+      if (assembly_.lower() <= 0 && !assembly_.closed()) guess();
+    }
+    CurvedBounds result = assembly_.take();
+    result.facet_scans = scans_;
+    return result;
   }
 
  private:
   bool meets() { return oracle_.lowest()->height <= 0 && assembly_.meets_in_face(); }
+  void guess() {
+    const Ceiling before = *oracle_.lowest();
+    ask(short_directions(lattice_, before.direction));
+    if (compare(*oracle_.lowest(), before) < 0 && meets()) return;
+    if (Goal::decided(goal_.from_below(assembly_.lower()), goal_.from_above(assembly_.upper()))) return;
+    ask(fan_directions(lattice_, before.direction));
+    if (compare(*oracle_.lowest(), before) < 0) meets();
+  }
   // At least one direction is asked for.
   void ask(const std::vector<Vector>& directions) {
     for (const Vector& n : directions)
@@ -388,8 +428,8 @@ class Search {
       return estimates.ceiling(*oracle_.lowest()) + distance(z);
     };
     const auto enough = [&](const polytope::SimplexFoot<mpz_class>& z) {
-      return estimates.perhaps_met(-distance(z), estimates.ceiling(*oracle_.lowest())) &&
-             assembly_.met(assembly_.square_of(z));
+      const double low = -distance(z), high = estimates.ceiling(*oracle_.lowest());
+      return estimates.perhaps_met(low, high, high - low - 0x1p-46) && assembly_.met(assembly_.square_of(z));
     };
     const auto precision = [&](const polytope::SimplexFoot<mpz_class>& z) { return estimates.precision(gap(z)); };
     const NearestFoot nearest = find_nearest(oracle_, {0, 0}, enough, precision);
@@ -414,6 +454,7 @@ class Search {
       growth.start(*first);
     }
     growth.run();
+    scans_ = growth.scans();
     if (const auto squared = growth.squared()) assembly_.set_lower(*squared, growth.polytope());
   }
 
@@ -428,6 +469,7 @@ class Search {
   Goal goal_;
   Oracle oracle_;
   Assembly assembly_;
+  std::size_t scans_ = 0;
 };
 
 bool open(const CurvedBounds& bounds) { return bounds.low < bounds.high && !Goal::decided(bounds.low, bounds.high); }

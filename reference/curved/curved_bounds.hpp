@@ -17,6 +17,7 @@ struct CurvedBounds {
   mpq_class low, high;            ///< of the signed depth; equal only if it is rational
   Bracket bracket;                ///< the proof
   std::size_t support_calls = 0;  ///< that the search took
+  std::size_t facet_scans = 0;    ///< of the polytope inside P, for the goal; in the last search
 };
 
 /// Searches until high - low is at most 2^-bits of both bounds, where they have one sign, or of the

@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t most_hull_points = 200;  // a term of more has no facets tried
 constexpr std::size_t most_frames = 6;
+constexpr long edge_bits = 40;  // an edge is orthogonal if the cosine is less than about 2^-40
+constexpr long fan_bits = 24;   // of a direction that need not be exact
 constexpr unsigned short_by =
     7;  // a fraction stands out if it is nearer by this many bits than one of its length has to be
 
@@ -142,9 +144,8 @@ class Directions {
   }
 
   void add_of(const LatticeTerm& term) {
-    std::vector<Vector> points = term.cloud.points();
+    const std::vector<Vector> points = points_of(term);
     for (const LatticeAtom& atom : term.atoms) {
-      if (atom.axes.empty()) points.push_back(atom.center);
       if (atom.repeats) continue;
       for (const Vector& axis : atom.axes) add_both(axis);
       if (atom.axes.size() == 2) lines_.push_back(cross(atom.axes[0], atom.axes[1]));
@@ -235,6 +236,40 @@ std::optional<std::array<Vector, 3>> frame_of(const LatticeAtom& atom) {
   return frame;
 }
 
+// The tangent of a disc where n touches it, if that is short in the disc's axes.
+std::optional<Vector> short_tangent(const LatticeAtom& disc, const Vector& n) {
+  const mpz_class x = dot(disc.axes[0], n), y = dot(disc.axes[1], n);
+  const bool swapped = abs(x) < abs(y);
+  const mpz_class &longer = swapped ? y : x, &shorter = swapped ? x : y;
+  if (longer == 0) return std::nullopt;
+  const std::optional<mpq_class> ratio = short_fraction(sgn(longer) < 0 ? mpz_class(-shorter) : shorter, abs(longer));
+  if (!ratio) return std::nullopt;
+  const Vector &along = disc.axes[swapped ? 1 : 0], &across = disc.axes[swapped ? 0 : 1];
+  return Vector(scaled(ratio->get_den(), across) - scaled(ratio->get_num(), along));
+}
+
+// Edges of few points, and tangents of discs, to which n is nearly orthogonal.
+std::vector<Vector> tangents(const Lattice& lattice, const Vector& n) {
+  std::vector<Vector> result;
+  for (const LatticeTerm& term : lattice.terms) {
+    for (const LatticeAtom& atom : term.atoms) {
+      if (atom.axes.size() != 2 || atom.repeats) continue;
+      if (auto tangent = short_tangent(atom, n); tangent && !is_zero(*tangent)) result.push_back(std::move(*tangent));
+    }
+    const std::vector<Vector> points = points_of(term);
+    if (points.size() > most_edge_points) continue;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vector edge = points[i] - points[j];
+        if (kernels::bit_length(mpz_class(dot(edge, n))) + edge_bits <
+            kernels::bit_length(edge) + kernels::bit_length(n))
+          result.push_back(edge);
+      }
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n) {
@@ -255,6 +290,18 @@ std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n) {
     if (std::find(result.begin(), result.end(), other) == result.end()) result.push_back(other);
   }
   result.erase(result.begin());
+  return result;
+}
+
+std::vector<Vector> fan_directions(const Lattice& lattice, const Vector& n) {
+  Vector rough = n;
+  const long shift = std::max(kernels::bit_length(n) - fan_bits, 0L);
+  for (mpz_class* c : {&rough.x, &rough.y, &rough.z}) *c >>= static_cast<mp_bitcnt_t>(shift);
+  std::vector<Vector> result;
+  for (const Vector& t : tangents(lattice, n)) {
+    const Vector m = scaled(dot(t, t), rough) - scaled(dot(rough, t), t);
+    if (!is_zero(m)) result.push_back(primitive(m));
+  }
   return result;
 }
 

@@ -109,6 +109,13 @@ Side side_of(const LatticeTerm& term, mpz_class Vector::*coordinate) {
 
 }  // namespace
 
+std::vector<Vector> points_of(const LatticeTerm& term) {
+  std::vector<Vector> result = term.cloud.points();
+  for (const LatticeAtom& atom : term.atoms)
+    if (atom.axes.empty()) result.push_back(atom.center);
+  return result;
+}
+
 Lattice lattice(const std::vector<Term>& a, const std::vector<Term>& b, unsigned fine) {
   Lattice result;
   result.unit = common_unit(a, b);

@@ -42,6 +42,12 @@ struct Lattice {
   mpq_class fine_unit;  ///< unit / 2^fine
 };
 
+/// A term of more points has no edges tried.
+inline constexpr std::size_t most_edge_points = 12;
+
+/// All its points, from the anchor.
+std::vector<Vector> points_of(const LatticeTerm& term);
+
 /// An atom has no axes, two or three, every term an atom, and all numbers are in lowest terms.
 /// Throws InputError if all integers together would take more than 256 MB: the numbers'
 /// denominators share too little.
@@ -60,5 +66,10 @@ std::vector<Vector> likely_directions(const Lattice& lattice, std::size_t most);
 /// of some atom's axes: the first fractions to which n is much nearer than to others of their
 /// length. Most directions have none. All are primitive, and other than n.
 std::vector<Vector> short_directions(const Lattice& lattice, const Vector& n);
+
+/// Returns directions near n that are exactly orthogonal to an edge of few points, or to a disc's
+/// tangent that is short in its axes. Where a corner lies on a rim or on an edge the common normals
+/// form a fan, and if n is near to a member inside, these are members. All are primitive.
+std::vector<Vector> fan_directions(const Lattice& lattice, const Vector& n);
 
 }  // namespace fathom::curved

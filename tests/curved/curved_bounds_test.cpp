@@ -85,6 +85,16 @@ TEST(CurvedBounds, DecideTouchingWherePeopleMeetIt) {
       {"rims that cross", cylinder(5, 1), at(cylinder(5, 1), {3, 0, 2}, {1, 0, 0, 2})},
       {"a rim on a barrel", cylinder(1, 3, Axis::y),
        at(cylinder(1, 1), {mpq_class(-1, 5), 0, mpq_class(12, 5)}, {3, 0, 1, 0})},
+      {"an apex on the rim of an end", cylinder(5, 1), at(cone(1, 2), {3, 4, 3}, half_x)},
+      {"a corner on the rim of an end", cylinder(5, 1), at(unit_box, {4, 5, 2})},
+      {"a ball on the rim of an end", cylinder(5, 1), at(ball(2), {3, 4, 3})},
+      {"a ball a hair inside of the rim", cylinder(5, 1), at(ball(2), {3, 4 - mpq_class(1, mpz_class(1) << 90), 3})},
+      {"an ellipsoid on the rim of a sum", minkowski_sum(cylinder(5, 1), ball(1)), at(ellipsoid({1, 2, 3}), {3, 4, 5})},
+      {"an end beside an edge, in one plane", cylinder(5, 1), at(unit_box, {mpq_class(9, 2), 4, 2}, {3, 0, 0, 1})},
+      {"an end beside an end, in one plane", cylinder(5, 1),
+       at(minkowski_sum(cylinder(1, third), unit_box), {mpq_class(23, 5), mpq_class(29, 5), mpq_class(7, 3)})},
+      {"a corner beside two ends, in one plane", minkowski_sum(cylinder(2, 1), at(cylinder(3, 1), {1, 0, 0})),
+       at(unit_box, {5, 5, 3})},
       {"a cylinder on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 3})},
       {"a cylinder lies on a plane", halfspace({0, 0, 1}, 1), at(cylinder(1, 2), {7, 8, 2}, quarter_x)},
       {"a sphere on a slope", halfspace({1, 2, 2}, 3),
@@ -130,6 +140,23 @@ TEST(CurvedBounds, DecideTouchingOfEllipsoidsAtRationalPoints) {
       EXPECT_TRUE(bounds.low == 0 && bounds.high == 0)
           << pairs << (turned ? ", turned" : "") << ": [" << bounds.low << ", " << bounds.high;
     }
+  }
+}
+
+// Of these fans of common normals no member is short.
+TEST(CurvedBounds, DecideTouchesWhoseNormalsFormAFan) {
+  const auto q = [](long above, long below) { return kernels::ratio(mpz_class(above), mpz_class(below)); };
+  const std::vector<Placed> touching{
+      {"an apex on an edge", at(cone(q(5, 4), q(13, 16)), {q(-607, 720), q(31, 18), q(167, 90)}, {5, 7, -5, 9}),
+       at(box({q(15, 2), 5, 2}), {q(89, 288), q(-377, 72), q(89, 36)}, {12, 1, -10, -4})},
+      {"an apex on a rim",
+       at(cone(q(48, 13), q(10, 13)), {q(-396037, 764556), q(2033999, 764556), q(-183970, 191139)},
+          {1199, 233, 273, 373}),
+       at(cone(10, 7), {q(90475, 58812), q(-128837, 58812), q(58948, 14703)}, {245, -416, -787, 18})}};
+  for (const Placed& placed : touching) {
+    const CurvedBounds bounds = bounds_of(placed.a, placed.b);
+    EXPECT_EQ(bounds.low, 0) << placed.what;
+    EXPECT_EQ(bounds.high, 0) << placed.what;
   }
 }
 
@@ -223,6 +250,11 @@ TEST(CurvedBounds, SayWhenTheyCannotDecide) {
   EXPECT_GT(grazing.high, 0);
   EXPECT_LE((grazing.high - grazing.low) * (mpz_class(1) << 160), 6);
   expect_around(grazing, {2, -2 * x * x}, "grazing balls");
+  // They touch, but their one common normal, (1, 1, sqrt(2)), is irrational.
+  const CurvedBounds irrational = bounds_of(cone(1, mpq_class(1, 2)), at(ball(1), {1, 1, mpq_class(1, 2)}));
+  EXPECT_LT(irrational.low, 0);
+  EXPECT_GT(irrational.high, 0);
+  expect_around(irrational, {0, 0}, "a ball on a cone");
   const CurvedBounds finer = bounds_of(ball(1), at(ball(1), {x, x, 0}), 310);
   EXPECT_LT(finer.high, 0);
   expect_around(finer, {2, -2 * x * x}, "grazing balls, looked at closely");
@@ -279,6 +311,22 @@ TEST(CurvedBounds, OfSmallAndLargeNumbersAreThoseOfOrdinaryOnes) {
   const CurvedBounds mixed = bounds_of(cylinder(large, tiny), at(cylinder(tiny, tiny), {large / 2, 0, 3 * tiny}));
   EXPECT_LE(mixed.low, -tiny);
   EXPECT_GE(mixed.high, -tiny);
+}
+
+// Bounds agree in all bits of binary64 long before they are near enough: nevertheless the facets,
+// whose numbers are long, are seldom compared.
+TEST(CurvedBounds, TakeFewScansForManyBits) {
+  const mpq_class tiny = exact_value(1e-200), large = exact_value(1e308);
+  const Quaternion q{1, 2, 3, 4};
+  const CurvedBounds fine = bounds_of(cone(tiny, large), at(cylinder(large, tiny), {0, 0, 0}, q), 300);
+  EXPECT_GT(fine.support_calls, 400);
+  EXPECT_LE(fine.facet_scans, 2);
+  EXPECT_LE((fine.high - fine.low) * (mpz_class(1) << 300), 8 * large);
+  // O is so near to the boundary of P, for its size, that squares are 0 in binary64.
+  const CurvedBounds thin = bounds_of(at(cylinder(exact_value(1e100), large), {0, 0, 0}, q),
+                                      at(cylinder(tiny, 1), {tiny, 0, tiny}, {7, -1, 4, -6}), most_bound_bits);
+  EXPECT_GE(thin.support_calls, 512);
+  EXPECT_LE(thin.facet_scans, 160);
 }
 
 TEST(CurvedBounds, OfDegenerateAtoms) {

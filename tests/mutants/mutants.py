@@ -64,6 +64,8 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/unions/least_norm.cpp", "if (to == 0 || to == -way) return CellEnd::infeasible;",
      "if (to == 0) return CellEnd::infeasible;", "unions_tests"),
     ("reference/curved/assembly.cpp", "if (up && rest != 0) ++result;", "if (rest != 0) ++result;", "curved_tests"),
+    ("reference/curved/face.cpp", "if (auto found = of_one_disc(Choices(a_, b_))) return found;", "", "curved_tests"),
+    ("reference/curved/face.cpp", "return edges ? in_edges() : std::nullopt;", "return std::nullopt;", "curved_tests"),
     ("reference/curved/curved_bounds.cpp", "if (plane.height <= 0) return std::nullopt;", "if (plane.height == 0) return std::nullopt;",
      "curved_tests"),
     ("reference/rounded/optimal_cone.cpp", "if (size == 2 && next == 0) break;", "if (size == 3 && next == 0) break;",
