@@ -432,7 +432,7 @@ harness::Settings examiner_settings(const CertifyRequest& certify) {
 ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere) {
   std::ios::sync_with_stdio(false);
   constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
-  const Working working(patience);
+  const InterruptGuard interrupt_guard(patience);
   return Certify(request, elsewhere).work();
 }
 

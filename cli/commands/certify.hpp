@@ -62,7 +62,7 @@ ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewh
 /// built.
 harness::SubjectCommand subject_of(const CertifyRequest& certify);
 
-/// What examiners of the request are set to; nobody hears of what no case is to blame for.
+/// Returns the examiner's settings for this request; failures that no case caused are not reported.
 harness::Settings examiner_settings(const CertifyRequest& certify);
 
 // What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases

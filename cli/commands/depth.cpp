@@ -296,7 +296,7 @@ ExitCode run_along(const Given& given) {
   const AlongRequest request(given);
   const auto picture = wanted_file(request.svg, "picture");  // an unwritable path fails early
   const Case pair = asked_case(request, false);
-  const Working working;
+  const InterruptGuard interrupt_guard;
   Progress progress("steps");
   const AskedCase asked = looked_at(pair, request);
   const Path path{pair.id, request.translation, request.steps};
@@ -374,7 +374,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
-  replies.tells_of_dents = true;
+  replies.names_dents = true;
   replies.takes_unions = !request.one_body;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {

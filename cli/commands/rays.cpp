@@ -136,7 +136,7 @@ void warn_of_many_rays(const ApproxRequest& request) {
 Replies approximate_replies(const ApproxRequest& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.tells_of_dents = true;
+  replies.names_dents = true;
   replies.refuses_shapes =
       request.one_body
           ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"

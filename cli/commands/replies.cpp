@@ -169,7 +169,7 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
   const Case single = asked_case(request, replies.takes_unions, replies.refuses_shapes);
-  const Working working;
+  const InterruptGuard interrupt_guard;
   Progress progress;
   const AskedCase asked = looked_at(single, request);
   Workspace workspace;
@@ -178,7 +178,7 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   progress.answered();
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
   if (const std::string dents = shapes::dents_text(asked.bodies.hull);
-      !dents.empty() && !(replies.tells_of_dents && !request.json))
+      !dents.empty() && !(replies.names_dents && !request.json))
     talk(dents);
   if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, request.one_body, progress);
   if (!replies.header.empty()) print(replies.header);

@@ -59,8 +59,8 @@ struct Replies {
   std::string refuses_shapes = {};
   /// As in StreamWork.
   bool takes_unions = false;
-  /// Whether replies in text tell of meshes that are not convex; else standard error does.
-  bool tells_of_dents = false;
+  /// Whether replies in text name the meshes that are not convex; else standard error does.
+  bool names_dents = false;
 };
 
 /// Throws InputError if both shapes are half-spaces.

@@ -221,7 +221,7 @@ ExitCode run_explain(const Given& given) {
     single.id = picture::without_folders(single.id);  // names of files; a case has its own
   std::string page;
   {
-    const Working working;
+    const InterruptGuard interrupt_guard;
     Progress progress;
     page = page_of(single, request, progress);
   }

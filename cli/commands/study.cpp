@@ -341,7 +341,7 @@ class PageFile {
 ExitCode run_sweep(const Given& given) {
   const Sweep sweep(given);
   const auto picture = wanted_file(sweep.svg, "picture");  // an unwritable path fails early
-  const Working working;
+  const InterruptGuard interrupt_guard;
   std::vector<SweepRow> rows;
   ExitCode code = fine;
   try {

@@ -94,7 +94,8 @@ struct StreamWork {
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard
   /// error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
-  /// Hears of each case without an answer, in order, beside what is printed; may be empty.
+  /// Is called with the error of each case without an answer, in order, beside what is printed; may
+  /// be empty.
   std::function<void(const std::string& sentence)> lost = {};
   /// Printed before all results, unless empty.
   std::string header;
@@ -111,7 +112,7 @@ struct StreamWork {
   unsigned threads = 1;
   /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by
   /// `answer`: it passes the block to answer_block in any process, and returns what that returns.
-  /// `name` tells what the block is. Then a block is answered once it is whole.
+  /// `name` describes the block. Then a block is answered once it is whole.
   std::function<std::string(const std::string& block, const std::string& name)> elsewhere = {};
 };
 

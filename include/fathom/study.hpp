@@ -94,7 +94,7 @@ struct Study {
 /// How much to list, and who watches.
 struct StudyOptions {
   std::size_t listed = 20;     ///< the most coincidences of a kind that are listed; counts are always complete
-  Monitor* monitor = nullptr;  ///< hears of progress and may stop the work; may be null
+  Monitor* monitor = nullptr;  ///< is called with the progress and may stop the work; may be null
   std::size_t support_calls = SignedDepthOptions{}.support_calls;  ///< of shapes: as of signed_depth
 };
 

@@ -45,7 +45,7 @@ struct FacetRange {
   std::size_t first, last, line;
 };
 
-/// Hears of a facet that is exactly as near to O as the polytope claims.
+/// Is called with each facet that is exactly as near to O as the polytope claims.
 using NearestFacet = std::function<void(std::size_t line, const MutableVector& normal)>;
 
 /// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O.
