@@ -118,9 +118,9 @@ struct TallyRow {
   std::size_t total = 0;
   Coverage judged;
   Errors relative, u_r;
-  Errors dearer;            ///< prices of directions, above the depth and relative to it
-  std::size_t dwarfed = 0;  ///< bodies that are smaller than the radii by which the subject rounds them
-  std::size_t longer = 0;   ///< passes by the policy, whose translation is not the shortest
+  Errors relative_excess;          ///< separating distances of directions, above the depth and relative to it
+  std::size_t dwarfed = 0;         ///< bodies that are smaller than the radii by which the subject rounds them
+  std::size_t excess_allowed = 0;  ///< passes by the policy, whose translation is not the shortest
 
   void add(const Outcome& outcome);
   void add(const TallyRow& other);

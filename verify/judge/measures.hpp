@@ -41,12 +41,13 @@ class Measures {
   /// Whether d is larger, or smaller, than the length in question by more than tol.
   virtual bool too_long(const mpq_class& d) = 0;
   virtual bool too_short(const mpq_class& d) = 0;
-  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of
-  /// unions: whether A, moved by d along u, overlaps B or is apart from it by more than tol.
+  /// Whether d, of a distance its negative, differs from the separating distance of u by more than
+  /// tol. Of unions: whether A, moved by d along u, overlaps B or is apart from it by more than
+  /// tol.
   virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
-  /// Whether the price of u is more than `times` the depth, with no tolerance. Of unions the
-  /// claimed depth is the price.
-  virtual bool is_dearer(const Vector& u, const mpq_class& times) = 0;
+  /// Whether the separating distance of u is more than `times` the depth, with no tolerance. Of
+  /// unions the claimed depth is the separating distance.
+  virtual bool exceeds_depth(const Vector& u, const mpq_class& times) = 0;
   /// Whether the interiors meet, and do so still after a way along u that is longer than d by more
   /// than tol.
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;

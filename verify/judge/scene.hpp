@@ -43,10 +43,10 @@ class Scene {
   ~Scene();
 
   /// h(u) / |u|, as a signed square. The direction is not zero.
-  [[nodiscard]] mpq_class price(const Vector& u) const;
+  [[nodiscard]] mpq_class separating_distance_squared(const Vector& u) const;
   /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if
   /// they are disjoint already.
-  [[nodiscard]] mpq_class travel(const Vector& u);
+  [[nodiscard]] mpq_class exit_distance_squared(const Vector& u);
 
  private:
   const Truth& truth_;

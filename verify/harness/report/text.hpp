@@ -62,7 +62,7 @@ std::string totals_text(std::size_t total, std::size_t passes, std::size_t failu
 
 /// "median 0 above the depth, worst 0.414, of 12 directions"; "3 longer translations pass by the
 /// policy".
-std::vector<std::string> price_entries(const TallyRow& row);
+std::vector<std::string> excess_entries(const TallyRow& row);
 /// The parts that are neither empty nor all of it, with their labels for people: "solid",
 /// "metre-sized", "both".
 std::vector<Tally::Line> shown_parts(const Tally& tally);
