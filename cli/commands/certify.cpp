@@ -72,7 +72,7 @@ class CertifyCases {
 
 /// What is wrong with the bodies, or "".
 std::string wrong_certified(const Case& single) {
-  if (std::string wrong = wrong_bodies(single, false, "", true); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_bodies(single, false, "", ""); !wrong.empty()) return wrong;
   for (const auto& [body, name] : {std::pair(&single.a, 'a'), {&single.b, 'b'}}) {
     if (!has_union(single)) break;
     const Pieces pieces = pieces_of(*body);

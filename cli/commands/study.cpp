@@ -361,6 +361,7 @@ ExitCode run_study(const Given& given) {
   const StudyRequest request(given);
   PageFile page(request);
   Replies replies;
+  replies.refuses_unions = "the coincidences of a study are those of two convex bodies; study a piece of each";
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
     if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor));
     return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, monitor)));

@@ -212,7 +212,7 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
     std::string().swap(streamed.text.text);
     streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.takes_unions);
+    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.refuses_unions);
         !fault.empty())
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
@@ -478,12 +478,13 @@ void tell_of_hulls(const Case& input, bool one_body, Progress& progress) {
   if (note) talk(*note);
 }
 
-std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions) {
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
+                         const std::string& refuses_unions) {
   const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };
   const std::string of_pieces = which(single.a.pieces != nullptr, single.b.pieces != nullptr);
   const std::string of_shape = which(single.a.shape.has_value(), single.b.shape.has_value());
-  if (!of_pieces.empty() && !takes_unions)
-    return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
+  if (!of_pieces.empty() && !refuses_unions.empty())
+    return of_pieces + ": expected a convex body, found a union of pieces: " + refuses_unions;
   if (!of_pieces.empty() && !of_shape.empty())
     return of_shape +
            ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than "

@@ -104,8 +104,8 @@ struct StreamWork {
   /// Empty if bodies may be shapes that are no polytopes; else such cases are errors, and this says
   /// which command takes them.
   std::string refuses_shapes;
-  /// Whether bodies may be unions of pieces; else such cases are errors.
-  bool takes_unions = false;
+  /// Empty if bodies may be unions of pieces; else such cases are errors, and this says why.
+  std::string refuses_unions;
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
   /// How many cases are answered at once.
@@ -122,9 +122,10 @@ inline bool has_shape(const Case& single) { return single.a.shape || single.b.sh
 /// Returns whether a body of the case is a union of pieces.
 inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }
 
-/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refuses_shapes`
-/// says unless it is empty, and may be unions only if `takes_unions`; or "".
-std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions);
+/// Returns what is wrong with the bodies of a case, by the reasons not to take shapes and unions,
+/// each of which may be empty; or "".
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
+                         const std::string& refuses_unions);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);

@@ -270,7 +270,8 @@ class Export(CliTest):
     def test_shapes_are_not_exported(self):
         folder = self.folder / "P0"
         self.answer("golden", "generate", "--level", "P0", "--out", folder)
-        self.assertIn("holds shapes, and exports are of polytopes", self.refused("golden", "export", "--format", "c", folder))
+        said = self.refused("golden", "export", "--format", "c", folder)
+        self.assertIn("holds shapes, and a case of an export is two lists of points", said)
 
 
 if __name__ == "__main__":

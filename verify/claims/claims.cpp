@@ -245,7 +245,10 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
   PublishedClaim claim;
   claim.bodies = std::get<Case>(std::move(item.outcome));
   const Body &a = claim.bodies.a, &b = claim.bodies.b;
-  if (a.pieces || b.pieces) return InputError(name, line, "expected convex bodies, found a union of pieces");
+  if (a.pieces || b.pieces)
+    return InputError(
+        name, line,
+        "expected convex bodies, found a union of pieces: claims are about the signed depth of convex ones");
   if (is_halfspace(a) && is_halfspace(b))
     return InputError(name, line, "expected one half-space at most, found two: they have no depth");
   claim.source = text_of(json, "source");
