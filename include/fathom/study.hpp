@@ -85,7 +85,7 @@ struct Study {
   /// charts, vertex-facet pairs, canonical subsets.
   PredicateCounts predicates{};
   std::array<Coincidences, static_cast<std::size_t>(Coincidence::count)> coincidences;  ///< in the order of Coincidence
-  /// Those of one kind.
+  /// Returns the coincidences of this kind.
   [[nodiscard]] const Coincidences& operator[](Coincidence kind) const {
     return coincidences[static_cast<std::size_t>(kind)];
   }
@@ -206,7 +206,7 @@ struct ShapeStudy {
   /// the cone of all. nullopt if the depth is not known exactly.
   std::optional<ShapeInvolved> contact;
   std::optional<Study> cores;  ///< of the cores without radii, if both are polytopes
-  /// Those of one kind.
+  /// Returns the coincidences of this kind.
   [[nodiscard]] const ShapeCoincidences& operator[](ShapeCoincidence kind) const {
     return coincidences[static_cast<std::size_t>(kind)];
   }

@@ -34,8 +34,8 @@ struct Plane {
   Integer c;
 };
 
-/// Those of the vertices from number `first` to `last`, as differences of these points; their
-/// digits lie in `integers`.
+/// Returns the vertices from number `first` to `last`, as differences of these points; their digits
+/// lie in `integers`.
 std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last,
                                 const Points& a, const Points& b, Arena& integers);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For who writes certificates: whether checkers will read one, before its proof is of interest.
+// For programs that write certificates: whether checkers will read one, before its proof matters.
 #pragma once
 
 #include <stdexcept>

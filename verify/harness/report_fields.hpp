@@ -108,7 +108,7 @@ constexpr const auto& fields_of(const Unattributed*) { return unattributed_field
 
 // ---- the summary ----
 
-/// Of Coverage without what no line says: the cases, and answers without a depth.
+/// The fields of Coverage, but for those that no line has: the cases, and answers without a depth.
 inline constexpr std::tuple coverage_fields{
     field("overlap", &Coverage::overlap, "", "Cases with an answer."),
     field("overlapping", &Coverage::overlapping, "", "Answers that say that the bodies overlap."),

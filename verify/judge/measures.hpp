@@ -51,14 +51,14 @@ class Measures {
   /// Whether the interiors meet, and do so still after a way along u that is longer than d by more
   /// than tol.
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
-  /// Whether what is not separating is inconsistent for that reason alone, and is not to be called
-  /// both.
+  /// Returns true if `not_separating` already implies `inconsistent`; then only the former is
+  /// reported.
   [[nodiscard]] virtual bool is_one_question() const { return false; }
   /// Whether a witness point that was measured is farther from its body than tol; and whether the
   /// points miss the translation by more, which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
-  /// The same of the contact that is farthest away.
+  /// Whether the contact that is farthest from the body is farther than tol.
   virtual bool is_contact_off_a() = 0;
   virtual bool is_contact_off_b() = 0;
   /// Whether a difference of two claimed lengths is more than tol.
@@ -96,7 +96,7 @@ class Measures {
 };
 
 std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);
-/// With bounds of `bits` bits.
+/// Returns measures whose bounds have `bits` bits.
 std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
                                       unsigned bits);
 
