@@ -38,7 +38,7 @@ void about_cylinders() {
     const fathom::Judgement judgement = fathom::judge(truth, reply);
     std::cout << fathom::name(judgement.verdict) << ": " << judgement.sentence << "\n";
     std::cout << "  the truth is known to within " << judgement.signed_depth->high - judgement.signed_depth->low
-              << ", the price of the direction is " << judgement.price->low << "\n";
+              << ", the separating distance of the direction is " << judgement.separating_distance->low << "\n";
   }
 }
 
@@ -76,6 +76,6 @@ int main() {
 //> too-shallow: too shallow by 0.01: 0.59 is claimed, the depth is 0.5999999940395355; not separating: 0.01 of overlap is left along its direction; inconsistent: the plane across its direction is at 0.5999999940395355, not at 0.59
 //>   passes 0, fails 1, too shallow 1; in binary32
 //> pass: right: 0.2 is claimed, the depth is 0.2 (correctly rounded)
-//>   the truth is known to within 2.77556e-17, the price of the direction is 0.2
+//>   the truth is known to within 2.77556e-17, the separating distance of the direction is 0.2
 //> too-deep: too deep by 0.05: 0.25 is claimed, the depth is 0.2; inconsistent: the plane across its direction is at 0.2, not at 0.25
-//>   the truth is known to within 9.66338e-13, the price of the direction is 0.2
+//>   the truth is known to within 9.66338e-13, the separating distance of the direction is 0.2

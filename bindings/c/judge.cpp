@@ -135,32 +135,33 @@ struct Place {
   double fathom_judgement::*high = nullptr;
 };
 using To = fathom_judgement;
-constexpr Place places[] = {{"signed_depth", &To::signed_depth_low, &To::signed_depth_high},
-                            {"error", &To::error},
-                            {"error_ulps", &To::error_ulps},
-                            {"error_relative", &To::error_relative},
-                            {"error_u_r", &To::error_u_r},
-                            {"price_squared", &To::price_low, &To::price_high},
-                            {"travel_squared", &To::travel},
-                            {"price", &To::price_low, &To::price_high},
-                            {"inconsistency", &To::inconsistency},
-                            {"overlap_left", &To::overlap_left},
-                            {"witness_a_squared", &To::witness_a_low, &To::witness_a_high},
-                            {"witness_b_squared", &To::witness_b_low, &To::witness_b_high},
-                            {"witness_a_distance", &To::witness_a_low, &To::witness_a_high},
-                            {"witness_b_distance", &To::witness_b_low, &To::witness_b_high},
-                            {"witness_gap", &To::witness_gap},
-                            {"contact_a_squared", &To::contact_a_low, &To::contact_a_high},
-                            {"contact_b_squared", &To::contact_b_low, &To::contact_b_high},
-                            {"contact_a_distance", &To::contact_a_low, &To::contact_a_high},
-                            {"contact_b_distance", &To::contact_b_low, &To::contact_b_high},
-                            {"deepest", &To::deepest},
-                            {"dearer", &To::dearer},
-                            {"deepest_pair", &To::deepest_pair},
-                            {"hulls_squared", &To::hulls},
-                            {"deeper_than_pair", &To::deeper_than_pair},
-                            {"deeper", &To::deeper},
-                            {"deeper_squared", &To::deeper}};
+constexpr Place places[] = {
+    {"signed_depth", &To::signed_depth_low, &To::signed_depth_high},
+    {"error", &To::error},
+    {"error_ulps", &To::error_ulps},
+    {"error_relative", &To::error_relative},
+    {"error_u_r", &To::error_u_r},
+    {"separating_distance_squared", &To::separating_distance_low, &To::separating_distance_high},
+    {"exit_distance_squared", &To::exit_distance},
+    {"separating_distance", &To::separating_distance_low, &To::separating_distance_high},
+    {"inconsistency", &To::inconsistency},
+    {"overlap_left", &To::overlap_left},
+    {"witness_a_squared", &To::witness_a_low, &To::witness_a_high},
+    {"witness_b_squared", &To::witness_b_low, &To::witness_b_high},
+    {"witness_a_distance", &To::witness_a_low, &To::witness_a_high},
+    {"witness_b_distance", &To::witness_b_low, &To::witness_b_high},
+    {"witness_gap", &To::witness_gap},
+    {"contact_a_squared", &To::contact_a_low, &To::contact_a_high},
+    {"contact_b_squared", &To::contact_b_low, &To::contact_b_high},
+    {"contact_a_distance", &To::contact_a_low, &To::contact_a_high},
+    {"contact_b_distance", &To::contact_b_low, &To::contact_b_high},
+    {"deepest", &To::deepest},
+    {"relative_excess", &To::relative_excess},
+    {"deepest_pair", &To::deepest_pair},
+    {"hulls_squared", &To::hulls},
+    {"deeper_than_pair", &To::deeper_than_pair},
+    {"deeper", &To::deeper},
+    {"deeper_squared", &To::deeper}};
 
 constexpr const Place* place_of(std::string_view field) {
   for (const Place& place : places)
@@ -198,7 +199,7 @@ void put_word(To& to, const std::optional<Accuracy>& accuracy) {
   to.accuracy = accuracy ? static_cast<int>(*accuracy) : FATHOM_NO_CLASS;
 }
 void put_word(To& to, const std::optional<Status>& status) { to.status = status_of(status); }
-void put_word(To& to, bool longer) { to.longer = longer; }
+void put_word(To& to, bool excess_allowed) { to.excess_allowed = excess_allowed; }
 void put_word(To&, const std::string&) {}  // the sentence is a text of its own
 void put_word(To&, const mpq_class&) {}    // the squares of the truth, which signed_depth has
 

@@ -62,7 +62,7 @@ struct Option {
 };
 
 /// The options of the commands that bodies, cases, reports and certificates are for, and of help.
-/// Those of one command are in the order of its help.
+/// The options of one command are in the order of its help.
 std::span<const Option> common_options();
 
 /// The options of `golden` and its tasks: golden_options.cpp, which fathom-depth has not.

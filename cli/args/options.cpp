@@ -224,7 +224,8 @@ std::vector<Option> make_table() {
        "and at least N/2",
        {wrong_fit}},
       {"certify", "--policy", "POLICY",
-       "which depths pass that are the price of their own direction, though a shorter way out exists: as the subject's "
+       "which depths pass that are the separating distance of their own direction, though a shorter way out exists: as "
+       "the subject's "
        "hello claims "
        "(declared, unless given), none (minimum), all (separating), or up to P % above the depth (within=P%)",
        policies()},

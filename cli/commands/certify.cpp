@@ -72,7 +72,7 @@ class CertifyCases {
 
 /// What is wrong with the bodies, or "".
 std::string wrong_certified(const Case& single) {
-  if (std::string wrong = wrong_bodies(single, false, "", true); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_bodies(single, false, "", ""); !wrong.empty()) return wrong;
   for (const auto& [body, name] : {std::pair(&single.a, 'a'), {&single.b, 'b'}}) {
     if (!has_union(single)) break;
     const Pieces pieces = pieces_of(*body);
@@ -432,7 +432,7 @@ harness::Settings examiner_settings(const CertifyRequest& certify) {
 ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere) {
   std::ios::sync_with_stdio(false);
   constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
-  const Working working(patience);
+  const InterruptGuard interrupt_guard(patience);
   return Certify(request, elsewhere).work();
 }
 

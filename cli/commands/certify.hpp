@@ -47,9 +47,9 @@ struct CertifyRequest {
   std::optional<std::size_t> max_errors;
 };
 
-/// Who examines cases instead of threads of this process.
+/// Processes that examine cases instead of threads of this process.
 struct ExaminersElsewhere {
-  unsigned count = 0;  ///< cases at once; 0: nobody does
+  unsigned count = 0;  ///< cases at once; 0: this process examines them
   /// Examines a case, all lengths times 2^exponent, with a subject whose hello must be `hello`.
   /// Called from as many threads. Throws as Examiner::examine.
   std::function<harness::Outcome(const Case&, long exponent, const std::string& hello)> examine = {};
@@ -62,7 +62,7 @@ ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewh
 /// built.
 harness::SubjectCommand subject_of(const CertifyRequest& certify);
 
-/// What examiners of the request are set to; nobody hears of what no case is to blame for.
+/// Returns the examiner's settings for this request; failures that no case caused are not reported.
 harness::Settings examiner_settings(const CertifyRequest& certify);
 
 // What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases

@@ -325,7 +325,7 @@ ExitCode compare_and_prove(const std::vector<std::string>& words, bool width) {
   return proved.failed() || !std::cout ? internal_error : static_cast<ExitCode>(code);
 }
 
-/// Lends the checker this program's threads.
+/// Runs the checker's work on this program's threads.
 class Threads : public fathom_check::Workers {
  public:
   explicit Threads(unsigned threads) : threads_(threads) {}

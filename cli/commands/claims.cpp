@@ -59,7 +59,7 @@ class Proofs {
 
 ExitCode run_claims(const Given& given) {
   const std::string path = given.text("--claims"), name = path == "-" ? "<stdin>" : path;
-  const Working working;
+  const InterruptGuard interrupt_guard;
   Proofs proofs(given.text("--certificates"));
   const bool json = given.flag("--json");
   std::ifstream file;

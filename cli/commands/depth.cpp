@@ -31,6 +31,7 @@
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
+#include "reference/shapes/core.hpp"
 #include "reference/text/json.hpp"
 #include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
@@ -295,8 +296,8 @@ std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
 ExitCode run_along(const Given& given) {
   const AlongRequest request(given);
   const auto picture = wanted_file(request.svg, "picture");  // an unwritable path fails early
-  const Case pair = asked_case(request, false);
-  const Working working;
+  const Case pair = asked_case(request, "--along answers about convex bodies; without it depth takes unions");
+  const InterruptGuard interrupt_guard;
   Progress progress("steps");
   const AskedCase asked = looked_at(pair, request);
   const Path path{pair.id, request.translation, request.steps};
@@ -353,9 +354,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
           "a union of pieces has one method, and goes with none of --method, --closest-lines and --optima");
   } else if (single.a.shape || b.shape) {
     if (request.shallow) throw InputError(single.id, 0, "--method shallow takes polytopes, found a shape that is none");
-    if (one && single.a.shape && std::holds_alternative<HalfSpace>(single.a.shape->core))
-      throw InputError(single.id, 0, "a half-space has no width: it is infinite");
-    if (single.a.shape && b.shape) require_depth(single.id, *single.a.shape, *b.shape);
+    if (!one && single.a.shape && b.shape) require_depth(single.id, *single.a.shape, *b.shape);
   } else if (request.shallow || one) {
     Depth depth = request.shallow ? shallow_depth(single.a.points, b.points, question.options)
                                   : width(single.a.points, question.options);
@@ -363,19 +362,20 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
     return {single.id, {std::move(depth)}, asked.bodies, facts};
   }
   try {
+    if (one && single.a.shape) shapes::require_width(*single.a.shape);
     Answer answer = exact_answer(single.a, b, question);
     const BodyFacts facts = facts_of(single.a, b, answer);
     return {single.id, std::move(answer), asked.bodies, facts};
   } catch (const std::invalid_argument& error) {
-    if (!has_union(single)) throw;
+    if (!has_union(single) && !one) throw;
     throw InputError(single.id, 0, error.what());
   }
 }
 
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
-  replies.tells_of_dents = true;
-  replies.takes_unions = !request.one_body;
+  replies.names_dents = true;
+  if (request.one_body) replies.refuses_unions = width_of_union;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // an unwritable path fails early

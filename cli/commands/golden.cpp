@@ -46,7 +46,7 @@ std::pair<std::size_t, std::size_t> make_shards(const GenerateRequest& request) 
 }
 
 ExitCode generate(const GenerateRequest& request) {
-  const Working working;
+  const InterruptGuard interrupt_guard;
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
   const auto [made, all] = make_shards(request);
   print(fmt::format(
@@ -150,7 +150,7 @@ std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const G
 
 ExitCode verify_golden(const VerifyRequest& request,
                        std::function<void(const std::vector<golden::ShardPlan>&, const golden::TakeShard&)> elsewhere) {
-  const Working working;
+  const InterruptGuard interrupt_guard;
   golden::Verified verified;
   {
     Progress progress("records");

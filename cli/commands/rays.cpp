@@ -136,11 +136,12 @@ void warn_of_many_rays(const ApproxRequest& request) {
 Replies approximate_replies(const ApproxRequest& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.tells_of_dents = true;
+  replies.names_dents = true;
   replies.refuses_shapes =
       request.one_body
           ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
           : "depth answers about those, exactly or within bounds as near as --bits asks for";
+  replies.refuses_unions = request.one_body ? width_of_union : "depth answers about those, exactly";
   replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
     const std::string& id = asked.input.id;
     const ApproxDepth depth = solve(asked, request, monitor);
@@ -347,7 +348,7 @@ ExitCode run_width(const Given& given) {
 ExitCode run_ray(const Given& given) {
   const RayRequest request(given);
   Replies replies;
-  replies.refuses_shapes =
+  replies.refuses_shapes = replies.refuses_unions =
       "how far it must move in one direction is not answered about those; depth says how far in the best one";
   replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const DirectionalDepth depth = directional_depth(pair.a.points, pair.b.points, request.direction, &monitor);
@@ -365,7 +366,7 @@ ExitCode run_metric(const Given& given) {
   const MetricRequest request(given);
   const UnitBall ball = ball_of(request);
   Replies replies;
-  replies.refuses_shapes = "depth answers about those, in Euclid's norm";
+  replies.refuses_shapes = replies.refuses_unions = "depth answers about those, in Euclid's norm";
   replies.reply = [&](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
     const MetricResult result = metric_depth(pair.a.points, pair.b.points, ball, &monitor);
     if (request.json) return {metric_json(pair.id, result, ball)};

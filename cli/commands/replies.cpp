@@ -125,10 +125,10 @@ BodiesRequest::BodiesRequest(const Given& given)
       threads(given.integer<unsigned>("--threads")),
       json(given.flag("--json")) {}
 
-Case asked_case(const BodiesRequest& request, bool takes_unions, const std::string& refuses_shapes) {
+Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes) {
   refuse_poses_of_stream(request);
   Case single = holds_cases(request) ? case_of_stream(request.inputs[0], request.case_id) : single_case(request);
-  const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, takes_unions);
+  const std::string fault = wrong_bodies(single, request.one_body, refuses_shapes, refuses_unions);
   return fault.empty() ? single : throw InputError(single.id, 0, fault);
 }
 
@@ -158,7 +158,7 @@ StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
   work.error_line = replies.error_line;
   work.lost = replies.lost;
   work.refuses_shapes = replies.refuses_shapes;
-  work.takes_unions = replies.takes_unions;
+  work.refuses_unions = replies.refuses_unions;
   work.answer = replies.reply;
   work.require_convex = request.require_convex;
   work.threads = request.threads.value_or(usual_threads());
@@ -168,8 +168,8 @@ StreamWork stream_work(const BodiesRequest& request, const Replies& replies) {
 ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   refuse_poses_of_stream(request);
   if (is_stream(request)) return for_each_case(request.inputs[0], stream_work(request, replies));
-  const Case single = asked_case(request, replies.takes_unions, replies.refuses_shapes);
-  const Working working;
+  const Case single = asked_case(request, replies.refuses_unions, replies.refuses_shapes);
+  const InterruptGuard interrupt_guard;
   Progress progress;
   const AskedCase asked = looked_at(single, request);
   Workspace workspace;
@@ -178,7 +178,7 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   progress.answered();
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
   if (const std::string dents = shapes::dents_text(asked.bodies.hull);
-      !dents.empty() && !(replies.tells_of_dents && !request.json))
+      !dents.empty() && !(replies.names_dents && !request.json))
     talk(dents);
   if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, request.one_body, progress);
   if (!replies.header.empty()) print(replies.header);

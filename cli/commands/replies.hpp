@@ -58,26 +58,31 @@ struct Replies {
   /// As in StreamWork.
   std::string refuses_shapes = {};
   /// As in StreamWork.
-  bool takes_unions = false;
-  /// Whether replies in text tell of meshes that are not convex; else standard error does.
-  bool tells_of_dents = false;
+  std::string refuses_unions = {};
+  /// Whether replies in text name the meshes that are not convex; else standard error does.
+  bool names_dents = false;
 };
+
+/// Why no width takes a union.
+inline constexpr const char* width_of_union =
+    "its width is that of the hull: give the points of all pieces as one body";
 
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
 /// Returns the one case that the request is about: its meshes, where they stand; or of a stream the
 /// case called `case_id`, the first of that id, and if there is no id, its only case. Throws
-/// InputError, with the ids that there are; and if a body is such as the command does not take: a
-/// union of pieces unless `takes_unions`, a shape if there is a reason in `refuses_shapes`.
-Case asked_case(const BodiesRequest& request, bool takes_unions, const std::string& refuses_shapes = "");
+/// InputError, with the ids that there are; and if there is a reason not to take a body: a union of
+/// pieces, or a shape.
+Case asked_case(const BodiesRequest& request, const std::string& refuses_unions = "",
+                const std::string& refuses_shapes = "");
 
-/// The case with what is known of its bodies. Throws InputError if the request wants convex meshes
-/// and one is not.
+/// Returns the case with what is known of its bodies. Throws InputError if the request wants convex
+/// meshes and one is not.
 AskedCase looked_at(const Case& single, const BodiesRequest& request);
 
-/// What the replies are to the cases of a stream, on as many threads as the request says. The
-/// request must outlive it.
+/// Returns the work that gives these replies to the cases of a stream, on as many threads as the
+/// request says. The request must outlive it.
 StreamWork stream_work(const BodiesRequest& request, const Replies& replies);
 
 /// Prints the replies to the request's inputs. Throws as for_each_case does.

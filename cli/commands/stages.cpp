@@ -191,6 +191,7 @@ ExitCode run_stages(const Given& given) {
   const StagesRequest request(given);
   Replies replies;
   const auto pictures = std::make_shared<FilePlaces>(request, request.svg, "picture", ".svg");
+  replies.refuses_unions = "the stages are those of two convex bodies; explain shows how a union was answered";
   replies.reply = [&request, pictures](const Case& pair, Monitor& monitor, Workspace&) {
     const std::unique_ptr<CertificateFile> drawing = pictures->single();  // an unwritable path fails early
     if (has_shape(pair)) require_depth(pair.id, files::shape_of(pair.a), files::shape_of(pair.b));
@@ -216,12 +217,12 @@ ExitCode run_stages(const Given& given) {
 ExitCode run_explain(const Given& given) {
   const ExplainRequest request{DepthRequest(given), given.text("--output"), given.flag("--times")};
   CertificateFile file(request.page, "page");  // an unwritable path fails early
-  Case single = asked_case(request.depth, true);
+  Case single = asked_case(request.depth);
   if (request.depth.inputs.size() == 2)
     single.id = picture::without_folders(single.id);  // names of files; a case has its own
   std::string page;
   {
-    const Working working;
+    const InterruptGuard interrupt_guard;
     Progress progress;
     page = page_of(single, request, progress);
   }

@@ -341,7 +341,7 @@ class PageFile {
 ExitCode run_sweep(const Given& given) {
   const Sweep sweep(given);
   const auto picture = wanted_file(sweep.svg, "picture");  // an unwritable path fails early
-  const Working working;
+  const InterruptGuard interrupt_guard;
   std::vector<SweepRow> rows;
   ExitCode code = fine;
   try {
@@ -361,6 +361,7 @@ ExitCode run_study(const Given& given) {
   const StudyRequest request(given);
   PageFile page(request);
   Replies replies;
+  replies.refuses_unions = "the coincidences of a study are those of two convex bodies; study a piece of each";
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
     if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor));
     return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, monitor)));

@@ -90,11 +90,11 @@ struct StreamNote {
   std::string text;
 };
 
-/// A case on its way.
-struct Passage {
+/// A case of the stream, from its text to its reply.
+struct StreamedCase {
   std::size_t number = 0;  ///< of cases before it
   files::UnreadCase text;
-  std::optional<Working> working;
+  std::optional<InterruptGuard> interrupt_guard;
   bool answered = false;
 
   std::string id;
@@ -130,35 +130,35 @@ std::vector<StreamNote> notes_of(const std::string& text) {
 }
 
 /// Appends what was found about the case to texts that are packed.
-void pack_answer(std::string& all, const Passage& passage) {
+void pack_answer(std::string& all, const StreamedCase& streamed) {
   const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
-  std::vector<std::string> texts = {passage.id, std::to_string(passage.code), passage.perhaps_inner ? "+" : "",
-                                    optional(passage.hull_note), notes_text(passage.notes)};
-  if (passage.fault)
+  std::vector<std::string> texts = {streamed.id, std::to_string(streamed.code), streamed.perhaps_inner ? "+" : "",
+                                    optional(streamed.hull_note), notes_text(streamed.notes)};
+  if (streamed.fault)
     texts.insert(texts.end(),
-                 {passage.fault->file(), std::to_string(passage.fault->line()), message_of(*passage.fault)});
-  else texts.push_back(passage.reply.text);
+                 {streamed.fault->file(), std::to_string(streamed.fault->line()), message_of(*streamed.fault)});
+  else texts.push_back(streamed.reply.text);
   pack(all, packed(texts));
 }
 
-/// Reads that back.
-void take_answer(const std::string& text, Passage& passage) {
+/// Reads what pack_answer wrote.
+void take_answer(const std::string& text, StreamedCase& streamed) {
   const std::vector<std::string> texts = unpacked(text);
-  passage.id = texts.at(0);
-  passage.code = static_cast<ExitCode>(std::stoi(texts.at(1)));
-  passage.perhaps_inner = !texts.at(2).empty();
-  if (!texts.at(3).empty()) passage.hull_note = texts[3].substr(1);
-  passage.notes = notes_of(texts.at(4));
-  if (texts.size() > 6) passage.fault = InputError(texts[5], std::stoull(texts.at(6)), texts.at(7));
-  else passage.reply.text = texts.at(5);
-  passage.answered = true;
+  streamed.id = texts.at(0);
+  streamed.code = static_cast<ExitCode>(std::stoi(texts.at(1)));
+  streamed.perhaps_inner = !texts.at(2).empty();
+  if (!texts.at(3).empty()) streamed.hull_note = texts[3].substr(1);
+  streamed.notes = notes_of(texts.at(4));
+  if (texts.size() > 6) streamed.fault = InputError(texts[5], std::stoull(texts.at(6)), texts.at(7));
+  else streamed.reply.text = texts.at(5);
+  streamed.answered = true;
 }
 
 // A longer text is answered before more is read: so many at once would take much memory, and two
 // threads share the work on large bodies.
 constexpr std::size_t long_text = std::size_t{1} << 20;
 
-using Block = std::vector<std::shared_ptr<Passage>>;
+using Block = std::vector<std::shared_ptr<StreamedCase>>;
 
 // A block that is answered by another process ends with this many cases, or with this many bytes.
 constexpr std::size_t cases_in_a_block = 64, bytes_of_a_block = std::size_t{1} << 18;
@@ -175,9 +175,9 @@ class Memories {
  public:
   explicit Memories(unsigned count) : idle_(count) {}
 
-  /// Calls `use` with memory that nothing else uses meanwhile.
+  /// Calls `use` with memory that nothing else uses until it returns.
   template <class Use>
-  void lend(Use use) {
+  void with_memory(Use use) {
     Memory memory = take();
     use(memory);
     const std::lock_guard lock(idle_lock_);
@@ -199,35 +199,35 @@ class Memories {
 
 /// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws
 /// Interrupted. Once a note on a hull was told, others are not looked for.
-void answer_case(Passage& passage, const std::string& name, const StreamWork& work, Monitor& monitor, Memory& memory,
-                 bool hull_told) {
-  const std::size_t line = passage.text.line;
+void answer_case(StreamedCase& streamed, const std::string& name, const StreamWork& work, Monitor& monitor,
+                 Memory& memory, bool hull_told) {
+  const std::size_t line = streamed.text.line;
   const auto lose = [&](InputError why, ExitCode code) {
-    passage.fault = std::move(why);
-    passage.code = std::max(passage.code, code);
+    streamed.fault = std::move(why);
+    streamed.code = std::max(streamed.code, code);
   };
-  passage.id = std::to_string(line);
+  streamed.id = std::to_string(line);
   try {
-    const CaseItem item = files::read_case(memory.reader, passage.text, name);
-    std::string().swap(passage.text.text);
-    passage.id = item.id;
+    const CaseItem item = files::read_case(memory.reader, streamed.text, name);
+    std::string().swap(streamed.text.text);
+    streamed.id = item.id;
     if (!item.ok()) return lose(item.error(), bad_input);
-    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.takes_unions);
+    if (const std::string fault = wrong_bodies(item.value(), work.one_body, work.refuses_shapes, work.refuses_unions);
         !fault.empty())
       return lose({name, line, fault}, bad_input);
     for (const CaseNote& note : item.notes)
-      passage.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
+      streamed.notes.push_back({note.kind == CaseNote::field ? NoteKind::field : NoteKind::pose, note.text});
     const AskedCase asked(item.value(), work.one_body);
     if (const std::string fault = wrong_meshes(asked.bodies.hull, work.require_convex); !fault.empty())
       return lose({name, line, fault}, bad_input);
     if (std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty())
-      passage.notes.push_back({NoteKind::dents, std::move(dents)});
+      streamed.notes.push_back({NoteKind::dents, std::move(dents)});
     if (std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes))
-      passage.notes.push_back({NoteKind::sizes, *std::move(note)});
-    passage.perhaps_inner =
+      streamed.notes.push_back({NoteKind::sizes, *std::move(note)});
+    streamed.perhaps_inner =
         !has_shape(item.value()) && !has_union(item.value()) && may_have_inner_points(item.value(), work.one_body);
-    if (passage.perhaps_inner && !hull_told) passage.hull_note = hull_note(item.value(), work.one_body);
-    passage.reply = work.answer(asked, monitor, memory.workspace);
+    if (streamed.perhaps_inner && !hull_told) streamed.hull_note = hull_note(item.value(), work.one_body);
+    streamed.reply = work.answer(asked, monitor, memory.workspace);
   } catch (const Interrupted&) {
     throw;
   } catch (const InputError& error) {
@@ -247,12 +247,12 @@ class Stream {
   }
 
   /// Null at the end.
-  std::shared_ptr<Passage> next();
+  std::shared_ptr<StreamedCase> next();
   /// The same for several cases at once.
   std::shared_ptr<Block> next_block();
   void answer_elsewhere(Block& block);
-  void answer(Passage& passage);
-  void deliver(Passage& passage);
+  void answer(StreamedCase& streamed);
+  void deliver(StreamedCase& streamed);
   ExitCode finish();
 
  private:
@@ -260,9 +260,9 @@ class Stream {
   /// wait for it.
   class CaseMonitor;
 
-  void tell_of_hull(const Passage& passage);
-  void tell_notes(const Passage& passage);
-  void report(const Passage& bad);
+  void tell_of_hull(const StreamedCase& streamed);
+  void tell_notes(const StreamedCase& streamed);
+  void report(const StreamedCase& bad);
 
   const StreamWork& work_;
   Memories memories_{work_.threads};
@@ -279,8 +279,8 @@ class Stream {
 
 class Stream::CaseMonitor : public StopOnInterrupt {
  public:
-  CaseMonitor(Stream& stream, const Passage& passage)
-      : stream_(stream), number_(passage.number), line_(passage.text.line) {}
+  CaseMonitor(Stream& stream, const StreamedCase& streamed)
+      : stream_(stream), number_(streamed.number), line_(streamed.text.line) {}
 
   void report(std::string_view stage, double share) override {
     if (has_the_bar()) stream_.progress_.report(stage, share);
@@ -302,32 +302,33 @@ class Stream::CaseMonitor : public StopOnInterrupt {
   bool has_it_ = false;
 };
 
-std::shared_ptr<Passage> Stream::next() {
-  auto passage = std::make_shared<Passage>();
+std::shared_ptr<StreamedCase> Stream::next() {
+  auto streamed = std::make_shared<StreamedCase>();
   try {
     std::optional<files::UnreadCase> text = texts_.next();
     if (interrupt_requested()) throw Interrupted();
     if (failed_ || !text) return nullptr;
-    passage->text = std::move(*text);
+    streamed->text = std::move(*text);
   } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
     const std::size_t line = texts_.case_line();
-    passage->text = {line, "", InputError(texts_.name(), line, fault_text(error))};
-    passage->code = internal_error;
+    streamed->text = {line, "", InputError(texts_.name(), line, fault_text(error))};
+    streamed->code = internal_error;
   }
-  passage->number = read_++;
-  passage->working.emplace();
-  if (passage->text.text.size() >= long_text) answer(*passage);
-  return passage;
+  streamed->number = read_++;
+  streamed->interrupt_guard.emplace();
+  if (streamed->text.text.size() >= long_text) answer(*streamed);
+  return streamed;
 }
 
-// To count exactly the cases with inner points would take a hull each: after the first they are
-// counted by what is seen without one.
-void Stream::answer(Passage& passage) {
-  if (std::exchange(passage.answered, true)) return;
-  CaseMonitor monitor(*this, passage);
+// After the first, cases with inner points are only estimated: an exact count needs a convex hull
+// for each case.
+void Stream::answer(StreamedCase& streamed) {
+  if (std::exchange(streamed.answered, true)) return;
+  CaseMonitor monitor(*this, streamed);
   monitor.has_the_bar();
   try {
-    memories_.lend([&](Memory& memory) { answer_case(passage, texts_.name(), work_, monitor, memory, hull_told_); });
+    memories_.with_memory(
+        [&](Memory& memory) { answer_case(streamed, texts_.name(), work_, monitor, memory, hull_told_); });
   } catch (const Interrupted&) {
     if (!failed_) throw;  // else the run ends by what failed
   }
@@ -336,10 +337,10 @@ void Stream::answer(Passage& passage) {
 std::shared_ptr<Block> Stream::next_block() {
   auto block = std::make_shared<Block>();
   for (std::size_t bytes = 0; block->size() < cases_in_a_block && bytes < bytes_of_a_block;) {
-    std::shared_ptr<Passage> passage = next();
-    if (!passage) break;
-    bytes += passage->text.text.size();
-    block->push_back(std::move(passage));
+    std::shared_ptr<StreamedCase> streamed = next();
+    if (!streamed) break;
+    bytes += streamed->text.text.size();
+    block->push_back(std::move(streamed));
   }
   return block->empty() ? nullptr : block;
 }
@@ -347,15 +348,15 @@ std::shared_ptr<Block> Stream::next_block() {
 void Stream::answer_elsewhere(Block& block) {
   std::string texts = packed({hull_told_ ? "+" : ""});
   Block sent;
-  for (const std::shared_ptr<Passage>& passage : block) {
-    if (passage->answered) continue;
-    if (passage->text.error) {
-      answer(*passage);
+  for (const std::shared_ptr<StreamedCase>& streamed : block) {
+    if (streamed->answered) continue;
+    if (streamed->text.error) {
+      answer(*streamed);
       continue;
     }
-    pack(texts, std::to_string(passage->text.line));
-    pack(texts, passage->text.text);
-    sent.push_back(passage);
+    pack(texts, std::to_string(streamed->text.line));
+    pack(texts, streamed->text.text);
+    sent.push_back(streamed);
   }
   if (sent.empty()) return;
   const std::string name =
@@ -364,48 +365,48 @@ void Stream::answer_elsewhere(Block& block) {
   for (std::size_t i = 0; i < sent.size(); ++i) take_answer(answers.at(i), *sent[i]);
 }
 
-void Stream::deliver(Passage& passage) try {
-  tell_of_hull(passage);
-  tell_notes(passage);
-  if (!passage.fault && passage.reply.keep) {
+void Stream::deliver(StreamedCase& streamed) try {
+  tell_of_hull(streamed);
+  tell_notes(streamed);
+  if (!streamed.fault && streamed.reply.keep) {
     try {
-      passage.reply.keep();
+      streamed.reply.keep();
     } catch (const InputError& error) {
-      passage.fault = error;
-      passage.code = bad_input;
+      streamed.fault = error;
+      streamed.code = bad_input;
     }
   }
-  if (passage.fault) {
-    report(passage);
+  if (streamed.fault) {
+    report(streamed);
   } else {
     progress_.answered();
-    print(passage.reply.text);
+    print(streamed.reply.text);
   }
   progress_.count({++delivered_, all_});
-  passage.working.reset();
+  streamed.interrupt_guard.reset();
   if (interrupt_requested()) throw Interrupted();
 } catch (...) {
-  failed_ = true;  // who waits for input or computes is to stop
+  failed_ = true;  // threads that wait for input or compute stop
   throw;
 }
 
-void Stream::tell_of_hull(const Passage& passage) {
-  if (hull_told_) perhaps_inner_ += passage.perhaps_inner;
-  if (hull_told_ || !passage.hull_note) return;
+void Stream::tell_of_hull(const StreamedCase& streamed) {
+  if (hull_told_) perhaps_inner_ += streamed.perhaps_inner;
+  if (hull_told_ || !streamed.hull_note) return;
   hull_told_ = true;
   progress_.clear();
-  talk(fmt::format("{}:{}: {}; later cases are counted", texts_.name(), passage.text.line, *passage.hull_note));
+  talk(fmt::format("{}:{}: {}; later cases are counted", texts_.name(), streamed.text.line, *streamed.hull_note));
 }
 
-void Stream::tell_notes(const Passage& passage) {
-  for (const StreamNote& note : passage.notes) {
+void Stream::tell_notes(const StreamedCase& streamed) {
+  for (const StreamNote& note : streamed.notes) {
     if (cases_with_[static_cast<std::size_t>(note.kind)]++ > 0) continue;
     progress_.clear();
-    talk(fmt::format("{}:{}: {}", texts_.name(), passage.text.line, note.text));
+    talk(fmt::format("{}:{}: {}", texts_.name(), streamed.text.line, note.text));
   }
 }
 
-void Stream::report(const Passage& bad) {
+void Stream::report(const StreamedCase& bad) {
   const std::string sentence = bad.fault->what();
   ++failures_;
   code_ = std::max(code_, bad.code);
@@ -477,12 +478,13 @@ void tell_of_hulls(const Case& input, bool one_body, Progress& progress) {
   if (note) talk(*note);
 }
 
-std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions) {
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
+                         const std::string& refuses_unions) {
   const auto which = [&](bool a, bool b) { return a ? "a" : b && !one_body ? "b" : ""; };
   const std::string of_pieces = which(single.a.pieces != nullptr, single.b.pieces != nullptr);
   const std::string of_shape = which(single.a.shape.has_value(), single.b.shape.has_value());
-  if (!of_pieces.empty() && !takes_unions)
-    return of_pieces + ": expected a convex body, found a union of pieces, which 'depth' takes";
+  if (!of_pieces.empty() && !refuses_unions.empty())
+    return of_pieces + ": expected a convex body, found a union of pieces: " + refuses_unions;
   if (!of_pieces.empty() && !of_shape.empty())
     return of_shape +
            ": expected pieces or a polytope, found a shape that is none: unions with radii have another depth than "
@@ -504,13 +506,13 @@ ExitCode for_each_case(const std::string& input, const StreamWork& work) {
     in_order<Block>(
         work.threads, [&] { return stream.next_block(); }, [&](Block& block) { stream.answer_elsewhere(block); },
         [&](Block& block) {
-          for (const std::shared_ptr<Passage>& passage : block) stream.deliver(*passage);
+          for (const std::shared_ptr<StreamedCase>& streamed : block) stream.deliver(*streamed);
         });
     return stream.finish();
   }
-  in_order<Passage>(
-      work.threads, [&] { return stream.next(); }, [&](Passage& passage) { stream.answer(passage); },
-      [&](Passage& passage) { stream.deliver(passage); });
+  in_order<StreamedCase>(
+      work.threads, [&] { return stream.next(); }, [&](StreamedCase& streamed) { stream.answer(streamed); },
+      [&](StreamedCase& streamed) { stream.deliver(streamed); });
   return stream.finish();
 }
 
@@ -521,10 +523,10 @@ std::string answer_block(const std::string& block, const std::string& input, con
   Memory memory;
   std::string answers;
   for (std::size_t i = 1; i + 1 < texts.size(); i += 2) {
-    Passage passage;
-    passage.text = {std::stoull(texts[i]), texts[i + 1], {}};
-    answer_case(passage, input == "-" ? "<stdin>" : input, work, monitor, memory, hull_told);
-    pack_answer(answers, passage);
+    StreamedCase streamed;
+    streamed.text = {std::stoull(texts[i]), texts[i + 1], {}};
+    answer_case(streamed, input == "-" ? "<stdin>" : input, work, monitor, memory, hull_told);
+    pack_answer(answers, streamed);
   }
   return answers;
 }

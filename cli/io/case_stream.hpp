@@ -94,7 +94,8 @@ struct StreamWork {
   /// Returns the result line of a case without an answer; if not set, the sentence goes to standard
   /// error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
-  /// Hears of each case without an answer, in order, beside what is printed; may be empty.
+  /// Is called with the error of each case without an answer, in order, beside what is printed; may
+  /// be empty.
   std::function<void(const std::string& sentence)> lost = {};
   /// Printed before all results, unless empty.
   std::string header;
@@ -103,15 +104,15 @@ struct StreamWork {
   /// Empty if bodies may be shapes that are no polytopes; else such cases are errors, and this says
   /// which command takes them.
   std::string refuses_shapes;
-  /// Whether bodies may be unions of pieces; else such cases are errors.
-  bool takes_unions = false;
+  /// Empty if bodies may be unions of pieces; else such cases are errors, and this says why.
+  std::string refuses_unions;
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
   /// How many cases are answered at once.
   unsigned threads = 1;
   /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by
   /// `answer`: it passes the block to answer_block in any process, and returns what that returns.
-  /// `name` tells what the block is. Then a block is answered once it is whole.
+  /// `name` describes the block. Then a block is answered once it is whole.
   std::function<std::string(const std::string& block, const std::string& name)> elsewhere = {};
 };
 
@@ -121,9 +122,10 @@ inline bool has_shape(const Case& single) { return single.a.shape || single.b.sh
 /// Returns whether a body of the case is a union of pieces.
 inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }
 
-/// Returns what is wrong with the bodies of a case if they must be polytopes, as `refuses_shapes`
-/// says unless it is empty, and may be unions only if `takes_unions`; or "".
-std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes, bool takes_unions);
+/// Returns what is wrong with the bodies of a case, by the reasons not to take shapes and unions,
+/// each of which may be empty; or "".
+std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
+                         const std::string& refuses_unions);
 
 /// Returns what is wrong with the meshes of a case if they must be convex, or "".
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);

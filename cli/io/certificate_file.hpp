@@ -46,7 +46,7 @@ class CertificateFolder {
   std::set<std::string> names_;
 };
 
-// A proof that no checker would read is none: whoever asked for it is told, and nothing is written.
+// Refuses to write a certificate that exceeds the checkers' limits: an error, and no file.
 // [verify/check/FORMAT.md, section 8]
 
 /// Throws OutputError, which names the limit and what helps, if the certificate of this case passes

@@ -41,16 +41,15 @@ inline std::vector<std::string> unpacked(const std::string& all) {
 
 // A stream's items, worked on by many threads and handed on in order.
 
-/// The number of threads for a stream unless the user says it: one for each core that this process
-/// may use. One where the address space is limited, for every thread takes some of it.
+/// Returns the default number of threads for a stream: one for each core that this process may use.
+/// One if the address space is limited, because every thread takes some of it.
 unsigned usual_threads();
 
-/// So many of the threads that were asked for: fewer where the address space is limited, for more
+/// Returns how many of `asked` threads to start: fewer if the address space is limited, as more
 /// would leave too little for the items.
 unsigned possible_threads(unsigned asked);
 
-/// Items that are under way at once, for each thread: behind an item that takes long, the others go
-/// on with so many.
+/// Read-ahead per thread: how many items may be in flight behind a slow one.
 inline constexpr std::size_t items_in_flight = 16;
 
 /// Calls `next` until it returns null, `work` for each item and then `deliver`. `next` and

@@ -100,11 +100,11 @@ bool interrupt_requested() { return requested; }
 
 void take_time_to_write() { ::alarm(0); }
 
-Working::Working(unsigned patience) {
+InterruptGuard::InterruptGuard(unsigned patience) {
   seconds_to_stop = patience;
   ++working;
 }
-Working::~Working() { --working; }
+InterruptGuard::~InterruptGuard() { --working; }
 
 Progress::Progress(std::string units) : units_(std::move(units)), answers_are_seen_(is_terminal(STDOUT_FILENO)) {
   if (is_terminal(STDERR_FILENO)) painter_ = std::thread([this] { keep_drawing(); });

@@ -21,7 +21,7 @@ namespace fathom::cli {
 /// enough (`| head`) ends the run quietly.
 void install_signal_handlers();
 
-/// Whether SIGINT arrived while a `Working` existed.
+/// Whether SIGINT arrived while a `InterruptGuard` existed.
 bool interrupt_requested();
 
 /// Stops a computation once SIGINT was noted. Any thread may ask it.
@@ -34,12 +34,12 @@ class StopOnInterrupt : public Monitor {
 /// While one exists, SIGINT is noted instead of ending the process, so that no line is cut in two
 /// and a computation can stop by itself. If it has not stopped after `patience` seconds, or on a
 /// second SIGINT, the process ends all the same.
-class Working {
+class InterruptGuard {
  public:
-  explicit Working(unsigned patience = 1);
-  ~Working();
-  Working(const Working&) = delete;
-  Working& operator=(const Working&) = delete;
+  explicit InterruptGuard(unsigned patience = 1);
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
 };
 
 /// Call it when the work has stopped and its results are being written: from then on only a second

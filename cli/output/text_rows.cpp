@@ -21,12 +21,12 @@ constexpr std::size_t longest_triple = 72;  // characters; beyond, nobody reads 
 constexpr std::size_t few = 9;              // digits of an approximate component
 constexpr std::size_t beyond_binary64_digits = 17;
 
-bool speaks(double value) { return std::isfinite(value) && value != 0; }
+bool is_informative(double value) { return std::isfinite(value) && value != 0; }
 
 /// To nine digits, or truncated to as many where binary64 ends.
 std::string few_digits(const mpq_class& value) {
   if (sgn(value) == 0) return "0";
-  if (const double rounded = round_binary64(value, Rounding::rn); speaks(rounded))
+  if (const double rounded = round_binary64(value, Rounding::rn); is_informative(rounded))
     return fmt::format("{:.{}g}", rounded, few);
   return fmt::format("{}{}", sgn(value) < 0 ? "-" : "", enclose_root(value * value, few).low);
 }
@@ -37,7 +37,7 @@ std::string unit_component(const mpz_class& component, const mpz_class& squared_
   if (sgn(squared) == 0) return "0";
   const double rounded = root_binary64(squared, Rounding::rn);
   return fmt::format("{}{}", sgn(component) < 0 ? "-" : "",
-                     speaks(rounded) ? fmt::format("{:.{}g}", rounded, few) : enclose_root(squared, few).low);
+                     is_informative(rounded) ? fmt::format("{:.{}g}", rounded, few) : enclose_root(squared, few).low);
 }
 
 std::string triple(std::string_view mark, const std::string& x, const std::string& y, const std::string& z) {
@@ -67,13 +67,14 @@ constexpr std::size_t short_pair = 54;  // characters of two points that share a
 
 std::string root_text(const mpq_class& squared) {
   if (sgn(squared) == 0) return "0";
-  if (const double rounded = root_binary64(squared, Rounding::rn); speaks(rounded)) return fmt::format("{}", rounded);
+  if (const double rounded = root_binary64(squared, Rounding::rn); is_informative(rounded))
+    return fmt::format("{}", rounded);
   return enclose_root(squared, beyond_binary64_digits).low;
 }
 
 std::string surd_text(const Surd& value) {
   if (sign(value) == 0) return "0";
-  if (const double rounded = round_binary64(value); speaks(rounded)) return fmt::format("{}", rounded);
+  if (const double rounded = round_binary64(value); is_informative(rounded)) return fmt::format("{}", rounded);
   return enclose(value, beyond_binary64_digits).low;
 }
 

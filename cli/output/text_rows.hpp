@@ -25,7 +25,7 @@ namespace fathom::cli {
 /// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17
 /// digits beyond that range.
 std::string root_text(const mpq_class& squared);
-/// As root_text, of a value >= 0.
+/// Returns a value >= 0 as root_text does.
 std::string surd_text(const Surd& value);
 
 inline Surd negated(const Surd& value) { return {-value.rational, -value.root}; }
@@ -109,7 +109,7 @@ void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts);
 
 /// "[low, high]".
 std::string enclosure_text(const Enclosure& enclosure);
-/// Of the root, to that many digits.
+/// Returns the enclosure of the root, to that many digits.
 inline std::string enclosure_text(const mpq_class& squared, unsigned digits) {
   return enclosure_text(enclose_root(squared, digits));
 }

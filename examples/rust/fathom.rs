@@ -57,8 +57,8 @@ struct FathomJudgement {
     accuracy: c_int,
     status: c_int,
     numbers: [c_double; 17], // signed_depth to witness_gap
-    longer: c_int,
-    more: [c_double; 6], // dearer to deepest
+    excess_allowed: c_int,
+    more: [c_double; 6], // relative_excess to deepest
     deepest_pair: c_double,
     deepest_pieces: [usize; 2],
     of_unions: [c_double; 3], // hulls to deeper

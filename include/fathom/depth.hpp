@@ -198,7 +198,7 @@ struct Options {
   /// Of the random order in which closest lines are searched. Results do not depend on it, only
   /// counters do.
   std::uint64_t seed = 1;
-  /// Hears of progress and may stop the work; may be null.
+  /// Is called with the progress and may stop the work; may be null.
   Monitor* monitor = nullptr;
   /// Used by the call that gets it, and free for others when that returns; may be null.
   Workspace* workspace = nullptr;

@@ -339,9 +339,8 @@ enum {
 enum { FATHOM_SAME_PRECISION = -1, FATHOM_BINARY64 = 0, FATHOM_BINARY32 = 1 };
 enum { FATHOM_TOUCHING_EITHER = 0, FATHOM_TOUCHING_IS_OVERLAP = 1, FATHOM_TOUCHING_IS_APART = 2 };
 
-/** Depths that are too deep pass if they are the price of their direction, where the policy allows
- * it:
- * "the claim class and the policy" in VERDICTS.md. */
+/** Depths that are too deep pass if they are the separating distance of their direction, where the
+ * policy allows it: "the claim class and the policy" in VERDICTS.md. */
 enum { FATHOM_POLICY_DECLARED = 0, FATHOM_POLICY_MINIMUM = 1, FATHOM_POLICY_SEPARATING = 2, FATHOM_POLICY_WITHIN = 3 };
 
 /** An implementation's conventions, how wrong it may be, and its answer. fathom_claim_init sets all
@@ -369,9 +368,9 @@ typedef struct fathom_claim {
   double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
 
   int answers;        /**< FATHOM_SAME_PRECISION: that of the answer's numbers, where `precision` is that of points alone */
-  int separating;     /**< 0: whether a depth with a direction claims no shortest translation, but one that separates, at its own price */
+  int separating;     /**< 0: whether a depth with a direction claims no shortest translation, but a length that separates along it */
   int policy;         /**< FATHOM_POLICY_DECLARED, that is, by `separating`: which longer translations pass */
-  double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the price may be (1 + policy_most) depths; not negative */
+  double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the separating distance may be (1 + policy_most) depths; not negative */
   int has_distance;   /**< 0: of bodies that are said to be apart. Direction and witness points then are those of the distance */
   double distance;    /**< at least 0 */
   size_t contact_count;            /**< 0; at most 2^31: the contacts of a manifold, read beside a depth */
@@ -392,20 +391,22 @@ typedef struct fathom_judgement {
   double signed_depth, signed_depth_low, signed_depth_high; /**< the truth, as fathom_answer_signed_depth gives it */
 
   double error, error_ulps, error_relative, error_u_r; /**< claimed less true depth or distance; of bounds, the least that they allow */
-  double price_low, price_high; /**< where a plane across the claimed direction separates; below 0 where the bodies are apart */
-  double travel;                /**< the shortest way along it after which the interiors are disjoint; NaN of shapes */
-  double inconsistency;         /**< the claimed depth less the price */
-  double overlap_left;          /**< travel less the claimed depth, if that is positive */
+  /** along the claimed direction, until a plane across it separates; below 0 where the bodies are
+   * apart */
+  double separating_distance_low, separating_distance_high;
+  double exit_distance; /**< the shortest way along it after which the interiors are disjoint; NaN of shapes */
+  double inconsistency; /**< the claimed depth less the separating distance */
+  double overlap_left;  /**< exit distance less the claimed depth, if that is positive */
   double witness_a_low, witness_a_high, witness_b_low, witness_b_high; /**< distances from their bodies; 0 inside */
   double witness_gap; /**< length of (b - a) - translation; without a direction | |b - a| - depth | */
 
-  int longer;    /**< whether the depth would be too deep, but for the policy */
-  double dearer; /**< price / depth - 1 */
+  int excess_allowed;     /**< whether the depth would be too deep, but for the policy */
+  double relative_excess; /**< separating distance / depth - 1 */
   double contact_a_low, contact_a_high, contact_b_low, contact_b_high; /**< distances of the farthest contacts; 0 inside */
   double deepest; /**< the largest depth of a contact less the claimed depth */
 
-  /* Of unions that overlap. They have no price and no travel: overlap_left is the depth after the
-   * claimed translation. */
+  /* Of unions that overlap. They have no separating distance and no exit distance: overlap_left is
+   * the depth after the claimed translation. */
   double deepest_pair;      /**< the depth of the deepest pair of pieces */
   size_t deepest_pieces[2]; /**< a piece of A and one of B, from 0: the first pair that has it */
   double hulls;             /**< the depth of the unions' hulls */

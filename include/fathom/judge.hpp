@@ -51,7 +51,7 @@ struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
   enum class Sign { positive, negative };             ///< of a depth
   enum class Body { a, b };                           ///< which of the two
-  /// of a translation: that none is shorter; or that it separates, at its own price
+  /// of a translation: that none is shorter; or that it separates, at its own separating distance
   enum class Claims { minimum, separating };
   Touching touching = Touching::either;  ///< of bodies that touch
   Sign depth = Sign::positive;           ///< of the depth of bodies that overlap
@@ -84,10 +84,10 @@ struct Reply {
   std::vector<ContactPoint> contacts;
 };
 
-/// Which translations pass that are longer than need be, with a depth that is the price of their
-/// own direction.
+/// Which translations pass that are longer than need be, with a depth that is the separating
+/// distance of their own direction.
 struct Policy {
-  /// what the conventions claim; none; all; prices up to (1 + most) depths
+  /// what the conventions claim; none; all; separating distances up to (1 + most) depths
   enum class Kind { declared, minimum, separating, within };
   Kind kind = Kind::declared;  ///< what is asked
   mpq_class most = 0;          ///< of `within`
@@ -169,8 +169,8 @@ struct Between {
 struct Judgement {
   Verdict verdict = Verdict::garbage;  ///< the first of the findings, or a pass
   std::vector<Verdict> findings;       ///< everything that is wrong with the answer, in order of rank
-  std::optional<Accuracy> accuracy;    ///< of a pass with a depth or a distance, unless `longer`
-  bool longer = false;                 ///< whether the depth would be too deep, but for the policy
+  std::optional<Accuracy> accuracy;    ///< of a pass with a depth or a distance, unless `excess_allowed`
+  bool excess_allowed = false;         ///< whether the depth would be too deep, but for the policy
 
   std::optional<Status> status = Status::disjoint;  ///< the truth; nullopt if the bounds of shapes leave it open
   mpq_class depth_squared;                          ///< the truth about polytopes; 0 unless penetrating
@@ -186,16 +186,19 @@ struct Judgement {
   std::optional<double> error, error_ulps, error_relative, error_u_r;
   // Of a claimed direction u: by the plane across it, and along it. Signed squares: negative if the
   // bodies are apart. Of polytopes.
-  std::optional<mpq_class> price_squared;  ///< h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
+  /// h(u)^2 / <u,u>: A moved so far along u lies behind a plane across u
+  std::optional<mpq_class> separating_distance_squared;
   /// squared length of the shortest way along u after which the interiors are disjoint
-  std::optional<mpq_class> travel_squared;
-  std::optional<double> inconsistency;  ///< the claimed depth, or minus the claimed distance, less the price
-  std::optional<double> overlap_left;   ///< travel less the claimed depth, if that is positive
-  /// price / depth - 1, correctly rounded, of bodies that overlap and an answer that says so
-  std::optional<double> dearer;
-  // The same of shapes. Against a half-space `price` is the way along u; nullopt if u does not lead
-  // out of it.
-  std::optional<Between> price, witness_a_distance, witness_b_distance;  ///< lengths
+  std::optional<mpq_class> exit_distance_squared;
+  /// the claimed depth, or minus the claimed distance, less the separating distance
+  std::optional<double> inconsistency;
+  std::optional<double> overlap_left;  ///< exit distance less the claimed depth, if that is positive
+  /// separating distance / depth - 1, correctly rounded, of bodies that overlap and an answer that
+  /// says so
+  std::optional<double> relative_excess;
+  // The same of shapes. Against a half-space `separating_distance` is the way along u; nullopt if u
+  // does not lead out of it.
+  std::optional<Between> separating_distance, witness_a_distance, witness_b_distance;  ///< lengths
   // Of witness points: squared distances from their bodies, exact, of polytopes, and the length of
   // (b - a) - translation, rounded; if no direction is claimed, | |b - a| - depth |.
   std::optional<mpq_class> witness_a_squared, witness_b_squared;  ///< 0 on the body
@@ -204,9 +207,10 @@ struct Judgement {
   std::optional<mpq_class> contact_a_squared, contact_b_squared;  ///< of polytopes
   std::optional<Between> contact_a_distance, contact_b_distance;  ///< of shapes
   std::optional<double> deepest;  ///< the largest depth of a contact less the claimed depth
-  // Of unions there is no price and no travel; `overlap_left` is the depth after the claimed
-  // translation, and `inconsistency` its negative, or the distance then. These two are the least
-  // that the way from a root to a rational allows, if that matters to their rounding.
+  // Of unions there is no separating distance and no exit distance; `overlap_left` is the depth
+  // after the claimed translation, and `inconsistency` its negative, or the distance then. These
+  // two are the least that the way from a root to a rational allows, if that matters to their
+  // rounding.
   /// of unions that overlap: what the deepest pair of pieces, and the hulls, would say
   std::optional<UnionBounds> bounds;
   /// (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0

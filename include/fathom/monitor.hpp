@@ -12,8 +12,8 @@ struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Hears how far a computation is, and may stop it. All calls come from the thread that called the
-/// library, one at a time.
+/// Receives the progress of a computation, and may stop it. All calls come from the thread that
+/// called the library, one at a time.
 class Monitor {
  public:
   virtual ~Monitor() = default;

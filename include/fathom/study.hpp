@@ -85,7 +85,7 @@ struct Study {
   /// charts, vertex-facet pairs, canonical subsets.
   PredicateCounts predicates{};
   std::array<Coincidences, static_cast<std::size_t>(Coincidence::count)> coincidences;  ///< in the order of Coincidence
-  /// Those of one kind.
+  /// Returns the coincidences of this kind.
   [[nodiscard]] const Coincidences& operator[](Coincidence kind) const {
     return coincidences[static_cast<std::size_t>(kind)];
   }
@@ -94,7 +94,7 @@ struct Study {
 /// How much to list, and who watches.
 struct StudyOptions {
   std::size_t listed = 20;     ///< the most coincidences of a kind that are listed; counts are always complete
-  Monitor* monitor = nullptr;  ///< hears of progress and may stop the work; may be null
+  Monitor* monitor = nullptr;  ///< is called with the progress and may stop the work; may be null
   std::size_t support_calls = SignedDepthOptions{}.support_calls;  ///< of shapes: as of signed_depth
 };
 
@@ -206,7 +206,7 @@ struct ShapeStudy {
   /// the cone of all. nullopt if the depth is not known exactly.
   std::optional<ShapeInvolved> contact;
   std::optional<Study> cores;  ///< of the cores without radii, if both are polytopes
-  /// Those of one kind.
+  /// Returns the coincidences of this kind.
   [[nodiscard]] const ShapeCoincidences& operator[](ShapeCoincidence kind) const {
     return coincidences[static_cast<std::size_t>(kind)];
   }

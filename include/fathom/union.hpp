@@ -22,7 +22,8 @@ namespace fathom {
 
 /// How to compute the depth of unions. The answer does not depend on it.
 struct UnionOptions {
-  /// hears of progress and may stop the work, which then ends with an enclosure; may be null
+  /// is called with the progress and may stop the work, which then ends with an enclosure; may be
+  /// null
   Monitor* monitor = nullptr;
   bool bounds = true;  ///< whether UnionDepth::bounds is found
 };

@@ -42,7 +42,7 @@ Vector on_face(const Place& p, std::int64_t i, std::int64_t j, std::uint64_t sid
 
 /// Cells are carried into each other by the symmetries of the cube; one of each orbit is looked at:
 /// on the face of positive x, in one eighth of it. The cone of directions that a centre covers is
-/// convex, so that its four corners speak for a cell.
+/// convex, so that a cell is covered if its four corners are.
 bool all_covered(kernels::Context& context, std::uint64_t side, const mpq_class& delta) {
   const Place face{0, false, 0, 0};
   const auto n = static_cast<std::int64_t>(side);

@@ -31,14 +31,14 @@ void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) 
   }
 }
 
-// Whether narrow integers hold everything, for coordinates up to 2^w and squared distances to
-// compare with of so many bits.
+// Returns true if narrow integers cannot overflow, for |coordinates| <= 2^w and squared distances
+// to compare with of `bits` bits.
 bool fits(long w, long bits) {
   return w <= polytope::most_narrow_bits && 6 * w + 20 + bits <= 10 * polytope::most_narrow_bits + 20;
 }
 
-// Calls f(differences, memory) with integers that hold everything. `bits`: of the squared distances
-// that are compared with, at most.
+// Calls f(differences, memory) with integers that cannot overflow. The squared distances to compare
+// with have at most `bits` bits.
 template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits,
                    F f) {

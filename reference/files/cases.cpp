@@ -120,7 +120,7 @@ std::string place(const text::JsonValue& document, CaseFields& fields, Case& res
 
 }  // namespace
 
-// A line that could not be kept is empty, and condemns its case.
+// Returns an empty line in place of one that could not be kept; its case is then an error.
 bool UnreadCases::next_line(std::string& line) {
   if (pending_) {
     line = *std::exchange(pending_, std::nullopt);

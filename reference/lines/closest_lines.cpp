@@ -26,10 +26,10 @@ std::vector<Arc> strided(std::span<const Arc> arcs, std::mt19937_64& random) {
 
 // One global best over all canonical pairs: small pairs first, then the large ones, promising ones
 // first.
-class Family {
+class PairScan {
  public:
-  Family(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
-         kernels::NearestPlanes& nearest, const ClosestLinesOptions& options)
+  PairScan(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
+           kernels::NearestPlanes& nearest, const ClosestLinesOptions& options)
       : context_(context),
         subsets_(subsets),
         scene_(scene),
@@ -149,11 +149,11 @@ class Family {
 
 void closest_lines(kernels::Context& context, const canonical::CanonicalSubsets& subsets, const LineScene& scene,
                    kernels::NearestPlanes& nearest, const ClosestLinesOptions& options) {
-  Family family(context, subsets, scene, nearest, options);
+  PairScan scan(context, subsets, scene, nearest, options);
   if (options.engine == ClosestLines::naive) {
-    family.scan_all();
+    scan.scan_all();
   } else {
-    family.run();
+    scan.run();
   }
 }
 

@@ -86,7 +86,7 @@ Json contact_object(const Contact& contact);
 Json witness_object(const Witness& witness);
 Json flat_array(const BodyFacts& facts);
 
-/// What results tell of the bodies, whatever was asked about them.
+/// The fields of the bodies that every result has, whatever was asked about them.
 struct AboutBodies {
   shapes::BodySizes sizes;
   shapes::HullFacts hull;

@@ -32,8 +32,8 @@
 
 namespace fathom::polytope {
 
-/// The points whose hull holds a union: piece after piece, each in its order; none if there are no
-/// pieces. Who has pieces from outside asks for their laws first.
+/// Returns the points of all pieces, whose hull holds the union: piece after piece, each in its
+/// order. Does not check the laws of pieces.
 inline std::vector<Point> joined(const Pieces& pieces) {
   std::vector<Point> all;
   for (const std::vector<Point>& piece : pieces) all.insert(all.end(), piece.begin(), piece.end());

@@ -94,6 +94,11 @@ void require_shape(const Shape& shape) {
   for (const Atom& atom : std::get<std::vector<Term>>(shape.core).front().atoms) require_numbers(atom);
 }
 
+void require_width(const Shape& shape) {
+  if (std::holds_alternative<HalfSpace>(shape.core))
+    throw std::invalid_argument("a half-space has no width: it is infinite");
+}
+
 Shape simplified(Shape shape) {
   auto* const terms = std::get_if<std::vector<Term>>(&shape.core);
   if (terms == nullptr) return shape;

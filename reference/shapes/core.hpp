@@ -20,6 +20,10 @@ void require_shape(const Shape& shape);
 /// looks at them. Returns whether it is one.
 bool require_all_but_points(const Shape& shape);
 
+/// Throws std::invalid_argument, with a sentence that says why, if the width of this valid shape is
+/// infinite: that of a half-space.
+void require_width(const Shape& shape);
+
 /// The same body, for a valid shape. A round ball of rational radius that is alone in its term
 /// becomes a point, and its radius one of the shape; an atom whose axes are all 0 becomes a point.
 Shape simplified(Shape shape);

@@ -78,7 +78,7 @@ std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<con
   return near.size() == 1 ? near : extreme_among(body, u, near);
 }
 
-// From a point of the body to the others, each lengthened by a factor of its own: of the same rank.
+// Takes the differences to the first point. Scaling each separately does not change the rank.
 bool is_flat(kernels::Positions body) {
   std::vector<Vector> directions{{0, 0, 0}};
   for (const Point& p : body) {

@@ -91,9 +91,9 @@ struct HullDepth {
 };
 
 template <class Numbers>
-class Answer {
+class UnionRun {
  public:
-  Answer(kernels::Context& context, const PlacedPieces& pieces, bool bounds)
+  UnionRun(kernels::Context& context, const PlacedPieces& pieces, bool bounds)
       : context_(context), pieces_(pieces), bounds_(bounds), search_(pieces) {}
 
   UnionDepth run() {
@@ -212,8 +212,8 @@ class Answer {
 UnionDepth answer(const Pieces& a, const Pieces& b, const UnionOptions& options, long most_fixed_bits) {
   kernels::Context context(options.monitor);
   const PlacedPieces pieces = place_pieces(a, b);
-  if (pieces.exponent() <= most_fixed_bits) return Answer<FixedNumbers>(context, pieces, options.bounds).run();
-  return Answer<AnyNumbers>(context, pieces, options.bounds).run();
+  if (pieces.exponent() <= most_fixed_bits) return UnionRun<FixedNumbers>(context, pieces, options.bounds).run();
+  return UnionRun<AnyNumbers>(context, pieces, options.bounds).run();
 }
 
 }  // namespace

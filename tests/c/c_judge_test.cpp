@@ -96,9 +96,9 @@ TEST_F(CJudge, EqualsTheCppInterface) {
   EXPECT_EQ(judgement.error_ulps, expected.error_ulps);
   EXPECT_EQ(judgement.error_relative, expected.error_relative);
   EXPECT_EQ(judgement.error_u_r, expected.error_u_r);
-  EXPECT_EQ(judgement.price_low, judgement.signed_depth_low);
-  EXPECT_EQ(judgement.price_high, judgement.signed_depth_high);
-  EXPECT_EQ(judgement.travel, 0.6);
+  EXPECT_EQ(judgement.separating_distance_low, judgement.signed_depth_low);
+  EXPECT_EQ(judgement.separating_distance_high, judgement.signed_depth_high);
+  EXPECT_EQ(judgement.exit_distance, 0.6);
   EXPECT_EQ(judgement.inconsistency, expected.inconsistency);
   EXPECT_TRUE(std::isnan(judgement.overlap_left));
   EXPECT_EQ(judgement.witness_a_low, 0.25);
@@ -156,9 +156,9 @@ TEST_F(CJudge, Shapes) {
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
   EXPECT_EQ(judgement.status, FATHOM_PENETRATING);
   EXPECT_EQ(judgement.signed_depth, round_binary64(Surd{2, -2}));
-  EXPECT_TRUE(std::isnan(judgement.travel));
-  EXPECT_LE(judgement.price_low, judgement.signed_depth);
-  EXPECT_GE(judgement.price_high, judgement.signed_depth);
+  EXPECT_TRUE(std::isnan(judgement.exit_distance));
+  EXPECT_LE(judgement.separating_distance_low, judgement.signed_depth);
+  EXPECT_GE(judgement.separating_distance_high, judgement.signed_depth);
   claim.depth = 0.7;
   ASSERT_EQ(run(), FATHOM_OK);
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
@@ -186,7 +186,8 @@ TEST_F(CJudge, Unions) {
   EXPECT_EQ(judgement.signed_depth, 1);
   EXPECT_EQ(judgement.accuracy, FATHOM_CORRECTLY_ROUNDED);
   EXPECT_EQ(judgement.inconsistency, expected.inconsistency);
-  EXPECT_TRUE(std::isnan(judgement.price_low) && std::isnan(judgement.travel) && std::isnan(judgement.dearer));
+  EXPECT_TRUE(std::isnan(judgement.separating_distance_low) && std::isnan(judgement.exit_distance) &&
+              std::isnan(judgement.relative_excess));
   ASSERT_TRUE(expected.bounds);
   EXPECT_EQ(judgement.deepest_pair, root_binary64(expected.bounds->deepest_pair));
   EXPECT_EQ(judgement.deepest_pieces[0], expected.bounds->a);
@@ -211,12 +212,12 @@ TEST_F(CJudge, ClaimsOfSeparation) {
   claims(1, 0, 0, 1);
   ASSERT_EQ(run(), FATHOM_OK);
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_TOO_DEEP);
-  EXPECT_FALSE(judgement.longer);
+  EXPECT_FALSE(judgement.excess_allowed);
   claim.separating = 1;
   ASSERT_EQ(run(), FATHOM_OK);
   EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
-  EXPECT_TRUE(judgement.longer);
-  EXPECT_NEAR(judgement.dearer, 2.0 / 3, 1e-15);
+  EXPECT_TRUE(judgement.excess_allowed);
+  EXPECT_NEAR(judgement.relative_excess, 2.0 / 3, 1e-15);
   for (const auto& [policy, most, verdict] : {std::tuple{FATHOM_POLICY_MINIMUM, 9.0, FATHOM_VERDICT_TOO_DEEP},
                                               std::tuple{FATHOM_POLICY_SEPARATING, 0.0, FATHOM_VERDICT_PASS},
                                               std::tuple{FATHOM_POLICY_WITHIN, 0.5, FATHOM_VERDICT_TOO_DEEP},

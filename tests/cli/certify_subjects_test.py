@@ -124,7 +124,7 @@ class Subjects(CertifyTest):
         for line in lines:
             for field in line:
                 self.assertFalse(validator(VERDICT).is_valid({k: v for k, v in line.items() if k != field})
-                                 and field not in ("variant", "after", "judgement", "solid", "metre_sized", "policy", "dearer", "parts")
+                                 and field not in ("variant", "after", "judgement", "solid", "metre_sized", "policy", "relative_excess", "parts")
                                  and (field, line["type"]) != ("detail", "case"), field)
             self.assertFalse(validator(VERDICT).is_valid({**line, "more": 1}))
         good = {"type": "reply", "id": "1", "overlap": True, "depth": "0x1.8p3", "direction": [1, "nan", "-inf"]}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`fathom golden export`: the exports say what the records say, in every format, and the kit's `accept` prices directions as it
+"""`fathom golden export`: the exports say what the records say, in every format, and the kit's `accept` measures directions as it
 promises."""
 import decimal
 import json
@@ -24,7 +24,7 @@ SAMPLE = ["--exclude", "flat,huge,tiny", "--max-points", "8", "--count", "50"]
 ENDS = {"c": "h", "csv": "csv", "json": "json", "rust": "rs"}
 FIRST = "golden-L0-0000.jsonl.zst"
 
-# Prints each case of an export as C sees it, the price of each direction, and whether it is accepted, with what stands against it.
+# Prints each case of an export as C sees it, the separating distance of each direction, whether it is accepted, and what stands against it.
 READER = r"""
 #include "cases.h"
 #include <stdio.h>
@@ -51,7 +51,8 @@ int main(void)
     for (j = 0; j < golden->direction_count; ++j) {
       const double *u = golden->directions + 3 * j;
       const double far = golden->signed_depth + golden->largest / 1e9;
-      printf("%.17g %d%d%d%d%d\n", fathom_golden_price(golden, u), fathom_golden_accept(golden, u, golden->signed_depth, none),
+      printf("%.17g %d%d%d%d%d\n", fathom_golden_separating_distance(golden, u),
+             fathom_golden_accept(golden, u, golden->signed_depth, none),
              fathom_golden_accept(golden, u, far, none), fathom_golden_accept(golden, NULL, 1.25 * golden->signed_depth, half),
              fathom_golden_accept_apart(golden, none), fathom_golden_accept_apart(golden, half));
     }
@@ -158,8 +159,9 @@ class Export(CliTest):
             for points in (case.a, case.b, case.directions):
                 self.assertEqual([float(word) for word in next(lines).split()], sum(points, []), case.name)
             for direction in case.directions:
-                price, accepted = next(lines).split()
-                self.assertLessEqual(abs(float(price) - fathom_golden.price(case, direction)), 2.0 ** -46 * case.largest, case.name)
+                printed, accepted = next(lines).split()
+                expected = fathom_golden.separating_distance(case, direction)
+                self.assertLessEqual(abs(float(printed) - expected), 2.0 ** -46 * case.largest, case.name)
                 far = case.signed_depth + case.largest / 1e9
                 expected = [fathom_golden.accept(case, direction, case.signed_depth, relative=0),
                             fathom_golden.accept(case, direction, far, relative=0),
@@ -182,8 +184,8 @@ class Export(CliTest):
             self.assertEqual(fathom_golden.accept_apart(case, relative=0), case.signed_depth <= slack, case.name)
             self.assertEqual(fathom_golden.accept(case, None, 0, relative=0), abs(case.signed_depth) <= slack, case.name)
 
-    def test_prices_are_as_near_as_promised(self):
-        """Law: a price is off by less than 2^-47 of the largest coordinate, and none is below the depth."""
+    def test_separating_distances_are_as_near_as_promised(self):
+        """Law: a separating distance is off by less than 2^-47 of the largest coordinate, and none is below the depth."""
         decimal.getcontext().prec = 700  # coordinates from 1e-300 to 1e300
         source = random.Random(7)
         for case in self.everything:
@@ -194,7 +196,7 @@ class Export(CliTest):
                 h, square = (decimal.Decimal(q.numerator) / q.denominator for q in (max(of_b) - min(of_a), sum(x * x for x in u)))
                 exact = h / square.sqrt()
                 allowed = decimal.Decimal(case.largest) / 2 ** 47 + decimal.Decimal(2) ** -1068
-                self.assertLess(abs(decimal.Decimal(fathom_golden.price(case, direction)) - exact), allowed, case.name)
+                self.assertLess(abs(decimal.Decimal(fathom_golden.separating_distance(case, direction)) - exact), allowed, case.name)
                 self.assertGreaterEqual(exact, decimal.Decimal(case.signed_depth) - allowed, case.name)
 
     def test_count_is_spread_over_the_families(self):
@@ -268,7 +270,8 @@ class Export(CliTest):
     def test_shapes_are_not_exported(self):
         folder = self.folder / "P0"
         self.answer("golden", "generate", "--level", "P0", "--out", folder)
-        self.assertIn("holds shapes, and exports are of polytopes", self.refused("golden", "export", "--format", "c", folder))
+        said = self.refused("golden", "export", "--format", "c", folder)
+        self.assertIn("holds shapes, and a case of an export is two lists of points", said)
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ class Unions(LevelTests, GoldenTest):
     def test_unions_are_not_exported(self):
         code, out, err = self.run_cli("golden", "export", "--format", "c", self.release)
         self.assertEqual((code, out), (2, ""))
-        self.assertIn("holds unions, and exports are of polytopes", err)
+        self.assertIn("holds unions, and a case of an export is two lists of points", err)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,9 @@ SCHEMAS = {path.name: json.loads(path.read_text()) for path in FILES}
 NAMES = {f"fathom/{name}": name.split("/")[0] for name in (
     "result/2", "case/1", "ray/1", "metric/1", "study/1", "along/1", "union/1", "diff/1", "stages/1", "union_stages/1", "verdict/1",
     "claim/1")}
+# Judged by the tests of golden data.
+OTHERS = {f"fathom/{name}" for name in (
+    "golden/1", "golden-shapes/1", "golden-unions/1", "golden-shard/1", "golden-dataset/1", "golden-agreement/2", "golden-export/1")}
 PREFIX = "https://schemas.invalid/"  # nothing is fetched
 
 
@@ -28,5 +31,5 @@ def check_lines(text):
     for line in text.splitlines():
         if line.startswith('{"schema":"fathom/'):
             value = json.loads(line)
-            if value["schema"] in NAMES:
-                validator(NAMES[value["schema"]]).validate(value)
+            if value["schema"] not in OTHERS:
+                validator(NAMES[value["schema"]]).validate(value)  # KeyError: no schema has this name

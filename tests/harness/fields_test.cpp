@@ -262,7 +262,7 @@ TEST(Fields, OfTheSummaryAreInTheSchema) {
   expect_names(times_fields, of["microseconds"]);
   expect_names(hull_count_fields, of["hulls"]);
   expect_names(union_count_fields, of["unions"]);
-  expect_names(dearer_fields, of["dearer"]);
+  expect_names(relative_excess_fields, of["relative_excess"]);
   expect_names(part_fields, defs["part"]);
   expect_names(most_fields, defs["most_of_unions"]);
   expect_names(longest_fields, defs["most"]);

@@ -52,8 +52,8 @@ Outcome rich(const std::string& id) {
   j.error_ulps = std::numeric_limits<double>::infinity();
   j.error_relative = -1e-300;
   j.error_u_r = 3;
-  j.price_squared = mpq_class(-7, 9);
-  j.travel_squared = mpq_class("123456789012345678901234567890");
+  j.separating_distance_squared = mpq_class(-7, 9);
+  j.exit_distance_squared = mpq_class("123456789012345678901234567890");
   j.inconsistency = -0.5;
   j.overlap_left = 0.25;
   j.witness_a_squared = 0;
@@ -62,8 +62,8 @@ Outcome rich(const std::string& id) {
   j.contact_a_squared = mpq_class(4, 9);
   j.contact_b_distance = Between{0.1, 0.2};
   j.deepest = -0.125;
-  j.dearer = 0.5;
-  j.longer = true;
+  j.relative_excess = 0.5;
+  j.excess_allowed = true;
   j.sentence = "too deep by 0.1";
   outcome.judgement = j;
   outcome.microseconds = 2.5;
@@ -88,14 +88,14 @@ TEST(Lines, RoundTrip) {
   EXPECT_TRUE(std::isnan(*read.reply->depth));
   EXPECT_EQ((*read.reply->direction)[1], 5e-324);
   EXPECT_FALSE(read.reply->witness_a);
-  EXPECT_EQ(read.judgement->price_squared, mpq_class(-7, 9));
+  EXPECT_EQ(read.judgement->separating_distance_squared, mpq_class(-7, 9));
   EXPECT_EQ(read.judgement->verdict, Verdict::too_deep);
   EXPECT_EQ(read.verdict, Verdict::not_invariant);
   EXPECT_EQ(read.fit, -3);
   EXPECT_EQ((*read.reply->witness_b)[0], 1) << "in the subject's unit";
   EXPECT_EQ(read.microseconds, 2.5);
   EXPECT_EQ(read.hulls->grown_squared, mpq_class(2, 9));
-  EXPECT_EQ(read.hulls->query.price_squared, mpq_class(-7, 9));
+  EXPECT_EQ(read.hulls->query.separating_distance_squared, mpq_class(-7, 9));
 }
 
 TEST(Lines, EveryPrefixIsNoOutcome) {

@@ -231,7 +231,7 @@ TEST(ShapesSeen, AreJudgedAsTheyWereSeen) {
   ASSERT_TRUE(read);
   EXPECT_EQ(outcome_line(*read), outcome_line(outcome));
   EXPECT_EQ(read->judgement->signed_depth, outcome.judgement->signed_depth);
-  EXPECT_EQ(read->judgement->price, outcome.judgement->price);
+  EXPECT_EQ(read->judgement->separating_distance, outcome.judgement->separating_distance);
   outcome.judgement->status.reset();
   EXPECT_NE(outcome_line(outcome).find(R"("status":"undecided")"), std::string::npos);
   EXPECT_FALSE(read_outcome(outcome_line(outcome))->judgement->status);

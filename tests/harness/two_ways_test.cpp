@@ -123,8 +123,8 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
   const Truth truth = truth_about(pair.a.points, pair.b.points);
   ASSERT_EQ(truth.depth.status(), Status::penetrating);
   Reply reply = fathom::testing::right_reply(truth.depth);
-  reply.direction =
-      Triple{0.6, 0, 0.8};  // its travel is found by the certificate's polytope in one way, by a ray in the other
+  reply.direction = Triple{
+      0.6, 0, 0.8};  // its exit distance is found by the certificate's polytope in one way, by a ray in the other
   const SubjectAnswer answer{"1", reply};
   const auto judged = [&](std::vector<Solver> second) {
     Outcome outcome = outcome_for(pair);
@@ -132,7 +132,7 @@ TEST(JudgeAnswer, FindsTruthAndJudgementAgain) {
     return outcome;
   };
   const Outcome once = judged({}), twice = judged({solver_by(Method::exact), solver_by(Method::naive)});
-  ASSERT_TRUE(twice.judgement->travel_squared);
+  ASSERT_TRUE(twice.judgement->exit_distance_squared);
   EXPECT_EQ(difference(*once.judgement, *twice.judgement), std::nullopt);
   const Solver deeper =
       planted([](const Case&, Depth& depth) { std::get<Penetration>(depth.outcome).optima.front().support *= 2; });
@@ -163,7 +163,7 @@ TEST(JudgementDifference, NamesTheField) {
   expect_named("accuracy", [](Judgement& j) { j.accuracy.reset(); });
   expect_named("depth_squared", [](Judgement& j) { j.depth_squared += 1; });
   expect_named("error", [](Judgement& j) { j.error = 0.5; });
-  expect_named("travel_squared", [](Judgement& j) { j.travel_squared.reset(); });
+  expect_named("exit_distance_squared", [](Judgement& j) { j.exit_distance_squared.reset(); });
   expect_named("sentence", [](Judgement& j) { j.sentence += "x"; });
 }
 

@@ -231,7 +231,7 @@ TEST(CompareVariant, DistancesInTheUnitsOfTheCase) {
   }
 }
 
-TEST(CompareVariant, PricesDirectionsRatherThanComparingThem) {
+TEST(CompareVariant, MeasuresDirectionsRatherThanComparingThem) {
   // The depth is 1/2 along x, and 1 along y or z.
   const Case pair = cubes(mpq_class(1, 2));
   const Examine right = judged([](const Case&, Reply&) {});

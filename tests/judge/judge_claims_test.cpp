@@ -64,7 +64,7 @@ TEST(Judge, Distances) {
   EXPECT_EQ(result.error, 0.25);
   EXPECT_EQ(result.error_relative, 0.5);
   EXPECT_EQ(result.distance_squared, mpq_class(1, 4));
-  EXPECT_EQ(result.price_squared, mpq_class(-1, 4));
+  EXPECT_EQ(result.separating_distance_squared, mpq_class(-1, 4));
   EXPECT_EQ(result.inconsistency, -0.25);
   EXPECT_FALSE(result.overlap_left);
   EXPECT_EQ(judge(cubes, apart(0.5)).accuracy, Accuracy::correctly_rounded);
@@ -109,7 +109,7 @@ TEST(Judge, WithoutADistanceAnAnswerApartIsItsClassificationAlone) {
   const Judgement result = judge(disjoint_cubes(), reply);
   EXPECT_EQ(result.verdict, Verdict::pass);
   EXPECT_EQ(result.sentence, "right: the bodies are apart by 0.5");
-  EXPECT_FALSE(result.price_squared || result.witness_a_squared || result.witness_gap || result.error ||
+  EXPECT_FALSE(result.separating_distance_squared || result.witness_a_squared || result.witness_gap || result.error ||
                result.accuracy);
 }
 
@@ -120,7 +120,7 @@ Tolerance by(const char* policy) {
 }
 
 // The depth is 0.6; along z it costs 1, which is 2/3 more.
-TEST(Judge, ASeparatingClaimIsHeldToItsOwnPrice) {
+TEST(Judge, ASeparatingClaimIsHeldToItsOwnSeparatingDistance) {
   Conventions separating;
   separating.claims = Conventions::Claims::separating;
   const auto found = [&](const Reply& reply) { return findings(cubes(), reply, separating); };
@@ -132,14 +132,15 @@ TEST(Judge, ASeparatingClaimIsHeldToItsOwnPrice) {
             (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_EQ(found(overlap(1)), Findings{Verdict::too_deep}) << "without a direction there is nothing to separate along";
   const Judgement result = judge(cubes(), overlap(1, up), separating);
-  EXPECT_TRUE(result.longer);
+  EXPECT_TRUE(result.excess_allowed);
   EXPECT_FALSE(result.accuracy);
-  EXPECT_EQ(result.dearer, kernels::nearest_binary64({-1, mpq_class(25, 9)}));
+  EXPECT_EQ(result.relative_excess, kernels::nearest_binary64({-1, mpq_class(25, 9)}));
   EXPECT_EQ(result.sentence,
-            "separating: 1 is claimed, the price of its direction; the depth is 0.6, the price is 66.67 % more");
+            "separating: 1 is claimed, the separating distance of its direction; the depth is 0.6, that distance is "
+            "66.67 % more");
   const Judgement shortest = judge(cubes(), overlap(0.6, left), separating);
-  EXPECT_FALSE(shortest.longer);
-  EXPECT_EQ(shortest.dearer, 0);
+  EXPECT_FALSE(shortest.excess_allowed);
+  EXPECT_EQ(shortest.relative_excess, 0);
   EXPECT_EQ(shortest.accuracy, Accuracy::correctly_rounded);
   EXPECT_EQ(findings(touching_cubes(), overlap(1, up), separating), Findings{});
   EXPECT_EQ(findings(disjoint_cubes(), overlap(1, up), separating), Findings{Verdict::false_overlap});
@@ -161,7 +162,8 @@ TEST(Judge, APolicyOverrulesWhatIsDeclared) {
   EXPECT_EQ(verdict(reply, "within=67%"), Verdict::pass);
   EXPECT_EQ(verdict(reply, "within=200/3%"), Verdict::pass) << "on the border";
   EXPECT_EQ(verdict(reply, "within=66.6666666666666666666666666666%"), Verdict::too_deep);
-  EXPECT_EQ(verdict(overlap(0.7, left), "within=67%"), Verdict::too_deep) << "its direction has another price";
+  EXPECT_EQ(verdict(overlap(0.7, left), "within=67%"), Verdict::too_deep)
+      << "its direction has another separating distance";
   EXPECT_EQ(verdict(overlap(0.6, up), "within=67%"), Verdict::not_separating);
 }
 
@@ -234,7 +236,7 @@ TEST(Judge, ContactsAreAsDeepAsTheAnswer) {
 // Distances, claim classes and contacts of shapes, on pairs whose answers have a closed form.
 
 // The depth of two unit balls, centres 3/2 apart, is 1/2; along y the plane is at 2.
-TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnPrice) {
+TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnSeparatingDistance) {
   Conventions separating;
   separating.claims = Conventions::Claims::separating;
   const ShapeTruth truth = balls();
@@ -242,7 +244,7 @@ TEST(JudgeShapes, ASeparatingClaimIsHeldToItsOwnPrice) {
   EXPECT_EQ(findings(truth, overlap(2, up), separating), Findings{});
   EXPECT_EQ(findings(truth, overlap(1, up), separating),
             (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(judge(truth, overlap(2, up), separating).dearer, 3);
+  EXPECT_EQ(judge(truth, overlap(2, up), separating).relative_excess, 3);
   Tolerance within;
   within.policy = *policy_of("within=300%");
   EXPECT_EQ(findings(truth, overlap(2, up), {}, within), Findings{});
@@ -330,7 +332,7 @@ TEST(NumberFormat, AnotherUnitChangesNoVerdict) {
           EXPECT_EQ(found.error_ulps, expected.error_ulps);
           EXPECT_EQ(found.error_u_r, expected.error_u_r);
           EXPECT_EQ(*found.witness_a_squared, scaled(*expected.witness_a_squared, -2 * exponent));
-          EXPECT_EQ(*found.price_squared, scaled(*expected.price_squared, -2 * exponent));
+          EXPECT_EQ(*found.separating_distance_squared, scaled(*expected.separating_distance_squared, -2 * exponent));
           EXPECT_EQ(found.depth_squared, mpq_class(4, 9));
         }
     }

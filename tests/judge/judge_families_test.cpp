@@ -96,8 +96,8 @@ void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& n
   }
 }
 
-// Claims are chosen on the borders: at the depth, the price and the travel, each plus and minus the
-// tolerance.
+// Claims are chosen on the borders: at the depth, the separating distance and the exit distance,
+// each plus and minus the tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   Random random(11);
   std::size_t compared = 0, failing = 0, off = 0;
@@ -120,8 +120,8 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
           const double sign = conventions.moves == Conventions::Body::b ? -1 : 1;
           const Point v{exact_value(sign * u[0]), exact_value(sign * u[1]), exact_value(sign * u[2])};
           const auto k = random.between(0, 2);
-          if (k == 1) target = naive.price(v);
-          if (k == 2) target = naive.travel(v);
+          if (k == 1) target = naive.separating_distance(v);
+          if (k == 2) target = naive.exit_distance(v);
           if (k != 0) tol = naive.direction_tol();
         } else if (random.coin()) {
           reply.direction = u;
@@ -166,7 +166,8 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinAboutDistances) {
         if (random.coin()) reply.direction = u;
         if (random.coin() && u != Triple{0, 0, 0}) {
           const double sign = conventions.moves == Conventions::Body::b ? -1 : 1;
-          target = -naive.price({exact_value(sign * u[0]), exact_value(sign * u[1]), exact_value(sign * u[2])});
+          target = -naive.separating_distance(
+              {exact_value(sign * u[0]), exact_value(sign * u[1]), exact_value(sign * u[2])});
           tol = naive.direction_tol();
         }
         target += tol * static_cast<int>(random.between(-1, 1));
@@ -196,8 +197,8 @@ TEST(JudgeFamilies, RightAnswersPassWithEveryOptimum) {
       if (truth.depth.status() != Status::penetrating) continue;
       ++penetrating;
       EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded) << result.sentence;
-      EXPECT_LE(*result.travel_squared, *result.price_squared);
-      EXPECT_GE(*result.travel_squared, truth.depth.squared());
+      EXPECT_LE(*result.exit_distance_squared, *result.separating_distance_squared);
+      EXPECT_GE(*result.exit_distance_squared, truth.depth.squared());
     }
   }
   EXPECT_GT(penetrating, 100U);
@@ -223,7 +224,7 @@ TEST(JudgeFamilies, ScaledAndReversedAnswersFailByName) {
     EXPECT_EQ(verdict(Reply{}), Verdict::false_separation);
     ++penetrating;
     // Where the way back is about as short, the reversed direction is right too.
-    const mpq_class back = *judge(truth, reversed).price_squared;
+    const mpq_class back = *judge(truth, reversed).separating_distance_squared;
     const mpq_class slack =
         32 * rounding_slack(sizes_of(truth.a, truth.b), truth.depth.squared(), Precision::binary64, 0).direction;
     if (back < truth.depth.squared() * mpq_class(11, 10) || back < slack * slack) continue;

@@ -48,7 +48,7 @@ TEST(JudgeShapes, RightAnswersAreCorrectlyRounded) {
   EXPECT_EQ(ball.sentence, "right: 0.5 is claimed, the depth is 0.5 (correctly rounded)");
   EXPECT_EQ(ball.status, Status::penetrating);
   EXPECT_EQ(ball.signed_depth, (Between{0.5, 0.5}));
-  EXPECT_EQ(ball.price, (Between{0.5, 0.5}));
+  EXPECT_EQ(ball.separating_distance, (Between{0.5, 0.5}));
   EXPECT_EQ(ball.witness_a_distance, (Between{0, 0}));
   EXPECT_EQ(ball.error, 0);
   for (const auto& [truth, depth] :
@@ -100,7 +100,7 @@ TEST(JudgeShapes, WrongDepthsSaySo) {
   EXPECT_EQ(judge(cylinders(), Reply{}).sentence, "said to be apart: the bodies overlap, the depth is 0.23223304703");
 }
 
-TEST(JudgeShapes, DirectionsArePricedAndTried) {
+TEST(JudgeShapes, DirectionsAreMeasuredAndTried) {
   for (const auto& [truth, depth] :
        {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
     EXPECT_EQ(findings(truth, overlap(depth, opposite(diagonal))), Findings{Verdict::wrong_sign});
@@ -110,7 +110,7 @@ TEST(JudgeShapes, DirectionsArePricedAndTried) {
   // Along -x the capsules part after sqrt(1 - 1/4) - 1/2; the plane across it is at 1/2.
   const Judgement slanted = judge(capsules(), overlap(0.5, left));
   EXPECT_EQ(slanted.findings, Findings{Verdict::too_deep}) << "consistent with its own direction: " << slanted.sentence;
-  EXPECT_EQ(slanted.price, (Between{0.5, 0.5}));
+  EXPECT_EQ(slanted.separating_distance, (Between{0.5, 0.5}));
   const double way = kernels::nearest_binary64({mpq_class(-1, 2), mpq_class(3, 4)});
   EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), {}, none),
             (Findings{Verdict::too_deep, Verdict::inconsistent}))
@@ -177,7 +177,7 @@ TEST(JudgeShapes, OutOfAHalfSpaceTheWayCounts) {
             (Findings{Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_EQ(findings(a_moves, overlap(0.625, Triple{0.6, 0, 0.8})), Findings{Verdict::too_deep})
       << "consistent with its own direction";
-  EXPECT_FALSE(judge(a_moves, overlap(0.5, right)).price);
+  EXPECT_FALSE(judge(a_moves, overlap(0.5, right)).separating_distance);
   EXPECT_EQ(judge(a_moves, overlap(0.5, right)).sentence,
             "not separating: its direction does not lead out of the half-space; "
             "inconsistent: its direction does not lead out of the half-space");

@@ -35,8 +35,8 @@ TEST(Judge, ARightAnswerPassesWithItsClass) {
   EXPECT_EQ(result.verdict, Verdict::pass);
   EXPECT_EQ(result.accuracy, Accuracy::correctly_rounded);
   EXPECT_EQ(result.depth_squared, mpq_class(9, 25));
-  EXPECT_EQ(result.price_squared, mpq_class(9, 25));
-  EXPECT_EQ(result.travel_squared, mpq_class(9, 25));
+  EXPECT_EQ(result.separating_distance_squared, mpq_class(9, 25));
+  EXPECT_EQ(result.exit_distance_squared, mpq_class(9, 25));
   const mpq_class off = exact_value(0.6) - mpq_class(3, 5);
   EXPECT_EQ(result.error, round_binary64(off, Rounding::rn));
   EXPECT_EQ(result.error_relative, round_binary64(mpq_class(off / mpq_class(3, 5)), Rounding::rn));
@@ -142,12 +142,12 @@ TEST(Judge, TheBodyThatMoves) {
 
 // A slanted direction: A leaves through the same side of P, later than along the normal, and the
 // plane across the direction is later still.
-TEST(Judge, ASlantedDirectionIsPricedByItsOwnPlane) {
+TEST(Judge, ASlantedDirectionIsMeasuredByItsOwnPlane) {
   Conventions any;
   any.unit = false;
   const Judgement result = judge(cubes(), overlap(0.75, Triple{-4, 3, 0}), any);
-  EXPECT_EQ(result.travel_squared, mpq_class(9, 16));
-  EXPECT_EQ(result.price_squared, mpq_class(27 * 27, 25 * 25));
+  EXPECT_EQ(result.exit_distance_squared, mpq_class(9, 16));
+  EXPECT_EQ(result.separating_distance_squared, mpq_class(27 * 27, 25 * 25));
   EXPECT_EQ(result.findings, (Findings{Verdict::too_deep, Verdict::inconsistent})) << "but it separates";
 }
 

@@ -62,13 +62,14 @@ TEST(JudgeUnions, ARightAnswerPassesThoughNoTranslationBesideItDoes) {
   EXPECT_EQ(result.bounds->deepest_pair, mpq_class(1, 4));
   EXPECT_EQ(result.deeper_squared, 1);
   EXPECT_EQ(result.inconsistency, 0);
-  EXPECT_FALSE(result.overlap_left || result.price_squared || result.travel_squared || result.dearer);
+  EXPECT_FALSE(result.overlap_left || result.separating_distance_squared || result.exit_distance_squared ||
+               result.relative_excess);
   EXPECT_EQ(findings(slot(), overlap(0.5)), Findings{});
   const Tolerance none{0, 0, 0};
   EXPECT_EQ(findings(slot(), overlap(0.5, left), {}, none), Findings{}) << "by a tolerance of 0 too";
 }
 
-TEST(JudgeUnions, TheDeepestPairHasItsPrice) {
+TEST(JudgeUnions, TheDeepestPairHasItsCost) {
   const Judgement result = judge(bar(), overlap(0.5, against_y));
   EXPECT_EQ(result.findings, (Findings{Verdict::too_shallow, Verdict::not_separating}));
   EXPECT_EQ(result.bounds->deepest_pair, mpq_class(1, 4));
@@ -141,7 +142,7 @@ TEST(JudgeUnions, Policies) {
   tolerance.policy.kind = Policy::Kind::separating;
   const Judgement longer = judge(slot(), overlap(10, along_y), {}, Precision::binary64, tolerance);
   EXPECT_EQ(longer.findings, Findings{}) << longer.sentence;
-  EXPECT_TRUE(longer.longer);
+  EXPECT_TRUE(longer.excess_allowed);
   EXPECT_EQ(findings(slot(), overlap(9, along_y), {}, tolerance),
             (Findings{Verdict::too_deep, Verdict::not_separating}));
   tolerance.policy = {Policy::Kind::within, 19};

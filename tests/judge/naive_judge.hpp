@@ -137,13 +137,13 @@ class NaiveJudge {
     return result;
   }
   /// h(u) / |u|.
-  [[nodiscard]] mpf_class price(const Point& u) const {
+  [[nodiscard]] mpf_class separating_distance(const Point& u) const {
     mpq_class low = along(u, truth_.a.front()), high = along(u, truth_.b.front());
     for (const Point& p : truth_.a) low = std::min(low, along(u, p));
     for (const Point& p : truth_.b) high = std::max(high, along(u, p));
     return real(real(mpq_class(high - low)) / length(u));
   }
-  [[nodiscard]] mpf_class travel(const Point& u) const {
+  [[nodiscard]] mpf_class exit_distance(const Point& u) const {
     if (truth_.depth.status() != Status::penetrating) return real(0);
     const mpz_class d = lcm(lcm(u.x.get_den(), u.y.get_den()), u.z.get_den());
     const Vector v{mpq_class(d * u.x).get_num(), mpq_class(d * u.y).get_num(), mpq_class(d * u.z).get_num()};
@@ -197,9 +197,12 @@ class NaiveJudge {
     if (conventions_.unit && more(real(abs(real(length(given) - 1))), slack)) found.push_back(Verdict::not_a_direction);
     const bool b_moves = conventions_.moves == Conventions::Body::b;
     const Point opposite{-given.x, -given.y, -given.z}, u = b_moves ? opposite : given, v = b_moves ? given : opposite;
-    const auto consistent = [&](const Point& x) { return !more(real(abs(real(d - price(x)))), direction_tol_); };
+    const auto consistent = [&](const Point& x) {
+      return !more(real(abs(real(d - separating_distance(x)))), direction_tol_);
+    };
     const auto separates = [&](const Point& x) {
-      return !moved || truth_.depth.status() != Status::penetrating || !more(real(travel(x) - d), direction_tol_);
+      return !moved || truth_.depth.status() != Status::penetrating ||
+             !more(real(exit_distance(x) - d), direction_tol_);
     };
     if (consistent(u) && separates(u)) return u;
     if (consistent(v) && separates(v)) {

@@ -96,7 +96,7 @@ harness::StreamResult compare(const Wanted& wanted, cli::Progress& progress, con
 }
 
 int run(const Wanted& wanted, const harness::Solver& x, const harness::Solver& y) {
-  const cli::Working working;
+  const cli::InterruptGuard interrupt_guard;
   cli::talk(
       fmt::format("seed {}, from case {}", wanted.seed, wanted.from));  // first, so that a killed run can be made again
   cli::Progress progress;

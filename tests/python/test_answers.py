@@ -190,7 +190,7 @@ def test_other_questions():
     study = fathom.study(box, other)
     assert study.coincidences["coplanar_facets"]["count"] >= 4 and study.depth.depth == 1 and study.a["facets"] == 6
     judged = fathom.judge(box, other, overlap=True, depth=-1.0, direction=(-1, 0, 0), witness=((1, 0, 0), (0, 0, 0)), sign="negative")
-    assert judged.passed and judged.price_squared == 1 and judged.error == 0.0
+    assert judged.passed and judged.separating_distance_squared == 1 and judged.error == 0.0
     assert fathom.judge(box, other, overlap=False).verdict == "false-separation"
     assert fathom.judge(box, other, overlap=True, depth=math.nan).verdict == "nan"
 
@@ -201,7 +201,7 @@ def test_studies_and_judgements_of_shapes():
     assert study.depth.low <= 2 <= study.depth.high and {"concentric", "equal_radii"} <= set(study.names) and study.b["discs"] == 2
     judged = fathom.judge(ball, cylinder, overlap=True, depth=2.0, direction=(1, 0, 0))
     assert judged.passed and judged.status == "penetrating" and judged.depth_squared is None
-    assert judged.signed_depth[0] <= 2 <= judged.signed_depth[1] and judged.price[0] <= 2 <= judged.price[1]
+    assert judged.signed_depth[0] <= 2 <= judged.signed_depth[1] and judged.separating_distance[0] <= 2 <= judged.separating_distance[1]
     assert fathom.judge(ball, CUBE, overlap=False).verdict == "false-separation"
     assert fathom.judge(ball, cylinder, overlap=True, depth=3.0).verdict == "too-deep"
 

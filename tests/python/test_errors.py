@@ -154,7 +154,7 @@ def test_objects_without_a_value(made):
     (lambda: fathom.halfspace((0, 0, 0), 1), "normal"),
     (lambda: fathom.depth(fathom.halfspace((0, 0, 1), 1), fathom.halfspace((0, 0, 1), 1)), "half-space"),
     (lambda: fathom.ray(CUBE, fathom.sphere(1), (1, 0, 0)), "b: expected a polytope"),
-    (lambda: fathom.width(fathom.halfspace((0, 0, 1), 0)), "half-space"),
+    (lambda: fathom.width(fathom.halfspace((0, 0, 1), 0)), "a half-space has no width: it is infinite"),
     (lambda: fathom.ray(CUBE, CUBE, (0, 0, 0)), "zero"),
     (lambda: fathom.metric(CUBE, CUBE, [(1, 0, 0)]), ""),
     (lambda: fathom.approx(CUBE, CUBE, 0), "delta"),

@@ -249,7 +249,8 @@ def test_judgements_of_unions():
     found = fathom.judge(plate, fathom.union(slot), overlap=True, depth=0.5, direction=(-1, 0, 0), pose_a="xyz=1,0,0")
     assert found.passed and found.accuracy == "correctly rounded" and found.depth_squared == Fraction(1, 4)
     assert found.deepest_pair == {"squared": Fraction(1, 4), "pieces": (0, 1)} and found.deeper_than_pair == found.deeper == 1.0
-    assert found.hulls_squared > 1 and found.price is None and found.price_squared is None and found.inconsistency == 0.0
+    assert found.separating_distance is None and found.separating_distance_squared is None
+    assert found.hulls_squared > 1 and found.inconsistency == 0.0
     wrong = fathom.judge(plate, fathom.union(slot), overlap=True, depth=0.5, direction=(1, 0, 0), pose_a="xyz=1,0,0")
     assert wrong.verdict == "wrong-sign" and wrong.overlap_left > 0
     with pytest.raises(ValueError, match="a shape that is no polytope is no union of pieces"):

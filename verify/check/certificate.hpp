@@ -64,7 +64,7 @@ struct List {
   std::size_t line;  ///< that announces it
 };
 
-/// Of the list of this number.
+/// Returns where the list of this number begins.
 inline std::size_t begin_of(const std::vector<List>& lists, std::size_t number) {
   return number == 0 ? 0 : lists[number - 1].end;
 }

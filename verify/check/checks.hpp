@@ -34,8 +34,8 @@ struct Plane {
   Integer c;
 };
 
-/// Those of the vertices from number `first` to `last`, as differences of these points; their
-/// digits lie in `integers`.
+/// Returns the vertices from number `first` to `last`, as differences of these points; their digits
+/// lie in `integers`.
 std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::size_t first, std::size_t last,
                                 const Points& a, const Points& b, Arena& integers);
 
@@ -45,7 +45,7 @@ struct FacetRange {
   std::size_t first, last, line;
 };
 
-/// Hears of a facet that is exactly as near to O as the polytope claims.
+/// Is called with each facet that is exactly as near to O as the polytope claims.
 using NearestFacet = std::function<void(std::size_t line, const MutableVector& normal)>;
 
 /// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O.

@@ -22,13 +22,13 @@ inline std::size_t bits(mpz_srcptr n) {
   return digits == 0 ? 0 : 64 * digits - static_cast<std::size_t>(__builtin_clzll(mpz_getlimbn(n, digits - 1)));
 }
 
-/// Of at most 127 bits.
+/// Returns an integer of at most 127 bits.
 inline Int128 to_int128(mpz_srcptr n) {
   assert(bits(n) <= 127);
   const auto size = static_cast<Int128>(Uint128{mpz_getlimbn(n, 1)} << 64 | mpz_getlimbn(n, 0));
   return mpz_sgn(n) < 0 ? -size : size;
 }
-/// Of at most 63 bits.
+/// Returns an integer of at most 63 bits.
 inline Word to_word(mpz_srcptr n) {
   assert(bits(n) <= 63);
   const auto size = static_cast<Word>(mpz_getlimbn(n, 0));
@@ -49,7 +49,7 @@ class Int256 {
     const Int256 result(other << 64 | low_half(first), (u >> 64) * (v >> 64) + (middle >> 64) + (other >> 64));
     return (a < 0) != (b < 0) ? -result : result;
   }
-  /// As an integer of GMP.
+  /// Writes it as an integer of GMP.
   void copy_to(mpz_class& result) const {
     const Int256 absolute = negative() ? -*this : *this;
     mp_limb_t* const digits = mpz_limbs_write(result.get_mpz_t(), 4);

@@ -14,7 +14,7 @@ namespace fathom_check {
 constexpr std::size_t longest_line = std::size_t{1} << 24;  ///< bytes
 constexpr std::size_t longest_number = 100'000;             ///< digits
 
-/// Those of a certificate as a whole. All checkers have these; tests have smaller ones.
+/// The limits of a certificate as a whole. All checkers have these; tests have smaller ones.
 struct Limits {
   std::size_t bytes = 1'000'000'000, numbers = 10'000'000;
   std::uint64_t size = 4'000'000'000, work = 100'000'000'000'000;

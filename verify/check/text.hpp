@@ -16,7 +16,7 @@ namespace fathom_check {
 /// In quotes, printable and short, whatever it was. Blanks stay.
 std::string shown(std::string_view text);
 
-/// As %XX what is not printable ASCII, blanks, and %.
+/// Returns the text with %XX in place of blanks, % and what is not printable ASCII.
 std::string escaped(std::string_view text);
 /// The reverse; a % that no two hexadecimal digits follow stays.
 std::string unescaped(std::string_view text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// For who writes certificates: whether checkers will read one, before its proof is of interest.
+// For programs that write certificates: whether checkers will read one, before its proof matters.
 #pragma once
 
 #include <stdexcept>
@@ -10,18 +10,18 @@
 
 namespace fathom_check {
 
-/// Why every checker finds the certificate malformed that `text` begins with: it does not follow
-/// the grammar, or passes a limit, which the phrase names. Returns an empty text if it is
-/// well-formed; nothing is said of its proof. Throws std::bad_alloc.
+/// Returns why every checker finds the certificate malformed that `text` begins with: it does not
+/// follow the grammar, or exceeds a limit, which the phrase names. Returns an empty text if it is
+/// well-formed; its proof is not checked. Throws std::bad_alloc.
 [[nodiscard]] std::string unreadable(std::string_view text, const Limits& limits = {});
 
-/// A proof that no checker would read is none, and not to be handed out.
+/// A certificate that every checker would find malformed; whoever gets this writes none.
 struct Unreadable : std::length_error {
   using std::length_error::length_error;
 };
 
-/// Throws Unreadable, which says why, unless `unreadable` is empty. Whoever gives certificates to
-/// users asks here first.
+/// Throws Unreadable, with the reason, unless `unreadable` returns an empty text. Code that gives
+/// certificates to users calls this first.
 void require_readable(std::string_view certificate, const Limits& limits = {});
 
 }  // namespace fathom_check

@@ -107,14 +107,14 @@ inline MutableVector negated(const Vector& v) { return {-v.x.value(), -v.y.value
 
 inline Vector kept(Arena& arena, const MutableVector& v) { return {arena.keep(v.x), arena.keep(v.y), arena.keep(v.z)}; }
 
-/// Of the three entries.
+/// Finds the greatest common divisor of the three entries.
 template <class V>
 void find_gcd(mpz_class& result, const V& v) {
   mpz_gcd(result.get_mpz_t(), v.x.get_mpz_t(), v.y.get_mpz_t());
   mpz_gcd(result.get_mpz_t(), result.get_mpz_t(), v.z.get_mpz_t());
 }
 
-/// By a divisor of all three entries.
+/// Divides by a common divisor of all three entries.
 inline void divide(MutableVector& v, const mpz_class& divisor) {
   for (mpz_class* const entry : {&v.x, &v.y, &v.z})
     mpz_divexact(entry->get_mpz_t(), entry->get_mpz_t(), divisor.get_mpz_t());

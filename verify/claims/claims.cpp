@@ -147,13 +147,13 @@ Statement length(const std::string& what, const Interval& truth, const WrittenNu
 
 /// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a
 /// half-space across u.
-Interval price(const Shape& a, const Shape& b, const Point& u) {
+Interval separating_distance(const Shape& a, const Shape& b, const Point& u) {
   const Point opposite{-u.x, -u.y, -u.z};
   return interval(signed_depth(a, halfspace(u, 0))) + interval(signed_depth(b, halfspace(opposite, 0)));
 }
 
-Interval cheaper_price(const Shape& a, const Shape& b, const Point& u) {
-  return lesser(price(a, b, u), price(a, b, {-u.x, -u.y, -u.z}));
+Interval lesser_separating_distance(const Shape& a, const Shape& b, const Point& u) {
+  return lesser(separating_distance(a, b, u), separating_distance(a, b, {-u.x, -u.y, -u.z}));
 }
 
 bool on_an_axis(const Point& u) { return (u.x == 0) + (u.y == 0) + (u.z == 0) == 2; }
@@ -163,14 +163,15 @@ mpq_class rounding_slack(const Shape& a, const Shape& b, const std::vector<Point
   if (std::all_of(lines.begin(), lines.end(), on_an_axis)) return 0;
   mpq_class largest = 0;
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}})
-    for (const Interval& side : {price(a, b, axis), price(a, b, {-axis.x, -axis.y, -axis.z})})
+    for (const Interval& side :
+         {separating_distance(a, b, axis), separating_distance(a, b, {-axis.x, -axis.y, -axis.z})})
       largest = std::max({largest, mpq_class(abs(side.low)), mpq_class(abs(side.high))});
   return largest / (mpz_class(1) << 52);
 }
 
 Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b, const Interval& truth) {
-  Interval cheapest = cheaper_price(a, b, claim.lines.front());
-  for (const Point& line : claim.lines) cheapest = lesser(cheapest, cheaper_price(a, b, line));
+  Interval cheapest = lesser_separating_distance(a, b, claim.lines.front());
+  for (const Point& line : claim.lines) cheapest = lesser(cheapest, lesser_separating_distance(a, b, line));
   const Interval excess = cheapest - truth;
   const mpq_class allowed = claim.tolerance.value_or(0) + rounding_slack(a, b, claim.lines);
   std::string said = fmt::format("leaving along it costs {}", text(cheapest));
@@ -244,7 +245,10 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
   PublishedClaim claim;
   claim.bodies = std::get<Case>(std::move(item.outcome));
   const Body &a = claim.bodies.a, &b = claim.bodies.b;
-  if (a.pieces || b.pieces) return InputError(name, line, "expected convex bodies, found a union of pieces");
+  if (a.pieces || b.pieces)
+    return InputError(
+        name, line,
+        "expected convex bodies, found a union of pieces: claims are about the signed depth of convex ones");
   if (is_halfspace(a) && is_halfspace(b))
     return InputError(name, line, "expected one half-space at most, found two: they have no depth");
   claim.source = text_of(json, "source");

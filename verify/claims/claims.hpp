@@ -33,7 +33,7 @@ struct PublishedClaim {
   std::optional<Status> status;
   std::optional<WrittenNumber> depth, distance;
   std::optional<WrittenNumber> below;  ///< an upper bound of the depth, or of minus the distance
-  std::optional<mpq_class> tolerance;  ///< absolute, of the lengths above and of a direction's price
+  std::optional<mpq_class> tolerance;  ///< absolute, of the lengths above and of a direction's separating distance
   std::vector<Point> lines;            ///< directions without a sense; one of them is claimed to be optimal
   std::string line_text;               ///< the claimed direction as it was written
   /// the signed depth that was found in doubles by whoever collected the claim; shown, never used
@@ -71,9 +71,9 @@ std::string_view verdict_name(const std::optional<Finding>& finding);
 /// claim's tolerance; without one, within half a unit of its last decimal place. A direction is a
 /// line: it is right if the cheaper of its two senses costs at most the tolerance more than the
 /// depth, or no more than what the rounding of its components explains (proofs/judge.md: 2^-52
-/// times the largest coordinate of P). Of a half-space the price of all lines but the normal is
-/// infinite; there the way along the line, until the bodies touch, may be longer by the tolerance,
-/// or at an angle to the normal that the rounding explains. Throws as signed_depth does.
+/// times the largest coordinate of P). Of a half-space the separating distance of all lines but the
+/// normal is infinite; there the way along the line, until the bodies touch, may be longer by the
+/// tolerance, or at an angle to the normal that the rounding explains. Throws as signed_depth does.
 JudgedClaim judge_claim(const PublishedClaim& claim);
 
 // ---- as JSON: claim.schema.json ----

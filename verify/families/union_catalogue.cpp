@@ -17,19 +17,19 @@ using UnionEntries = std::vector<UnionCatalogueEntry>;
 constexpr std::optional<bool> none = std::nullopt;
 mpq_class slack() { return times_power_of_two(1, -16); }
 
-struct Answer {
+struct KnownAnswer {
   Status status;
   mpq_class squared;
   std::size_t optima;
   std::optional<bool> clearance;
 };
-Answer overlapping(mpq_class squared, std::size_t optima, std::optional<bool> clearance) {
+KnownAnswer overlapping(mpq_class squared, std::size_t optima, std::optional<bool> clearance) {
   return {Status::penetrating, std::move(squared), optima, clearance};
 }
-Answer touching(bool clearance) { return {Status::touching, 0, 1, clearance}; }
-Answer apart(mpq_class squared) { return {Status::disjoint, std::move(squared), 0, none}; }
+KnownAnswer touching(bool clearance) { return {Status::touching, 0, 1, clearance}; }
+KnownAnswer apart(mpq_class squared) { return {Status::disjoint, std::move(squared), 0, none}; }
 
-UnionCatalogueEntry unions(std::string name, std::string_view description, Answer answer, Pieces a, Pieces b) {
+UnionCatalogueEntry unions(std::string name, std::string_view description, KnownAnswer answer, Pieces a, Pieces b) {
   const auto body = [](Pieces pieces) {
     return Body{.points = {}, .pieces = std::make_shared<const Pieces>(std::move(pieces))};
   };

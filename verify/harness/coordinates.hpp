@@ -47,7 +47,7 @@ std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberForm
 /// place; not to normals and turns.
 void for_each_length(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
-/// The same of the numbers that are no lengths: turns, matrices, normals.
+/// Applies use(mpq_class&) to each number that is no length: turns, matrices, normals.
 void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
 /// The number that says where a named body is along x, y or z: 0, 1 or 2.
@@ -89,7 +89,7 @@ void for_each_coordinate(Pair& pair, Visit visit, bool with_slopes = false) {
   }
 }
 
-/// The same with the slopes.
+/// The same for all numbers: lengths and slopes.
 template <class Pair, class Visit>
 void for_each_number(Pair& pair, Visit visit) {
   for_each_coordinate(pair, visit, true);

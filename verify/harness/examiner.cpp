@@ -204,7 +204,8 @@ void Examiner::finish() {
   // It ended normally, without an answer: silent.
   const bool is_well = found && found->verdict == Verdict::silent && !found->unread;
   // It is unknown when a line was written.
-  if (found && !is_well) tell(*found, found->unread || found->verdict == Verdict::garbage ? "" : "after stop: ");
+  if (found && !is_well)
+    report_unattributed(*found, found->unread || found->verdict == Verdict::garbage ? "" : "after stop: ");
   process_.reset();
 }
 
@@ -349,7 +350,7 @@ Outcome Examiner::ask(const Case& seen, long exponent, std::optional<SubjectAnsw
     const bool leftover_before = before && before->after;
     const bool again =
         before && found && before->verdict == found->verdict && (!leftover_before || before->seen == found->seen);
-    if (before && !again) tell(*before);
+    if (before && !again) report_unattributed(*before);
     if (!found) return outcome;
     if (is_nobodys(*found)) {
       before.reset();
@@ -371,14 +372,14 @@ bool Examiner::is_nobodys(const Fault& fault) {
     unread_ = 0;
     return false;
   }
-  tell(fault);
+  report_unattributed(fault);
   unread_ = fault.after ? 0 : unread_ + 1;
   if (unread_ == most_starts)
     throw SubjectError("the subject ends each time before it reads a case: " + fault.seen + fault.words);
   return true;
 }
 
-void Examiner::tell(const Fault& fault, const char* when) {
+void Examiner::report_unattributed(const Fault& fault, const char* when) {
   if (settings_.unattributed)
     settings_.unattributed({fault.after, when + fault.seen + (fault.verdict == Verdict::garbage ? "" : fault.words)});
 }

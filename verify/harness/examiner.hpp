@@ -35,7 +35,7 @@ struct Settings {
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
   std::vector<Solver> second;         ///< ways to find every truth and judgement again
   std::function<bool()> stop;         ///< asked now and then: true ends the work with Interrupted
-  /// hears of failures that no case caused; called from any thread
+  /// is called with each failure that no case caused, from any thread; may be empty
   std::function<void(const Unattributed&)> unattributed;
 };
 
@@ -45,11 +45,11 @@ struct SubjectError : std::runtime_error {
 };
 
 /// Starts the subject's process, asks it, judges its answers, and starts it again after a crash, a
-/// hang or a stray line. For the thread that made it. A failure is blamed on a case only if a fresh
-/// process fails on the same case again; otherwise settings.unattributed hears of it.
+/// hang or a stray line. For the thread that made it. A failure counts as one of the case only if a
+/// fresh process fails on the same case again; otherwise settings.unattributed is called with it.
 class Examiner {
  public:
-  /// Starts the subject and hears its hello. Throws SubjectError, Interrupted.
+  /// Starts the subject and reads its hello. Throws SubjectError, Interrupted.
   Examiner(SubjectCommand command, Settings settings);
   ~Examiner();
   Examiner(const Examiner&) = delete;
@@ -76,8 +76,8 @@ class Examiner {
   /// is not put to the subject.
   [[nodiscard]] std::vector<std::string> input_for(const Case& pair);
 
-  /// Tells the process to stop; settings.unattributed hears if it does not exit with 0. A case that
-  /// follows gets a fresh process.
+  /// Sends `stop` to the process; calls settings.unattributed if it does not exit with 0. A later
+  /// case gets a fresh process.
   void finish();
 
  private:
@@ -103,7 +103,7 @@ class Examiner {
   Fault fault(Verdict verdict, std::string seen, std::string reason = "");
   Fault fault_of_end(const std::string& rest);
   bool is_nobodys(const Fault& fault);
-  void tell(const Fault& fault, const char* when = "");
+  void report_unattributed(const Fault& fault, const char* when = "");
   std::string last_words();
   std::string unfinished_line();
 
@@ -182,7 +182,7 @@ struct RunPlan {
   /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the
   /// case.
   std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
-  /// Hears of a case without an outcome, and of what its examiner threw. Rethrows that to end the
+  /// Is called with a case without an outcome, and what its examiner threw. Rethrows it to end the
   /// run.
   std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
   /// A variant that has no exact form.

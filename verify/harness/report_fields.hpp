@@ -108,7 +108,7 @@ constexpr const auto& fields_of(const Unattributed*) { return unattributed_field
 
 // ---- the summary ----
 
-/// Of Coverage without what no line says: the cases, and answers without a depth.
+/// The fields of Coverage, but for those that no line has: the cases, and answers without a depth.
 inline constexpr std::tuple coverage_fields{
     field("overlap", &Coverage::overlap, "", "Cases with an answer."),
     field("overlapping", &Coverage::overlapping, "", "Answers that say that the bodies overlap."),
@@ -163,19 +163,21 @@ inline constexpr std::tuple union_count_fields{
           [](const UnionCount& unions) { return !unions.by.id.empty(); })};
 static_assert(text::stored_fields(union_count_fields) == text::member_count<UnionCount>());
 
-/// What a row says of prices.
-struct Dearer {
+/// The excess of separating distances over depths, of a row.
+struct RelativeExcess {
   const TallyRow* row;
 };
-inline constexpr std::tuple dearer_fields{
-    Derived<Dearer, std::size_t>{"answers", [](const Dearer& it) { return it.row->dearer.size(); }, "",
-                                 "With a price."},
-    Derived<Dearer, double>{"median", [](const Dearer& it) { return it.row->dearer.median(); }, "ratio",
-                            "Of the prices above the depths."},
-    Derived<Dearer, double>{"worst", [](const Dearer& it) { return it.row->dearer.worst(); }, "ratio",
-                            "The largest of them."},
-    Derived<Dearer, std::size_t>{"longer_pass", [](const Dearer& it) { return it.row->longer; }, "",
-                                 "Translations that are too deep, and pass by the policy."}};
+inline constexpr std::tuple relative_excess_fields{
+    Derived<RelativeExcess, std::size_t>{"answers",
+                                         [](const RelativeExcess& it) { return it.row->relative_excess.size(); }, "",
+                                         "With a direction that has a separating distance."},
+    Derived<RelativeExcess, double>{"median", [](const RelativeExcess& it) { return it.row->relative_excess.median(); },
+                                    "ratio", "Of the excesses."},
+    Derived<RelativeExcess, double>{"worst", [](const RelativeExcess& it) { return it.row->relative_excess.worst(); },
+                                    "ratio", "The largest of them."},
+    Derived<RelativeExcess, std::size_t>{"excess_allowed",
+                                         [](const RelativeExcess& it) { return it.row->excess_allowed; }, "",
+                                         "Translations that are too deep, and pass by the policy."}};
 
 inline constexpr std::tuple part_fields{
     field("cases", &TallyRow::total, "", "That belong to it."),
@@ -201,12 +203,12 @@ inline constexpr std::tuple totals_fields{
     Derived<Totals, const UnionCount*>{
         "unions", [](const Totals& it) { return it.unions && it.unions->count > 0 ? it.unions : nullptr; }, "",
         "Of judged answers about unions that overlap."},
-    Derived<Totals, std::optional<Dearer>>{"dearer",
-                                           [](const Totals& it) {
-                                             return it.all && !it.all->dearer.empty() ? std::optional(Dearer{it.all})
-                                                                                      : std::nullopt;
-                                           },
-                                           "", "Prices of directions above the depths, relative to these."},
+    Derived<Totals, std::optional<RelativeExcess>>{
+        "relative_excess",
+        [](const Totals& it) {
+          return it.all && !it.all->relative_excess.empty() ? std::optional(RelativeExcess{it.all}) : std::nullopt;
+        },
+        "", "The excess of directions' separating distances over the depths, relative to these."},
     field("parts", &Totals::parts, "", "Of the cases that belong to each.", "",
           [](const Totals& it) { return !it.parts.empty(); })};
 // Those that are pointers are handed out as what they point to.
@@ -219,7 +221,7 @@ constexpr const auto& fields_of(const Most*) { return most_fields; }
 constexpr const auto& fields_of(const Longest*) { return longest_fields; }
 constexpr const auto& fields_of(const HullCount*) { return hull_count_fields; }
 constexpr const auto& fields_of(const UnionCount*) { return union_count_fields; }
-constexpr const auto& fields_of(const Dearer*) { return dearer_fields; }
+constexpr const auto& fields_of(const RelativeExcess*) { return relative_excess_fields; }
 constexpr const auto& fields_of(const TallyRow*) { return part_fields; }
 constexpr const auto& fields_of(const Totals*) { return totals_fields; }
 

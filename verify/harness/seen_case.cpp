@@ -71,11 +71,11 @@ class Fnv1a {
 
 bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
 
-/// How a subject sees bodies.
-struct Eyes {
+/// Bodies as a subject sees them: by name, or rounded to its precision.
+struct SubjectView {
   const NumberFormat& format;
   const std::set<std::string>& shapes;
-  std::string& why;  ///< it does not see one
+  std::string& why;  ///< the reason, if a body has no such form
 
   /// Piece by piece; a polytope is one.
   [[nodiscard]] std::optional<Body> see_pieces(const Body& body, const char* name) const {
@@ -342,14 +342,14 @@ mpq_class squared_way(const Case& from, const Case& to, const SubjectAnswer& ans
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes,
                             std::string* why) {
   std::string reason;
-  const Eyes eyes{format, shapes, why ? *why : reason};
+  const SubjectView view{format, shapes, why ? *why : reason};
   const bool of_unions = has_union(pair);
-  std::optional<Body> a = of_unions ? eyes.see_pieces(pair.a, "A") : eyes.see(pair.a);
+  std::optional<Body> a = of_unions ? view.see_pieces(pair.a, "A") : view.see(pair.a);
   if (!a) return std::nullopt;
-  std::optional<Body> b = of_unions ? eyes.see_pieces(pair.b, "B") : eyes.see(pair.b);
+  std::optional<Body> b = of_unions ? view.see_pieces(pair.b, "B") : view.see(pair.b);
   if (!b) return std::nullopt;
   if (is_halfspace(*a) && is_halfspace(*b)) {
-    eyes.why = "both bodies are half-spaces, which have no depth";
+    view.why = "both bodies are half-spaces, which have no depth";
     return std::nullopt;
   }
   return Case{pair.id, *std::move(a), *std::move(b)};

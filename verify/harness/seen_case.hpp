@@ -25,7 +25,7 @@ namespace fathom::harness {
 /// margin and its pose rounded, and is the body of these. Any other has its points rounded, and no
 /// words. Returns nullopt, and the reason in `why`, if a number overflows the format, rounding
 /// leaves no body, a body is no polytope and its name is not in `shapes`, or both are half-spaces.
-/// What was seen is seen again as it is. If a body is a union, both are seen as pieces, without
+/// Applying `as_seen` twice changes nothing. If a body is a union, both are seen as pieces, without
 /// words; then nullopt is returned too if rounding leaves a piece without interior.
 std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const std::set<std::string>& shapes = {},
                             std::string* why = nullptr);

@@ -207,8 +207,8 @@ void TallyRow::add(const Outcome& outcome) {
     ++accuracies[static_cast<std::size_t>(*judgement.accuracy)];
   if (judgement.error_relative) relative.add(*judgement.error_relative);
   if (judgement.error_u_r) u_r.add(*judgement.error_u_r);
-  if (judgement.dearer) dearer.add(*judgement.dearer);
-  longer += judgement.longer && fathom::passes(outcome.verdict) ? 1 : 0;
+  if (judgement.relative_excess) relative_excess.add(*judgement.relative_excess);
+  excess_allowed += judgement.excess_allowed && fathom::passes(outcome.verdict) ? 1 : 0;
 }
 
 void TallyRow::add(const TallyRow& other) {
@@ -218,8 +218,8 @@ void TallyRow::add(const TallyRow& other) {
   judged.add(other.judged);
   relative.add(other.relative);
   u_r.add(other.u_r);
-  dearer.add(other.dearer);
-  longer += other.longer;
+  relative_excess.add(other.relative_excess);
+  excess_allowed += other.excess_allowed;
   dwarfed += other.dwarfed;
 }
 

@@ -56,7 +56,7 @@ class Times {
   void add(const Outcome& outcome);
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] std::size_t count() const { return all_.size(); }
-  /// Of an even number the lower of the middle two. There must be one.
+  /// Returns the median, of an even number the lower of the middle two. There must be one.
   [[nodiscard]] double median() const;
   [[nodiscard]] const Most& worst() const { return worst_; }
 
@@ -118,9 +118,9 @@ struct TallyRow {
   std::size_t total = 0;
   Coverage judged;
   Errors relative, u_r;
-  Errors dearer;            ///< prices of directions, above the depth and relative to it
-  std::size_t dwarfed = 0;  ///< bodies that are smaller than the radii by which the subject rounds them
-  std::size_t longer = 0;   ///< passes by the policy, whose translation is not the shortest
+  Errors relative_excess;          ///< separating distances of directions, above the depth and relative to it
+  std::size_t dwarfed = 0;         ///< bodies that are smaller than the radii by which the subject rounds them
+  std::size_t excess_allowed = 0;  ///< passes by the policy, whose translation is not the shortest
 
   void add(const Outcome& outcome);
   void add(const TallyRow& other);
@@ -149,7 +149,8 @@ class Tally {
   /// The same, but families without a failure share one line, "64 families pass", or "(3 not
   /// judged)" if all was declined.
   [[nodiscard]] std::vector<Line> failing_lines() const;
-  /// Of all outcomes, symmetries included: "solid", "metre_sized", and "solid_and_metre_sized".
+  /// Returns the rows of all outcomes, symmetries included: "solid", "metre_sized", and
+  /// "solid_and_metre_sized".
   [[nodiscard]] const std::vector<Line>& parts() const { return parts_; }
   /// The verdicts that occur, passes first, then in order of rank.
   [[nodiscard]] std::vector<Verdict> verdicts() const;
@@ -172,7 +173,7 @@ class Tally {
 /// does not depend on which answer of a parallel run came first.
 std::vector<std::size_t> worst_first(std::span<const Outcome> outcomes);
 
-/// The same of each verdict.
+/// Returns these indices for each verdict.
 std::map<Verdict, std::vector<std::size_t>> worst_failures(std::span<const Outcome> outcomes);
 
 // ---- what a report says of its run ----

@@ -205,9 +205,10 @@ class Comparison {
       return fmt::format("overlap is {} of the case itself, and {} of {}",
                          original_.reply->overlap ? "claimed" : "denied",
                          variant_.reply->overlap ? "claimed" : "denied", of_variant());
-    if (original_.judgement->longer || variant_.judgement->longer) return "";  // by the policy two answers may be right
+    if (original_.judgement->excess_allowed || variant_.judgement->excess_allowed)
+      return "";  // by the policy two answers may be right
     if (std::string text = of_lengths(); !text.empty()) return text;
-    return of_prices();
+    return of_separating_distances();
   }
 
  private:
@@ -228,7 +229,7 @@ class Comparison {
       return judging::Allowance(tolerance.relative, less_radii, std::max(absolute, both)).squared();
     };
     allowed_depth_ = allowed(&judging::Slack::depth);
-    allowed_price_ = allowed(&judging::Slack::direction);
+    allowed_separating_distance_ = allowed(&judging::Slack::direction);
   }
 
   /// The claimed depth, or distance, in the units of the original; of bodies that one answer says
@@ -252,32 +253,33 @@ class Comparison {
         fmt::format("the {} of the case and of {} differ by {}: {} and {}", both_apart() ? "distances" : "depths",
                     of_variant(), short_text(round_binary64(difference, Rounding::rn)),
                     short_text(round_binary64(*here, Rounding::rn)), short_text(round_binary64(*there, Rounding::rn)));
-    if (const auto [p, q] = prices(); p && q && *p != *q)
+    if (const auto [p, q] = separating_distances(); p && q && *p != *q)
       text +=
           fmt::format("; their directions need {} and {}", short_text(signed_root(*p)), short_text(signed_root(*q)));
     return text;
   }
 
-  [[nodiscard]] std::string of_prices() const {
-    const std::optional<Between>&x = original_.judgement->price, &y = variant_.judgement->price;
-    if (x && y && differ(*x, *y, made_.exponent, allowed_price_))
+  [[nodiscard]] std::string of_separating_distances() const {
+    const std::optional<Between>&x = original_.judgement->separating_distance,
+          &y = variant_.judgement->separating_distance;
+    if (x && y && differ(*x, *y, made_.exponent, allowed_separating_distance_))
       return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(),
                          short_text(x->low), short_text(std::ldexp(y->low, static_cast<int>(-made_.exponent))));
-    const auto [p, q] = prices();
-    if (!p || !q || !differ(*p, *q, allowed_price_)) return "";
+    const auto [p, q] = separating_distances();
+    if (!p || !q || !differ(*p, *q, allowed_separating_distance_)) return "";
     return fmt::format("the directions for the case and for {} need different depths: {} and {}", of_variant(),
                        short_text(signed_root(*p)), short_text(signed_root(*q)));
   }
 
-  [[nodiscard]] std::pair<std::optional<mpq_class>, std::optional<mpq_class>> prices() const {
-    std::optional<mpq_class> there = variant_.judgement->price_squared;
+  [[nodiscard]] std::pair<std::optional<mpq_class>, std::optional<mpq_class>> separating_distances() const {
+    std::optional<mpq_class> there = variant_.judgement->separating_distance_squared;
     if (there) there = scaled(*there, -2 * made_.exponent);
-    return {original_.judgement->price_squared, there};
+    return {original_.judgement->separating_distance_squared, there};
   }
 
   const Outcome &original_, &variant_;
   const Variant& made_;
-  mpq_class allowed_depth_, allowed_price_;  ///< squared
+  mpq_class allowed_depth_, allowed_separating_distance_;  ///< squared
 };
 
 }  // namespace

@@ -50,9 +50,10 @@ mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original)
 
 /// Compares the outcome of a variant with that of the original. If the variant passes by itself,
 /// but the subject's answers differ by more than the tolerance, the verdict becomes
-/// `not_invariant`, and the sentence says by how much. Compared are the depth, the price of the
-/// direction, whether the bodies overlap (unless both answers are within the tolerance), and
-/// whether there is an answer at all. A variant that fails by itself keeps its verdict.
+/// `not_invariant`, and the sentence says by how much. Compared are the depth, the separating
+/// distance of the direction, whether the bodies overlap (unless both answers are within the
+/// tolerance), and whether there is an answer at all. A variant that fails by itself keeps its
+/// verdict.
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
                         const Tolerance& tolerance);
 

@@ -60,7 +60,7 @@ bool is_finite(const ContactPoint& contact);
 /// bound for each.
 struct Slack {
   mpq_class depth;      ///< |d - depth|
-  mpq_class direction;  ///< |d - price|, and travel - d
+  mpq_class direction;  ///< |d - separating distance|, and exit distance - d
   mpq_class witness;    ///< the distance of a witness point from its body
   mpq_class gap;        ///< how much (b - a) misses the translation
 };

@@ -157,26 +157,27 @@ class PolytopeMeasures final : public ExactMeasures {
         scene_(truth) {}
 
   bool is_inconsistent(const Vector& u, const mpq_class& d) override {
-    return of_direction().off(d, price_ && way_ == u ? *price_ : scene_.price(u));
+    return of_direction().off(d, separating_distance_squared_ && way_ == u ? *separating_distance_squared_
+                                                                           : scene_.separating_distance_squared(u));
   }
-  bool is_dearer(const Vector& u, const mpq_class& times) override {
-    return scene_.price(u) > times * times * depth_squared();
+  bool exceeds_depth(const Vector& u, const mpq_class& times) override {
+    return scene_.separating_distance_squared(u) > times * times * depth_squared();
   }
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
-    return status() == Status::penetrating && of_direction().below(d, travel(u));
+    return status() == Status::penetrating && of_direction().below(d, exit_distance_squared(u));
   }
 
   [[nodiscard]] std::string left(const mpq_class& d) const override {
     return fmt::format("{:.4g} of overlap is left along its direction",
-                       std::abs(kernels::nearest_binary64({-d, travel_})));
+                       std::abs(kernels::nearest_binary64({-d, exit_distance_squared_})));
   }
   [[nodiscard]] std::string across(const std::string& claimed) const override {
-    return fmt::format("the plane across its direction is at {}, not at {}", kernels::nearest_binary64({0, *price_}),
-                       claimed);
+    return fmt::format("the plane across its direction is at {}, not at {}",
+                       kernels::nearest_binary64({0, *separating_distance_squared_}), claimed);
   }
   [[nodiscard]] std::string gap(const std::string& claimed) const override {
-    if (sgn(*price_) > 0) return "no plane across its direction separates the bodies";
-    return fmt::format("the gap across its direction is {}, not {}", root(-*price_), claimed);
+    if (sgn(*separating_distance_squared_) > 0) return "no plane across its direction separates the bodies";
+    return fmt::format("the gap across its direction is {}, not {}", root(-*separating_distance_squared_), claimed);
   }
 
  private:
@@ -189,30 +190,32 @@ class PolytopeMeasures final : public ExactMeasures {
 
   void measure_direction(const Claim& claim, Judgement& result) override {
     if (!claim.direction) return;
-    result.travel_squared = travel(*claim.direction);
-    price_ = result.price_squared = scene_.price(*claim.direction);
+    result.exit_distance_squared = exit_distance_squared(*claim.direction);
+    separating_distance_squared_ = result.separating_distance_squared =
+        scene_.separating_distance_squared(*claim.direction);
     const bool overlap = claim.overlap && status() == Status::penetrating;
-    if (overlap) result.dearer = kernels::nearest_binary64({-1, *price_ / depth_squared()});
+    if (overlap)
+      result.relative_excess = kernels::nearest_binary64({-1, *separating_distance_squared_ / depth_squared()});
     if (!claim.length) return;
-    result.inconsistency = kernels::nearest_binary64({claim.way(), -*price_});
-    const Surd left{-claim.way(), *result.travel_squared};
+    result.inconsistency = kernels::nearest_binary64({claim.way(), -*separating_distance_squared_});
+    const Surd left{-claim.way(), *result.exit_distance_squared};
     if (overlap && sign(left) > 0) result.overlap_left = kernels::nearest_binary64(left);
   }
 
-  const mpq_class& travel(const Vector& u) {
+  const mpq_class& exit_distance_squared(const Vector& u) {
     if (!way_ || *way_ != u) {
-      travel_ = scene_.travel(u);
-      price_.reset();
+      exit_distance_squared_ = scene_.exit_distance_squared(u);
+      separating_distance_squared_.reset();
       way_ = u;
     }
-    return travel_;
+    return exit_distance_squared_;
   }
 
   const Truth& truth_;
   Scene scene_;
-  std::optional<mpq_class> price_;
-  std::optional<Vector> way_;  // whose travel is known, and maybe whose price
-  mpq_class travel_;
+  std::optional<mpq_class> separating_distance_squared_;
+  std::optional<Vector> way_;  // whose exit distance is known, and maybe whose separating distance
+  mpq_class exit_distance_squared_;
 };
 
 // ---- unions ----
@@ -259,7 +262,7 @@ class UnionMeasures final : public ExactMeasures {
   bool is_inconsistent(const Vector& u, const mpq_class& d) override {
     return leaves(u, d, &Left::distance) || leaves(u, d, &Left::depth);
   }
-  bool is_dearer(const Vector&, const mpq_class& times) override {
+  bool exceeds_depth(const Vector&, const mpq_class& times) override {
     return claimed_ * claimed_ > times * times * depth_squared();
   }
   bool is_not_separating(const Vector& u, const mpq_class& d) override {

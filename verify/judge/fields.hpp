@@ -110,17 +110,18 @@ inline constexpr std::tuple judgement_fields{
     field("error_relative", &Judgement::error_relative, "ratio", "The error relative to the true length.", "relative"),
     field("error_u_r", &Judgement::error_u_r, "uR", "The error in units of roundoff times the largest coordinate.",
           "in units of uR"),
-    field("price_squared", &Judgement::price_squared, "length^2",
+    field("separating_distance_squared", &Judgement::separating_distance_squared, "length^2",
           "Of polytopes: the squared way along the claimed direction to a plane across it; negative if the bodies are "
           "apart.",
           "depth of its direction"),
-    field("travel_squared", &Judgement::travel_squared, "length^2",
+    field("exit_distance_squared", &Judgement::exit_distance_squared, "length^2",
           "Of polytopes: the squared shortest way along the claimed direction after which the interiors are disjoint.",
           "way until apart along it"),
-    field("price", &Judgement::price, "length", "Of shapes: the way along the claimed direction to a plane across it.",
-          "depth of its direction"),
+    field("separating_distance", &Judgement::separating_distance, "length",
+          "Of shapes: the way along the claimed direction to a plane across it.", "depth of its direction"),
     field("inconsistency", &Judgement::inconsistency, "length",
-          "The claimed depth, or minus the claimed distance, less the price; of unions, minus the overlap that is "
+          "The claimed depth, or minus the claimed distance, less the separating distance; of unions, minus the "
+          "overlap that is "
           "left, or the gap.",
           "claim less depth of its direction"),
     field("overlap_left", &Judgement::overlap_left, "length",
@@ -151,10 +152,11 @@ inline constexpr std::tuple judgement_fields{
           "contacts are away from B by up to"),
     field("deepest", &Judgement::deepest, "length", "The largest depth of a contact less the claimed depth.",
           "deepest contact less claimed depth"),
-    field("dearer", &Judgement::dearer, "ratio", "The price of its direction above the depth, relative to that.",
+    field("relative_excess", &Judgement::relative_excess, "ratio",
+          "The separating distance of its direction over the depth, less 1.",
           "depth of its direction above the true depth, relative to that"),
-    field("longer", &Judgement::longer, "", "It is too deep, and passes so far by the policy.", "",
-          [](const Judgement& j) { return j.longer; }),
+    field("excess_allowed", &Judgement::excess_allowed, "", "It is too deep, and passes so far by the policy.", "",
+          [](const Judgement& j) { return j.excess_allowed; }),
     field("deepest_pair", &Judgement::bounds, "length^2",
           "Of unions that overlap: the largest squared depth of a piece of A and a piece of B, and the first two that "
           "have it, from 0."),

@@ -31,7 +31,7 @@ struct Remarks {
   bool length_sign = false, direction_sign = false;        ///< wrong, and corrected in the claim
   bool witness_a = false, witness_b = false, gap = false;  ///< off
   bool contact_a = false, contact_b = false;               ///< off
-  bool price = false, deepest = false;                     ///< not the claimed length
+  bool separating_distance = false, deepest = false;       ///< not the claimed length
 };
 
 std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
@@ -45,7 +45,7 @@ class Teller {
       : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), format_(format), remarks_(remarks) {}
 
   [[nodiscard]] std::string all() const {
-    if (judgement_.findings.empty() && judgement_.longer) return longer();
+    if (judgement_.findings.empty() && judgement_.excess_allowed) return separating();
     if (judgement_.findings.empty()) return truth_.status() == Status::touching ? touching() : pass();
     std::string result;
     for (const Verdict finding : judgement_.findings) result += (result.empty() ? "" : "; ") + told(finding);
@@ -123,10 +123,11 @@ class Teller {
 
   [[nodiscard]] std::string inconsistent() const {
     std::string result = "inconsistent: ";
-    if (remarks_.price) result += claim_.overlap ? truth_.across(claimed()) : truth_.gap(claimed());
+    if (remarks_.separating_distance) result += claim_.overlap ? truth_.across(claimed()) : truth_.gap(claimed());
     if (remarks_.deepest) {
-      result += fmt::format("{}the depth of the deepest contact differs by {}", remarks_.price ? ", " : "",
-                            amount(kernels::nearest_binary64({*deepest_contact(claim_), 0})));
+      result +=
+          fmt::format("{}the depth of the deepest contact differs by {}", remarks_.separating_distance ? ", " : "",
+                      amount(kernels::nearest_binary64({*deepest_contact(claim_), 0})));
     }
     return result;
   }
@@ -152,11 +153,11 @@ class Teller {
            ", which its conventions allow";
   }
 
-  [[nodiscard]] std::string longer() const {
-    const std::optional<double>& dearer = judgement_.dearer;
+  [[nodiscard]] std::string separating() const {
+    const std::optional<double>& excess = judgement_.relative_excess;
     return fmt::format(
-        "separating: {} is claimed, the price of its direction; the depth is {}{}", claimed(), depth(),
-        dearer && std::isfinite(*dearer) ? fmt::format(", the price is {:.4g} % more", 100 * *dearer) : "");
+        "separating: {} is claimed, the separating distance of its direction; the depth is {}{}", claimed(), depth(),
+        excess && std::isfinite(*excess) ? fmt::format(", that distance is {:.4g} % more", 100 * *excess) : "");
   }
 
   [[nodiscard]] std::string pass() const {
@@ -275,29 +276,29 @@ class Judge {
     Vector& u = *claim_.direction;
     const bool overlaps = claim_.overlap && truth_.is_not_separating(u, *claim_.length);
     if (truth_.is_inconsistent(u, claim_.way())) {
-      if (!truth_.is_inconsistent(-u, claim_.way())) {  // the travel is no more than the price: -u separates too
+      if (!truth_.is_inconsistent(-u, claim_.way())) {  // then -u separates too: exit distance <= separating distance
         remarks_.direction_sign = true;
         found(Verdict::wrong_sign);
         u = -u;
         return;
       }
-      remarks_.price = !(overlaps && truth_.is_one_question());
-      if (remarks_.price) found(Verdict::inconsistent);
+      remarks_.separating_distance = !(overlaps && truth_.is_one_question());
+      if (remarks_.separating_distance) found(Verdict::inconsistent);
     }
     if (overlaps) found(Verdict::not_separating);
   }
 
-  /// A depth is as deep as the policy allows if it is the price of its own direction.
+  /// A depth is as deep as the policy allows if it is the separating distance of its own direction.
   void too_deep() {
-    result_.longer =
+    result_.excess_allowed =
         claim_.direction && !truth_.is_inconsistent(*claim_.direction, *claim_.length) && allows(*claim_.direction);
-    if (!result_.longer) found(Verdict::too_deep);
+    if (!result_.excess_allowed) found(Verdict::too_deep);
   }
 
   [[nodiscard]] bool allows(const Vector& u) {
     using Kind = Policy::Kind;
     const Policy& policy = tolerance_.policy;
-    if (policy.kind == Kind::within) return !truth_.is_dearer(u, 1 + policy.most);
+    if (policy.kind == Kind::within) return !truth_.exceeds_depth(u, 1 + policy.most);
     return policy.kind == Kind::separating ||
            (policy.kind == Kind::declared && conventions_.claims == Conventions::Claims::separating);
   }
@@ -336,7 +337,7 @@ class Judge {
     }
     result_.verdict = truth_.status() == Status::touching ? Verdict::touching_by_convention : Verdict::pass;
     if (remarks_.tolerated) result_.accuracy = Accuracy::tolerance;
-    else if (claim_.length && !result_.longer) result_.accuracy = truth_.accuracy(*claim_.length);
+    else if (claim_.length && !result_.excess_allowed) result_.accuracy = truth_.accuracy(*claim_.length);
   }
 
   Measures& truth_;

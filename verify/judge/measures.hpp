@@ -41,23 +41,24 @@ class Measures {
   /// Whether d is larger, or smaller, than the length in question by more than tol.
   virtual bool too_long(const mpq_class& d) = 0;
   virtual bool too_short(const mpq_class& d) = 0;
-  /// Whether d, of a distance its negative, differs from the price of u by more than tol. Of
-  /// unions: whether A, moved by d along u, overlaps B or is apart from it by more than tol.
+  /// Whether d, of a distance its negative, differs from the separating distance of u by more than
+  /// tol. Of unions: whether A, moved by d along u, overlaps B or is apart from it by more than
+  /// tol.
   virtual bool is_inconsistent(const Vector& u, const mpq_class& d) = 0;
-  /// Whether the price of u is more than `times` the depth, with no tolerance. Of unions the
-  /// claimed depth is the price.
-  virtual bool is_dearer(const Vector& u, const mpq_class& times) = 0;
+  /// Whether the separating distance of u is more than `times` the depth, with no tolerance. Of
+  /// unions the claimed depth is the separating distance.
+  virtual bool exceeds_depth(const Vector& u, const mpq_class& times) = 0;
   /// Whether the interiors meet, and do so still after a way along u that is longer than d by more
   /// than tol.
   virtual bool is_not_separating(const Vector& u, const mpq_class& d) = 0;
-  /// Whether what is not separating is inconsistent for that reason alone, and is not to be called
-  /// both.
+  /// Returns true if `not_separating` already implies `inconsistent`; then only the former is
+  /// reported.
   [[nodiscard]] virtual bool is_one_question() const { return false; }
   /// Whether a witness point that was measured is farther from its body than tol; and whether the
   /// points miss the translation by more, which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
-  /// The same of the contact that is farthest away.
+  /// Whether the contact that is farthest from the body is farther than tol.
   virtual bool is_contact_off_a() = 0;
   virtual bool is_contact_off_b() = 0;
   /// Whether a difference of two claimed lengths is more than tol.
@@ -95,7 +96,7 @@ class Measures {
 };
 
 std::unique_ptr<Measures> measures_of(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance);
-/// With bounds of `bits` bits.
+/// Returns measures whose bounds have `bits` bits.
 std::unique_ptr<Measures> measures_of(const ShapeTruth& truth, const NumberFormat& format, const Tolerance& tolerance,
                                       unsigned bits);
 

@@ -140,7 +140,7 @@ Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
 Scene::Scene(const Truth& truth) : truth_(truth), placed_(polytope::place(truth.a, truth.b)) {}
 Scene::~Scene() = default;
 
-mpq_class Scene::price(const Vector& u) const {
+mpq_class Scene::separating_distance_squared(const Vector& u) const {
   mpz_class low = dot(u, placed_.a[0]), high = dot(u, placed_.b[0]);
   for (const Vector& p : placed_.a.points()) low = std::min(low, dot(u, p));
   for (const Vector& p : placed_.b.points()) high = std::max(high, dot(u, p));
@@ -148,7 +148,7 @@ mpq_class Scene::price(const Vector& u) const {
   return kernels::ratio(height * size, placed_.denominator * placed_.denominator * dot(u, u));
 }
 
-mpq_class Scene::travel(const Vector& u) {
+mpq_class Scene::exit_distance_squared(const Vector& u) {
   const Penetration* const penetration = truth_.depth.penetration();
   if (!penetration) return 0;
   std::optional<mpq_class> out;

@@ -29,11 +29,12 @@ struct Sizes {
   mpq_class reach;     ///< the largest absolute coordinate of a difference b - a
 };
 
-/// The bodies are not empty.
+/// Returns the sizes of two bodies, which are not empty.
 Sizes sizes_of(std::span<const Point> a, std::span<const Point> b);
-/// Those of unions.
+/// Returns the sizes of unions.
 Sizes sizes_of(const Pieces& a, const Pieces& b);
-/// Those of shapes, rounded up, with roots of so many bits. A half-space counts as the point O.
+/// Returns the sizes of shapes, rounded up, with roots of `bits` bits. A half-space counts as the
+/// point O.
 Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits);
 
 /// Refers to the truth. Below, h(u) = max_b <u,b> - min_a <u,a>.
@@ -43,10 +44,10 @@ class Scene {
   ~Scene();
 
   /// h(u) / |u|, as a signed square. The direction is not zero.
-  [[nodiscard]] mpq_class price(const Vector& u) const;
+  [[nodiscard]] mpq_class separating_distance_squared(const Vector& u) const;
   /// The squared length of the shortest way along u after which the interiors are disjoint; 0 if
   /// they are disjoint already.
-  [[nodiscard]] mpq_class travel(const Vector& u);
+  [[nodiscard]] mpq_class exit_distance_squared(const Vector& u);
 
  private:
   const Truth& truth_;
@@ -63,7 +64,7 @@ std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const Inner
 
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);
-/// The same of the union of pieces.
+/// Returns the squared distance of a point from the union of pieces; 0 inside.
 mpq_class squared_distance(const Point& point, const Pieces& body);
 
 }  // namespace fathom::judging

@@ -97,27 +97,27 @@ class ShapeMeasures final : public Measures {
   bool too_short(const mpq_class& d) override { return below(d, length_, of_length_); }
 
   bool is_inconsistent(const Vector& u, const mpq_class& d) override {
-    const std::optional<RationalInterval> price = price_of(u);
-    return !price || above(d, *price, of_direction_) || below(d, *price, of_direction_);
+    const std::optional<RationalInterval> separating = separating_distance_of(u);
+    return !separating || above(d, *separating, of_direction_) || below(d, *separating, of_direction_);
   }
 
-  bool is_dearer(const Vector& u, const mpq_class& times) override {
-    const std::optional<RationalInterval> price = price_of(u);
-    return !price || exceeds(*price - RationalInterval{times * depth_.low, times * depth_.high}, known(0));
+  bool exceeds_depth(const Vector& u, const mpq_class& times) override {
+    const std::optional<RationalInterval> separating = separating_distance_of(u);
+    return !separating || exceeds(*separating - RationalInterval{times * depth_.low, times * depth_.high}, known(0));
   }
 
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
     if (status_ != Status::penetrating) return false;
-    const std::optional<RationalInterval> price = price_of(u);
-    if (has_halfspace()) {  // then it is the travel
-      if (price && !below(d, *price, of_direction_)) return false;
-      if (price) left_ = round_binary64(price->low - d, Rounding::rd);
+    const std::optional<RationalInterval> separating = separating_distance_of(u);
+    if (has_halfspace()) {  // then it is the exit distance
+      if (separating && !below(d, *separating, of_direction_)) return false;
+      if (separating) left_ = round_binary64(separating->low - d, Rounding::rd);
       return true;
     }
-    if (price->high <= d + of_direction_.low) return false;
+    if (separating->high <= d + of_direction_.low) return false;
     const mpq_class way = d + of_direction_.high;
     const bool meet = depth_.low > way || still_meet(u, way);
-    if (meet) find_left(u, d, way, price->high);
+    if (meet) find_left(u, d, way, separating->high);
     return meet;
   }
 
@@ -149,11 +149,12 @@ class ShapeMeasures final : public Measures {
     if (!claim.overlap && claim.length) ask_for(positive_part(-value_));
     if (claim.length) measure_length(*claim.length, result);
     if (claim.direction) {
-      measured_price_ = price_of(*claim.direction);
-      if (measured_price_) result.price = outward(*measured_price_);
-      if (measured_price_ && claim.overlap && status_ == Status::penetrating)
-        result.dearer = least(quotient(*measured_price_ - depth_, depth_));
-      if (measured_price_ && claim.length) result.inconsistency = least(known(claim.way()) - *measured_price_);
+      separating_distance_ = separating_distance_of(*claim.direction);
+      if (separating_distance_) result.separating_distance = outward(*separating_distance_);
+      if (separating_distance_ && claim.overlap && status_ == Status::penetrating)
+        result.relative_excess = least(quotient(*separating_distance_ - depth_, depth_));
+      if (separating_distance_ && claim.length)
+        result.inconsistency = least(known(claim.way()) - *separating_distance_);
     }
     if (claim.witness_a) result.witness_a_distance = outward(*(away_a_ = distance_of(*claim.witness_a, truth_.a)));
     if (claim.witness_b) result.witness_b_distance = outward(*(away_b_ = distance_of(*claim.witness_b, truth_.b)));
@@ -174,20 +175,20 @@ class ShapeMeasures final : public Measures {
   [[nodiscard]] std::string length() const override { return text(length_); }
   [[nodiscard]] double off_by(const mpq_class& d) const override { return least(known(d) - length_); }
   [[nodiscard]] std::string left(const mpq_class&) const override {
-    if (!measured_price_) return "its direction does not lead out of the half-space";
+    if (!separating_distance_) return "its direction does not lead out of the half-space";
     return left_ ? fmt::format("at least {:.4g} of overlap is left along its direction", *left_)
                  : "overlap is left along its direction";
   }
   [[nodiscard]] std::string across(const std::string& claimed) const override {
-    if (!measured_price_) return "its direction does not lead out of the half-space";
+    if (!separating_distance_) return "its direction does not lead out of the half-space";
     if (has_halfspace())
-      return fmt::format("the way out along its direction is {}, not {}", text(*measured_price_), claimed);
-    return fmt::format("the plane across its direction is at {}, not at {}", text(*measured_price_), claimed);
+      return fmt::format("the way out along its direction is {}, not {}", text(*separating_distance_), claimed);
+    return fmt::format("the plane across its direction is at {}, not at {}", text(*separating_distance_), claimed);
   }
   [[nodiscard]] std::string gap(const std::string& claimed) const override {
-    if (!measured_price_) return "its direction does not lead out of the half-space";
-    if (sgn(measured_price_->low) > 0) return "no plane across its direction separates the bodies";
-    return fmt::format("the gap across its direction is {}, not {}", text(-*measured_price_), claimed);
+    if (!separating_distance_) return "its direction does not lead out of the half-space";
+    if (sgn(separating_distance_->low) > 0) return "no plane across its direction separates the bodies";
+    return fmt::format("the gap across its direction is {}, not {}", text(-*separating_distance_), claimed);
   }
   [[nodiscard]] double away_a() const override { return least(*away_a_); }
   [[nodiscard]] double away_b() const override { return least(*away_b_); }
@@ -257,7 +258,7 @@ class ShapeMeasures final : public Measures {
 
   /// Of two bounded bodies h(u)/|u| and the radii. Out of a half-space the way along u; nullopt if
   /// that is no way out.
-  [[nodiscard]] std::optional<RationalInterval> price_of(const Vector& u) const {
+  [[nodiscard]] std::optional<RationalInterval> separating_distance_of(const Vector& u) const {
     if (!has_halfspace())
       return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
     const bool of_a = is_halfspace(truth_.a);
@@ -349,7 +350,7 @@ class ShapeMeasures final : public Measures {
   Sizes sizes_, asked_;                      // asked_: without these radii
   mpq_class farthest_;                       // of the asked bodies, a half-space's witness point included
   RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
-  std::optional<RationalInterval> measured_price_, away_a_, away_b_, contact_a_, contact_b_;
+  std::optional<RationalInterval> separating_distance_, away_a_, away_b_, contact_a_, contact_b_;
   std::optional<double> left_;
   bool open_ = false;
 };

@@ -18,13 +18,13 @@
 
 namespace fathom::studies {
 
-Feature Subject::feature(gaussian::ArcId i) const {
+Feature StudiedBody::feature(gaussian::ArcId i) const {
   const polytope::Edge& edge = body.edges[i.value];
   const std::uint32_t p = body.input_ids[edge.from], q = body.input_ids[edge.to];
   return {std::min(p, q), std::max(p, q)};
 }
 
-Feature Subject::feature(gaussian::NodeId i) const {
+Feature StudiedBody::feature(gaussian::NodeId i) const {
   const polytope::Facet& facet = body.facets[gaussian::facet_of(i)];
   Feature points;
   for (std::uint32_t k = facet.begin; k < facet.end; ++k) points.push_back(body.input_ids[body.corners[k]]);
@@ -32,7 +32,7 @@ Feature Subject::feature(gaussian::NodeId i) const {
   return points;
 }
 
-Involved Subject::involved(std::vector<Feature> own, std::vector<Feature> others) const {
+Involved StudiedBody::involved(std::vector<Feature> own, std::vector<Feature> others) const {
   if (colour == gaussian::Colour::b) own.swap(others);
   return {std::move(own), std::move(others)};
 }
@@ -52,35 +52,35 @@ Vector line_direction(const Vector& u) {
   return lexicographically_less(result, Vector{0, 0, 0}) ? -result : result;
 }
 
-const polytope::Facet& facet_of(const Subject& subject, gaussian::NodeId node) {
-  return subject.body.facets[gaussian::facet_of(node)];
+const polytope::Facet& facet_of(const StudiedBody& studied, gaussian::NodeId node) {
+  return studied.body.facets[gaussian::facet_of(node)];
 }
 
 /// Whether the supporting planes of two facets with parallel normals are one.
-bool coplanar(const Subjects& subjects, gaussian::NodeId of_a, gaussian::NodeId of_b) {
-  const polytope::Polytope &a = subjects.a.body, &b = subjects.b.body;
-  const polytope::Facet& facet = facet_of(subjects.a, of_a);
+bool coplanar(const StudiedBodies& bodies, gaussian::NodeId of_a, gaussian::NodeId of_b) {
+  const polytope::Polytope &a = bodies.a.body, &b = bodies.b.body;
+  const polytope::Facet& facet = facet_of(bodies.a, of_a);
   return dot(facet.normal,
-             a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(subjects.b, of_b).begin]]) == 0;
+             a.vertices[a.corners[facet.begin]] - b.vertices[b.corners[facet_of(bodies.b, of_b).begin]]) == 0;
 }
 
-void find_parallel_edges(const Subjects& subjects, Findings& findings) {
+void find_parallel_edges(const StudiedBodies& bodies, Findings& findings) {
   ByDirection<gaussian::PerColour<std::vector<gaussian::ArcId>>> groups;
   for (const gaussian::Colour colour : gaussian::both_colours) {
-    const gaussian::GaussianDiagram& diagram = subjects[colour].diagram;
+    const gaussian::GaussianDiagram& diagram = bodies[colour].diagram;
     for (const gaussian::ArcId i : diagram.arcs.ids())
       groups[line_direction(diagram.arcs[i].circle.exact())][colour].push_back(i);
   }
   for (const auto& [direction, edges] : groups) {
-    findings.add_pairs(Coincidence::parallel_edges, subjects, edges);
-    findings.add_pairs(Coincidence::parallel_edges_of_a, subjects.a, edges.a);
-    findings.add_pairs(Coincidence::parallel_edges_of_b, subjects.b, edges.b);
+    findings.add_pairs(Coincidence::parallel_edges, bodies, edges);
+    findings.add_pairs(Coincidence::parallel_edges_of_a, bodies.a, edges.a);
+    findings.add_pairs(Coincidence::parallel_edges_of_b, bodies.b, edges.b);
   }
 }
 
 // Facet normals are primitive, and no two facets of a body share one.
-void find_common_normals(const Subjects& subjects, Findings& findings) {
-  const auto& [a, b] = subjects;
+void find_common_normals(const StudiedBodies& bodies, Findings& findings) {
+  const auto& [a, b] = bodies;
   ByDirection<gaussian::NodeId> facet_of_b;
   for (const gaussian::NodeId g : b.diagram.nodes.ids()) facet_of_b.emplace(facet_of(b, g).normal, g);
   for (const gaussian::NodeId f : a.diagram.nodes.ids()) {
@@ -90,7 +90,7 @@ void find_common_normals(const Subjects& subjects, Findings& findings) {
       if (found == facet_of_b.end()) continue;
       const Involved facets{{a.feature(f)}, {b.feature(found->second)}};
       findings.add(equal ? Coincidence::equal_normals : Coincidence::coincident_normals, facets);
-      if (coplanar(subjects, f, found->second)) findings.add(Coincidence::coplanar_facets, facets);
+      if (coplanar(bodies, f, found->second)) findings.add(Coincidence::coplanar_facets, facets);
     }
   }
 }
@@ -132,18 +132,18 @@ ByDirection<gaussian::ArcId> passages(const gaussian::GaussianDiagram& diagram) 
   return result;
 }
 
-void find_on_equator(const Subject& subject, Findings& findings) {
-  for (const gaussian::NodeId i : subject.diagram.nodes.ids())
-    if (subject.diagram.nodes[i].exact().z == 0)
-      findings.add(Coincidence::nodes_on_equator, subject.involved({subject.feature(i)}));
-  for (const gaussian::ArcId i : subject.diagram.arcs.ids())
-    if (on_equator(subject.diagram.arcs[i]))
-      findings.add(Coincidence::arcs_on_equator, subject.involved({subject.feature(i)}));
+void find_on_equator(const StudiedBody& studied, Findings& findings) {
+  for (const gaussian::NodeId i : studied.diagram.nodes.ids())
+    if (studied.diagram.nodes[i].exact().z == 0)
+      findings.add(Coincidence::nodes_on_equator, studied.involved({studied.feature(i)}));
+  for (const gaussian::ArcId i : studied.diagram.arcs.ids())
+    if (on_equator(studied.diagram.arcs[i]))
+      findings.add(Coincidence::arcs_on_equator, studied.involved({studied.feature(i)}));
 }
 
 /// Crossings of arcs of `lying` that lie on the equator with those of `passing` that pass through
 /// it.
-void find_passages_through_arcs(const Subject& lying, const Subject& passing, Findings& findings) {
+void find_passages_through_arcs(const StudiedBody& lying, const StudiedBody& passing, Findings& findings) {
   const ByDirection<gaussian::ArcId> through = passages(passing.diagram);
   for (const gaussian::ArcId i : lying.diagram.arcs.ids()) {
     const gaussian::Arc& arc = lying.diagram.arcs[i];
@@ -154,12 +154,12 @@ void find_passages_through_arcs(const Subject& lying, const Subject& passing, Fi
   }
 }
 
-void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, Findings& findings) {
+void find_normals_on_arcs(kernels::Context& context, const StudiedBodies& bodies, Findings& findings) {
   const kernels::UnperturbedKernel kernel(context.counters.predicates);
-  const double all = static_cast<double>(subjects.a.diagram.nodes.size() + subjects.b.diagram.nodes.size());
+  const double all = static_cast<double>(bodies.a.diagram.nodes.size() + bodies.b.diagram.nodes.size());
   std::size_t done = 0;
   for (const gaussian::Colour colour : gaussian::both_colours) {
-    const Subject &nodes = subjects[colour], &arcs = subjects[other(colour)];
+    const StudiedBody &nodes = bodies[colour], &arcs = bodies[other(colour)];
     for (const gaussian::NodeId i : nodes.diagram.nodes.ids()) {
       context.report("normals on arcs", static_cast<double>(done++) / all);
       const kernels::Direction& node = nodes.diagram.nodes[i];
@@ -173,8 +173,8 @@ void find_normals_on_arcs(kernels::Context& context, const Subjects& subjects, F
   }
 }
 
-void find_equator_hits(const Subjects& subjects, Findings& findings) {
-  const auto& [a, b] = subjects;
+void find_equator_hits(const StudiedBodies& bodies, Findings& findings) {
+  const auto& [a, b] = bodies;
   find_on_equator(a, findings);
   find_on_equator(b, findings);
   const ByDirection<gaussian::ArcId> of_a = passages(a.diagram), of_b = passages(b.diagram);
@@ -190,22 +190,22 @@ void find_equator_hits(const Subjects& subjects, Findings& findings) {
 }
 
 // Nodes n of one hemisphere share an abscissa when (n.x, n.z) have one direction.
-void find_verticals(const Subjects& subjects, Findings& findings) {
+void find_verticals(const StudiedBodies& bodies, Findings& findings) {
   ByDirection<gaussian::PerColour<std::vector<gaussian::NodeId>>> groups;
   for (const gaussian::Colour colour : gaussian::both_colours) {
-    const Subject& subject = subjects[colour];
-    for (const gaussian::NodeId i : subject.diagram.nodes.ids()) {
-      const Vector& n = subject.diagram.nodes[i].exact();
+    const StudiedBody& studied = bodies[colour];
+    for (const gaussian::NodeId i : studied.diagram.nodes.ids()) {
+      const Vector& n = studied.diagram.nodes[i].exact();
       if (n.z != 0) groups[primitive({n.x, 0, n.z})][colour].push_back(i);
     }
-    for (const gaussian::ArcId i : subject.diagram.arcs.ids())
-      if (subject.diagram.arcs[i].circle.exact().y == 0)
-        findings.add(Coincidence::arcs_on_verticals, subject.involved({subject.feature(i)}));
+    for (const gaussian::ArcId i : studied.diagram.arcs.ids())
+      if (studied.diagram.arcs[i].circle.exact().y == 0)
+        findings.add(Coincidence::arcs_on_verticals, studied.involved({studied.feature(i)}));
   }
   for (const auto& [abscissa, nodes] : groups) {
-    findings.add_pairs(Coincidence::nodes_on_one_vertical, subjects, nodes);
-    findings.add_pairs(Coincidence::nodes_on_one_vertical, subjects.a, nodes.a);
-    findings.add_pairs(Coincidence::nodes_on_one_vertical, subjects.b, nodes.b);
+    findings.add_pairs(Coincidence::nodes_on_one_vertical, bodies, nodes);
+    findings.add_pairs(Coincidence::nodes_on_one_vertical, bodies.a, nodes.a);
+    findings.add_pairs(Coincidence::nodes_on_one_vertical, bodies.b, nodes.b);
   }
 }
 
@@ -261,11 +261,11 @@ Feature face(const polytope::Polytope& body, const Vector& u) {
   return points;
 }
 
-void find_contacts(const Subjects& subjects, const Vector& units, const Depth& depth, Findings& findings) {
+void find_contacts(const StudiedBodies& bodies, const Vector& units, const Depth& depth, Findings& findings) {
   if (depth.touch()) {
     const Vector& n = depth.touch()->direction;
     const Vector u{n.x * units.x, n.y * units.y, n.z * units.z};
-    findings.add(Coincidence::touching_features, {{face(subjects.a.body, -u)}, {face(subjects.b.body, u)}});
+    findings.add(Coincidence::touching_features, {{face(bodies.a.body, -u)}, {face(bodies.b.body, u)}});
   }
   if (depth.optima().size() < 2) return;
   for (const Optimum& optimum : depth.optima())
@@ -274,20 +274,20 @@ void find_contacts(const Subjects& subjects, const Vector& units, const Depth& d
 
 }  // namespace
 
-std::uint64_t pairs_to_test(const Subjects& subjects) {
-  const auto &a = subjects.a.diagram, &b = subjects.b.diagram;
+std::uint64_t pairs_to_test(const StudiedBodies& bodies) {
+  const auto &a = bodies.a.diagram, &b = bodies.b.diagram;
   return std::uint64_t{a.nodes.size()} * b.arcs.size() + std::uint64_t{b.nodes.size()} * a.arcs.size();
 }
 
-void find_coincidences(kernels::Context& context, const Subjects& subjects, const Vector& units, const Depth& depth,
+void find_coincidences(kernels::Context& context, const StudiedBodies& bodies, const Vector& units, const Depth& depth,
                        Findings& findings, std::uint64_t most_pairs) {
   context.report("coincidences");
-  find_parallel_edges(subjects, findings);
-  find_common_normals(subjects, findings);
-  if (pairs_to_test(subjects) <= most_pairs) find_normals_on_arcs(context, subjects, findings);
-  find_equator_hits(subjects, findings);
-  find_verticals(subjects, findings);
-  find_contacts(subjects, units, depth, findings);
+  find_parallel_edges(bodies, findings);
+  find_common_normals(bodies, findings);
+  if (pairs_to_test(bodies) <= most_pairs) find_normals_on_arcs(context, bodies, findings);
+  find_equator_hits(bodies, findings);
+  find_verticals(bodies, findings);
+  find_contacts(bodies, units, depth, findings);
 }
 
 Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
@@ -307,9 +307,9 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
   result.predicates = result.depth.status() == Status::penetrating ? result.depth.counters.predicates
                                                                    : predicates_of(diagram_a, diagram_b);
 
-  const Subjects subjects{{gaussian::Colour::a, body_a, diagram_a}, {gaussian::Colour::b, body_b, diagram_b}};
+  const StudiedBodies studied{{gaussian::Colour::a, body_a, diagram_a}, {gaussian::Colour::b, body_b, diagram_b}};
   Findings findings(result, options.listed);
-  find_coincidences(context, subjects, units, result.depth, findings);
+  find_coincidences(context, studied, units, result.depth, findings);
   return result;
 }
 

@@ -20,7 +20,7 @@ Study study(kernels::Context& context, std::span<const Point> a, std::span<const
 // What the searches of a study share: the bodies with their diagrams, and the list of coincidences.
 
 /// A body and its Gaussian diagram, that of its reflection for A.
-struct Subject {
+struct StudiedBody {
   gaussian::Colour colour;
   const polytope::Polytope& body;
   const gaussian::GaussianDiagram& diagram;
@@ -31,7 +31,7 @@ struct Subject {
   /// A coincidence of features of this body with those of the other one.
   [[nodiscard]] Involved involved(std::vector<Feature> own, std::vector<Feature> others = {}) const;
 };
-using Subjects = gaussian::PerColour<Subject>;
+using StudiedBodies = gaussian::PerColour<StudiedBody>;
 
 /// Counts every coincidence and lists the first few of each kind.
 class Findings {
@@ -46,26 +46,26 @@ class Findings {
 
   /// Adds every one of A's with every one of B's.
   template <class I>
-  void add_pairs(Coincidence kind, const Subjects& subjects, const gaussian::PerColour<std::vector<I>>& ids) {
+  void add_pairs(Coincidence kind, const StudiedBodies& bodies, const gaussian::PerColour<std::vector<I>>& ids) {
     Coincidences& all = at(kind);
     all.count += std::uint64_t{ids.a.size()} * ids.b.size();
     for (const I i : ids.a) {
       for (const I j : ids.b) {
         if (all.listed.size() >= most_) return;
-        all.listed.push_back({{subjects.a.feature(i)}, {subjects.b.feature(j)}});
+        all.listed.push_back({{bodies.a.feature(i)}, {bodies.b.feature(j)}});
       }
     }
   }
 
   /// Adds every two of one body's.
   template <class I>
-  void add_pairs(Coincidence kind, const Subject& subject, const std::vector<I>& ids) {
+  void add_pairs(Coincidence kind, const StudiedBody& studied, const std::vector<I>& ids) {
     Coincidences& all = at(kind);
     if (ids.size() > 1) all.count += std::uint64_t{ids.size()} * (ids.size() - 1) / 2;
     for (std::size_t i = 0; i < ids.size(); ++i) {
       for (std::size_t j = i + 1; j < ids.size(); ++j) {
         if (all.listed.size() >= most_) return;
-        all.listed.push_back(subject.involved({subject.feature(ids[i]), subject.feature(ids[j])}));
+        all.listed.push_back(studied.involved({studied.feature(ids[i]), studied.feature(ids[j])}));
       }
     }
   }
@@ -78,11 +78,11 @@ class Findings {
 };
 
 /// How many pairs of a node and an arc the search for normals on arcs looks at.
-std::uint64_t pairs_to_test(const Subjects& subjects);
+std::uint64_t pairs_to_test(const StudiedBodies& bodies);
 
 /// Finds the coincidences of two bodies of this depth, whose axes have `units`, of all kinds;
 /// normals on arcs only if there are at most so many pairs to test. Reports its progress.
-void find_coincidences(kernels::Context& context, const Subjects& subjects, const Vector& units, const Depth& depth,
+void find_coincidences(kernels::Context& context, const StudiedBodies& bodies, const Vector& units, const Depth& depth,
                        Findings& findings, std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max());
 
 }  // namespace fathom::studies

@@ -54,7 +54,7 @@ worst are in parts of the largest coordinate. Times are those of the query alone
 
 LEGEND = ("`bits`: of the numbers, 32 or 64 (32/64: of points and answers); `settings`: what decides, as by default. `judged`: what the "
           "answers hold besides the status, and are judged by: d the depth, n the direction, p points on both bodies, g the distance of "
-          "bodies that are apart; m: a manifold, whose depth is judged as the price of its own normal. Who claims less is asked less: "
+          "bodies that are apart; m: a manifold, whose depth is judged as the separating distance of its own normal. Who claims less is asked less: "
           "`depth`, once for hulls and once as reported, counts the answers that are right in status and depth alone, of a manifold as a "
           "shortest translation. In brackets: "
           "declined.")

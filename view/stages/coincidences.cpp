@@ -26,8 +26,8 @@ const chart::Frame& frame() {
 /// [proofs/perturbation.md]
 class Decisions {
  public:
-  /// The subjects must outlive it.
-  Decisions(const studies::Subjects& subjects, const kernels::Perturbation& perturbation);
+  /// The bodies must outlive it.
+  Decisions(const studies::StudiedBodies& bodies, const kernels::Perturbation& perturbation);
 
   /// The monomials that decide about these features, by name, each once; empty if the method asks
   /// no question that they make zero, as of bodies that only tie.
@@ -45,7 +45,7 @@ class Decisions {
     const Feature* feature;
   };
 
-  static Features features_of(const studies::Subject& subject);
+  static Features features_of(const studies::StudiedBody& studied);
   static std::vector<Member> members(const Involved& involved);
   [[nodiscard]] const gaussian::Arc* arc(const Member& member) const;
   [[nodiscard]] const kernels::Direction* node(const Member& member) const;
@@ -53,18 +53,18 @@ class Decisions {
   void ask(const kernels::PerturbedKernel& kernel, Coincidence kind, const std::vector<Member>& all) const;
   void ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence kind, const std::vector<Member>& all) const;
 
-  const studies::Subjects& subjects_;
+  const studies::StudiedBodies& bodies_;
   kernels::Perturbation perturbation_;
   gaussian::PerColour<Features> features_;
 };
 
-Decisions::Decisions(const studies::Subjects& subjects, const kernels::Perturbation& perturbation)
-    : subjects_(subjects), perturbation_(perturbation), features_{features_of(subjects.a), features_of(subjects.b)} {}
+Decisions::Decisions(const studies::StudiedBodies& bodies, const kernels::Perturbation& perturbation)
+    : bodies_(bodies), perturbation_(perturbation), features_{features_of(bodies.a), features_of(bodies.b)} {}
 
-Decisions::Features Decisions::features_of(const studies::Subject& subject) {
+Decisions::Features Decisions::features_of(const studies::StudiedBody& studied) {
   Features result;
-  for (const gaussian::ArcId i : subject.diagram.arcs.ids()) result.arcs.emplace(subject.feature(i), i);
-  for (const gaussian::NodeId i : subject.diagram.nodes.ids()) result.nodes.emplace(subject.feature(i), i);
+  for (const gaussian::ArcId i : studied.diagram.arcs.ids()) result.arcs.emplace(studied.feature(i), i);
+  for (const gaussian::NodeId i : studied.diagram.nodes.ids()) result.nodes.emplace(studied.feature(i), i);
   return result;
 }
 
@@ -78,30 +78,30 @@ std::vector<Decisions::Member> Decisions::members(const Involved& involved) {
 const gaussian::Arc* Decisions::arc(const Member& member) const {
   const auto& arcs = features_[member.colour].arcs;
   const auto found = arcs.find(*member.feature);
-  return found == arcs.end() ? nullptr : &subjects_[member.colour].diagram.arcs[found->second];
+  return found == arcs.end() ? nullptr : &bodies_[member.colour].diagram.arcs[found->second];
 }
 
 const kernels::Direction* Decisions::node(const Member& member) const {
   const auto& nodes = features_[member.colour].nodes;
   const auto found = nodes.find(*member.feature);
-  return found == nodes.end() ? nullptr : &subjects_[member.colour].diagram.nodes[found->second];
+  return found == nodes.end() ? nullptr : &bodies_[member.colour].diagram.nodes[found->second];
 }
 
 const kernels::Direction& Decisions::end(const Member& member, gaussian::NodeId i) const {
-  return subjects_[member.colour].diagram.nodes[i];
+  return bodies_[member.colour].diagram.nodes[i];
 }
 
 void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence kind,
                              const std::vector<Member>& all) const {
   for (const Member& member : all) {
     const gaussian::Arc* const own = arc(member);
-    if (own == nullptr || subjects_[member.colour].diagram.rank < 2) return;  // a full circle has no ends
+    if (own == nullptr || bodies_[member.colour].diagram.rank < 2) return;  // a full circle has no ends
     const kernels::Direction &from = end(member, own->from), &to = end(member, own->to);
     if (kind == Coincidence::arcs_on_equator) {
       (void)kernel.side_of_equator(from, frame().z);
       (void)kernel.side_of_equator(to, frame().z);
     } else if (kind == Coincidence::arcs_on_verticals) {
-      if (subjects_[member.colour].diagram.rank == 3) (void)kernel.x_order(from, to, frame().v);
+      if (bodies_[member.colour].diagram.rank == 3) (void)kernel.x_order(from, to, frame().v);
     } else if (const gaussian::Arc* const other = arc(all[member.feature == all[0].feature ? 1 : 0])) {
       (void)kernel.side_of_arc(from, other->circle);
       (void)kernel.side_of_arc(to, other->circle);
@@ -155,11 +155,11 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
 constexpr std::size_t most_listed = 20;                  // of a kind, as `fathom study` lists
 constexpr std::uint64_t most_tested_pairs = 50'000'000;  // of nodes and arcs, a second or two
 
-Study study_of(const StagesSource& subject, const studies::Subjects& subjects, Stages& stages) {
+Study study_of(const StagesSource& source, const studies::StudiedBodies& bodies, Stages& stages) {
   Study study;
   studies::Findings findings(study, most_listed);
-  studies::find_coincidences(subject.context, subjects, {1, 1, 1}, subject.exact.depth, findings, most_tested_pairs);
-  if (const std::uint64_t pairs = studies::pairs_to_test(subjects); pairs > most_tested_pairs)
+  studies::find_coincidences(source.context, bodies, {1, 1, 1}, source.exact.depth, findings, most_tested_pairs);
+  if (const std::uint64_t pairs = studies::pairs_to_test(bodies); pairs > most_tested_pairs)
     stages.left_out.push_back(
         fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
                     "study looks at all.",
@@ -169,12 +169,12 @@ Study study_of(const StagesSource& subject, const studies::Subjects& subjects, S
 
 }  // namespace
 
-void add_coincidences(const StagesSource& subject, Stages& stages) {
-  const depth::ExactStages& exact = subject.exact;
-  const studies::Subjects subjects{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a},
-                                   {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
-  const Study study = study_of(subject, subjects, stages);
-  const Decisions decisions(subjects, exact.charts[0].perturbation);
+void add_coincidences(const StagesSource& source, Stages& stages) {
+  const depth::ExactStages& exact = source.exact;
+  const studies::StudiedBodies bodies{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a},
+                                      {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
+  const Study study = study_of(source, bodies, stages);
+  const Decisions decisions(bodies, exact.charts[0].perturbation);
   for (std::size_t i = 0; i < study.coincidences.size(); ++i) {
     const Coincidences& found = study.coincidences[i];
     if (found.count == 0) continue;

@@ -216,7 +216,7 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
 /// passes everything on.
 class StageTimes : public Monitor {
  public:
-  /// `next`, which may be null, hears everything too.
+  /// Every call is passed on to `next`, which may be null.
   explicit StageTimes(Monitor* next) : next_(next) {}
 
   void report(std::string_view stage, double share) override {

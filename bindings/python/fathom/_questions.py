@@ -164,10 +164,10 @@ class Judgement(NamedTuple):
     error_ulps: float | None
     error_relative: float | None
     error_u_r: float | None  #: in units of roundoff times the largest coordinate
-    price_squared: Fraction | None  #: what leaving along the claimed direction costs, to a plane across it; negative of bodies apart
-    travel_squared: Fraction | None  #: the shortest way along it after which the interiors are disjoint
-    price: tuple[float, float] | None  #: of shapes: what leaving along the claimed direction costs, rounded outward
-    inconsistency: float | None  #: claimed depth less price; of unions minus the overlap that the translation leaves, or the gap
+    separating_distance_squared: Fraction | None  #: along the claimed direction, to a plane across it; negative of bodies apart
+    exit_distance_squared: Fraction | None  #: the shortest way along it after which the interiors are disjoint
+    separating_distance: tuple[float, float] | None  #: of shapes: along the claimed direction, to a plane across it, rounded outward
+    inconsistency: float | None  #: claimed depth less separating distance; of unions minus the overlap that is left, or the gap
     overlap_left: float | None  #: after the claimed translation
     witness_a_squared: Fraction | None  #: squared distances of the claimed points from their bodies
     witness_b_squared: Fraction | None
@@ -179,8 +179,8 @@ class Judgement(NamedTuple):
     contact_a_distance: tuple[float, float] | None  #: of shapes, rounded outward
     contact_b_distance: tuple[float, float] | None
     deepest: float | None  #: the largest depth of a contact less the claimed depth
-    dearer: float | None  #: the price of its direction above the depth, relative to that
-    longer: bool  #: whether the depth would be too deep, but for the policy
+    relative_excess: float | None  #: the separating distance over the depth, less 1
+    excess_allowed: bool  #: whether the depth would be too deep, but for the policy
     deepest_pair: dict[str, Any] | None  #: of unions that overlap: squared, and the two pieces, from 0
     hulls_squared: Fraction | None  #: the squared depth of the hulls of these unions
     deeper_than_pair: float | None  #: their depth over that of the deepest pair, correctly rounded
@@ -204,8 +204,8 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     sign       of its depths: "positive" or "negative"; `conventions.depth` in the protocol
     moves      which body the direction moves: "a" or "b"
     unit       whether it promises directions of length 1
-    claims     "minimum", or "separating": no more than that its translation separates, at the price of its direction
-    policy     "declared", as it claims; "minimum", "separating", or "within=5%": no dearer than that above the depth
+    claims     "minimum", or "separating": no more than that its translation separates, at the separating distance of its direction
+    policy     "declared", as it claims; "minimum", "separating", or "within=5%": or at most so much above the depth
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
     answers    the precision of the answer's numbers; as that of points if None
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
@@ -220,7 +220,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     'too far by 0.5: 1.5 is claimed, the distance is 1'
     >>> brick = [(2 * x, y, z) for x, y, z in cube]
     >>> found = fathom.judge(brick, brick, overlap=True, depth=2.0, direction=(1, 0, 0), claims="separating")
-    >>> found.passed, found.dearer
+    >>> found.passed, found.relative_excess
     (True, 1.0)
     """
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,

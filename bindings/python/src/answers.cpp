@@ -17,6 +17,7 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/body_notes.hpp"
+#include "reference/shapes/core.hpp"
 #include "verify/check/check.hpp"
 #include "verify/check/unreadable.hpp"
 
@@ -339,6 +340,7 @@ void bind_answers(py::module_& module) {
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
         const Body one = body_from(body, pose, "body");
+        if (one.shape) shapes::require_width(*one.shape);
         return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },
       arg("body"), arg("pose"), arg("bits"));

@@ -97,19 +97,21 @@ struct PairAnswer {
   std::vector<std::string> notes = {};  ///< on the poses
   std::string dents = {};               ///< what is said of meshes that are not convex; else empty
 
-  /// Of two polytopes, or if one is another shape, or a union; null else.
+  /// Returns the depth of two polytopes; of shapes if one is another shape; of unions if one is a
+  /// union. Null if the answer is of another kind.
   [[nodiscard]] const Depth* depth() const { return std::get_if<Depth>(&answer.found); }
   [[nodiscard]] const SignedDepth* of_shapes() const { return std::get_if<SignedDepth>(&answer.found); }
   [[nodiscard]] const UnionDepth* of_unions() const { return std::get_if<UnionDepth>(&answer.found); }
 };
 
-/// Of arguments that Python has checked. Throws py::value_error for a method that there is not.
+/// Returns the question by arguments that Python has checked. Throws py::value_error for an unknown
+/// method.
 Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits);
 
-/// Of convex bodies. May be called without Python's lock.
+/// Returns the answer about convex bodies. May be called without Python's lock.
 PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
 
-/// What the predicates were asked, by name.
+/// Returns how often each predicate was asked, by name.
 py::dict predicates(const PredicateCounts& counts);
 /// A dict of kind, a, b; None if there is none.
 py::object contact(const Contact* contact);

@@ -34,26 +34,26 @@ struct MadeCaster : py::detail::type_caster_base<Value> {
 /// there is to say of the pose goes to `notes`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
-/// The same of a body that is there, of any kind.
+/// Returns the body, of any kind, moved by the pose. Throws and takes notes as body_from does.
 Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
-/// The same body. Throws py::value_error if it is a union of pieces.
+/// Returns the same body. Throws py::value_error if it is a union of pieces.
 const Body& convex(const Body& body);
 
-/// The pose of what stands for one; nullopt of None. Throws as body_from does.
+/// Returns the pose that the object stands for; nullopt for None. Throws as body_from does.
 std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
 
-/// The same of a body and a pose that are there. May be called without Python's lock.
+/// Returns the body moved by a pose that was read. May be called without Python's lock.
 Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes);
 
 /// How the mesh differs from its hull; nullopt if it has no faces, or that was not tried. Found
 /// once for a Body of Python, whoever asks. May be called without Python's lock.
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
-/// Its points, if it is a polytope; throws py::value_error else.
+/// Returns the points of a polytope. Throws py::value_error for any other body.
 const GivenPoints& points_of(const Body& body, const char* name);
 
-/// Of "binary64" or "exact".
+/// Returns how decimals are read, by the word "binary64" or "exact".
 Decimals decimals_from(const std::string& decimals);
 
 /// Returns what `work` does; each message about what is wrong begins with the name.

@@ -64,11 +64,11 @@ GivenPoints given_points(py::handle from);
 /// Points, or what is wrong with them.
 using MaybePoints = std::variant<GivenPoints, std::string>;
 
-/// Those of each body of an array of shape (n, m, 3), whose elements are binary64 numbers: no
-/// object is made in between. Returns nullopt of anything else.
+/// Returns the points of each body of an array of shape (n, m, 3), whose elements are binary64
+/// numbers: no object is made in between. Returns nullopt for anything else.
 std::optional<std::vector<MaybePoints>> stacked_points(py::handle from);
 
-/// The same of points that are there.
+/// Returns the points, in binary64 if all of them are.
 GivenPoints given_form(std::vector<Point> points);
 
 /// The faces of an object that has some beside its `vertices`, so many points; else null. Throws

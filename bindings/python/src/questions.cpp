@@ -214,7 +214,7 @@ Value one_of(const std::string& what, const std::string& word) {
   throw py::value_error("expected " + what + " to be one of " + words + ", found '" + word + "'");
 }
 
-struct Claimed {
+struct JudgeArguments {
   Reply reply;
   Conventions conventions;
   NumberFormat format;
@@ -270,8 +270,8 @@ Reply reply_from(const py::dict& claim) {
   return reply;
 }
 
-Claimed claimed_from(const py::dict& claim) {
-  Claimed result;
+JudgeArguments judge_arguments(const py::dict& claim) {
+  JudgeArguments result;
   result.reply = reply_from(claim);
   const auto take = [&]<class Value>(const char* name, Value& value) {
     value = one_of<Value>(name, text_argument(claim, name));
@@ -329,7 +329,7 @@ py::object in_python(const std::optional<T>& value) {
 
 py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Claimed claimed = claimed_from(claim);
+  const JudgeArguments claimed = judge_arguments(claim);
   const Body seen_a = seen_from(a, pose_a, claimed.format, "a"), seen_b = seen_from(b, pose_b, claimed.format, "b");
   const Judgement found = watched([&](Monitor& monitor) {
     Options options;

@@ -155,12 +155,12 @@ TEST(Summary, WhatWasJudged) {
 // Rows of parts stand below that of all, unless a part is empty or is all.
 TEST(Summary, SolidAndMetreSizedCasesApart) {
   Summary summary;
-  const auto add = [&](bool solid, bool metre_sized, double dearer) {
+  const auto add = [&](bool solid, bool metre_sized, double relative_excess) {
     Outcome each = judged_outcome("a::1", Verdict::pass, 0, 0);
     each.solid = solid;
     each.metre_sized = metre_sized;
-    each.judgement->dearer = dearer;
-    each.judgement->longer = dearer > 0.2;
+    each.judgement->relative_excess = relative_excess;
+    each.judgement->excess_allowed = relative_excess > 0.2;
     summary.add(each);
   };
   add(true, true, 0.125);
@@ -172,7 +172,7 @@ TEST(Summary, SolidAndMetreSizedCasesApart) {
   EXPECT_NE(table.find("\nsolid       1"), std::string::npos) << table;
   EXPECT_EQ(table.find("\nmetre-sized"), std::string::npos) << "as many as all";
   EXPECT_NE(table.find("\nboth        1"), std::string::npos) << table;
-  EXPECT_NE(table.find("price        median 0.125 above the depth, worst 0.25, of 3 directions; 1 longer translation "
+  EXPECT_NE(table.find("excess       median 0.125 above the depth, worst 0.25, of 3 directions; 1 longer translation "
                        "passes by the policy\n"),
             std::string::npos)
       << table;

@@ -35,8 +35,9 @@ Dataset dataset_in(const fs::path& folder) {
   std::optional<Dataset> dataset = parse_dataset(read_small_file(page));
   if (!dataset) throw FileError(page.string() + ": this is not the page of a release");
   if (const Kind kind = kind_of(dataset->level); kind != Kind::polytopes)
-    throw FolderError(fmt::format("{} holds {}, and exports are of polytopes: levels L0 to L3", folder.string(),
-                                  kind == Kind::shapes ? "shapes" : "unions"));
+    throw FolderError(
+        fmt::format("{} holds {}, and a case of an export is two lists of points: export a level of L0 to L3",
+                    folder.string(), kind == Kind::shapes ? "shapes" : "unions"));
   return *std::move(dataset);
 }
 
@@ -124,7 +125,7 @@ class OwnRecords {
       const Case& points = item->value();
       for (const Body* body : {&points.a, &points.b})
         if (body->shape || body->pieces)
-          throw wrong("exports are of polytopes: expected vertices, found a shape or pieces");
+          throw wrong("expected vertices, found a shape or pieces: a case of an export is two lists of points");
       const Record record =
           record_of({Source::real, item->id, 0, 0}, {Form::given, item->id, HullPair{points.a, points.b}}, monitor);
       std::optional<ExportCase> entry = export_case(record.line);

@@ -3,9 +3,10 @@
  * of each file that `fathom golden export --format c` writes.
  *
  * For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of
- * A; its price is h(u)/|u|. Moved that far along u, A lies behind a plane across u and B before it.
- * The least price of all directions is the signed depth: of bodies that overlap the penetration
- * depth, of bodies that touch 0, of bodies that are apart minus their distance. */
+ * A; its separating distance is h(u)/|u|. Moved that far along u, A lies behind a plane across u
+ * and B before it. The least separating distance of all directions is the signed depth: of bodies
+ * that overlap the penetration depth, of bodies that touch 0, of bodies that are apart minus their
+ * distance. */
 #ifndef FATHOM_GOLDEN_H
 #define FATHOM_GOLDEN_H
 
@@ -41,7 +42,7 @@ typedef struct fathom_golden_case {
   size_t a_count;           /* of points */
   const double *b;
   size_t b_count;
-  const double *directions; /* unit vectors, rounded: all whose price is the depth. Of bodies that touch one of price 0; of bodies that
+  const double *directions; /* unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that
                              * are apart that of the distance, from B to A */
   size_t direction_count;
 } fathom_golden_case;
@@ -65,9 +66,9 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_support(const double *points, size_t
   return greatest;
 }
 
-/* The price of a direction of any length; HUGE_VAL if it is zero, infinite or NaN. It is off by
- * less than 2^-47 of the largest coordinate (and 2^-1068). */
-FATHOM_GOLDEN_FUNCTION double fathom_golden_price(const fathom_golden_case *golden, const double direction[3])
+/* The separating distance of a direction of any length; HUGE_VAL if it is zero, infinite or NaN. It
+ * is off by less than 2^-47 of the largest coordinate (and 2^-1068). */
+FATHOM_GOLDEN_FUNCTION double fathom_golden_separating_distance(const fathom_golden_case *golden, const double direction[3])
 {
   double u[3], minus_u[3], longest = 0;
   int i;
@@ -84,7 +85,8 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_price(const fathom_golden_case *gold
          sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
 }
 
-/* By how much an answer may be off: the tolerance, and what rounding costs it and the price. */
+/* By how much an answer may be off: the tolerance, and what rounding costs it and the separating
+ * distance. */
 FATHOM_GOLDEN_FUNCTION double fathom_golden_allowance(const fathom_golden_case *golden, fathom_golden_tolerance tolerance)
 {
   const double relative = tolerance.relative * fabs(golden->signed_depth), absolute = tolerance.absolute * golden->size;
@@ -92,15 +94,15 @@ FATHOM_GOLDEN_FUNCTION double fathom_golden_allowance(const fathom_golden_case *
 }
 
 /* Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth
- * nor the price of the direction is off by more than the allowance. Any direction that is good
- * enough is right, not only the best. A distance is a depth below 0. The direction may have any
- * length; it may be NULL if none is claimed. */
+ * nor the separating distance of the direction is off by more than the allowance. Any direction
+ * that is good enough is right, not only the best. A distance is a depth below 0. The direction may
+ * have any length; it may be NULL if none is claimed. */
 FATHOM_GOLDEN_FUNCTION int fathom_golden_accept(const fathom_golden_case *golden, const double *direction, double depth,
                                                 fathom_golden_tolerance tolerance)
 {
   const double allowed = fathom_golden_allowance(golden, tolerance);
   if (!(fabs(depth - golden->signed_depth) <= allowed)) return 0;
-  return direction == NULL || fathom_golden_price(golden, direction) - golden->signed_depth <= allowed;
+  return direction == NULL || fathom_golden_separating_distance(golden, direction) - golden->signed_depth <= allowed;
 }
 
 /* Whether "A and B do not overlap" is right, without a distance. */

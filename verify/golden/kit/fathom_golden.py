@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: CC0-1.0
 """Golden cases of fathom, and whether an answer to one is right. Reads what `fathom golden export --format json` or csv writes.
 
-For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its price is h(u)/|u|. Moved that far
-along u, A lies behind a plane across u and B before it. The least price of all directions is the signed depth: of bodies that overlap the
-penetration depth, of bodies that touch 0, of bodies that are apart minus their distance. Python 3.8, without packages.
+For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its separating distance is h(u)/|u|.
+Moved that far along u, A lies behind a plane across u and B before it. The least separating distance of all directions is the signed
+depth: of bodies that overlap the penetration depth, of bodies that touch 0, of bodies that are apart minus their distance. Python 3.8,
+without packages.
 """
 import csv
 import json
@@ -26,8 +27,8 @@ class Case(NamedTuple):
     largest: float  #: the largest magnitude of a coordinate
     a: List[List[float]]  #: exact
     b: List[List[float]]
-    #: Unit vectors, rounded: all whose price is the depth. Of bodies that touch one of price 0; of bodies that are apart that of the
-    #: distance, from B to A.
+    #: Unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that are apart
+    #: that of the distance, from B to A.
     directions: List[List[float]]
     family: str = ""  #: where it is from: a family of cases, "catalogue", "real", or "own"
     formats: Sequence[str] = ()  #: that hold the points: "binary64", and "binary32" if that does too
@@ -57,8 +58,8 @@ def _from_row(row):
                 row.get("family", ""), row.get("formats", "").split(), row.get("contacts", "").split())
 
 
-def price(case: Case, direction: Sequence[float]) -> float:
-    """Returns the price of a direction of any length; infinite if it is zero, infinite or NaN.
+def separating_distance(case: Case, direction: Sequence[float]) -> float:
+    """Returns the separating distance of a direction of any length; infinite if it is zero, infinite or NaN.
 
     It is off by less than 2^-47 of the largest coordinate (and 2^-1068).
     """
@@ -71,7 +72,7 @@ def price(case: Case, direction: Sequence[float]) -> float:
 
 
 def allowance(case: Case, relative: float, absolute: float) -> float:
-    """Returns by how much an answer may be off: the tolerance, and what rounding costs it and the price."""
+    """Returns by how much an answer may be off: the tolerance, and what rounding costs it and the separating distance."""
     wrong = max(relative * abs(case.signed_depth), absolute * case.size)
     return wrong + 32 * sys.float_info.epsilon * case.largest + 64 * sys.float_info.epsilon * sys.float_info.min
 
@@ -79,14 +80,14 @@ def allowance(case: Case, relative: float, absolute: float) -> float:
 def accept(case: Case, direction: Optional[Sequence[float]], depth: float, *, relative: float, absolute: float = 0.0) -> bool:
     """Whether "A and B overlap by `depth`; A gets free along `direction`" is right.
 
-    Neither the depth nor the price of the direction may be off by more than the larger of relative * depth (or distance) and
+    Neither the depth nor the separating distance of the direction may be off by more than the larger of relative * depth (or distance) and
     absolute * size, and what rounding costs. Any direction that is good enough is right, not only the best. A distance is a depth below
     0. The direction may have any length; None if none is claimed.
     """
     allowed = allowance(case, relative, absolute)
     if not abs(depth - case.signed_depth) <= allowed:
         return False
-    return direction is None or price(case, direction) - case.signed_depth <= allowed
+    return direction is None or separating_distance(case, direction) - case.signed_depth <= allowed
 
 
 def accept_apart(case: Case, *, relative: float, absolute: float = 0.0) -> bool:

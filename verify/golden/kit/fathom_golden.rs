@@ -2,9 +2,9 @@
 // A golden case of fathom, and whether an answer to it is right. It stands at the head of each file that
 // `fathom golden export --format rust` writes.
 //
-// For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its price is h(u)/|u|. Moved that
-// far along u, A lies behind a plane across u and B before it. The least price of all directions is the signed depth: of bodies that
-// overlap the penetration depth, of bodies that touch 0, of bodies that are apart minus their distance.
+// For a vector u, h(u) is the greatest <u,b> less the least <u,a>, over the points b of B and a of A; its separating distance is h(u)/|u|.
+// Moved that far along u, A lies behind a plane across u and B before it. The least separating distance of all directions is the signed
+// depth: of bodies that overlap the penetration depth, of bodies that touch 0, of bodies that are apart minus their distance.
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Status {
@@ -31,8 +31,8 @@ pub struct Case {
     /// Exact.
     pub a: &'static [[f64; 3]],
     pub b: &'static [[f64; 3]],
-    /// Unit vectors, rounded: all whose price is the depth. Of bodies that touch one of price 0; of bodies that are apart that of the
-    /// distance, from B to A.
+    /// Unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that are apart
+    /// that of the distance, from B to A.
     pub directions: &'static [[f64; 3]],
 }
 
@@ -52,9 +52,9 @@ fn support(points: &[[f64; 3]], u: [f64; 3]) -> f64 {
 }
 
 impl Case {
-    /// The price of a direction of any length; infinite if it is zero, infinite or NaN. It is off by less than 2^-47 of the largest
-    /// coordinate (and 2^-1068).
-    pub fn price(&self, direction: [f64; 3]) -> f64 {
+    /// The separating distance of a direction of any length; infinite if it is zero, infinite or NaN. It is off by less than 2^-47 of the
+    /// largest coordinate (and 2^-1068).
+    pub fn separating_distance(&self, direction: [f64; 3]) -> f64 {
         let longest = direction.iter().fold(0.0, |longest: f64, x| longest.max(x.abs()));
         if longest == 0.0 || direction.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
@@ -63,19 +63,19 @@ impl Case {
         (support(self.b, u) + support(self.a, u.map(|x| -x))) / dot(u, u).sqrt()
     }
 
-    /// By how much an answer may be off: the tolerance, and what rounding costs it and the price.
+    /// By how much an answer may be off: the tolerance, and what rounding costs it and the separating distance.
     pub fn allowance(&self, tolerance: Tolerance) -> f64 {
         let wrong = (tolerance.relative * self.signed_depth.abs()).max(tolerance.absolute * self.size);
         wrong + 32.0 * f64::EPSILON * self.largest + 64.0 * f64::EPSILON * f64::MIN_POSITIVE
     }
 
-    /// Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth nor the price of the direction is
-    /// off by more than the allowance. Any direction that is good enough is right, not only the best. A distance is a depth below 0. The
-    /// direction may have any length.
+    /// Whether "A and B overlap by `depth`; A gets free along `direction`" is right: neither the depth nor the separating distance of the
+    /// direction is off by more than the allowance. Any direction that is good enough is right, not only the best. A distance is a depth
+    /// below 0. The direction may have any length.
     pub fn accept(&self, direction: Option<[f64; 3]>, depth: f64, tolerance: Tolerance) -> bool {
         let allowed = self.allowance(tolerance);
         (depth - self.signed_depth).abs() <= allowed
-            && direction.map_or(true, |u| self.price(u) - self.signed_depth <= allowed)
+            && direction.map_or(true, |u| self.separating_distance(u) - self.signed_depth <= allowed)
     }
 
     /// Whether "A and B do not overlap" is right, without a distance.

@@ -55,7 +55,8 @@ struct HullStatement {
 
   // The results as records print them. All modes of a number are rounded at once, and once.
   Rounded depth{}, distance{};  ///< the distance of disjoint bodies, else 0
-  /// Of each optimum; else of the direction, and if disjoint of the distance's translation.
+  /// One of each optimum; without optima, of the direction, and if disjoint of the distance's
+  /// translation.
   std::vector<RoundedVector> units, translations;
 
   std::vector<std::string_view> flags;  ///< in the order of flag_names()

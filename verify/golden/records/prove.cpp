@@ -368,7 +368,7 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
 // missing, repeated or unknown.
 
 /// The bodies that the source names: an id stands for one pair of bodies only.
-const FormedCase& Prover::source_of(const Claimed& claimed) {
+const FormedCase& Prover::source_of(const ReadRecord& claimed) {
   if (claimed.id != id_of(claimed.recipe, claimed.form)) throw NotProved("id: it is not that of its source");
   constexpr unsigned largest_size = 10'000;  // nobody's text may ask for more work
   if (claimed.recipe.size > largest_size) throw NotProved("source.size: it is larger than that of any record");
@@ -386,7 +386,7 @@ const FormedCase& Prover::source_of(const Claimed& claimed) {
 }
 
 std::optional<std::string> Prover::faults(std::string_view line, std::string_view certificate) {
-  const Claimed claimed = read_record(line);
+  const ReadRecord claimed = read_record(line);
   const FormedCase& made = source_of(claimed);
   RecordStatement truth = proved_truth(made, claimed.witness, certificate, &workspace_);
   const Facts facts = facts_of(claimed.recipe, made, std::move(truth), digest::digest_of(certificate).sha256);
@@ -499,7 +499,7 @@ std::optional<RecordStatement> truth_by(Method method, const Unions& unions, std
 
 /// The line as it is when `method` answers; nullopt if the line as it is was compared.
 std::optional<std::string> line_by(Method method, std::string_view line, Monitor* monitor) {
-  const Claimed claimed = read_record(line);
+  const ReadRecord claimed = read_record(line);
   FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls}
                                   : case_in(cases_of(claimed.recipe), claimed.form);
   std::optional<RecordStatement> truth =

@@ -41,7 +41,7 @@ class Prover {
 
  private:
   std::optional<std::string> faults(std::string_view line, std::string_view certificate);
-  const FormedCase& source_of(const Claimed& claimed);
+  const FormedCase& source_of(const ReadRecord& claimed);
 
   Workspace workspace_;
   std::optional<Recipe> recipe_;

@@ -132,7 +132,7 @@ Value named(const std::array<Value, N>& values, const std::string& name) {
   throw NotARecord("expected a word of the schema, found '" + name + "'");
 }
 
-void read_source(const JsonValue& source, Claimed& claimed) {
+void read_source(const JsonValue& source, ReadRecord& claimed) {
   Recipe& recipe = claimed.recipe;
   recipe.source = named(std::array{Source::family, Source::catalogue, Source::real, Source::shape_family,
                                    Source::shape_catalogue, Source::union_family, Source::union_catalogue},
@@ -195,9 +195,9 @@ std::optional<std::string> difference(const JsonValue* expected, const JsonValue
 
 }  // namespace
 
-Claimed read_record(std::string_view line) {
+ReadRecord read_record(std::string_view line) {
   return read(line, [](const JsonValue& record) {
-    Claimed claimed;
+    ReadRecord claimed;
     read_source(record.at("source"), claimed);
     claimed.id = record.at("id").string();
     if (kind_of(claimed.recipe.source) == Kind::polytopes) {

@@ -44,7 +44,7 @@ struct NotARecord : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-struct Claimed {
+struct ReadRecord {
   Recipe recipe;
   Form form = Form::given;
   std::string id;
@@ -54,7 +54,7 @@ struct Claimed {
 };
 
 /// Throws NotARecord.
-Claimed read_record(std::string_view line);
+ReadRecord read_record(std::string_view line);
 
 /// Returns low and high of the signed depth that a record of shapes says: they are equal if it is
 /// exact. Throws NotARecord.

@@ -148,7 +148,7 @@ struct ShardResult {
   std::optional<Refusal> refusal;
 };
 
-/// Takes the result of the shard of that number, in order. Returns whether it wants more.
+/// Takes the result of the shard of that number, in order. Returns whether to go on.
 using TakeShard = std::function<bool(std::size_t shard, ShardResult result)>;
 
 struct VerifyOptions {

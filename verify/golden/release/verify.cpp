@@ -19,8 +19,8 @@ namespace fathom::golden {
 namespace fs = std::filesystem;
 namespace {
 
-/// From the outside to the inside; each step believes what the ones before it have checked, so the
-/// first that refuses is the last.
+/// Checks a release from the outside to the inside. Each step relies on what those before it have
+/// checked, so the first that fails ends the verification.
 class Verifier {
  public:
   Verifier(fs::path folder, const VerifyOptions& options) : folder_(std::move(folder)), options_(&options) {}

@@ -153,7 +153,7 @@ void ShardWriter::finish() {
   sync_folder(folder_);
 }
 
-/// All names or none, as far as the system lets us.
+/// Renames all files; if one fails, removes those already renamed.
 void ShardWriter::rename_all() {
   std::size_t renamed = 0;
   try {

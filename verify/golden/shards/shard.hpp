@@ -28,7 +28,7 @@ namespace fathom::golden {
 /// The files of a shard, by the ends of their names: records, certificates one after another, and
 /// of polytopes CSV, as a row has two lists of points for the bodies.
 inline constexpr std::array<std::string_view, 3> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst"};
-/// Those of a shard of this level: the first two, or all.
+/// Returns the suffixes of a shard of this level: the first two, or all.
 std::span<const std::string_view> suffixes_of(Level level);
 inline constexpr std::string_view manifest_suffix = ".json";
 

@@ -23,8 +23,8 @@ struct Change {
   /// the two subjects saw different points: another precision, or the case itself was changed
   bool other_points = false;
 
-  /// By how much one error is larger than the other, signs apart; an error that is missing, or no
-  /// number, counts as 0.
+  /// Returns by how much one error is larger than the other, signs apart; an error that is missing,
+  /// or no number, counts as 0.
   [[nodiscard]] double error_change() const;
 };
 

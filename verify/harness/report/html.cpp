@@ -49,8 +49,8 @@ std::string settings_list(const SubjectInfo& subject, const Tally& tally, const 
     add("hulls", fmt::format("{}", fmt::join(hulls, "; ")));
   if (const std::vector<std::string> unions = union_entries(tally.unions()); !unions.empty())
     add("unions", fmt::format("{}", fmt::join(unions, "; ")));
-  if (const std::vector<std::string> prices = price_entries(all); !prices.empty())
-    add("prices of directions", fmt::format("{}", fmt::join(prices, "; ")));
+  if (const std::vector<std::string> excess = excess_entries(all); !excess.empty())
+    add("excess of directions", fmt::format("{}", fmt::join(excess, "; ")));
   add("conventions", conventions_text(subject.conventions));
   for (const std::string& rounding : rounding_text(subject)) add("rounding", rounding);
   for (const std::string& setting : settings_text(subject)) add("setting", setting);

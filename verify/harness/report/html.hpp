@@ -28,7 +28,7 @@ struct HtmlFailure {
 };
 
 inline constexpr std::size_t most_shown_failures = 200;
-/// Of very many cases, so many have a row in a table.
+/// The most cases that have a row in the table.
 inline constexpr std::size_t most_listed = 5000;
 
 /// Which outcomes to show in full: indices of failures, worst first. Of each verdict and of each

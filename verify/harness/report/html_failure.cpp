@@ -166,11 +166,12 @@ std::string residual_list(const Judgement& judgement) {
   for (const Verdict verdict : judgement.findings)
     findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
-  const bool has_price = judgement.price_squared || judgement.price;  // unions have none
+  const bool has_separating_distance =
+      judgement.separating_distance_squared || judgement.separating_distance;  // unions have none
   text::for_each_field(judging::judgement_fields, [&](const auto& field) {
     if constexpr (requires { field.label, number_text(judgement.*field.member, field.unit); }) {
       if (field.label.empty()) return;
-      const bool is_of_unions = field.name == "inconsistency" && !has_price;
+      const bool is_of_unions = field.name == "inconsistency" && !has_separating_distance;
       const std::string label(is_of_unions ? "gap after its translation, or minus the overlap" : field.label);
       if (const auto& value = judgement.*field.member) facts.add(label, number_text(value, field.unit));
     }

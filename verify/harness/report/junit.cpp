@@ -26,13 +26,13 @@ int hex_value(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-bool speaks_for_itself(char c) { return static_cast<unsigned char>(c) > 0x20 && c != 0x7f && c != '%' && c != '~'; }
+bool stands_unescaped(char c) { return static_cast<unsigned char>(c) > 0x20 && c != 0x7f && c != '%' && c != '~'; }
 
 std::string escaped(std::string_view text) {
   if (text.empty()) return "%";
   std::string result;
   for (const char c : text)
-    result += speaks_for_itself(c) && !(c == '#' && result.empty())
+    result += stands_unescaped(c) && !(c == '#' && result.empty())
                   ? std::string(1, c)
                   : fmt::format("%{:02x}", static_cast<unsigned char>(c));
   return result;
@@ -44,7 +44,7 @@ std::optional<std::string> unescaped(std::string_view text) {
   if (text == "%") return "";
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (speaks_for_itself(text[i])) {
+    if (stands_unescaped(text[i])) {
       result += text[i];
       continue;
     }

@@ -34,7 +34,7 @@ class ExpectedFailures {
   /// Throws InputError when the file cannot be read, and on a line that is none of the list, with
   /// its number. An empty list is a list.
   static ExpectedFailures read(const std::string& path);
-  /// The same of a text; `name` is for messages.
+  /// Reads the list from a text; `name` is for messages.
   static ExpectedFailures parse(const std::string& text, const std::string& name);
 
   struct Check {
@@ -66,7 +66,8 @@ class ExpectedFailures {
   };
   /// Returns what a line says, or nullopt if it is blank or a comment. Throws InputError.
   static std::optional<Entry> entry_in(std::string_view words, const std::string& name, std::size_t line);
-  /// What is left of one id when entries and outcomes that agree are struck out.
+  /// Strikes out the entries and outcomes of one id that agree, and adds what is left to the
+  /// result.
   void settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got,
               Check& result) const;
 

@@ -162,7 +162,8 @@ Lines legend(const TallyRow& all) {
   if (!all.u_r.empty())
     result.emplace_back(
         "uR: u, the unit roundoff of the subject's precision, times R, the largest coordinate of a case");
-  if (!all.dearer.empty()) result.emplace_back("price: the depth along the answered direction");
+  if (!all.relative_excess.empty())
+    result.emplace_back("excess: of the answered direction's separating distance over the depth");
   if (!result.empty()) result.emplace_back("more in docs/glossary.md");
   return result;
 }
@@ -243,14 +244,15 @@ std::string tolerance_text(const Tolerance& tolerance) {
   return tolerance.policy == Policy() ? result : result + "; policy " + judging::policy_text(tolerance.policy);
 }
 
-std::vector<std::string> price_entries(const TallyRow& row) {
+std::vector<std::string> excess_entries(const TallyRow& row) {
   std::vector<std::string> result;
-  if (!row.dearer.empty())
-    result.push_back(fmt::format("median {} above the depth, worst {}, of {}", error_text(row.dearer.median()),
-                                 error_text(row.dearer.worst()),
-                                 counted(row.dearer.size(), "direction", "directions")));
-  if (row.longer > 0)
-    result.push_back(counted(row.longer, "longer translation passes", "longer translations pass") + " by the policy");
+  if (!row.relative_excess.empty())
+    result.push_back(fmt::format("median {} above the depth, worst {}, of {}", error_text(row.relative_excess.median()),
+                                 error_text(row.relative_excess.worst()),
+                                 counted(row.relative_excess.size(), "direction", "directions")));
+  if (row.excess_allowed > 0)
+    result.push_back(counted(row.excess_allowed, "longer translation passes", "longer translations pass") +
+                     " by the policy");
   return result;
 }
 
@@ -312,7 +314,7 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   if (failures() > 0) add_entries(lines, widest, "see", where);
   add_entries(lines, widest, "passes", accuracy_entries(tally_.all()));
   add_entries(lines, widest, "judged", coverage_entries(tally_.all().judged));
-  add_entries(lines, widest, "price", price_entries(tally_.all()));
+  add_entries(lines, widest, "excess", excess_entries(tally_.all()));
   add_entries(lines, widest, "time", time_entries(tally_.times()));
   add_entries(lines, widest, "hulls", hull_entries(tally_.hulls()));
   add_entries(lines, widest, "unions", union_entries(tally_.unions()));

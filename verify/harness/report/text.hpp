@@ -22,7 +22,7 @@ using kernels::counted;
 using picture::ascii;
 using picture::markup;
 
-/// As many characters of an id are shown in a line.
+/// The most characters of an id that a line shows.
 inline constexpr std::size_t longest_id = 60;
 
 /// The id, and the symmetry if there is one: "id ~swap".
@@ -50,8 +50,8 @@ std::string tolerance_text(const Tolerance& tolerance);
 /// "every case by a power of two: its longest side is less than 64, and at least half of that".
 std::string fit_text(const mpq_class& fit);
 
-/// What there is to say of an outcome in one sentence: the judge's, and what the harness saw; else
-/// the name of its verdict.
+/// Returns one sentence on an outcome: the judge's, and what the harness saw; without any, the name
+/// of its verdict.
 std::string sentence_of(const Outcome& outcome);
 
 /// Three digits, "-4.44e-16"; an exact zero is "0".
@@ -62,7 +62,7 @@ std::string totals_text(std::size_t total, std::size_t passes, std::size_t failu
 
 /// "median 0 above the depth, worst 0.414, of 12 directions"; "3 longer translations pass by the
 /// policy".
-std::vector<std::string> price_entries(const TallyRow& row);
+std::vector<std::string> excess_entries(const TallyRow& row);
 /// The parts that are neither empty nor all of it, with their labels for people: "solid",
 /// "metre-sized", "both".
 std::vector<Tally::Line> shown_parts(const Tally& tally);

@@ -119,8 +119,8 @@ std::vector<mpq_class> simpler(const mpq_class& value) {
     result.emplace_back(value - sgn(value));
   }
   const auto worse = [&, own = cost(value)](const mpq_class& other) {
-    const std::size_t price = cost(other);
-    return price > own || (price == own && (other >= 0) == (value >= 0));
+    const std::size_t of_other = cost(other);
+    return of_other > own || (of_other == own && (other >= 0) == (value >= 0));
   };
   std::erase_if(result, worse);
   return result;
