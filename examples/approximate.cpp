@@ -46,7 +46,7 @@ int main() {
             << ", " << approx.direction().z << ")\n";
   std::cout << "exact: depth^2 = " << exact.squared() << "\n";
   std::cout << "width of the octahedron: width^2 <= " << fathom::approx_width(octahedron, mpq_class(1, 10)).squared()
-            << "\n";
+            << ", exactly " << fathom::width(octahedron).squared() << "\n";
 
   // Many questions about the same bodies.
   const fathom::Hierarchies both(a, b);
@@ -66,6 +66,6 @@ int main() {
 //> no ball: the unit ball has O on its boundary, which must lie inside it
 //> within a tenth: 1, separates by (-3/2, 0, 0), a multiple of (-1, 0, 0)
 //> exact: depth^2 = 9/4
-//> width of the octahedron: width^2 <= 16/3
+//> width of the octahedron: width^2 <= 16/3, exactly 16/3
 //> 3/2 5/2 5/2 3/2 1
 //> disjoint: normal (-1, 0, 0)

@@ -5,7 +5,6 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <fathom/cgal.hpp>
-#include <fathom/width.hpp>
 #include <iostream>
 #include <vector>
 

@@ -5,6 +5,7 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -31,8 +32,8 @@ const NT& coordinate(const Vec3<NT>& v, int axis) {
 }
 
 /// The number of bits of |n|, and of the largest component; 0 for 0.
-long bit_length(const mpz_class& n);
-long bit_length(const Vector& v);
+inline long bit_length(const mpz_class& n) { return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
+inline long bit_length(const Vector& v) { return std::max({bit_length(v.x), bit_length(v.y), bit_length(v.z)}); }
 
 }  // namespace fathom::kernels
 
@@ -88,10 +89,22 @@ inline bool lexicographically_less(const Vector& a, const Vector& b) {
 }
 
 /// v divided by the greatest common divisor of its components; the zero vector stays.
-Vector primitive(const Vector& v);
+inline Vector primitive(const Vector& v) {
+  mpz_class g;
+  mpz_gcd(g.get_mpz_t(), v.x.get_mpz_t(), v.y.get_mpz_t());
+  if (g != 1) mpz_gcd(g.get_mpz_t(), g.get_mpz_t(), v.z.get_mpz_t());
+  if (g <= 1) return v;
+  Vector r;
+  mpz_divexact(r.x.get_mpz_t(), v.x.get_mpz_t(), g.get_mpz_t());
+  mpz_divexact(r.y.get_mpz_t(), v.y.get_mpz_t(), g.get_mpz_t());
+  mpz_divexact(r.z.get_mpz_t(), v.z.get_mpz_t(), g.get_mpz_t());
+  return r;
+}
 
 /// Whether a = s b for a rational s > 0. Neither may be zero.
-bool same_direction(const Vector& a, const Vector& b);
+inline bool same_direction(const Vector& a, const Vector& b) {
+  return sgn(a.x) == sgn(b.x) && sgn(a.y) == sgn(b.y) && sgn(a.z) == sgn(b.z) && is_zero(cross(a, b));
+}
 
 // Points, and vectors along them.
 

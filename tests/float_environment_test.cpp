@@ -21,7 +21,6 @@
 #include "fathom/numbers.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
-#include "fathom/width.hpp"
 #include "reference/approximate/separation.hpp"
 #include "reference/approximate/shallow.hpp"
 #include "reference/polytope/lattice.hpp"

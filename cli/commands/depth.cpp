@@ -27,7 +27,6 @@
 #include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
 #include "fathom/signed_depth.hpp"
-#include "fathom/width.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"

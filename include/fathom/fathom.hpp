@@ -17,4 +17,3 @@
 #include "fathom/signed_depth.hpp"
 #include "fathom/study.hpp"
 #include "fathom/union.hpp"
-#include "fathom/width.hpp"

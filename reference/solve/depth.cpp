@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
-#include "fathom/width.hpp"
 #include "kernels/float_environment.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"

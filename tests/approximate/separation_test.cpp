@@ -10,7 +10,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "fathom/width.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/vector.hpp"
 #include "reference/approximate/ray.hpp"

@@ -11,7 +11,6 @@
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/union.hpp"
-#include "fathom/width.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/depth/naive.hpp"
 #include "reference/polytope/lattice.hpp"

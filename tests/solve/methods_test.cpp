@@ -13,7 +13,6 @@
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
-#include "fathom/width.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/solve/depth.hpp"

@@ -124,9 +124,7 @@ py::array_t<double> unit(const Vector& n);
 void bind_answers(py::module_& module);
 /// depths.
 void bind_batches(py::module_& module);
-/// Prepared.
-void bind_prepared(py::module_& module);
-/// ray, metric, approx, study, judge.
+/// Prepared, overlap, closer_than, ray, metric, approx, study, judge.
 void bind_questions(py::module_& module);
 
 }  // namespace fathom::python

@@ -128,7 +128,6 @@ PYBIND11_MODULE(_fathom, module) {
   python::bind_bodies(module);
   python::bind_answers(module);
   python::bind_batches(module);
-  python::bind_prepared(module);
   python::bind_questions(module);
   python::bind_files(module);
 }
