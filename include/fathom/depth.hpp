@@ -288,11 +288,12 @@ Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<cons
 /// points.
 Depth penetration_depth(const Body& a, const Body& b, const Options& options = {});
 
-/// Returns the exact width of a body, the least distance of two parallel planes that hold it between
-/// them, as the depth of the body against itself [AGHRS, Proposition 2.1, Corollary 2.6]: squared() is the squared
-/// width, each optimum's direction is normal to a pair of nearest supporting planes (and occurs with both signs),
-/// contact.a spans one of the two faces and contact.b the other. A flat body has width 0 and status
-/// touching. Throws as penetration_depth does.
+/// Returns the exact width of a body, the least distance of two parallel planes that hold it
+/// between them: the depth of the body against itself [AGHRS, Proposition 2.1; Corollary 2.6].
+/// squared() is the squared width, each optimum's direction is normal to a pair of nearest
+/// supporting planes (and occurs with both signs), contact.a spans one of the two faces and
+/// contact.b the other. A flat body has width 0 and status touching. Throws as penetration_depth
+/// does.
 Depth width(std::span<const Point> points, const Options& options = {});
 
 /// One exact number along a sweep across contact: depth^2 of penetrating bodies, 0 of touching
