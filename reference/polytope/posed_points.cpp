@@ -4,7 +4,6 @@
 //                                                            [proofs/prepared.md, "In integers"]
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <utility>
@@ -16,13 +15,21 @@
 
 namespace fathom::polytope {
 
+namespace {
+
+long bits_of(const kernels::Dyadic& number) {
+  return std::bit_width(static_cast<std::uint64_t>(std::abs(number.mantissa)));
+}
+
+}  // namespace
+
 std::optional<AlignedNumbers> aligned(std::span<const double> numbers) {
   long low = std::numeric_limits<long>::max(), high = std::numeric_limits<long>::min();
   for (const double x : numbers) {
     const kernels::Dyadic number = kernels::dyadic(x);
     if (number.mantissa == 0) continue;
     low = std::min(low, number.exponent);
-    high = std::max(high, static_cast<long>(std::ilogb(x)) + 1);
+    high = std::max(high, number.exponent + bits_of(number));
   }
   if (low > high) return AlignedNumbers{std::vector<std::int64_t>(numbers.size(), 0)};
   if (high - low > most_word_bits) return std::nullopt;
@@ -89,8 +96,7 @@ void PosedPoints::move() {
   std::array<Int128, 3> offset{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (shift[i].mantissa == 0) continue;
-    const auto bits = std::bit_width(static_cast<std::uint64_t>(std::abs(shift[i].mantissa)));
-    if (bits + shift[i].exponent - exponent >= most_bits - 1) return;
+    if (bits_of(shift[i]) + shift[i].exponent - exponent >= most_bits - 1) return;
     offset[i] = static_cast<Int128>(shift[i].mantissa) << (shift[i].exponent - exponent);
   }
   numerators.reserve(size());

@@ -30,13 +30,6 @@ bool expands_first(const Options& options) {
 /// Whether it is to be tried on a narrow lattice: stages are validated on that of `place`.
 bool searches_narrow(const Options& options) { return expands_first(options) && !options.validate; }
 
-// How many points it may take then. Exhausting the usual budget costs about one exact run.
-template <class Bodies>
-std::size_t expansion_budget(const Options& options, const Bodies& bodies) {
-  if (options.method == Method::certificate) return expanding::unlimited;
-  return options.expansion_budget.value_or(std::min<std::size_t>(200 + 2 * (bodies.a.size() + bodies.b.size()), 20000));
-}
-
 // The answer that a proved expansion gives, which needs no hulls.
 template <class Bodies>
 Depth certified_depth(kernels::Context& context, const Bodies& bodies, expanding::Expansion&& expansion,
@@ -115,12 +108,17 @@ void compare(Comparison& comparison, const Distance& x, const Distance& y) {
 
 }  // namespace
 
+std::size_t expansion_budget(const Options& options, std::size_t points) {
+  if (options.method == Method::certificate) return expanding::unlimited;
+  return options.expansion_budget.value_or(std::min<std::size_t>(200 + 2 * points, 20000));
+}
+
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
   context.counters = Counters{};
   if (options.method == Method::naive) return naive_depth_of(context, pair, options);
   if (!expands_first(options)) return exact_depth(context, pair, options);
-  expanding::Expansion expansion =
-      expanding::nearest_by_expansion(context, pair.a, pair.b, expansion_budget(options, pair), options.workspace);
+  expanding::Expansion expansion = expanding::nearest_by_expansion(
+      context, pair.a, pair.b, expansion_budget(options, pair.a.size() + pair.b.size()), options.workspace);
   const bool apart = expansion.end == expanding::ExpansionEnd::not_inside && !options.validate;
   if (apart) return depth::apart_depth(context, pair, expansion.outside);
   // The budget is exhausted, or each stage is to be validated.
@@ -142,8 +140,8 @@ NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::
     if (!result.pair || !polytope::narrow(*result.pair, parts.pair)) return result;
   }
   polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-    expanding::Expansion expansion =
-        expanding::nearest_by_expansion(context, bodies, expansion_budget(options, bodies), &workspace);
+    expanding::Expansion expansion = expanding::nearest_by_expansion(
+        context, bodies, expansion_budget(options, bodies.a.size() + bodies.b.size()), &workspace);
     if (expansion.end == expanding::ExpansionEnd::proved)
       result.depth = certified_depth(context, bodies, std::move(expansion), options);
     if (expansion.end == expanding::ExpansionEnd::not_inside)

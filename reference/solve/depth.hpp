@@ -17,6 +17,10 @@
 
 namespace fathom::solve {
 
+/// How many points an expanding polytope may take, of bodies with so many together. Exhausting the
+/// usual budget costs about one exact run.
+std::size_t expansion_budget(const Options& options, std::size_t points);
+
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 

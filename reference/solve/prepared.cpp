@@ -315,7 +315,7 @@ class PlacedQuestion {
         if (const auto in_a = place_of(i, of_a_), in_b = place_of(j, of_b_); in_a && in_b)
           differences.emplace_back(*in_a, *in_b);
     }
-    const std::size_t budget = options_.expansion_budget.value_or(200 + 2 * (bodies.a.size() + bodies.b.size()));
+    const std::size_t budget = solve::expansion_budget(options_, bodies.a.size() + bodies.b.size());
     expanding::WarmExpansion result =
         expanding::nearest_from(context_, bodies, budget, *options_.workspace, differences, most_start_differences);
     if (start_ == nullptr) return result;

@@ -336,6 +336,8 @@ def test_prepared_bodies_answer_as_others_do():
     assert 0 < len(start) <= 8
     with pytest.raises(ValueError, match="^a warm start names the points 0 and 30, but the bodies have 12 and 30"):
         a.depth(b, start=[(0, 30)])
+    with pytest.raises(TypeError, match="^start: expected a list of pairs of indices"):
+        a.depth(b, start=[(0, -1)])
     with pytest.raises(ValueError, match="^pose_b: "):
         a.depth(b, pose_b=[[1, 2, 3]])
     with pytest.raises(ValueError, match="only a polytope"):

@@ -389,7 +389,11 @@ auto asked_of_prepared(const Prepared& a, const Prepared& b, const py::object& p
 PairAnswer depth_of(const Prepared& a, const Prepared& b, const py::object& pose_a, const py::object& pose_b,
                     const py::object& start, const std::optional<std::size_t>& optima) {
   WarmStart warm;
-  if (!start.is_none()) warm.differences = start.cast<decltype(warm.differences)>();
+  try {
+    if (!start.is_none()) warm.differences = start.cast<decltype(warm.differences)>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("start: expected a list of pairs of indices");
+  }
   Question asked_for = question("automatic", optima, SignedDepthOptions{}.bits);
   PairAnswer result =
       asked_of_prepared(a, b, pose_a, pose_b,
