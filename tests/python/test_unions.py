@@ -309,3 +309,13 @@ def test_threads():
     with ThreadPoolExecutor(4) as pool:
         found = list(pool.map(lambda _: fathom.union_depth(a, b), range(16)))
     assert all(hit.squared == alone.squared and [o.exact for o in hit.optima] == [o.exact for o in alone.optima] for hit in found)
+
+
+def test_unions_have_what_every_answer_has():
+    blocks, cube = fathom.union([fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved("xyz=3,0,0")]), fathom.box((1, 1, 1))
+    hit, touching, apart = (fathom.union_depth(blocks, cube, pose_b=f"xyz={x},0,0") for x in ("-3/2", "-2", "25/4"))
+    assert (hit.signed_depth, hit.distance, hit.direction.tolist()) == (0.5, 0.0, [1, 0, 0])
+    assert hit.exact.signed_depth == fathom.Root(Fraction(1, 2), Fraction(0)) and hit.exact.translation == (Fraction(1, 2), 0, 0)
+    assert (touching.signed_depth, touching.distance, touching.direction) == (0.0, 0.0, None)
+    assert (apart.signed_depth, apart.distance, apart.direction.tolist()) == (-1.25, 1.25, [-1, 0, 0])
+    assert (apart.witness[1] - apart.witness[0]).tolist() == apart.translation.tolist() == [1.25, 0, 0]

@@ -162,6 +162,41 @@ class PairAnswer(_Answer):
         return None if value is None else max(0.0, value)
 
     @property
+    def signed_depth(self) -> float | None:
+        """depth > 0, 0.0 for bodies that touch, -distance < 0. None if there are bounds that have not the same nearest float: more `bits`
+        bring them closer."""
+        return self._answer.nearest
+
+    @property
+    def distance(self) -> float | None:
+        """0.0 unless the bodies are disjoint. None as `depth`."""
+        value = self.signed_depth
+        return None if value is None else max(0.0, -value)
+
+    @property
+    def direction(self) -> FloatArray | None:
+        """Unit vector along which A leaves B; of disjoint bodies it is the one from B to A along the shortest distance. None of unions that
+        touch."""
+        return self._answer.direction
+
+    @property
+    def translation(self) -> FloatArray | None:
+        """The shortest translation of A after which the bodies touch, the first of several: zero if they touch already. None if only bounds
+        are known; of unions whose search was stopped the shortest that was found."""
+        return self._answer.translation
+
+    @property
+    def witness(self) -> tuple[FloatArray, FloatArray] | None:
+        """A point of A and one of B that differ by the translation: b - a = translation. None if only bounds are known, and of unions that
+        are not disjoint."""
+        return self._answer.witness
+
+    @property
+    def exact(self) -> Exact:
+        """The same in Fractions."""
+        return Exact(self._answer)
+
+    @property
     def notes(self) -> list[str]:
         """What may be a slip: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
         return self._answer.notes
@@ -203,33 +238,6 @@ class Depth(PairAnswer):
     __slots__ = ()
 
     @property
-    def signed_depth(self) -> float | None:
-        """depth > 0, 0.0 for bodies that touch, -distance < 0. None if there are bounds that have not the same nearest float: more `bits`
-        bring them closer."""
-        return self._answer.nearest
-
-    @property
-    def distance(self) -> float | None:
-        """0.0 unless the bodies are disjoint. None as `depth`."""
-        value = self.signed_depth
-        return None if value is None else max(0.0, -value)
-
-    @property
-    def direction(self) -> FloatArray:
-        """Unit vector along which A leaves B; of disjoint bodies it is the one from B to A along the shortest distance."""
-        return self._answer.direction
-
-    @property
-    def translation(self) -> FloatArray | None:
-        """The shortest translation of A after which the bodies touch: zero if they touch already. None if only bounds are known."""
-        return self._answer.translation
-
-    @property
-    def witness(self) -> tuple[FloatArray, FloatArray] | None:
-        """A point of A and one of B that differ by the translation: b - a = translation. None if only bounds are known."""
-        return self._answer.witness
-
-    @property
     def optima(self) -> list[Optimum]:
         """All shortest ways out, or as many as were asked for. Empty unless the bodies penetrate and more than bounds is known."""
         return [Optimum(fields) for fields in self._answer.optima] if self.status == "penetrating" else []
@@ -254,11 +262,6 @@ class Depth(PairAnswer):
     def method(self) -> str | None:
         """"certificate", "exact" or "naive": what found the answer. None for cylinders and the like."""
         return self._answer.method
-
-    @property
-    def exact(self) -> Exact:
-        """The same in Fractions."""
-        return Exact(self._answer)
 
 
 def _integer(name: str, value: Any, most: int) -> int:

@@ -96,18 +96,6 @@ class UnionDepth(PairAnswer):
         return self._answer.squares[1]
 
     @property
-    def distance(self) -> float:
-        """0.0 unless the bodies are disjoint."""
-        apart = self.apart
-        return 0.0 if apart is None else apart.distance
-
-    @property
-    def translation(self) -> FloatArray:
-        """The first of the shortest translations of A after which the bodies touch: zero if they touch already. If the search was stopped,
-        the shortest that was found."""
-        return self._answer.translation
-
-    @property
     def optima(self) -> list[UnionOptimum]:
         """All shortest ways out, in lexicographic order of translations; those found so far if the search was stopped. Of bodies that touch
         the one of length 0, with what touches; of disjoint ones none."""
