@@ -20,6 +20,7 @@
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
+#include "reference/shapes/core.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -147,7 +148,7 @@ files::GivenPose asked_pose(const std::string& text, const std::string& option, 
 bool is_stream(const BodiesRequest& request) { return holds_cases(request) && !request.case_id; }
 
 void require_depth(const std::string& id, const Shape& a, const Shape& b) {
-  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
+  if (shapes::is_halfspace(a) && shapes::is_halfspace(b))
     throw InputError(id, 0, "expected one half-space at most, found two: they have no depth");
 }
 

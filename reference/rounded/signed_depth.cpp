@@ -147,7 +147,7 @@ SignedDepth signed_depth(const Shape& a, const Shape& b, const SignedDepthOption
   if (points_of_a && points_of_b) return depth_of_points(centers(a), centers(b), a, b, options.cores);
   if (points_of_a && !points_of_b) shapes::require_shape(a);
   if (points_of_b && !points_of_a) shapes::require_shape(b);
-  if (std::holds_alternative<HalfSpace>(a.core) && std::holds_alternative<HalfSpace>(b.core))
+  if (shapes::is_halfspace(a) && shapes::is_halfspace(b))
     throw std::invalid_argument(
         "two half-spaces have no signed depth: it would be infinite, or that of one direction by convention");
   if (std::optional<SignedDepth> depth = exact_depth(a, b, options)) return std::move(*depth);

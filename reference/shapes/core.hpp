@@ -5,8 +5,10 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/shape.hpp"
 #include "kernels/number/irrational.hpp"
 
@@ -23,6 +25,9 @@ bool require_all_but_points(const Shape& shape);
 /// Throws std::invalid_argument, with a sentence that says why, if the width of this valid shape is
 /// infinite: that of a half-space.
 void require_width(const Shape& shape);
+
+inline bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
+inline bool is_halfspace(const Body& body) { return body.shape && is_halfspace(*body.shape); }
 
 /// The same body, for a valid shape. A round ball of rational radius that is alone in its term
 /// becomes a point, and its radius one of the shape; an atom whose axes are all 0 becomes a point.

@@ -13,6 +13,7 @@
 #include "kernels/messages.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/core.hpp"
 #include "reference/text/json_value.hpp"
 
 namespace fathom::claims {
@@ -90,8 +91,6 @@ void read_statements(const Json& stated, PublishedClaim& claim) {
   if (number_in(stated, "tol")) claim.tolerance = length("tol")->value;
   if (const Json* const direction = stated.find("direction")) read_direction(*direction, claim);
 }
-
-bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
 
 constexpr std::size_t digits = 40;  // of the enclosures that claims, which have 17 at most, are compared with
 
@@ -249,7 +248,7 @@ std::variant<PublishedClaim, InputError> parse_claim(const std::string& text, co
     return InputError(
         name, line,
         "expected convex bodies, found a union of pieces: claims are about the signed depth of convex ones");
-  if (is_halfspace(a) && is_halfspace(b))
+  if (shapes::is_halfspace(a) && shapes::is_halfspace(b))
     return InputError(name, line, "expected one half-space at most, found two: they have no depth");
   claim.source = text_of(json, "source");
   claim.kind = text_of(json, "kind");

@@ -18,6 +18,7 @@
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/core.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/variants.hpp"
@@ -62,7 +63,7 @@ mpq_class extent_of(const Body& body) {
 }
 
 bool has_usual_size(const Body& body) {
-  if (body.shape && std::holds_alternative<HalfSpace>(body.shape->core)) return true;
+  if (shapes::is_halfspace(body)) return true;
   const mpq_class longest = extent_of(body);
   return longest >= mpq_class(1, 100) && longest <= 100;
 }

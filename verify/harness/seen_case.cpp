@@ -22,6 +22,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/journal.hpp"
@@ -68,8 +69,6 @@ class Fnv1a {
  private:
   std::uint64_t state_ = 0xcbf29ce484222325U;
 };
-
-bool is_halfspace(const Body& body) { return body.shape && std::holds_alternative<HalfSpace>(body.shape->core); }
 
 /// Bodies as a subject sees them: by name, or rounded to its precision.
 struct SubjectView {
@@ -348,7 +347,7 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
   if (!a) return std::nullopt;
   std::optional<Body> b = of_unions ? view.see_pieces(pair.b, "B") : view.see(pair.b);
   if (!b) return std::nullopt;
-  if (is_halfspace(*a) && is_halfspace(*b)) {
+  if (shapes::is_halfspace(*a) && shapes::is_halfspace(*b)) {
     view.why = "both bodies are half-spaces, which have no depth";
     return std::nullopt;
   }

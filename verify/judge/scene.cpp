@@ -125,7 +125,7 @@ Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
     std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, to either side
     for (const Shape* body : {&a, &b}) {
-      if (std::holds_alternative<HalfSpace>(body->core)) continue;
+      if (shapes::is_halfspace(*body)) continue;
       auto& [low, high] = reach[body == &b ? 1 : 0];
       low = shapes::support(*body, {-axis.x, -axis.y, -axis.z}, bits).high;
       high = shapes::support(*body, axis, bits).high;

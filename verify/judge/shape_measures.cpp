@@ -60,8 +60,6 @@ Shape without(Shape shape, const mpq_class& radius) {
   return shape;
 }
 
-bool is_halfspace(const Shape& shape) { return std::holds_alternative<HalfSpace>(shape.core); }
-
 Point point_of(const Vector& u) { return {u.x, u.y, u.z}; }
 
 Shape translated(const Shape& shape, const mpq_class& factor, const Vector& u) {
@@ -243,7 +241,7 @@ class ShapeMeasures final : public Measures {
   }
 
   // ---- the truth ----
-  [[nodiscard]] bool has_halfspace() const { return is_halfspace(truth_.a) || is_halfspace(truth_.b); }
+  [[nodiscard]] bool has_halfspace() const { return shapes::is_halfspace(truth_.a) || shapes::is_halfspace(truth_.b); }
 
   [[nodiscard]] SignedDepth of(const Shape& a) const {
     SignedDepthOptions options;
@@ -261,7 +259,7 @@ class ShapeMeasures final : public Measures {
   [[nodiscard]] std::optional<RationalInterval> separating_distance_of(const Vector& u) const {
     if (!has_halfspace())
       return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
-    const bool of_a = is_halfspace(truth_.a);
+    const bool of_a = shapes::is_halfspace(truth_.a);
     const Point& n = std::get<HalfSpace>(of_a ? truth_.a.core : truth_.b.core).normal;
     const mpq_class along = of_a ? mpq_class(-dot(u, n)) : dot(u, n);
     if (sgn(along) <= 0) return std::nullopt;

@@ -19,6 +19,7 @@
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/body_notes.hpp"
+#include "reference/shapes/core.hpp"
 
 namespace fathom::python {
 namespace {
@@ -138,7 +139,7 @@ Body body_of_state(const std::string& json, bool has_faces, std::vector<std::uin
 std::string described(const Body& body) {
   if (body.pieces) return "<fathom.Body, a union of " + std::to_string(body.pieces->size()) + " pieces>";
   if (!body.shape) return "<fathom.Body of " + std::to_string(body.points.size()) + " points>";
-  if (std::holds_alternative<HalfSpace>(body.shape->core)) return "<fathom.Body, a half-space>";
+  if (shapes::is_halfspace(*body.shape)) return "<fathom.Body, a half-space>";
   return "<fathom.Body, a shape>";
 }
 
