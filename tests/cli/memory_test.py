@@ -108,8 +108,11 @@ class OutOfMemory(CliTest):
     def test_not_even_a_start(self):
         """Below what the allocator asks for before main()."""
         started = [run_within(limit, "--version") for limit in range(LEAST // 2, LEAST, 4 * MIB)]
-        for code, out, err in started:
-            self.assertIn((code, out, err), [(0, f"fathom {VERSION}\n", ""), (3, "", "fathom: out of memory\n"), (127, "", err)])
+        for code, out, err in started:  # 0: an allocator asks for a little more or less from run to run
+            if code == 0:
+                self.assertEqual((out.splitlines()[0], err), (f"fathom {VERSION}", ""))
+            else:
+                self.assertIn((code, out, err), [(3, "", "fathom: out of memory\n"), (127, "", err)])
 
 
 class LongLines(CliTest):
