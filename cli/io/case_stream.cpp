@@ -30,7 +30,7 @@
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
 #include "kernels/context.hpp"
-#include "kernels/filters/all_extreme.hpp"
+#include "kernels/filters/support.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/polytope/convexity.hpp"
 

@@ -5,8 +5,6 @@
 //
 // The search. In the metric in which the points spread alike in all directions, the way from their
 // centre to p is a good guess for u. While some q is farther, u is turned towards p - q.
-#include "kernels/filters/all_extreme.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "kernels/filters/error_bounds.hpp"
+#include "kernels/filters/support.hpp"
 
 namespace fathom::kernels {
 namespace {

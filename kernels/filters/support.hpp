@@ -3,6 +3,7 @@
 // extreme point asks of two or three points.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -127,6 +128,13 @@ std::vector<std::uint32_t> greatest(std::span<const std::uint32_t> listed, const
   }
   return result;
 }
+
+/// True only if every point is extreme, where equal points count as one: for each a direction was
+/// found in which it alone is farthest. False says nothing: some point may not be extreme, or no
+/// such direction was found soon. About n log n double operations for points all over a round body;
+/// no order of the points, no rounding mode and no flushing of small numbers makes it wrong.
+bool all_seen_extreme(std::span<const Point> points);
+bool all_seen_extreme(std::span<const std::array<double, 3>> points);
 
 /// The naive twins: exact arithmetic only.
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/filters/all_extreme.hpp"
 #include "kernels/filters/plane.hpp"
+#include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/polytope/hull.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "fathom/files.hpp"
-#include "kernels/filters/all_extreme.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/property.hpp"
