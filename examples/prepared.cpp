@@ -44,4 +44,4 @@ int main() {
 //> touching 0
 //> penetrating 0.125
 //> penetrating, closer than 1/8: 1
-//> s VERIFIED disjoint signed_depth=-sqrt(1/4)+0 die
+//> s VERIFIED penetrating depth_squared=1/36 optima=1 die
