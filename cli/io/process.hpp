@@ -17,16 +17,6 @@ namespace fathom::cli {
 /// Call it before anything else.
 void guard_memory();
 
-// How many threads the machine bears.
-
-/// Returns the default number of threads for a stream: one for each core that this process may use.
-/// One if the address space is limited, because every thread takes some of it.
-unsigned usual_threads();
-
-/// Returns how many of `asked` threads to start: fewer if the address space is limited, as more
-/// would leave too little for the items.
-unsigned possible_threads(unsigned asked);
-
 // Runs programs that are built beside this one, in its place or as children.
 
 /// Replaces this process by `program`, found beside this one or else on PATH, with these arguments.
