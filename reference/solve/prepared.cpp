@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -59,8 +60,10 @@ struct Prepared::Parts {
   Body body;
   std::optional<polytope::AlignedNumbers> integers;  ///< of all points, if they are in binary64 and fit
 
-  // Of the hull, by indices in `extreme`. Parallel edges or facets are listed once.
   std::vector<std::uint32_t> extreme;
+  /// Those that are moved: the extreme ones of a solid body, else all.
+  std::vector<std::uint32_t> kept;
+  // Of the hull of a solid body, by indices in `kept`. Parallel edges or facets are listed once.
   std::vector<solve::EdgeEnds> edges;
   std::vector<std::array<solve::EdgeEnds, 2>> facets;  ///< two edges that are not parallel
 
@@ -68,7 +71,12 @@ struct Prepared::Parts {
     const std::vector<Point>& points = body.points.exact();
     const polytope::Polytope hull = polytope::convex_hull(polytope::place(points, points).a.points());
     extreme.assign(hull.input_ids.begin(), hull.input_ids.end());
-    if (hull.rank < 3) return;
+    kept = extreme;
+    if (hull.rank < 3) {
+      kept.resize(points.size());
+      std::iota(kept.begin(), kept.end(), 0U);
+      return;
+    }
     std::set<Vector, kernels::NearestPlanes::LexicographicOrder> known;
     const auto is_new = [&](const Vector& v) { return !known.contains(-v) && known.insert(v).second; };
     for (const polytope::Edge& edge : hull.edges)
@@ -81,7 +89,7 @@ struct Prepared::Parts {
     }
   }
 
-  [[nodiscard]] bool all_extreme() const { return extreme.size() == body.points.size(); }
+  [[nodiscard]] bool keeps_all() const { return kept.size() == body.points.size(); }
 };
 
 Prepared::Prepared(const Body& polytope) {
@@ -96,15 +104,14 @@ const std::vector<std::uint32_t>& Prepared::extreme_points() const { return part
 
 namespace {
 
-/// Makes `view` the points of a placed body where they are, all or only the extreme ones of the
-/// polytope. Throws std::invalid_argument if a number of the pose is not finite, or not in lowest
-/// terms.
-void show(const PlacedBody& placed, bool only_extreme, PosedPoints& view) {
+/// Makes `view` the points of a placed body where they are, all or only those that are kept. Throws
+/// std::invalid_argument if a number of the pose is not finite, or not in lowest terms.
+void show(const PlacedBody& placed, bool only_kept, PosedPoints& view) {
   const Prepared::Parts& parts = *placed.prepared.parts;
   view.given = &parts.body.points;
   view.integers = parts.integers ? &*parts.integers : nullptr;
   view.chosen = {};
-  if (only_extreme && !parts.all_extreme()) view.chosen = parts.extreme;
+  if (only_kept && !parts.keeps_all()) view.chosen = parts.kept;
   view.pose = &placed.pose;
   view.move();
 }
@@ -276,6 +283,7 @@ class PlacedQuestion {
       if (placed(parts))
         polytope::with_narrow_bodies(parts.pair, parts.posed_a, parts.posed_b, parts.scan, [&](const auto& bodies) {
           const BodyFacts facts = depth::facts_of(bodies);
+          if (flattened(facts.flat_a, of_a_) || flattened(facts.flat_b, of_b_)) return;
           expanding::WarmExpansion expansion = nearest(bodies, facts);
           outside = expansion.outside;
           apart = expansion.end == expanding::ExpansionEnd::not_inside;
@@ -297,8 +305,12 @@ class PlacedQuestion {
     return solve::placed_depth(context_, a, b, options_).depth;
   }
 
-  /// Places the extreme points. A lattice over a common denominator of matrices may be finer than
-  /// that of `place`: what is unique does not depend on it.
+  /// Whether the pose has made a solid body flat: then points that are not kept may lie where an
+  /// extreme point does.
+  static bool flattened(bool flat, const Prepared::Parts& parts) { return flat && !parts.keeps_all(); }
+
+  /// Places the points that are kept. A lattice over a common denominator of matrices may be finer
+  /// than that of `place`: what is unique does not depend on it.
   bool placed(Workspace::Parts& parts) const {
     const bool in_integers = !parts.posed_a.numerators.empty() && !parts.posed_b.numerators.empty();
     return (!in_integers && polytope::place_over_common_denominator(parts.posed_a, parts.posed_b, parts.pair)) ||
@@ -320,21 +332,21 @@ class PlacedQuestion {
         expanding::nearest_from(context_, bodies, budget, *options_.workspace, differences, most_start_differences);
     if (start_ == nullptr) return result;
     start_->differences.clear();
-    for (const auto& [i, j] : differences) start_->differences.emplace_back(of_a_.extreme[i], of_b_.extreme[j]);
+    for (const auto& [i, j] : differences) start_->differences.emplace_back(of_a_.kept[i], of_b_.kept[j]);
     return result;
   }
 
-  /// Where a point stands among the extreme ones, if it is one.
+  /// Where a point stands among those that are kept, if it is one.
   static std::optional<std::uint32_t> place_of(std::uint32_t point, const Prepared::Parts& parts) {
-    const auto place = std::ranges::lower_bound(parts.extreme, point);
-    if (place == parts.extreme.end() || *place != point) return std::nullopt;
-    return static_cast<std::uint32_t>(place - parts.extreme.begin());
+    const auto place = std::ranges::lower_bound(parts.kept, point);
+    if (place == parts.kept.end() || *place != point) return std::nullopt;
+    return static_cast<std::uint32_t>(place - parts.kept.begin());
   }
 
   /// By their indices in the bodies.
   void name_points(Contact& contact) const {
-    for (std::uint32_t& i : contact.a) i = of_a_.extreme[i];
-    for (std::uint32_t& j : contact.b) j = of_b_.extreme[j];
+    for (std::uint32_t& i : contact.a) i = of_a_.kept[i];
+    for (std::uint32_t& j : contact.b) j = of_b_.kept[j];
   }
 
   const PlacedBody &a_, &b_;

@@ -189,6 +189,26 @@ TEST(Prepared, FlatPosesAndMirrors) {
   }
 }
 
+// Projected along its edges a box has corners at which points lie that were no corners.
+TEST(Prepared, FlatPosesNameTheLowestOfEqualPoints) {
+  Body body = box(1, 0.5, 0.25);
+  std::vector<std::array<double, 3>> points{{1, 0.5, 0}, {-1, -0.5, 0.125}};
+  points.insert(points.end(), body.points.binary64().begin(), body.points.binary64().end());
+  const PlacedBody still{Prepared(box(1, 1, 1))};
+  PlacedBody moving{Prepared(Body{GivenPoints(points)})};
+  PlacedBody polygon{Prepared(Body{GivenPoints({{{0, 0, 0}}, {{1, 0.5, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{-1, 0, 0}}})})};
+  WarmStart warm;
+  Seen seen;
+  for (const PoseBinary64& pose : {PoseBinary64{{{1, 0, 0, 1}, {0, 1, 0, 0.75}, {0, 0, 0, 0.25}}},
+                                   PoseBinary64{{{0.25, 0, 0, 1}, {0, 0, 0, 0.75}, {0, 0, 0, 0}}}}) {
+    moving.pose = polygon.pose = pose;
+    expect_same(moving, still, warm, "projected", seen);
+    expect_same(still, moving, warm, "projected, the other way round", seen);
+    expect_same(polygon, still, warm, "a polygon", seen);
+  }
+  EXPECT_GT(seen.statuses[0], 0U);
+}
+
 TEST(Prepared, KnowsItsExtremePoints) {
   EXPECT_EQ(Prepared(box(1, 1, 1)).extreme_points(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
   Body twice = box(1, 1, 1);
