@@ -67,15 +67,7 @@ int int_of(const std::optional<bool>& closer) { return closer ? (*closer ? 1 : 0
 PlacedBody placed_from(const fathom_prepared* prepared, const double* pose, const std::string& name) {
   require(prepared, name.c_str());
   PlacedBody placed{prepared->prepared};
-  if (pose == nullptr) return placed;
-  PoseBinary64 rows;
-  for (std::size_t i = 0; i < 12; ++i) {
-    if (!std::isfinite(pose[i]))
-      throw std::invalid_argument("pose_" + name + ": expected finite numbers, found " + hex_text(pose[i]) +
-                                  " at index " + std::to_string(i));
-    rows[i / 4][i % 4] = pose[i];
-  }
-  placed.pose = rows;
+  if (pose != nullptr) placed.pose = pose_from(pose, "pose_" + name);
   return placed;
 }
 

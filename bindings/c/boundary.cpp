@@ -68,17 +68,6 @@ fathom_body placed(const fathom_body& from, const files::GivenPose& pose) {
   return handle(std::move(body));
 }
 
-files::GivenPose pose_from(const double* numbers) {
-  Pose pose;
-  for (std::size_t i = 0; i < 12; ++i) {
-    if (!std::isfinite(numbers[i]))
-      throw std::invalid_argument("pose: expected finite numbers, found " + hex_text(numbers[i]) + " at index " +
-                                  std::to_string(i));
-    pose[i / 4][i % 4] = exact_value(numbers[i]);
-  }
-  return {pose};
-}
-
 const std::vector<Point>& piece_from(const fathom_body* piece, const std::string& name) {
   require(piece, name.c_str());
   require_convex(*piece->body, name);
@@ -98,6 +87,17 @@ void set_message(std::string_view text) noexcept {
 
 void require(const void* pointer, const char* name) {
   if (pointer == nullptr) throw std::invalid_argument(std::string(name) + ": expected a pointer, found NULL");
+}
+
+PoseBinary64 pose_from(const double* numbers, const std::string& name) {
+  PoseBinary64 pose;
+  for (std::size_t i = 0; i < 12; ++i) {
+    if (!std::isfinite(numbers[i]))
+      throw std::invalid_argument(name + ": expected finite numbers, found " + hex_text(numbers[i]) + " at index " +
+                                  std::to_string(i));
+    pose[i / 4][i % 4] = numbers[i];
+  }
+  return pose;
 }
 
 char* text_for_caller(std::string_view text) {
@@ -198,7 +198,7 @@ int fathom_body_moved(const fathom_body* body, const double pose[12], fathom_bod
   return make_handle(moved, [&] {
     require(body, "body");
     require(pose, "pose");
-    return placed(*body, pose_from(pose));
+    return placed(*body, {fathom::files::exact_pose(pose_from(pose, "pose"))});
   });
 }
 

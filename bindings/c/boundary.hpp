@@ -53,6 +53,10 @@ void require_struct(const Struct* given, const char* name) {
     throw std::invalid_argument(std::string(name) + ": not set by its init function of this version");
 }
 
+/// Twelve numbers as a matrix. Throws std::invalid_argument that begins with the name unless they
+/// are finite.
+PoseBinary64 pose_from(const double* numbers, const std::string& name);
+
 /// The text as the caller frees it.
 char* text_for_caller(std::string_view text);
 

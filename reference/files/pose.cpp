@@ -12,6 +12,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
+#include "kernels/number/rational.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/mesh_formats.hpp"
 #include "reference/files/shape_names.hpp"
@@ -255,10 +256,22 @@ Quaternion product(const Quaternion& p, const Quaternion& q) {
           p.w * q.y - p.x * q.z + p.y * q.w + p.z * q.x, p.w * q.z + p.x * q.y - p.y * q.x + p.z * q.w};
 }
 
-Pose exact_pose(const PoseBinary64& pose) {
+void require_numbers(const AnyPose& pose) {
+  if (const auto* const exact = std::get_if<Pose>(&pose)) {
+    for (const auto& row : *exact)
+      for (const mpq_class& x : row) kernels::require_lowest_terms(x);
+  } else {
+    for (const auto& row : std::get<PoseBinary64>(pose))
+      for (const double x : row) kernels::dyadic(x);
+  }
+}
+
+Pose exact_pose(const AnyPose& pose) {
+  if (const auto* const exact = std::get_if<Pose>(&pose)) return *exact;
+  const PoseBinary64& numbers = std::get<PoseBinary64>(pose);
   Pose exact;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 4; ++j) exact[i][j] = exact_value(pose[i][j]);
+    for (std::size_t j = 0; j < 4; ++j) exact[i][j] = exact_value(numbers[i][j]);
   return exact;
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -23,8 +24,14 @@ using kernels::AngleUnit;
 /// The turn by q, and then by p.
 Quaternion product(const Quaternion& p, const Quaternion& q);
 
-/// The numbers of the matrix, exactly. Throws std::invalid_argument if one is not finite.
-Pose exact_pose(const PoseBinary64& pose);
+/// A matrix in either form.
+using AnyPose = std::variant<PoseBinary64, Pose>;
+
+/// Throws std::invalid_argument unless its numbers are finite, or in lowest terms.
+void require_numbers(const AnyPose& pose);
+
+/// Its numbers, exactly: as require_numbers asks for them.
+Pose exact_pose(const AnyPose& pose);
 
 /// Returns M p + t, exactly. M may be any matrix: it need be neither orthonormal nor regular.
 Point placed(const Point& p, const Pose& pose);

@@ -290,6 +290,7 @@ Vector PlacedPair::vector(const Point& position) const {
 
 kernels::Positions Points::exact(std::vector<Point>& room) const {
   if (posed_ != nullptr) {
+    room.clear();
     for (std::size_t i = 0; i < size(); ++i) room.push_back((*this)[i].exact());
     return room;
   }

@@ -157,6 +157,7 @@ void make_images(const std::vector<Vec3<NT>>& points, long exponent, NarrowCloud
     cloud.z[i] = kernels::image(points[i].z, exponent);
   }
 }
+
 }  // namespace
 
 void set_images(NarrowPair& pair) {

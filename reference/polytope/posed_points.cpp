@@ -45,8 +45,7 @@ std::optional<AlignedNumbers> aligned(std::span<const double> numbers) {
 GivenPoint PosedPoints::point(std::size_t i) const {
   const auto* const binary64 = std::get_if<PoseBinary64>(pose);
   if (binary64 != nullptr && given->in_binary64()) return {MovedPoint{given->binary64()[index(i)], *binary64}};
-  const Point& p = given->exact()[index(i)];
-  return {files::placed(p, binary64 != nullptr ? files::exact_pose(*binary64) : std::get<Pose>(*pose))};
+  return {files::placed(given->exact()[index(i)], files::exact_pose(*pose))};
 }
 
 namespace {
@@ -61,24 +60,15 @@ int trailing_zeros(Uint128 n) {
   return half != 0 ? std::countr_zero(half) : 64 + std::countr_zero(static_cast<std::uint64_t>(n >> 64));
 }
 
-/// Throws std::invalid_argument unless the numbers of the pose are finite, or in lowest terms.
-void require_numbers(const std::variant<PoseBinary64, Pose>& pose) {
-  if (const auto* const exact = std::get_if<Pose>(&pose)) {
-    for (const auto& row : *exact)
-      for (const mpq_class& x : row) kernels::require_lowest_terms(x);
-  } else {
-    for (const auto& row : std::get<PoseBinary64>(pose))
-      for (const double x : row) kernels::dyadic(x);
-  }
-}
-
 }  // namespace
 
 void PosedPoints::move() {
-  require_numbers(*pose);
   numerators.clear();
   const auto* const binary64 = std::get_if<PoseBinary64>(pose);
-  if (binary64 == nullptr || integers == nullptr) return;
+  if (binary64 == nullptr || integers == nullptr) {
+    files::require_numbers(*pose);
+    return;
+  }
   std::array<double, 9> linear;
   std::array<kernels::Dyadic, 3> shift;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -157,11 +147,7 @@ bool place_numerators(const PosedPoints& a, const PosedPoints& b, NarrowPair& pa
 
 bool place_over_common_denominator(const PosedPoints& a, const PosedPoints& b, NarrowPair& pair) {
   if (a.integers == nullptr || b.integers == nullptr) return false;
-  const auto exact = [](const PosedPoints& body) {
-    const auto* const binary64 = std::get_if<PoseBinary64>(body.pose);
-    return binary64 != nullptr ? files::exact_pose(*binary64) : std::get<Pose>(*body.pose);
-  };
-  const Pose pose_a = exact(a), pose_b = exact(b);
+  const Pose pose_a = files::exact_pose(*a.pose), pose_b = files::exact_pose(*b.pose);
   mpz_class common = 1;
   for (const Pose* pose : {&pose_a, &pose_b})
     for (const auto& row : *pose)

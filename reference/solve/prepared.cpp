@@ -15,15 +15,12 @@
 #include <span>
 #include <stdexcept>
 
-#include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/float_environment.hpp"
-#include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/polytope/hull.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -373,11 +370,9 @@ auto asked(const PlacedBody& a, const PlacedBody& b, const OverlapOptions& optio
 }  // namespace
 
 Body moved(const PlacedBody& placed) {
-  PosedPoints view;
-  show(placed, false, view);  // it looks at the numbers
+  files::require_numbers(placed.pose);
   const auto make = [placed] {
-    const auto* const binary64 = std::get_if<PoseBinary64>(&placed.pose);
-    const Pose pose = binary64 != nullptr ? files::exact_pose(*binary64) : std::get<Pose>(placed.pose);
+    const Pose pose = files::exact_pose(placed.pose);
     std::vector<Point> points;
     points.reserve(placed.prepared.body().points.size());
     for (const Point& p : placed.prepared.body().points.exact()) points.push_back(files::placed(p, pose));
