@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other depths of two bodies: along a direction, in a norm, within a factor, and by the facets near
-// the origin alone.
+// the origin alone; and by which factor bodies grow until they touch.
 #include <fathom/approximate.hpp>
 #include <iostream>
 #include <vector>
@@ -59,6 +59,18 @@ int main() {
   // Bodies that do not penetrate have a plane between them.
   const fathom::DirectionalDepth apart = fathom::directional_depth(a, cube(4), {1, 0, 0});
   std::cout << fathom::name(apart.status()) << ": normal (" << apart.separation()->normal.x << ", 0, 0)\n";
+
+  // Apart or not: by which factor do both grow about their centers until they touch?
+  const fathom::GrowthDistance growth = fathom::growth_distance(a, cube(4));
+  const fathom::Witness met = growth.touch->witness;
+  std::cout << fathom::name(growth.status()) << ": growth " << growth.growth << " about x = " << growth.center_a.x
+            << " and " << growth.center_b.x << ", then x = " << growth.growth * met.a.x << " is in both\n";
+  std::cout << "about another center of B: " << fathom::growth_distance(a, cube(4), {}, Point{5, 0, 0}).growth << "\n";
+  try {
+    (void)fathom::growth_distance(a, cube(4), Point{-2, 0, 0}, Point{5, 0, 0});
+  } catch (const fathom::NoGrowth& error) {
+    std::cout << "no growth: " << error.what() << "\n";
+  }
 }
 
 //> along (-1, -1, 0): 5/4 times, length^2 = 25/8, normal (-1, -1, 0), contact edge-edge, y moves by -5/4
@@ -69,3 +81,6 @@ int main() {
 //> width of the octahedron: width^2 <= 16/3, exactly 16/3
 //> 3/2 5/2 5/2 3/2 1
 //> disjoint: normal (-1, 0, 0)
+//> disjoint: growth 4/3 about x = 0 and 4, then x = 8/3 is in both
+//> about another center of B: 5/4
+//> no growth: expected centers with center_b - center_a inside B - A, found it on the boundary

@@ -125,6 +125,12 @@ class Writer {
   Writer& operator<<(const RayExit& x) {
     return *this << x.factor << x.translation << x.normal << x.contact << x.witness;
   }
+  Writer& operator<<(const Weight& w) { return *this << w.index << w.weight; }
+  Writer& operator<<(const GrowthDistance& x) {
+    *this << x.growth << x.center_a << x.center_b << x.flat_a << x.flat_b;
+    if (!x.touch) return *this;
+    return *this << x.touch->normal << x.touch->contact << x.touch->weights_a << x.touch->weights_b << x.touch->witness;
+  }
   Writer& operator<<(const MetricPenetration& x) {
     *this << x.depth;
     for (const MetricOptimum& o : x.optima) *this << o.vertex << o.translation << o.direction << o.contact << o.witness;
@@ -280,6 +286,13 @@ TEST(FloatEnvironment, TheOtherQuestions) {
     expect_the_same("approx", [&] { return approx_depth(a, b, mpq_class(1, 10)); });
     expect_the_same("approx width", [&] { return approx_width(a, mpq_class(1, 10)); });
     expect_the_same("ray", [&] { return directional_depth(a, b, {1, 2, 3}); });
+    expect_the_same("growth", [&]() -> std::optional<GrowthDistance> {
+      try {
+        return growth_distance(a, b);
+      } catch (const NoGrowth&) {
+        return std::nullopt;
+      }
+    });
     expect_the_same("metric", [&] {
       const Body ball = families::translated(families::box(2, 2, 2), {-1, -1, -1});
       return metric_depth(a, b, unit_ball(ball.points));

@@ -153,6 +153,9 @@ constexpr Example ray_examples[] = {
     {"fathom ray --direction=-1/3,0,0.1 --json a.off b.stl",
      "one JSON object, with the facet that stops A; 0.1 means 1/10"},
     {"cat cases.jsonl | fathom ray --direction 1,0,0 -", "the same direction for every case of a stream"},
+    {"fathom ray --growth a.off b.stl", "by which factor do both grow until they touch? exactly, also of bodies apart"},
+    {"fathom ray --growth --center-a 0,0,0 --center-b 1,0,0 --json a.off b.stl",
+     "about these points; one JSON object, with the proof"},
 };
 
 constexpr Example metric_examples[] = {
@@ -290,8 +293,8 @@ constexpr CommandHelp commands[] = {
      usual_notes},
     {"approx", "Depth of two bodies within a factor.", "fathom approx [--delta DELTA] [OPTIONS] A B | CASES.jsonl | -",
      approx_examples, usual_exits, usual_notes},
-    {"ray", "Exact depth of two bodies in one direction.",
-     "fathom ray --direction X,Y,Z [OPTIONS] A B | CASES.jsonl | -", ray_examples, usual_exits, usual_notes},
+    {"ray", "Exact depth of two bodies in one direction, or their growth distance.",
+     "fathom ray --direction X,Y,Z | --growth [OPTIONS] A B | CASES.jsonl | -", ray_examples, usual_exits, usual_notes},
     {"metric", "Exact depth in a polyhedral norm or gauge.", "fathom metric --ball Q [OPTIONS] A B | CASES.jsonl | -",
      metric_examples, usual_exits, usual_notes},
     {"study", "What is degenerate about two bodies.", "fathom study [OPTIONS] A B | CASES.jsonl | - | --sweep FAMILY",

@@ -56,13 +56,18 @@ std::optional<mpq_class> typed_number(std::string_view text) {
   return parse_number(text.substr(begin, end - begin + 1), Decimals::exact).value;
 }
 
-std::optional<Point> typed_vector(std::string_view text) {
+std::optional<Point> typed_point(std::string_view text) {
   const std::size_t first = text.find(','), second = first == text.npos ? first : text.find(',', first + 1);
   if (second == text.npos) return std::nullopt;
   const auto x = typed_number(text.substr(0, first)), y = typed_number(text.substr(first + 1, second - first - 1)),
              z = typed_number(text.substr(second + 1));
-  if (!x || !y || !z || (*x == 0 && *y == 0 && *z == 0)) return std::nullopt;
+  if (!x || !y || !z) return std::nullopt;
   return Point{*x, *y, *z};
+}
+
+std::optional<Point> typed_vector(std::string_view text) {
+  const std::optional<Point> point = typed_point(text);
+  return point == Point{0, 0, 0} ? std::nullopt : point;
 }
 
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
@@ -147,6 +152,10 @@ std::string wrong_bits(const std::string& text) { return wrong_integer(text, 1, 
 std::string wrong_delta(const std::string& text) {
   const auto value = typed_number(text);
   return unless(value && *value >= approximate::least_delta, "a positive number such as 1/100, 1e-9 or more", text);
+}
+
+std::string wrong_point(const std::string& text) {
+  return unless(typed_point(text).has_value(), "three numbers such as 1,0,-1/2", text);
 }
 
 std::string wrong_vector(const std::string& text) {

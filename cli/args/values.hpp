@@ -26,7 +26,9 @@ inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sample
 std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0,
                                            std::uint64_t high = UINT64_MAX);
 std::optional<mpq_class> typed_number(std::string_view text);
-/// Three numbers with commas between them, not all zero.
+/// Three numbers with commas between them.
+std::optional<Point> typed_point(std::string_view text);
+/// The same, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
 /// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
 /// ten between them.
@@ -59,6 +61,7 @@ std::string wrong_threads(const std::string& text);
 std::string wrong_digits(const std::string& text);
 std::string wrong_bits(const std::string& text);
 std::string wrong_delta(const std::string& text);
+std::string wrong_point(const std::string& text);
 std::string wrong_vector(const std::string& text);
 std::string wrong_sizes(const std::string& text);
 std::string wrong_time(const std::string& text);

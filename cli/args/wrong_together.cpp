@@ -174,9 +174,19 @@ std::string wrong_page(const Given& given) {
   return given.text("--output") == "-" ? "-o writes a file, found - for standard output" : "";
 }
 
+std::string wrong_ray(const Given& given) {
+  if (given.flag("--growth")) {
+    const std::string other = first_of(given, {"--direction", "--digits"});
+    return other.empty() ? "" : "--growth answers with a factor, and cannot be combined with " + other;
+  }
+  const std::string other = first_of(given, {"--center-a", "--center-b"});
+  if (!other.empty()) return other + " goes with --growth";
+  return given.has("--direction") ? "" : "ray expects --direction X,Y,Z: where A is to move; or --growth";
+}
+
 /// Of approx, ray, metric, and of width within a factor. `asks_exact`: for an answer without one.
 std::string wrong_approximation(const Given& given, bool asks_exact) {
-  if (given.command == "ray" && !given.has("--direction")) return "ray expects --direction X,Y,Z: where A is to move";
+  if (given.command == "ray") return wrong_ray(given);
   if (given.command == "metric" && !given.has("--ball")) return "metric expects --ball Q: a mesh, the unit ball";
   if (given.command != "width" || !given.has("--delta")) return "";
   if (asks_exact)

@@ -2,9 +2,11 @@
 // fathom approx --delta D A B | CASES.jsonl | -
 // fathom width [--delta D] A | CASES.jsonl | -
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
+// fathom ray --growth [--center-a X,Y,Z] [--center-b X,Y,Z] A B | CASES.jsonl | -
 // fathom metric --ball Q A B | CASES.jsonl | -
 // Lengths that rays find: depths within a factor, in one direction, and in a polyhedral norm or
-// gauge. For people and for programs (JSON: result, ray and metric.schema.json).
+// gauge; and growth distances. For people and for programs (JSON: result, ray, growth and
+// metric.schema.json).
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +30,9 @@
 
 namespace fathom::cli {
 namespace {
+
+/// The value as a decimal: that of the root of its square.
+std::string decimal(const mpq_class& value) { return root_text(value * value); }
 
 // ---- within a factor ----
 
@@ -222,6 +227,76 @@ std::string ray_json_error(const std::string& id, std::size_t line, const std::s
   return output::error_object(ray_schema, id, line, error);
 }
 
+// ---- about two centers ----
+
+constexpr const char* growth_schema = "fathom/growth/1";
+
+struct GrowthRequest : BodiesRequest {
+  explicit GrowthRequest(const Given& given)
+      : BodiesRequest(given),
+        form(given),
+        center_a(typed_point(given.text("--center-a"))),
+        center_b(typed_point(given.text("--center-b"))) {}
+
+  AnswerForm form;
+  std::optional<Point> center_a, center_b;
+};
+
+/// Several lines, or one; without the last newline.
+std::string growth_block(const GrowthDistance& found, const AnswerForm& form) {
+  std::vector<Row> rows{{"growth", decimal(found.growth)}};
+  if (form.exact) rows.emplace_back("exactly", exact_text(found.growth));
+  add_points(rows, "centers", place_text(found.center_a, form.exact), place_text(found.center_b, form.exact));
+  if (const GrownTouch* touch = found.touch ? &*found.touch : nullptr) {
+    rows.emplace_back("normal", way_text(touch->normal, form.exact));
+    rows.emplace_back("contact", contact_text(touch->contact));
+    add_witness(rows, touch->witness, form);
+  }
+  if (const std::string flat = flat_text(found); !flat.empty()) rows.emplace_back("flat", flat);
+  return aligned(std::string(name(found.status())), rows);
+}
+
+std::string growth_line(const std::string& id, const GrowthDistance& found, const AnswerForm& form) {
+  std::vector<std::string> parts{std::string(name(found.status())), "growth " + decimal(found.growth)};
+  if (form.exact) parts.push_back("exactly " + exact_text(found.growth));
+  if (found.touch) {
+    parts.push_back("normal " + way_text(found.touch->normal, form.exact));
+    parts.emplace_back(name(found.touch->contact.kind));
+  }
+  if (const std::string flat = flat_text(found); !flat.empty()) parts.push_back("flat " + flat);
+  return case_line(id, parts);
+}
+
+Json weights_array(const std::vector<Weight>& weights) {
+  Json array = Json::array();
+  for (const Weight& w : weights) array.push_back(Json::array({w.index, exact_text(w.weight)}));
+  return array;
+}
+
+/// One line, without its newline. Pure ASCII whatever the id holds.
+std::string growth_json(const std::string& id, const GrowthDistance& found) {
+  Json object = {{"schema", growth_schema}, {"id", id}, {"status", name(found.status())}};
+  object["growth"] = output::number(found.growth);
+  object["centers"] = {{"a", output::exact(found.center_a)}, {"b", output::exact(found.center_b)}};
+  const GrownTouch* const touch = found.touch ? &*found.touch : nullptr;
+  object["normal"] = touch ? output::exact(touch->normal) : Json();
+  object["contact"] = touch ? output::contact_object(touch->contact) : Json();
+  object["weights"] =
+      touch ? Json{{"a", weights_array(touch->weights_a)}, {"b", weights_array(touch->weights_b)}} : Json();
+  object["witness"] = touch ? output::witness_object(touch->witness) : Json();
+  object["flat"] = output::flat_array(found);
+  object["steps"] = touch ? touch->steps : 0;
+  return object.text();
+}
+
+GrowthDistance growth_of(const Case& pair, const GrowthRequest& request, Monitor& monitor) {
+  try {
+    return growth_distance(pair.a.points, pair.b.points, request.center_a, request.center_b, &monitor);
+  } catch (const NoGrowth& error) {
+    throw InputError(pair.id, 0, error.what());
+  }
+}
+
 // ---- in a norm or a gauge ----
 
 constexpr const char* metric_schema = "fathom/metric/1";
@@ -247,9 +322,6 @@ std::string deciding_text(const MetricResult& result) {
   return fmt::format("{} of the ball{}", fmt::join(words, " "),
                      words.size() == 1 ? "" : "; the first is shown, --json lists all");
 }
-
-/// The value as a decimal: that of the root of its square.
-std::string decimal(const mpq_class& value) { return root_text(value * value); }
 
 Json optima_array(const MetricResult& result) {
   Json array = Json::array();
@@ -345,7 +417,29 @@ ExitCode run_width(const Given& given) {
   return reply_to_inputs(request, exact_replies(request));
 }
 
+namespace {
+
+ExitCode run_growth(const Given& given) {
+  const GrowthRequest request(given);
+  Replies replies;
+  replies.refuses_shapes = replies.refuses_unions =
+      "by which factor it must grow is not answered about those; depth says how deep they are, or how far apart";
+  replies.reply = [&request](const Case& pair, Monitor& monitor, Workspace&) -> CaseReply {
+    const GrowthDistance found = growth_of(pair, request, monitor);
+    if (request.json) return {growth_json(pair.id, found)};
+    return {is_stream(request) ? growth_line(pair.id, found, request.form) : growth_block(found, request.form)};
+  };
+  if (request.json)
+    replies.error_line = [](const CaseItem& item, const std::string& fault) {
+      return output::error_object(growth_schema, item.id, item.line, fault);
+    };
+  return reply_to_inputs(request, replies);
+}
+
+}  // namespace
+
 ExitCode run_ray(const Given& given) {
+  if (given.flag("--growth")) return run_growth(given);
   const RayRequest request(given);
   Replies replies;
   replies.refuses_shapes = replies.refuses_unions =

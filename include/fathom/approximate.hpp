@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other depths of two bodies, and faster ones: along a direction, in a norm or gauge, within a
-// factor 1 + delta, and shallow ones.
+// factor 1 + delta, and shallow ones; and how far bodies grow about their centers until they touch.
 //                                                                                [AGHRS, section 3]
 // All of them shoot rays through P = B (+) (-A), which is never built: Dobkin-Kirkpatrick
 // hierarchies of the two bodies find where a ray leaves it. Exact, for bodies of every rank. For
-// bodies that do not penetrate they return a separating plane only; penetration_depth tells how far
-// they are apart. What is said of penetration_depth's exceptions holds for all functions here; each
-// adds its own.
+// bodies that do not penetrate, depths are a separating plane only: penetration_depth tells how far
+// apart they are, growth_distance by which factor. What is said of penetration_depth's exceptions
+// holds for all functions here; each adds its own.
 #pragma once
 
 #include <gmpxx.h>
@@ -53,6 +53,51 @@ struct DirectionalDepth : SeparationOr<RayExit> {
 /// std::invalid_argument if the direction is zero.
 DirectionalDepth directional_depth(std::span<const Point> a, std::span<const Point> b, const Point& direction,
                                    Monitor* monitor = nullptr);
+
+// ---- about two centers ----
+
+/// Thrown for centers about which bodies need not touch, however they grow: center_b - center_a is
+/// not in the interior of P. what() says where it is.
+struct NoGrowth : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Where grown bodies touch, and the proof that they do not touch before. Below, c = center_b -
+/// center_a, and h is the support function of P.
+struct GrownTouch {
+  Vector normal;    ///< primitive n with h(n) > <n,c> and <n,-c> = growth (h(n) - <n,c>): no smaller one has room
+  Contact contact;  ///< in direction `normal`
+  std::vector<Weight> weights_a, weights_b;  ///< convex weights of points of the two faces, by ascending index
+  Witness witness;  ///< what they combine to: center_a + growth (a - center_a) = center_b + growth (b - center_b)
+  std::uint64_t steps = 0;  ///< in the hierarchies
+};
+
+/// How far two bodies grow, or shrink, about their centers until they touch.
+struct GrowthDistance : BodyFacts {
+  /// >= 0, in lowest terms, without a unit: below 1 the bodies penetrate, at 1 they touch, above 1
+  /// they are disjoint.
+  mpq_class growth;
+  Point center_a, center_b;         ///< as given, or the means of the bodies' corners
+  std::optional<GrownTouch> touch;  ///< nullopt iff growth is 0: the centers coincide
+
+  /// What the growth says of the bodies as they are.
+  [[nodiscard]] Status status() const {
+    if (growth < 1) return Status::penetrating;
+    return growth == 1 ? Status::touching : Status::disjoint;
+  }
+};
+
+/// Returns the growth distance: the least g >= 0 for which A, scaled by g about center_a, and B,
+/// scaled by g about center_b, have a point in common. Exact, for bodies that penetrate, touch or
+/// are apart. 1 / g is the factor of the ray through P from c to O and on. A center that is not
+/// given is the mean of the body's corners, the points that are extreme, each once; finding them
+/// takes a hull more. The centers need not lie in the bodies, but c must lie in the interior of P,
+/// as it does for means unless P is flat. Throws NoGrowth otherwise, and std::invalid_argument if a
+/// center is not in lowest terms. Time: that of directional_depth.
+///                                                                       [proofs/ray.md, "Growth"]
+GrowthDistance growth_distance(std::span<const Point> a, std::span<const Point> b,
+                               const std::optional<Point>& center_a = std::nullopt,
+                               const std::optional<Point>& center_b = std::nullopt, Monitor* monitor = nullptr);
 
 // ---- in a norm or gauge ----
 

@@ -13,6 +13,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/depth.hpp"
 #include "kernels/context.hpp"
+#include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/polytope/hierarchy.hpp"
@@ -59,6 +60,10 @@ class BodyPair {
   std::optional<Separation> separation_;
   std::unique_ptr<const Solid> solid_;
 };
+
+/// Checks the growth by the definitions, in rationals and over all points: that the weights make
+/// the grown bodies touch, and that the normal forbids it for less.
+[[nodiscard]] kernels::Report validate(const GrowthDistance& found, std::span<const Point> a, std::span<const Point> b);
 
 }  // namespace fathom
 

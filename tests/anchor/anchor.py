@@ -62,6 +62,7 @@ approx --json --delta 1/10
 ray --direction=1,-2,1/3
 ray --exact --digits 20 --direction=1,-2,1/3
 ray --json --direction=1,-2,1/3
+ray --growth --json
 metric --ball q.off
 metric --exact --ball q.off
 metric --json --ball q.off
@@ -104,6 +105,8 @@ width --certificate OUT/proof --json a.stl
 width cylinder:r=1,h=2
 approx a.off b.stl
 ray --direction 0,0,1 a.off b.stl
+ray --growth a.off b.stl
+ray --growth --center-a 0,0,0 --center-b 1,0,0 --json a.off b.stl
 metric --ball q.off a.off b.stl
 study --html OUT/page.html a.off b.stl
 study data/comb.obj data/key.obj

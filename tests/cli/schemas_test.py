@@ -48,6 +48,12 @@ TEETH = {
     "ray": [({"status": "penetrating"}, set(), [
         (["factor"], "0"), (["factor"], "-1"), (["normal"], None), (["status"], "disjoint"), (["ray"], ["1", "0"]),
         (["more"], 1), (["witness"], None), (["steps"], -1)])],
+    "growth": [
+        ({"status": "disjoint"}, set(), [
+            (["growth", "exact"], "0"), (["growth", "exact"], "-1"), (["normal"], None), (["normal"], ["1/2", "0", "0"]),
+            (["weights"], None), (["weights", "a"], []), (["weights", "a", 0], [0, "1/2", 1]), (["weights", "a", 0, 1], "0"),
+            (["witness", "a"], ["1", "0"]), (["centers", "b"], None), (["more"], 1), (["flat"], ["a", "b"]), (["steps"], -1)]),
+        ({"status": "penetrating", "normal": None}, set(), [(["status"], "touching"), (["normal"], ["1", "0", "0"]), (["witness"], {})])],
     "along": [({"steps": 4}, set(), [
         (["steps"], 0), (["values", 0, "s"], "0.5"), (["values", 0, "status"], "inside"), (["values", 0, "value"], "1"),
         (["values", 0, "signed_depth", "exact", "root"], "-1"), (["values", 0, "more"], 1), (["along"], ["1", "0"])])],

@@ -47,6 +47,7 @@ class TheSameBytes(CliTest):
         commands = [["depth"], ["depth", "--json"], ["depth", "--json", "--method=exact", "--counters", "--digits=20"],
                     ["depth", "--json", "--embed-certificate"], ["width", "--json"], ["width", "--delta=1/2"], ["approx", "--delta=1/2"],
                     ["approx", "--delta=1/2", "--json"], ["ray", "--direction=1,2,3"], ["ray", "--direction=1,2,3", "--json"],
+                    ["ray", "--growth"], ["ray", "--growth", "--json"],
                     ["metric", "--ball", ball], ["metric", "--ball", ball, "--json"], ["study"], ["study", "--json"], ["study", "--csv"]]
         for command in commands:
             with self.subTest(command=command):

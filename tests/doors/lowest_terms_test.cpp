@@ -64,6 +64,11 @@ const std::map<std::string, Door>& doors() {
        [](const Points& a, const Points& b) {
          directional_depth(a, b, {1, 0, 0});
        }},
+      {"growth", [](const Points& a, const Points& b) { growth_distance(a, b); }},
+      {"growth about centers",
+       [](const Points& a, const Points& b) {
+         growth_distance(a, b, Point{0, 0, 0}, Point{mpq_class(1, 2), 0, 0});
+       }},
       {"metric",
        [](const Points& a, const Points& b) {
          metric_depth(a, b, unit_ball(cube(mpq_class(-1, 2), mpq_class(-1, 2), mpq_class(-1, 2))));
@@ -149,6 +154,8 @@ TEST(LowestTerms, AreRequiredOfDirectionsAndNumbers) {
   for (const mpq_class& q : no_numbers()) {
     EXPECT_THROW(directional_depth(a, b, {q, 1, 1}), std::invalid_argument);
     EXPECT_THROW(directional_depth(a, b, {1, 1, q}), std::invalid_argument);
+    EXPECT_THROW(growth_distance(a, b, Point{q, 0, 0}), std::invalid_argument);
+    EXPECT_THROW(growth_distance(a, b, std::nullopt, Point{0, 0, q}), std::invalid_argument);
     EXPECT_THROW(approx_depth(a, b, q), std::invalid_argument);
     EXPECT_THROW(approx_width(a, q), std::invalid_argument);
     EXPECT_THROW(shallow_depth(a, b, {}, q), std::invalid_argument);

@@ -58,6 +58,12 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/expanding/expander.hpp", "return or_equal ? order >= 0 : order > 0;", "return order >= 0;", "expanding_tests"),
     ("reference/depth/contact.cpp", "corners_of_a == 1 ? ContactKind::vertex_facet : ContactKind::edge_facet",
      "corners_of_a == 2 ? ContactKind::vertex_facet : ContactKind::edge_facet", "depth_tests"),
+    # growth distances
+    ("reference/approximate/growth.cpp", "meet(*result.touch, a, b, (1 - exit.factor) * c);",
+     "meet(*result.touch, a, b, (exit.factor - 1) * c);", "approximate_tests"),
+    ("reference/approximate/growth.cpp", "return placed.position(sum, hull.vertices.size());",
+     "return placed.position(sum, points.size());", "approximate_tests"),
+    ("reference/approximate/growth.cpp", "report.expect(room > 0,", "report.expect(room >= 0,", "approximate_tests"),
     # unions, curved shapes, what is rounded
     ("reference/unions/union_search.cpp", "kernels::compare(cell.nearest, *best_) <= 0) split(cell)",
      "kernels::compare(cell.nearest, *best_) < 0) split(cell)", "unions_tests"),

@@ -180,6 +180,16 @@ def test_other_questions():
     box, other = fathom.box((1, 1, 1)), fathom.box((1, 1, 1)).moved(fathom.pose(translation=(1, 0, 0)))
     ray = fathom.ray(box, other, (-2, 0, 0))
     assert (ray.factor, ray.length, ray.contact["kind"]) == (Fraction(1, 2), 1.0, "facet-facet")
+    growth = fathom.growth(box, other, center_b=(3, 0, "1/3"), pose_b="xyz=2,0,0")
+    assert (growth.status, growth.growth, growth.normal) == ("disjoint", Fraction(3, 2), (-1, 0, 0))
+    assert growth.centers == ((0, 0, 0), (3, 0, Fraction(1, 3)))
+    assert all(sum(shares.values()) == 1 for shares in growth.weights)
+    a, b = growth.witness
+    assert growth.growth * a[0] == 3 + growth.growth * (b[0] - 3)
+    same = fathom.growth(box, box)
+    assert (same.growth, same.normal, same.weights, same.witness) == (0, None, None, None)
+    with pytest.raises(ValueError, match="inside B - A, found it outside"):
+        fathom.growth(box, box, center_a=(3, 0, 0))
     metric = fathom.metric(box, other, [(s, t, u) for s in (-1, 1) for t in (-1, 1) for u in (-1, 1)])
     assert (metric.depth, metric.status) == (1, "penetrating")
     near = fathom.approx(box, other, Fraction(1, 100))

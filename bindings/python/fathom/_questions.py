@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other questions about two bodies: where they are; depths along a direction, in a metric, within a factor; degeneracies; the judge."""
+"""Other questions about two bodies: where they are; depths along a direction, in a metric, within a factor; growth; study; the judge."""
 from __future__ import annotations
 
 from collections.abc import Iterable
@@ -75,6 +75,34 @@ def ray(a: BodyLike, b: BodyLike, direction: Triple, *, pose_a: PoseLike = None,
     found = _fathom.ray(a, b, direction, pose_a, pose_b)
     return Ray(found["status"], found["factor"], found["translation"], found["length"], found["normal"][0], found.get("contact"),
                found.get("witness"))
+
+
+class Growth(NamedTuple):
+    """By which factor two bodies grow, or shrink, about their centers until they touch."""
+
+    status: str
+    growth: Fraction  #: below 1 the bodies penetrate, at 1 they touch, above 1 they are disjoint
+    centers: tuple[tuple[Fraction, Fraction, Fraction], tuple[Fraction, Fraction, Fraction]]  #: as given, or means of the corners
+    normal: tuple[int, int, int] | None  #: exact; proves that no less suffices. Like the rest None if the centers coincide
+    contact: dict[str, Any] | None
+    weights: tuple[dict[int, Fraction], dict[int, Fraction]] | None  #: shares of points of A, and of B, that combine to the witness
+    witness: Any  #: points a and b, exact, with center_a + growth (a - center_a) = center_b + growth (b - center_b)
+
+
+def growth(a: BodyLike, b: BodyLike, center_a: Triple | None = None, center_b: Triple | None = None, *, pose_a: PoseLike = None,
+           pose_b: PoseLike = None) -> Growth:
+    """Returns the growth distance: the least factor by which both bodies are scaled about their centers so that they touch.
+
+    center_a, center_b  points of space, which poses do not move; the means of the bodies' corners unless given. center_b - center_a
+                        must be inside B - A: ValueError otherwise
+
+    >>> import fathom
+    >>> fathom.growth(fathom.box((1, 1, 1)), fathom.box((1, 1, 1)), pose_b="xyz=3,0,0").growth
+    Fraction(3, 2)
+    """
+    found = _fathom.growth(a, b, center_a, center_b, pose_a, pose_b)
+    return Growth(found["status"], found["growth"], found["centers"], found.get("normal"), found.get("contact"), found.get("weights"),
+                  found.get("witness"))
 
 
 class Metric(NamedTuple):

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/bodies.hpp"
@@ -106,6 +107,31 @@ py::dict ray(const py::object& a, const py::object& b, const py::object& directi
     result["contact"] = contact(&exit->contact);
     result["witness"] = witness(exit->witness, true);
   }
+  return result;
+}
+
+py::dict growth(const py::object& a, const py::object& b, const py::object& center_a, const py::object& center_b,
+                const py::object& pose_a, const py::object& pose_b) {
+  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const auto center = [](const py::object& given) {
+    return given.is_none() ? std::nullopt : std::optional(point_from(given));
+  };
+  const std::optional<Point> about_a = center(center_a), about_b = center(center_b);
+  const GrowthDistance found = watched([&](Monitor& monitor) {
+    return growth_distance(pair.a.points.exact(), pair.b.points.exact(), about_a, about_b, &monitor);
+  });
+  py::dict result("status"_a = std::string(name(found.status())), "growth"_a = fraction(found.growth),
+                  "centers"_a = py::make_tuple(fractions(found.center_a), fractions(found.center_b)));
+  if (!found.touch) return result;
+  const auto weights = [](const std::vector<Weight>& of_body) {
+    py::dict shares;
+    for (const Weight& w : of_body) shares[py::int_(w.index)] = fraction(w.weight);
+    return shares;
+  };
+  result["normal"] = integers(found.touch->normal);
+  result["contact"] = contact(&found.touch->contact);
+  result["weights"] = py::make_tuple(weights(found.touch->weights_a), weights(found.touch->weights_b));
+  result["witness"] = witness(found.touch->witness, true);
   return result;
 }
 
@@ -441,6 +467,7 @@ void bind_questions(py::module_& module) {
   module.def("closer_than", closer_than_of, arg("a"), arg("b"), arg("distance"), arg("proof"), arg("pose_a"),
              arg("pose_b"));
   module.def("ray", ray, arg("a"), arg("b"), arg("direction"), arg("pose_a"), arg("pose_b"));
+  module.def("growth", growth, arg("a"), arg("b"), arg("center_a"), arg("center_b"), arg("pose_a"), arg("pose_b"));
   module.def("metric", metric, arg("a"), arg("b"), arg("ball"), arg("pose_a"), arg("pose_b"));
   module.def("approx", approx, arg("a"), arg("b"), arg("delta"), arg("pose_a"), arg("pose_b"));
   module.def("study", study_of, arg("a"), arg("b"), arg("listed"), arg("pose_a"), arg("pose_b"));
