@@ -141,6 +141,20 @@ int support_sign(kernels::Positions a, kernels::Positions b, const Vector& u) {
   return sgn(mpq_class(u.x * (q.x - p.x) + u.y * (q.y - p.y) + u.z * (q.z - p.z)));
 }
 
+// The faces in direction n of two bodies. Only their extreme points are placed on a lattice.
+Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
+  const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
+  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
+    std::vector<Point> result;
+    for (const std::uint32_t i : ids) result.push_back(points[i]);
+    return result;
+  };
+  Contact contact = depth::contact_of(depth::facing_faces(polytope::place(chosen(a, ids_a), chosen(b, ids_b)), n));
+  for (std::uint32_t& i : contact.a) i = ids_a[i];
+  for (std::uint32_t& i : contact.b) i = ids_b[i];
+  return contact;
+}
+
 }  // namespace
 
 ClippedCone whole_space() {
@@ -216,18 +230,13 @@ Vector inner_direction(const OptimalCone& cone) {
   return primitive(sum);
 }
 
-// Only the extreme points are placed on a lattice.
-Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
-  const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
-  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
-    std::vector<Point> result;
-    for (const std::uint32_t i : ids) result.push_back(points[i]);
-    return result;
-  };
-  Contact contact = depth::contact_of(depth::facing_faces(polytope::place(chosen(a, ids_a), chosen(b, ids_b)), n));
-  for (std::uint32_t& i : contact.a) i = ids_a[i];
-  for (std::uint32_t& i : contact.b) i = ids_b[i];
-  return contact;
+PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, kernels::Positions a,
+                             kernels::Positions b, const Touch& touch) {
+  if (!pair) pair = polytope::place_if_slim(a, b, &context);
+  OptimalCone cone =
+      pair ? optimal_cone(context, *pair, touch.point, touch.direction) : optimal_cone(context, a, b, touch.point);
+  const Vector n = inner_direction(cone);
+  return {std::move(cone), pair ? depth::contact_of(depth::facing_faces(*pair, n)) : contact_along(a, b, n)};
 }
 
 std::vector<Vector> lineality_basis(const OptimalCone& cone) {

@@ -6,6 +6,7 @@
 //         common lattice O((m + n) r) for at most r rays on the way.             [proofs/shapes.md]
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fathom/signed_depth.hpp"
@@ -42,8 +43,16 @@ OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernel
 /// A direction in the relative interior of the cone, but O: primitive.
 Vector inner_direction(const OptimalCone& cone);
 
-/// The faces in direction n of two bodies given by their points.
-Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n);
+/// All planes between bodies that touch, and the least faces that share points: those in any
+/// direction inside the cone.
+struct PlanesBetween {
+  OptimalCone cone;
+  Contact contact;
+};
+
+/// `pair`: the bodies on one lattice, if that has been made.
+PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, kernels::Positions a,
+                             kernels::Positions b, const Touch& touch);
 
 /// Independent vectors that span the lineality: as many as its dimension.
 std::vector<Vector> lineality_basis(const OptimalCone& cone);

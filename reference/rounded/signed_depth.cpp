@@ -74,12 +74,9 @@ SignedDepth depth_of_points(kernels::Positions a, kernels::Positions b, const Sh
                      {},
                      {}};
   if (const Touch* touch = std::get<Depth>(result.core).touch()) {
-    if (!found.pair) found.pair = polytope::place_if_slim(a, b, &context);
-    result.cone = found.pair ? rounded::optimal_cone(context, *found.pair, touch->point, touch->direction)
-                             : rounded::optimal_cone(context, a, b, touch->point);
-    const Vector n = rounded::inner_direction(*result.cone);
-    result.touching =
-        found.pair ? depth::contact_of(depth::facing_faces(*found.pair, n)) : rounded::contact_along(a, b, n);
+    rounded::PlanesBetween planes = rounded::planes_between(context, std::move(found.pair), a, b, *touch);
+    result.cone = std::move(planes.cone);
+    result.touching = std::move(planes.contact);
     if (options.validate) kernels::insist(rounded::validate(*result.cone, a, b));
   }
   return result;

@@ -43,6 +43,7 @@ ORDER = [
     ["reference/approximate", "reference/shapes", "reference/unions"],
     ["reference/curved"],
     ["reference/rounded"],
+    ["reference/patch"],
     ["reference/certificate"],
     ["reference/answer"],
     ["reference/output"],

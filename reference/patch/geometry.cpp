@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The patches of an answer, for every kind of bodies, and whether the signed depth is smooth there.
+#include <algorithm>
+#include <array>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "fathom/patch.hpp"
+#include "kernels/context.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/patch/patch.hpp"
+#include "reference/rounded/coordinates.hpp"
+#include "reference/rounded/optimal_cone.hpp"
+#include "reference/shapes/core.hpp"
+#include "reference/solve/depth.hpp"
+
+namespace fathom::patch {
+namespace {
+
+/// The points of a core that is a polytope.
+class CorePoints {
+ public:
+  /// The body must outlive it.
+  explicit CorePoints(const Body& body) : body_(body) {
+    if (body.shape) expanded_ = shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points);
+  }
+
+  /// None of a half-space, of what is curved, and of sums of too many points.
+  [[nodiscard]] bool known() const { return !body_.shape || expanded_; }
+  [[nodiscard]] polytope::Points points() const {
+    return expanded_ ? polytope::Points(*expanded_) : polytope::Points(body_.points);
+  }
+  [[nodiscard]] kernels::Positions exact() const {
+    return expanded_ ? kernels::Positions(*expanded_) : kernels::Positions(body_.points.exact());
+  }
+
+ private:
+  const Body& body_;
+  std::optional<std::vector<Point>> expanded_;  // of a shape
+};
+
+const CorePoints& require_known(const CorePoints& points) {
+  if (!points.known()) throw std::invalid_argument("the answer is about other bodies");
+  return points;
+}
+
+void add_kink(ContactGeometry& geometry, Kink kink) { geometry.kinks.push_back(kink); }
+
+/// What follows from the patches of convex bodies, all of whose optima `ties` and the cone tell.
+void find_kinks(ContactGeometry& geometry, std::size_t optima) {
+  if (optima > 1) add_kink(geometry, Kink::ties);
+  if (std::ranges::any_of(geometry.patches, [](const Patch& patch) { return patch.rank() > 0; }))
+    add_kink(geometry, Kink::extended);
+  if (geometry.cone && (geometry.cone->lineality != Lineality::none || geometry.cone->rays.size() > 1))
+    add_kink(geometry, Kink::cone);
+  if (geometry.kinks.empty())
+    geometry.gradient = Gradient{geometry.patches.front().direction, geometry.patches.front().a(0).core};
+}
+
+ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth& depth, const OptimalCone* cone,
+                             const Contact* contact, Monitor* monitor) {
+  const CorePoints a(body_a), b(body_b);
+  const polytope::Points points_a = require_known(a).points(), points_b = require_known(b).points();
+  ContactGeometry geometry;
+  geometry.cores = depth.status();
+  std::size_t optima = 1;
+  if (const Penetration* const penetration = depth.penetration()) {
+    for (const Optimum& optimum : penetration->optima) {
+      geometry.patches.push_back(
+          shared(faces_along(optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b)));
+      geometry.patches.back().way = geometry.patches.size() - 1;
+    }
+    optima = penetration->optima.size() + penetration->unlisted;
+    if (penetration->unlisted > 0) geometry.no_first_order = LeftOut::unlisted;
+  } else if (const Distance* const apart = depth.distance()) {
+    geometry.patches.push_back(
+        shared(faces_along(apart->direction, points_a, apart->contact.a, points_b, apart->contact.b)));
+  } else {
+    std::optional<rounded::PlanesBetween> planes;
+    if (cone == nullptr || contact == nullptr) {
+      kernels::Context context(monitor);
+      planes = rounded::planes_between(context, std::nullopt, a.exact(), b.exact(), *depth.touch());
+    }
+    geometry.cone = planes ? std::move(planes->cone) : *cone;
+    const Contact& faces = planes ? planes->contact : *contact;
+    const Vector n = cone != nullptr ? geometry.cone->direction() : depth.touch()->direction;
+    geometry.patches.push_back(shared(faces_along(n, points_a, faces.a, points_b, faces.b)));
+  }
+  find_kinks(geometry, optima);
+  return geometry;
+}
+
+ContactGeometry of_half_space(const Body& a, const Body& b, const PlaneSupport& plane) {
+  const bool half_space_is_a = shapes::is_halfspace(a);
+  const CorePoints own(half_space_is_a ? b : a);
+  ContactGeometry geometry;
+  geometry.cores = sgn(plane.support) > 0   ? Status::penetrating
+                   : sgn(plane.support) < 0 ? Status::disjoint
+                                            : Status::touching;
+  if (!own.known()) {
+    geometry.no_patches = geometry.no_first_order = LeftOut::too_large;
+    return geometry;
+  }
+  const std::vector<std::uint32_t> face =
+      solve::extreme_points(own.exact(), half_space_is_a ? plane.direction : -plane.direction);
+  geometry.patches.push_back(on_plane(plane.direction, own.points(), face, plane.support, half_space_is_a));
+  if (geometry.cores == Status::touching) geometry.cone = OptimalCone{Lineality::none, {}, {plane.direction}};
+  find_kinks(geometry, 1);
+  return geometry;
+}
+
+// ---- unions ----
+
+/// Whether the faces span a plane: then it is the only one between pieces that touch there.
+bool span_a_plane(const MeetingFaces& faces) {
+  const std::vector<Vector>&a = faces.a.points, &b = faces.b.points;
+  if (a.size() > 2 || b.size() > 2) return true;
+  return a.size() == 2 && b.size() == 2 && !is_zero(cross(a[1] - a[0], b[1] - b[0]));
+}
+
+Patch of_pieces(const std::pair<std::uint32_t, std::uint32_t>& pieces, std::size_t way, const MeetingFaces& faces) {
+  Patch patch = shared(faces);
+  patch.pieces = pieces;
+  patch.way = way;
+  patch.one_plane = span_a_plane(faces);
+  return patch;
+}
+
+/// The least and greatest coordinates of a piece.
+struct Box {
+  Point low, high;
+  explicit Box(const std::vector<Point>& piece) : low(piece.front()), high(piece.front()) {
+    for (const Point& p : piece) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+};
+
+mpq_class squared_gap(const Box& a, const Box& b) {
+  const auto gap = [](const mpq_class& low, const mpq_class& high, const mpq_class& other_low,
+                      const mpq_class& other_high) -> mpq_class {
+    if (high < other_low) return other_low - high;
+    return other_high < low ? mpq_class(low - other_high) : mpq_class(0);
+  };
+  const Point d{gap(a.low.x, a.high.x, b.low.x, b.high.x), gap(a.low.y, a.high.y, b.low.y, b.high.y),
+                gap(a.low.z, a.high.z, b.low.z, b.high.z)};
+  return dot(d, d);
+}
+
+/// The patches of all pairs of pieces that are nearest.
+void add_nearest(ContactGeometry& geometry, const Pieces& a, const Pieces& b, const UnionDistance& apart,
+                 Monitor* monitor) {
+  kernels::Context context(monitor);
+  const mpq_class& squared = apart.distance.squared;
+  std::vector<Box> boxes_a(a.begin(), a.end()), boxes_b(b.begin(), b.end());
+  for (std::uint32_t i = 0; i < a.size(); ++i)
+    for (std::uint32_t j = 0; j < b.size(); ++j) {
+      context.check();
+      if (squared_gap(boxes_a[i], boxes_b[j]) > squared) continue;
+      const Depth depth = penetration_depth(a[i], b[j]);
+      const Distance& found = *depth.distance();
+      if (found.squared == squared)
+        geometry.patches.push_back(
+            of_pieces({i, j}, 0, faces_along(found.direction, a[i], found.contact.a, b[j], found.contact.b)));
+    }
+}
+
+ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor) {
+  ContactGeometry geometry;
+  geometry.of_unions = true;
+  geometry.cores = depth.status;
+  if (!depth.complete) {
+    geometry.no_patches = geometry.no_first_order = LeftOut::incomplete;
+    return geometry;
+  }
+  if (depth.apart) add_nearest(geometry, a, b, *depth.apart, monitor);
+  for (std::size_t way = 0; way < depth.optima.size(); ++way) {
+    const Point& t = depth.optima[way].translation;
+    for (const PieceContact& c : depth.optima[way].contacts)
+      geometry.patches.push_back(
+          of_pieces({c.a, c.b}, way, faces_after(t, c.direction, a[c.a], c.contact.a, b[c.b], c.contact.b)));
+    geometry.clearance.push_back(depth.optima[way].clearance);
+  }
+  if (depth.status == Status::touching) geometry.no_first_order = LeftOut::touching;
+  return geometry;
+}
+
+ContactGeometry of_shapes(const Body& a, const Body& b, const SignedDepth& shapes, Monitor* monitor) {
+  ContactGeometry geometry;
+  if (const Depth* const cores = std::get_if<Depth>(&shapes.core)) {
+    geometry = of_polytopes(a, b, *cores, shapes.cone ? &*shapes.cone : nullptr, shapes.contact(), monitor);
+  } else if (const PlaneSupport* const plane = std::get_if<PlaneSupport>(&shapes.core)) {
+    geometry = of_half_space(a, b, *plane);
+  } else {
+    geometry.no_patches = geometry.no_first_order = LeftOut::curved;
+  }
+  for (Patch& patch : geometry.patches) (patch.radius_a = shapes.radius_a, patch.radius_b = shapes.radius_b);
+  return geometry;
+}
+
+// ---- weights ----
+
+/// The weights of the body's points in a face that make up the point p, which lies inside the least
+/// face `on`; nullopt unless there is one way alone.
+std::optional<std::vector<Weight>> only_weights(kernels::Positions body, const Vector& u,
+                                                const std::vector<std::uint32_t>& on, const Point& p) {
+  if (on.empty()) return std::vector<Weight>();
+  if (on.size() > 3) return std::nullopt;
+  const Point& first = body[on[0]];
+  std::size_t in_face = 0;
+  for (const std::uint32_t i : solve::extreme_points(body, u)) {
+    const bool there = on.size() == 1   ? body[i] == first
+                       : on.size() == 2 ? cross(body[on[1]] - first, body[i] - first) == Point{}
+                                        : true;
+    if (there && ++in_face > on.size()) return std::nullopt;
+  }
+  if (on.size() == 1) return std::vector<Weight>{{on[0], 1}};
+  const Point along = body[on[1]] - first, to = p - first;
+  if (on.size() == 2) {
+    const mpq_class share = dot(along, to) / dot(along, along);
+    return std::vector<Weight>{{on[0], 1 - share}, {on[1], share}};
+  }
+  const Point across = body[on[2]] - first, area = cross(along, across);
+  const mpq_class whole = dot(area, area), second = dot(area, cross(to, across)) / whole,
+                  third = dot(area, cross(along, to)) / whole;
+  return std::vector<Weight>{{on[0], 1 - second - third}, {on[1], second}, {on[2], third}};
+}
+
+}  // namespace
+}  // namespace fathom::patch
+
+namespace fathom {
+
+ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (const Depth* const depth = std::get_if<Depth>(&answer.found))
+    return patch::of_polytopes(a, b, *depth, nullptr, nullptr, monitor);
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found))
+    return patch::of_shapes(a, b, *shapes, monitor);
+  return patch::of_unions(pieces_of(a), pieces_of(b), std::get<UnionDepth>(answer.found), monitor);
+}
+
+std::optional<VertexWeights> vertex_weights(const Body& body_a, const Body& body_b, const ContactGeometry& geometry) {
+  if (!geometry.gradient) return std::nullopt;
+  const kernels::DefaultFloatEnvironment environment;
+  const Patch& patch = geometry.patches.front();
+  const patch::CorePoints a(body_a), b(body_b);
+  const auto of = [](const patch::CorePoints& points, const Vector& u, const std::vector<std::uint32_t>& on,
+                     const Point& p) {
+    return on.empty() ? std::vector<Weight>() : patch::only_weights(points.exact(), u, on, p);
+  };
+  std::optional<std::vector<Weight>> of_a = of(a, -patch.direction, patch.corners[0].on_a, patch.a(0).core);
+  std::optional<std::vector<Weight>> of_b = of(b, patch.direction, patch.corners[0].on_b, patch.b(0).core);
+  if (!of_a || !of_b) return std::nullopt;
+  return VertexWeights{std::move(*of_a), std::move(*of_b)};
+}
+
+SurdPoint Gradient::by_translation() const { return rounded::coordinates(AlongNormal{normal, 0, -1}); }
+
+SurdPoint Gradient::by_rotation() const {
+  const Point moment = cross(rational(normal), point);  // -(p x n)
+  const mpq_class square(dot(normal, normal));
+  const auto coordinate = [&](const mpq_class& c) { return Surd{0, mpq_class(c * abs(c) / square)}; };
+  return {coordinate(moment.x), coordinate(moment.y), coordinate(moment.z)};
+}
+
+std::string_view name(Kink kink) {
+  constexpr std::array<std::string_view, 3> names{"ties", "extended", "cone"};
+  return names.at(static_cast<std::size_t>(kink));
+}
+
+std::string_view name(LeftOut reason) {
+  constexpr std::array<std::string_view, 7> names{"curved",    "unlisted",  "incomplete", "touching",
+                                                  "too-large", "exact-fit", "many-planes"};
+  return names.at(static_cast<std::size_t>(reason));
+}
+
+}  // namespace fathom
