@@ -169,6 +169,17 @@ std::vector<Option> make_table() {
        "with --along: how many steps the path has; 32 unless given",
        {wrong_integer<1, 1'000'000>}},
       flag("depth", "--csv", "with --along: a header, then one row for each place"),
+      flag(
+          "depth", "--patch",
+          "add where the bodies touch after each shortest way out: all contact points, with the features that they are "
+          "on; and whether the depth is smooth there, with its gradient by the pose"),
+      {"depth",
+       "--twist",
+       "VX,VY,VZ,WX,WY,WZ",
+       "add how fast the signed depth changes while A begins to move, its point p with the velocity V + W x p: exact, "
+       "from one side",
+       {wrong_twist}},
+      {"depth", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
       flag("explain", "--pieces", pieces),
       {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},

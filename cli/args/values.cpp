@@ -56,18 +56,37 @@ std::optional<mpq_class> typed_number(std::string_view text) {
   return parse_number(text.substr(begin, end - begin + 1), Decimals::exact).value;
 }
 
+namespace {
+
+/// So many numbers with commas between them; else none.
+std::vector<mpq_class> typed_numbers(std::string_view text, std::size_t count) {
+  std::vector<mpq_class> numbers;
+  while (numbers.size() < count) {
+    const std::size_t comma = numbers.size() + 1 == count ? text.npos : text.find(',');
+    const auto number = typed_number(text.substr(0, comma));
+    if (!number || (comma == text.npos && numbers.size() + 1 < count)) return {};
+    numbers.push_back(*number);
+    if (comma != text.npos) text.remove_prefix(comma + 1);
+  }
+  return numbers;
+}
+
+}  // namespace
+
 std::optional<Point> typed_point(std::string_view text) {
-  const std::size_t first = text.find(','), second = first == text.npos ? first : text.find(',', first + 1);
-  if (second == text.npos) return std::nullopt;
-  const auto x = typed_number(text.substr(0, first)), y = typed_number(text.substr(first + 1, second - first - 1)),
-             z = typed_number(text.substr(second + 1));
-  if (!x || !y || !z) return std::nullopt;
-  return Point{*x, *y, *z};
+  const std::vector<mpq_class> x = typed_numbers(text, 3);
+  return x.empty() ? std::nullopt : std::optional(Point{x[0], x[1], x[2]});
 }
 
 std::optional<Point> typed_vector(std::string_view text) {
   const std::optional<Point> point = typed_point(text);
   return point == Point{0, 0, 0} ? std::nullopt : point;
+}
+
+std::optional<Twist> typed_twist(std::string_view text) {
+  const std::vector<mpq_class> x = typed_numbers(text, 6);
+  if (std::ranges::all_of(x, [](const mpq_class& c) { return c == 0; })) return std::nullopt;  // or there are none
+  return Twist{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
 }
 
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
@@ -160,6 +179,10 @@ std::string wrong_point(const std::string& text) {
 
 std::string wrong_vector(const std::string& text) {
   return unless(typed_vector(text).has_value(), "three numbers such as 1,0,-1/2, not all zero", text);
+}
+
+std::string wrong_twist(const std::string& text) {
+  return unless(typed_twist(text).has_value(), "six numbers such as 1,0,0,0,0,-1/2, not all zero", text);
 }
 
 std::string wrong_sizes(const std::string& text) {

@@ -14,6 +14,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/patch.hpp"
 #include "fathom/point.hpp"
 
 namespace fathom::cli {
@@ -30,6 +31,9 @@ std::optional<mpq_class> typed_number(std::string_view text);
 std::optional<Point> typed_point(std::string_view text);
 /// The same, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
+/// Six numbers with commas between them, not all zero: the velocity of the origin's point, and of
+/// the turn.
+std::optional<Twist> typed_twist(std::string_view text);
 /// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
 /// ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
@@ -55,6 +59,7 @@ std::string unless(bool good, std::string_view expected, const std::string& text
 template <std::uint64_t low, std::uint64_t high>
 std::string wrong_integer(const std::string& text);
 std::string wrong_integer(const std::string& text, std::uint64_t low, std::uint64_t high);
+std::string wrong_twist(const std::string& text);
 std::string wrong_count(const std::string& text);
 std::string wrong_optima(const std::string& text);
 std::string wrong_threads(const std::string& text);

@@ -136,8 +136,8 @@ std::string wrong_along(const Given& given) {
     const std::string other = first_of(given, {"--steps", "--csv"});
     return other.empty() ? "" : other + " goes with --along X,Y,Z";
   }
-  const std::string other = first_of(
-      given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters", "--threads"});
+  const std::string other = first_of(given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact",
+                                             "--counters", "--threads", "--patch", "--twist", "--twist-b"});
   if (!other.empty()) return "--along answers with a curve of signed depths, and cannot be combined with " + other;
   if (given.text("--method") == "shallow")
     return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";

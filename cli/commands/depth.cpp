@@ -387,6 +387,8 @@ Replies exact_replies(const DepthRequest& request) {
           certificate_text(single.a, request.one_body ? single.a : single.b, answered.answer, single.id, &monitor);
       require_readable(single.id, answered.certificate);
     }
+    if (request.form.manifold())
+      answered.manifold = output::manifold_of(single.a, single.b, answered.answer, request.form.motion, &monitor);
     CaseReply reply{text_of(answered, request)};
     const std::string picture = files->pictures.wanted() ? answer_picture(single, answered, request.form) : "";
     if (proof) proof->write(answered.certificate);

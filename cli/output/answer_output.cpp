@@ -188,6 +188,67 @@ void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
                                                          : "nearest facets"));
 }
 
+// ---- contact manifolds ----
+
+constexpr std::size_t most_corners = 8;  // that text lists
+
+/// "vertex 3 of A", "edge 1 2 of A", "facet 0 1 2 of A", "the plane of A".
+std::string feature_text(const std::vector<std::uint32_t>& ids, const char* body) {
+  if (ids.empty()) return fmt::format("the plane of {}", body);
+  const char* const what = ids.size() == 1 ? "vertex" : ids.size() == 2 ? "edge" : "facet";
+  if (ids.size() > most_corners) return fmt::format("a facet of {} corners of {}", ids.size(), body);
+  return fmt::format("{} {} of {}", what, fmt::join(ids, " "), body);
+}
+
+std::string patch_text(const Patch& patch, bool of_unions) {
+  const std::string pieces =
+      of_unions ? fmt::format("piece {} of A, piece {} of B; ", patch.pieces.first, patch.pieces.second) : "";
+  if (patch.rank() == 0) return pieces + "a point";
+  const std::string size = root_text(patch.squared());
+  return patch.rank() == 1 ? fmt::format("{}a segment of length {}", pieces, size)
+                           : fmt::format("{}a polygon of {} corners, area {}", pieces, patch.corners.size(), size);
+}
+
+void add_patch(Rows& rows, const Patch& patch, const AnswerForm& form) {
+  for (std::size_t k = 0; k < std::min(patch.corners.size(), most_corners); ++k)
+    rows.emplace_back(
+        "", fmt::format("{} on {}, {}", place_text(patch.a(k), form.exact), feature_text(patch.corners[k].on_a, "A"),
+                        feature_text(patch.corners[k].on_b, "B")));
+  if (patch.corners.size() > most_corners)
+    rows.emplace_back("", fmt::format("and {} more corners; --json lists all", patch.corners.size() - most_corners));
+}
+
+std::string rate_text(const std::variant<DirectionalDerivative, LeftOut>& derivative, bool exact) {
+  if (const LeftOut* const reason = std::get_if<LeftOut>(&derivative))
+    return fmt::format("not told: {}", name(*reason));
+  const Surd value = std::get<DirectionalDerivative>(derivative).value();
+  if (exact) return kernels::exact_surd_text(value);
+  return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value);
+}
+
+/// The patches of the first way out, whether the depth is smooth, and the derivative that is asked
+/// for.
+void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& form) {
+  if (!answered.manifold) return;
+  const ContactGeometry& g = answered.manifold->geometry;
+  if (form.patch && g.no_patches) rows.emplace_back("patch", fmt::format("not told: {}", name(*g.no_patches)));
+  for (const Patch& patch : g.patches) {
+    if (!form.patch || patch.way > 0) break;
+    rows.emplace_back("patch", patch_text(patch, g.of_unions));
+    add_patch(rows, patch, form);
+  }
+  if (form.patch && !g.no_patches && !g.of_unions) {
+    Parts kinks;
+    for (const Kink kink : g.kinks) kinks.emplace_back(name(kink));
+    rows.emplace_back("smooth", g.smooth() ? "yes" : fmt::format("no: {}", fmt::join(kinks, ", ")));
+  }
+  if (form.patch && g.gradient)
+    rows.emplace_back("gradient", fmt::format("{} by v, {} by w", decimals(g.gradient->by_translation()),
+                                              decimals(g.gradient->by_rotation())));
+  if (const auto& derivative = answered.manifold->derivative)
+    rows.emplace_back("derivative", rate_text(*derivative, form.exact));
+}
+
 // ---- what was done ----
 
 /// Which method answered, and why if it is not the one that was tried first; empty if there was no
@@ -302,6 +363,7 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
   add_contacts(rows, answer, form);
   if (!places_first) add_places(rows, answer, form);
   add_ties(rows, answer, form);
+  add_manifold(rows, answered, form);
   if (const UnionBounds* const bounds = bounds_beside(answer)) {
     rows.emplace_back("deepest pair", fmt::format("{}: piece {} of A, piece {} of B", root_text(bounds->deepest_pair),
                                                   bounds->a, bounds->b));
@@ -340,6 +402,10 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
     if (const std::size_t count = ties(answer, form); count > 1) parts.push_back(fmt::format("{} ties", count));
     if (const std::string flat = flat_text(answered.facts, form.width); !flat.empty()) parts.push_back("flat " + flat);
   }
+  if (answered.manifold && form.patch && !answered.manifold->geometry.no_patches)
+    parts.push_back("patch " + patch_text(answered.manifold->geometry.patches.front(), false));
+  if (answered.manifold && answered.manifold->derivative)
+    parts.push_back("derivative " + rate_text(*answered.manifold->derivative, form.exact));
   if (const UnionBounds* const bounds = bounds_beside(answer))
     parts.push_back("deepest pair " + root_text(bounds->deepest_pair));
   if (form.counters)

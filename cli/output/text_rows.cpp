@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cli/args/values.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
@@ -109,9 +110,24 @@ std::string place_text(const RoundedPoint& point, bool exact) {
 
 std::string way_text(const Vector& n, bool exact) { return exact ? in_full(n) : decimals(unit(n)); }
 
+namespace {
+
+std::optional<output::Motion> motion_of(const Given& given) {
+  if (!given.has("--twist") && !given.has("--twist-b")) return std::nullopt;
+  const auto twist = [&](const char* option) { return typed_twist(given.text(option)).value_or(Twist{}); };
+  return output::Motion{twist("--twist"), twist("--twist-b")};
+}
+
+}  // namespace
+
 AnswerForm::AnswerForm(const Given& given)
-    : Shown{given.integer<std::size_t>("--optima"), given.integer<unsigned>("--digits"), given.flag("--counters"),
-            given.flag("--embed-certificate"), given.command == "width"},
+    : Shown{given.integer<std::size_t>("--optima"),
+            given.integer<unsigned>("--digits"),
+            given.flag("--counters"),
+            given.flag("--embed-certificate"),
+            given.command == "width",
+            given.flag("--patch"),
+            motion_of(given)},
       exact(given.flag("--exact")),
       by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")) {}
 

@@ -125,6 +125,44 @@ Json cone_object(const OptimalCone& cone) {
           {"rays", rays}};
 }
 
+// ---- contact manifolds ----
+
+/// What is told with --patch and --twist, of any kinds of bodies.
+template <class SomeResult>
+void add_manifold(SomeResult& result, const AnsweredCase& answered, const Shown& shown) {
+  if (!answered.manifold) return;
+  if (shown.patch) result.manifold = manifold_object(*answered.manifold);
+  if (answered.manifold->derivative) result.derivative = derivative_object(*answered.manifold->derivative);
+}
+
+Json on_face(const std::vector<std::uint32_t>& ids) { return ids.empty() ? Json() : Json(ids); }
+
+Json corner_object(const Patch& patch, std::size_t k) {
+  return {{"a", place(patch.a(k))},
+          {"b", place(patch.b(k))},
+          {"on_a", on_face(patch.corners[k].on_a)},
+          {"on_b", on_face(patch.corners[k].on_b)}};
+}
+
+Json patch_object(const Patch& patch, bool of_unions) {
+  Json corners = Json::array();
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) corners.push_back(corner_object(patch, k));
+  const RoundedWitness centroid = patch.centroid();
+  Json result{{"rank", patch.rank()}, {"direction", exact(patch.direction)}};
+  if (of_unions) {
+    result["optimum"] = patch.way;
+    result["pieces"] = std::vector<std::uint32_t>{patch.pieces.first, patch.pieces.second};
+  }
+  result["corners"] = corners;
+  result["centroid"] = Json{{"a", place(centroid.a)}, {"b", place(centroid.b)}};
+  result["size"] = patch.rank() == 0 ? Json() : length(patch.squared(), std::nullopt);
+  return result;
+}
+
+Json weights_array(const std::vector<Weight>& weights) {
+  return Json::array_of(weights, [](const Weight& w) { return Json::array({Json(w.index), exact(w.weight)}); });
+}
+
 // ---- polytopes and shapes ----
 
 /// `found`: what `answered` holds, Depth or SignedDepth.
@@ -185,6 +223,7 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
   if (shown.counters) result.counters = counters_object(counters_of(found));
   if (shown.certificate) result.certificate = answered.certificate;
   if (shown.width) result.width = lengths.depth;
+  add_manifold(result, answered, shown);
   return result_line(result);
 }
 
@@ -236,6 +275,7 @@ std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, co
                       {"pairs_touched", c.pairs_touched}},
                      hull_object(answered.bodies.hull)};
   if (shown.certificate && depth.complete) result.certificate = answered.certificate;
+  add_manifold(result, answered, shown);
   return line_of("fathom/union/1", FATHOM_VERSION, result);
 }
 
@@ -248,6 +288,52 @@ std::string_view method_name(const Depth& depth) { return depth.method ? name(*d
 std::string_view method_name(const SignedDepth& depth) {
   if (const Depth* const cores = std::get_if<Depth>(&depth.core)) return method_name(*cores);
   return std::holds_alternative<PlaneSupport>(depth.core) ? "support" : "enclosure";
+}
+
+Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
+                     Monitor* monitor) {
+  Manifold manifold{contact_geometry(a, b, answer, monitor), {}};
+  manifold.weights = vertex_weights(a, b, manifold.geometry);
+  if (motion) manifold.derivative = directional_derivative(manifold.geometry, motion->of_a, motion->of_b);
+  return manifold;
+}
+
+Json manifold_object(const Manifold& manifold) {
+  const ContactGeometry& g = manifold.geometry;
+  const bool smoothness = !g.of_unions && !g.no_patches;  // is told
+  Json result{{"patches", g.no_patches ? Json() : Json::array_of(g.patches, [&](const Patch& patch) {
+                 return patch_object(patch, g.of_unions);
+               })}};
+  result["smooth"] = smoothness ? Json::boolean(g.smooth()) : Json();
+  result["kinks"] = smoothness ? Json::array_of(g.kinks, [](Kink kink) { return Json(name(kink)); }) : Json();
+  result["gradient"] =
+      g.gradient ? Json{{"normal", exact(g.gradient->normal)}, {"point", exact(g.gradient->point)}} : Json();
+  result["gradient_f64"] = g.gradient ? Json{{"v", numbers(rounded::nearest_binary64(g.gradient->by_translation()))},
+                                             {"w", numbers(rounded::nearest_binary64(g.gradient->by_rotation()))}}
+                                      : Json();
+  result["vertex_weights"] =
+      manifold.weights ? Json{{"a", weights_array(manifold.weights->a)}, {"b", weights_array(manifold.weights->b)}}
+                       : Json();
+  if (g.cone) result["optimal_cone"] = cone_object(*g.cone);
+  if (g.no_patches) result["left_out"] = name(*g.no_patches);
+  return result;
+}
+
+Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative) {
+  if (const LeftOut* const reason = std::get_if<LeftOut>(&derivative)) return {{"left_out", name(*reason)}};
+  const DirectionalDerivative& d = std::get<DirectionalDerivative>(derivative);
+  const Surd value = d.value();
+  // + 0.0: a zero is no negative one
+  Json rate =
+      signed_depth_object({round_binary64(value, Rounding::rd) + 0.0, round_binary64(value, Rounding::ru) + 0.0});
+  rate["exact"] = exact_object(value);
+  const double nearest = round_binary64(value) + 0.0;
+  const bool told = std::isfinite(nearest) && (nearest != 0 || d.sign == 0);
+  return {{"rate", rate},
+          {"value", told ? Json(nearest) : Json()},
+          {"direction", exact(d.direction)},
+          {"patch", d.patch},
+          {"corner", d.corner}};
 }
 
 std::string answer_json(const AnsweredCase& answered, const Shown& shown) {

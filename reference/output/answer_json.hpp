@@ -7,20 +7,39 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "fathom/answer.hpp"
+#include "fathom/patch.hpp"
 #include "reference/output/json_values.hpp"
 #include "reference/output/result_fields.hpp"
 
 namespace fathom::output {
+
+/// Where two bodies touch after the answer's ways out, and how the depth changes.
+struct Manifold {
+  ContactGeometry geometry;
+  std::optional<VertexWeights> weights;
+  std::optional<std::variant<DirectionalDerivative, LeftOut>> derivative = {};  ///< along the motion asked for
+};
+
+/// A motion by which the derivative is asked for.
+struct Motion {
+  Twist of_a, of_b;
+};
+
+/// Of a complete answer about these bodies.
+Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
+                     Monitor* monitor = nullptr);
 
 /// A case and its answer; for `width` it is about the body against itself.
 struct AnsweredCase {
   std::string id;
   Answer answer;
   AboutBodies bodies = {};
-  BodyFacts facts = {};          ///< which of the bodies are flat
-  std::string certificate = {};  ///< as text, if one is requested and the answer is complete
+  BodyFacts facts = {};                   ///< which of the bodies are flat
+  std::string certificate = {};           ///< as text, if one is requested and the answer is complete
+  std::optional<Manifold> manifold = {};  ///< if it is requested and the answer is complete
 };
 
 /// What of an answer is written.
@@ -30,10 +49,20 @@ struct Shown {
   bool counters = false;                   ///< what the run did
   bool certificate = false;                ///< as a field
   bool width = false;                      ///< the answer is about one body, against itself
+  bool patch = false;                      ///< where the bodies touch
+  std::optional<Motion> motion = {};       ///< the derivative along it
+
+  /// Whether a manifold is needed.
+  [[nodiscard]] bool manifold() const { return patch || motion; }
 };
 
 /// One line, without its newline. Pure ASCII whatever the id holds.
 std::string answer_json(const AnsweredCase& answered, const Shown& shown);
+
+/// The fields "manifold" and "derivative". Of polytopes that touch the first has their cone, of
+/// unions each patch its pieces.
+Json manifold_object(const Manifold& manifold);
+Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& derivative);
 
 /// Returns the line for a case of a stream that has no result.
 std::string json_error(const std::string& id, std::size_t line, std::string_view error);

@@ -37,7 +37,7 @@ struct Result {
   std::optional<Json> counters = {};
   std::optional<std::string> certificate = {}, delta = {};
   std::optional<std::uint64_t> rays = {};
-  std::optional<Json> bound = {}, width = {};
+  std::optional<Json> bound = {}, width = {}, manifold = {}, derivative = {};
 };
 
 inline constexpr std::tuple result_fields{
@@ -88,7 +88,12 @@ inline constexpr std::tuple result_fields{
           "facet."),
     field("rays", &Result::rays, "", "With delta: how many rays were shot."),
     field("bound", &Result::bound, "length", "With delta: a lower bound of the true depth."),
-    field("width", &Result::width, "length", "Of `fathom width` only: the same length as depth.")};
+    field("width", &Result::width, "length", "Of `fathom width` only: the same length as depth."),
+    field("manifold", &Result::manifold, "",
+          "With --patch: all contact points after each listed way out, or of bodies that touch or are apart; and "
+          "whether the signed depth is differentiable by the poses."),
+    field("derivative", &Result::derivative, "",
+          "With --twist: how fast the signed depth changes while the bodies begin to move.")};
 static_assert(text::stored_fields(result_fields) == text::member_count<Result>(), "each member of Result has its row");
 constexpr const auto& fields_of(const Result*) { return result_fields; }
 
@@ -101,6 +106,7 @@ struct UnionResult {
   Json depth, low, high, optima, apart, deepest_pair, hulls, counters;
   std::optional<Json> hull = {};
   std::optional<std::string> certificate = {};
+  std::optional<Json> manifold = {}, derivative = {};
 };
 
 inline constexpr std::tuple union_result_fields{
@@ -121,7 +127,12 @@ inline constexpr std::tuple union_result_fields{
     field("hull", &UnionResult::hull, "", "Of bodies whose pieces are meshes with faces."),
     field("certificate", &UnionResult::certificate, "",
           "With --embed-certificate, if complete: the text of the answer's certificate (verify/check/FORMAT.md, "
-          "section 12).")};
+          "section 12)."),
+    field("manifold", &UnionResult::manifold, "",
+          "With --patch: all contact points after each listed way out, or of bodies that touch or are apart; and "
+          "whether the signed depth is differentiable by the poses."),
+    field("derivative", &UnionResult::derivative, "",
+          "With --twist: how fast the signed depth changes while the bodies begin to move.")};
 static_assert(text::stored_fields(union_result_fields) == text::member_count<UnionResult>(),
               "each member of UnionResult has its row");
 constexpr const auto& fields_of(const UnionResult*) { return union_result_fields; }
