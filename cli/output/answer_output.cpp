@@ -242,9 +242,9 @@ void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& fo
     for (const Kink kink : g.kinks) kinks.emplace_back(name(kink));
     rows.emplace_back("smooth", g.smooth() ? "yes" : fmt::format("no: {}", fmt::join(kinks, ", ")));
   }
-  if (form.patch && g.gradient)
-    rows.emplace_back("gradient", fmt::format("{} by v, {} by w", decimals(g.gradient->by_translation()),
-                                              decimals(g.gradient->by_rotation())));
+  if (const std::optional<Gradient> gradient = g.gradient(); form.patch && gradient)
+    rows.emplace_back("gradient", fmt::format("{} by v, {} by w", decimals(gradient->by_translation()),
+                                              decimals(gradient->by_rotation())));
   if (const auto& derivative = answered.manifold->derivative)
     rows.emplace_back("derivative", rate_text(*derivative, form.exact));
 }

@@ -33,34 +33,32 @@ namespace fathom {
 /// none.
 struct PatchCorner {
   std::vector<std::uint32_t> on_a, on_b;  ///< the least face of A, of B
-  Vector numerator;                       ///< where it is on A: see Patch::a
-  mpz_class divisor;                      ///< > 0
+  /// What its place follows from. Of unions the ends of A's edge have been moved by the way out.
+  std::variant<CornerOfA, CornerOfB, CrossingEdges> meeting;
 };
 
 /// All contact points in one optimal direction. Its corners are extreme, each listed once: one of a
 /// point, two of a segment, three or more of a polygon, counter-clockwise seen from the tip of the
-/// direction. The first is the lexicographically least on A's core.
+/// direction. The first is the one with the least on_a, and of these with the least on_b, compared as
+/// lists. What is rational is computed when it is asked for.
 struct Patch {
-  Vector direction;                  ///< n: primitive, the way A leaves along
-  std::vector<PatchCorner> corners;  ///< at least one
+  Vector direction;                   ///< n: primitive, the way A leaves along
+  std::variant<mpq_class, Point> by;  ///< h(n), from which the translation follows; or of unions the translation
+  std::vector<PatchCorner> corners;   ///< at least one
+  mpq_class radius_a, radius_b;       ///< of the bodies: how far they reach beyond the cores
   /// of unions: the piece of A and the piece of B that touch; else 0 and 0
   std::pair<std::uint32_t, std::uint32_t> pieces;
-  std::size_t way = 0;            ///< which of the answer's shortest ways out it belongs to; 0 if they do not penetrate
-  mpq_class radius_a, radius_b;   ///< of the bodies: how far they reach beyond the cores
-  Point origin;                   ///< with the unit of the numerators: see a
-  mpz_class denominator = 1;      ///< > 0
-  Vector shift;                   ///< of the translation: see translation
-  mpz_class shift_divisor = 1;    ///< > 0
-  std::optional<bool> one_plane;  ///< of pieces that touch after the way: whether there is one plane between them
+  std::size_t way = 0;     ///< which of the answer's shortest ways out it belongs to; 0 if they do not penetrate
+  bool one_plane = false;  ///< of pieces that touch after the way: whether there is one plane between them
 
   /// The dimension: 0, 1 or 2.
   [[nodiscard]] int rank() const { return corners.size() > 2 ? 2 : static_cast<int>(corners.size()) - 1; }
-  /// The corner on A: that of the core, origin + numerator / (denominator * divisor), moved outward
-  /// by A's radius. `corner` is below corners.size().
+  /// The corner on A: that of the core, moved outward by A's radius. `corner` is below
+  /// corners.size().
   [[nodiscard]] RoundedPoint a(std::size_t corner) const;
   /// The same point of contact on B: a's core plus translation(), moved outward by B's radius.
   [[nodiscard]] RoundedPoint b(std::size_t corner) const;
-  /// Of the cores: shift / (denominator * shift_divisor).
+  /// Of the cores: (h(n) / <n,n>) n, or the way out of unions.
   [[nodiscard]] Point translation() const;
   /// The centroid of the patch, as a point of A and one of B.
   [[nodiscard]] RoundedWitness centroid() const;
@@ -108,13 +106,14 @@ struct ContactGeometry {
   std::optional<LeftOut> no_first_order;  ///< why neither `kinks` nor a derivative is told
   std::optional<OptimalCone> cone;        ///< of cores that touch, all directions that separate them
   std::vector<Kink> kinks;                ///< in the order of Kink; those of unions are not told
-  std::optional<Gradient> gradient;       ///< if the signed depth is differentiable by the poses
   bool of_unions = false;                 ///< of unions there is no gradient
   std::vector<bool> clearance;            ///< of unions, for each way out: see UnionOptimum
   Status cores = Status::disjoint;        ///< where the cores, or the unions, stand
 
   /// Whether the signed depth is differentiable by the poses: then strictly so.
-  [[nodiscard]] bool smooth() const { return gradient.has_value(); }
+  [[nodiscard]] bool smooth() const { return kinks.empty() && !of_unions && !no_patches; }
+  /// If it is, its derivative.
+  [[nodiscard]] std::optional<Gradient> gradient() const;
 };
 
 /// Returns where two bodies touch. `answer` is the one about these bodies. Exact; linear in the

@@ -49,6 +49,9 @@ Witness overlap(const polytope::PlacedPair& pair, const Vector& n, const FacingF
 /// not span a facet.
 ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b);
 
+/// The points of two edges that are not parallel, with b - a a multiple of n.
+Witness crossing_of(const CrossingEdges& edges, const Vector& n);
+
 /// Returns points a and b of the faces with b - a = v / d, d > 0, in units of the lattice, or
 /// nullopt if there are none.
 std::optional<Witness> meeting_points(const polytope::PlacedPair& pair, const FacingFaces& faces, const Vector& v,

@@ -118,14 +118,6 @@ std::optional<BinaryEnds> binary_ends(const CrossingEdges& edges) {
   return BinaryEnds{{point(0), point(1)}, {point(2), point(3)}, static_cast<mp_bitcnt_t>(-least)};
 }
 
-Witness witness_of(const CrossingEdges& edges, const Vector& n) {
-  if (const std::optional<BinaryEnds> ends = binary_ends(edges))
-    return {place_of(Crossing<Vector>(ends->a, ends->b, n), ends->shift),
-            place_of(Crossing<Vector>(ends->b, ends->a, n), ends->shift)};
-  const std::array a{edges.a[0].exact(), edges.a[1].exact()}, b{edges.b[0].exact(), edges.b[1].exact()};
-  return {place_of(Crossing<Point>(a, b, rational(n))), place_of(Crossing<Point>(b, a, rational(n)))};
-}
-
 // The faces overlap on the lattice of the answer.
 Witness witness_of(const OverlappingFaces& faces, const Vector& n) {
   const polytope::PlacedPair frame{faces.units, faces.origin.exact(), {}, {}};
@@ -146,6 +138,14 @@ template <class... Calls>
 Overloaded(Calls...) -> Overloaded<Calls...>;
 
 }  // namespace
+
+Witness depth::crossing_of(const CrossingEdges& edges, const Vector& n) {
+  if (const std::optional<BinaryEnds> ends = binary_ends(edges))
+    return {place_of(Crossing<Vector>(ends->a, ends->b, n), ends->shift),
+            place_of(Crossing<Vector>(ends->b, ends->a, n), ends->shift)};
+  const std::array a{edges.a[0].exact(), edges.a[1].exact()}, b{edges.b[0].exact(), edges.b[1].exact()};
+  return {place_of(Crossing<Point>(a, b, rational(n))), place_of(Crossing<Point>(b, a, rational(n)))};
+}
 
 Point GivenPoint::exact() const {
   if (const Point* point = std::get_if<Point>(&coordinates)) return *point;
@@ -186,7 +186,7 @@ Witness Penetration::witness() const {
                                [&](const CornerOfB& b) {
                                  return Witness{b.point.exact() - first.translation(), b.point.exact()};
                                },
-                               [&](const CrossingEdges& edges) { return witness_of(edges, first.direction); }},
+                               [&](const CrossingEdges& edges) { return depth::crossing_of(edges, first.direction); }},
                     meeting);
 }
 

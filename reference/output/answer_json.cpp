@@ -300,17 +300,17 @@ Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const s
 
 Json manifold_object(const Manifold& manifold) {
   const ContactGeometry& g = manifold.geometry;
+  const std::optional<Gradient> gradient = g.gradient();
   const bool smoothness = !g.of_unions && !g.no_patches;  // is told
   Json result{{"patches", g.no_patches ? Json() : Json::array_of(g.patches, [&](const Patch& patch) {
                  return patch_object(patch, g.of_unions);
                })}};
   result["smooth"] = smoothness ? Json::boolean(g.smooth()) : Json();
   result["kinks"] = smoothness ? Json::array_of(g.kinks, [](Kink kink) { return Json(name(kink)); }) : Json();
-  result["gradient"] =
-      g.gradient ? Json{{"normal", exact(g.gradient->normal)}, {"point", exact(g.gradient->point)}} : Json();
-  result["gradient_f64"] = g.gradient ? Json{{"v", numbers(rounded::nearest_binary64(g.gradient->by_translation()))},
-                                             {"w", numbers(rounded::nearest_binary64(g.gradient->by_rotation()))}}
-                                      : Json();
+  result["gradient"] = gradient ? Json{{"normal", exact(gradient->normal)}, {"point", exact(gradient->point)}} : Json();
+  result["gradient_f64"] = gradient ? Json{{"v", numbers(rounded::nearest_binary64(gradient->by_translation()))},
+                                           {"w", numbers(rounded::nearest_binary64(gradient->by_rotation()))}}
+                                    : Json();
   result["vertex_weights"] =
       manifold.weights ? Json{{"a", weights_array(manifold.weights->a)}, {"b", weights_array(manifold.weights->b)}}
                        : Json();

@@ -8,28 +8,49 @@
 #include "fathom/patch.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/patch/patch.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 
 namespace fathom::patch {
 namespace {
 
-bool at_rest(const Twist& twist) { return twist.v == Point{} && twist.w == Point{}; }
+/// A velocity over one denominator.
+struct ScaledTwist {
+  Vector v, w;
+  mpz_class denominator = 1;
 
-Point velocity(const Twist& twist, const Point& p) { return twist.v + cross(twist.w, p); }
+  /// How fast B moves against A. As <n, w x n> = 0, it does not matter along n where a contact
+  /// point is taken to be.
+  ScaledTwist(const Twist& of_a, const Twist& of_b) {
+    for (const Twist* twist : {&of_a, &of_b})
+      for (const Point* part : {&twist->v, &twist->w})
+        for (const mpq_class* c : {&part->x, &part->y, &part->z})
+          if (c->get_den() != 1) denominator = lcm(denominator, c->get_den());
+    v = difference(of_b.v, of_a.v);
+    w = difference(of_b.w, of_a.w);
+  }
 
-/// How fast B moves against A at a corner.
+ private:
+  [[nodiscard]] Vector difference(const Point& p, const Point& q) const {
+    const auto integer = [&](const mpq_class& c) { return mpz_class(c.get_num() * (denominator / c.get_den())); };
+    const auto along = [&](const mpq_class& c, const mpq_class& d) -> mpz_class {
+      return sgn(c) == 0 ? mpz_class(-integer(d)) : mpz_class(integer(c) - integer(d));
+    };
+    return {along(p.x, q.x), along(p.y, q.y), along(p.z, q.z)};
+  }
+};
+
+/// How fast B's point of a corner moves against A's.
 Point relative_velocity(const Patch& patch, std::size_t corner, const Twist& of_a, const Twist& of_b) {
-  Point z;
-  if (!at_rest(of_a)) z = -velocity(of_a, patch.a(corner).core);
-  if (!at_rest(of_b)) z = z + velocity(of_b, patch.b(corner).core);
-  return z;
+  return of_b.v + cross(of_b.w, patch.b(corner).core) - of_a.v - cross(of_a.w, patch.a(corner).core);
 }
 
 mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
 
-/// A rate, rate / |direction|.
+/// The rate rate / |direction|.
 struct Rate {
-  mpq_class rate, squared;  ///< squared: of the quotient, with its sign
+  mpq_class rate;     ///< where it is needed
+  mpq_class squared;  ///< of the quotient, with its sign
   Vector direction;
   std::size_t patch = 0, corner = 0;
 };
@@ -38,24 +59,40 @@ DirectionalDerivative derivative_of(const Rate& rate) {
   return {sgn(rate.squared), abs(rate.squared), rate.direction, rate.patch, rate.corner};
 }
 
-/// The greatest at the corners of a patch.
-Rate greatest(const ContactGeometry& geometry, std::size_t index, const Twist& of_a, const Twist& of_b) {
-  const Patch& patch = geometry.patches[index];
+/// The greatest at the corners of a patch, whose A moves along its direction.
+Rate greatest(const Patch& patch, std::size_t index, const ScaledTwist& motion) {
+  const Vector& n = patch.direction;
+  const Vector turn = cross(n, motion.w);  // <n, w x p> = <n x w, p>
+  const mpz_class push = dot(n, motion.v);
+  mpz_class above, below = 1;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    const Numerators p = contact_numerators(patch, k);
+    mpz_class rate = push * p.denominator + dot(turn, p.point);
+    if (k > 0 && rate * below <= above * p.denominator) continue;
+    above = std::move(rate), below = p.denominator, best = k;
+  }
+  below *= motion.denominator;
+  return {{}, kernels::ratio(above * abs(above), below * below * dot(n, n)), n, index, best};
+}
+
+/// The same for pieces of unions, which a way out moves along another direction.
+Rate greatest_of_pieces(const Patch& patch, std::size_t index, const Twist& of_a, const Twist& of_b) {
   Rate best{{}, {}, patch.direction, index, 0};
   for (std::size_t k = 0; k < patch.corners.size(); ++k) {
     mpq_class rate = dot(patch.direction, relative_velocity(patch, k, of_a, of_b));
     if (k == 0 || rate > best.rate) (best.rate = std::move(rate), best.corner = k);
   }
-  best.squared = signed_square(best.rate) / dot(patch.direction, patch.direction);
   return best;
 }
 
 /// Of bodies that penetrate or are apart: the least over all directions; of unions that are apart
 /// the greatest over all pairs of pieces.
 DirectionalDerivative by_optima(const ContactGeometry& geometry, const Twist& of_a, const Twist& of_b) {
-  Rate best = greatest(geometry, 0, of_a, of_b);
+  const ScaledTwist motion(of_a, of_b);
+  Rate best = greatest(geometry.patches[0], 0, motion);
   for (std::size_t i = 1; i < geometry.patches.size(); ++i) {
-    Rate rate = greatest(geometry, i, of_a, of_b);
+    Rate rate = greatest(geometry.patches[i], i, motion);
     if (geometry.of_unions ? rate.squared > best.squared : rate.squared < best.squared) best = std::move(rate);
   }
   return derivative_of(best);
@@ -262,8 +299,8 @@ std::variant<DirectionalDerivative, LeftOut> by_ways(const ContactGeometry& geom
     std::vector<Rate> rates;
     const std::size_t first = i;
     for (; i < geometry.patches.size() && geometry.patches[i].way == way; ++i) {
-      if (turns && !*geometry.patches[i].one_plane) return LeftOut::many_planes;
-      if (turns) rates.push_back(greatest(geometry, i, of_a, of_b));
+      if (turns && !geometry.patches[i].one_plane) return LeftOut::many_planes;
+      if (turns) rates.push_back(greatest_of_pieces(geometry.patches[i], i, of_a, of_b));
     }
     if (turns && !geometry.clearance[way]) return LeftOut::exact_fit;
     Rate rate = turns ? greatest_sum(rates, t) : Rate{dot(t, of_b.v - of_a.v), {}, {}, first, 0};

@@ -57,8 +57,6 @@ void find_kinks(ContactGeometry& geometry, std::size_t optima) {
     add_kink(geometry, Kink::extended);
   if (geometry.cone && (geometry.cone->lineality != Lineality::none || geometry.cone->rays.size() > 1))
     add_kink(geometry, Kink::cone);
-  if (geometry.kinks.empty())
-    geometry.gradient = Gradient{geometry.patches.front().direction, geometry.patches.front().a(0).core};
 }
 
 ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth& depth, const OptimalCone* cone,
@@ -70,15 +68,15 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
   std::size_t optima = 1;
   if (const Penetration* const penetration = depth.penetration()) {
     for (const Optimum& optimum : penetration->optima) {
-      geometry.patches.push_back(
-          shared(faces_along(optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b)));
+      geometry.patches.push_back(shared_inside(
+          {optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b}, optimum.support));
       geometry.patches.back().way = geometry.patches.size() - 1;
     }
     optima = penetration->optima.size() + penetration->unlisted;
     if (penetration->unlisted > 0) geometry.no_first_order = LeftOut::unlisted;
   } else if (const Distance* const apart = depth.distance()) {
-    geometry.patches.push_back(
-        shared(faces_along(apart->direction, points_a, apart->contact.a, points_b, apart->contact.b)));
+    geometry.patches.push_back(shared({apart->direction, points_a, apart->contact.a, points_b, apart->contact.b},
+                                      dot(apart->direction, apart->translation)));
   } else {
     std::optional<rounded::PlanesBetween> planes;
     if (cone == nullptr || contact == nullptr) {
@@ -88,7 +86,7 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
     geometry.cone = planes ? std::move(planes->cone) : *cone;
     const Contact& faces = planes ? planes->contact : *contact;
     const Vector n = cone != nullptr ? geometry.cone->direction() : depth.touch()->direction;
-    geometry.patches.push_back(shared(faces_along(n, points_a, faces.a, points_b, faces.b)));
+    geometry.patches.push_back(shared({n, points_a, faces.a, points_b, faces.b}, 0));
   }
   find_kinks(geometry, optima);
   return geometry;
@@ -116,18 +114,10 @@ ContactGeometry of_half_space(const Body& a, const Body& b, const PlaneSupport& 
 // ---- unions ----
 
 /// Whether the faces span a plane: then it is the only one between pieces that touch there.
-bool span_a_plane(const MeetingFaces& faces) {
-  const std::vector<Vector>&a = faces.a.points, &b = faces.b.points;
-  if (a.size() > 2 || b.size() > 2) return true;
-  return a.size() == 2 && b.size() == 2 && !is_zero(cross(a[1] - a[0], b[1] - b[0]));
-}
-
-Patch of_pieces(const std::pair<std::uint32_t, std::uint32_t>& pieces, std::size_t way, const MeetingFaces& faces) {
-  Patch patch = shared(faces);
-  patch.pieces = pieces;
-  patch.way = way;
-  patch.one_plane = span_a_plane(faces);
-  return patch;
+bool span_a_plane(const Contact& contact, const std::vector<Point>& a, const std::vector<Point>& b) {
+  const std::vector<std::uint32_t>&of_a = contact.a, &of_b = contact.b;
+  if (of_a.size() > 2 || of_b.size() > 2) return true;
+  return of_a.size() == 2 && of_b.size() == 2 && cross(a[of_a[1]] - a[of_a[0]], b[of_b[1]] - b[of_b[0]]) != Point{};
 }
 
 /// The least and greatest coordinates of a piece.
@@ -164,9 +154,10 @@ void add_nearest(ContactGeometry& geometry, const Pieces& a, const Pieces& b, co
       if (squared_gap(boxes_a[i], boxes_b[j]) > squared) continue;
       const Depth depth = penetration_depth(a[i], b[j]);
       const Distance& found = *depth.distance();
-      if (found.squared == squared)
-        geometry.patches.push_back(
-            of_pieces({i, j}, 0, faces_along(found.direction, a[i], found.contact.a, b[j], found.contact.b)));
+      if (found.squared != squared) continue;
+      geometry.patches.push_back(shared({found.direction, a[i], found.contact.a, b[j], found.contact.b},
+                                        dot(found.direction, found.translation)));
+      geometry.patches.back().pieces = {i, j};
     }
 }
 
@@ -181,9 +172,13 @@ ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& de
   if (depth.apart) add_nearest(geometry, a, b, *depth.apart, monitor);
   for (std::size_t way = 0; way < depth.optima.size(); ++way) {
     const Point& t = depth.optima[way].translation;
-    for (const PieceContact& c : depth.optima[way].contacts)
-      geometry.patches.push_back(
-          of_pieces({c.a, c.b}, way, faces_after(t, c.direction, a[c.a], c.contact.a, b[c.b], c.contact.b)));
+    for (const PieceContact& c : depth.optima[way].contacts) {
+      Patch& patch =
+          geometry.patches.emplace_back(shared_after(t, {c.direction, a[c.a], c.contact.a, b[c.b], c.contact.b}));
+      patch.pieces = {c.a, c.b};
+      patch.way = way;
+      patch.one_plane = span_a_plane(c.contact, a[c.a], b[c.b]);
+    }
     geometry.clearance.push_back(depth.optima[way].clearance);
   }
   if (depth.status == Status::touching) geometry.no_first_order = LeftOut::touching;
@@ -246,7 +241,7 @@ ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& ans
 }
 
 std::optional<VertexWeights> vertex_weights(const Body& body_a, const Body& body_b, const ContactGeometry& geometry) {
-  if (!geometry.gradient) return std::nullopt;
+  if (!geometry.smooth()) return std::nullopt;
   const kernels::DefaultFloatEnvironment environment;
   const Patch& patch = geometry.patches.front();
   const patch::CorePoints a(body_a), b(body_b);
@@ -258,6 +253,10 @@ std::optional<VertexWeights> vertex_weights(const Body& body_a, const Body& body
   std::optional<std::vector<Weight>> of_b = of(b, patch.direction, patch.corners[0].on_b, patch.b(0).core);
   if (!of_a || !of_b) return std::nullopt;
   return VertexWeights{std::move(*of_a), std::move(*of_b)};
+}
+
+std::optional<Gradient> ContactGeometry::gradient() const {
+  return smooth() ? std::optional(Gradient{patches.front().direction, patches.front().a(0).core}) : std::nullopt;
 }
 
 SurdPoint Gradient::by_translation() const { return rounded::coordinates(AlongNormal{normal, 0, -1}); }

@@ -13,47 +13,48 @@
 
 namespace fathom::patch {
 
-/// A face by its corners, counter-clockwise seen from the tip of the direction, on a lattice. One
-/// is a vertex, two are an edge.
-struct Corners {
-  std::vector<Vector> points;
-  std::vector<std::uint32_t> ids;  ///< of the body's points
-};
-
-/// A point p of the lattice stands for origin + p / denominator. A is moved by shift / divisor, in
-/// units of the lattice; then the faces lie in one plane.
+/// The face of each body by its corners, in any order: extreme points, each once. One is a vertex,
+/// two are an edge. The views must outlive it.
 struct MeetingFaces {
-  Vector direction;
-  Corners a, b;
-  Point origin;
-  mpz_class denominator, divisor;  ///< > 0
-  Vector shift;
+  Vector direction;  ///< n: both lie in planes orthogonal to it
+  polytope::Points a;
+  std::span<const std::uint32_t> of_a;
+  polytope::Points b;
+  std::span<const std::uint32_t> of_b;
 };
 
-/// The faces with these corners, in any order, of two bodies. A is moved along n until they meet.
-MeetingFaces faces_along(const Vector& n, const polytope::Points& a, std::span<const std::uint32_t> of_a,
-                         const polytope::Points& b, std::span<const std::uint32_t> of_b);
-/// The same, A being moved by t, after which the faces lie in one plane orthogonal to n.
-MeetingFaces faces_after(const Point& t, const Vector& n, const polytope::Points& a,
-                         std::span<const std::uint32_t> of_a, const polytope::Points& b,
-                         std::span<const std::uint32_t> of_b);
+/// What the faces share once A has been moved along n until they lie in one plane: its core is at
+/// the height `support` then. Of m and n corners it takes O(m n) signs of determinants of the given
+/// corners: no point is constructed to find the others. Throws std::logic_error if they share
+/// nothing.
+Patch shared(const MeetingFaces& faces, const mpq_class& support);
+/// The same once A has been moved by t, which brings the faces into one plane.
+Patch shared_after(const Point& t, const MeetingFaces& faces);
 
-/// What the moved face of A shares with the face of B. Of m and n corners it takes O(m n) signs of
-/// determinants of the given corners, and constructs no point before it is known to be a corner.
-/// Throws std::logic_error if they share nothing.
-Patch shared(const MeetingFaces& faces);
+/// The same of bodies that penetrate, for their contact in an optimal direction: a point that is
+/// inside both faces needs no search [Lemma 2].
+Patch shared_inside(const MeetingFaces& faces, const mpq_class& support);
 
-/// What the moved face of A shares with a half-space whose plane it lies in then: all of it. Of the
-/// patch on_b is empty. `half_space_is_a`: the face is B's, and on_a is empty.
+/// The patch of a face of a body, of which some points may be no corners, and a half-space whose
+/// plane it lies in once A has been moved: all of it. `half_space_is_a`: the face is B's.
 Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const std::uint32_t> face,
                const mpq_class& support, bool half_space_is_a);
 
-/// The corners on A of what the faces share, in the order of Patch: the polygon of A is clipped by
-/// one half-plane of B after another, in rationals. The naive twin.
-std::vector<Point> shared_naive(const MeetingFaces& faces);
+/// A contact point times a denominator: on A, on B or between them along n, wherever it takes
+/// fewest steps.
+struct Numerators {
+  Vector point;
+  mpz_class denominator;  ///< > 0
+};
+Numerators contact_numerators(const Patch& patch, std::size_t corner);
 
-/// Checks the laws of a patch from the definitions: corners lie in both faces, are extreme and in
-/// order, and each names its least faces.
+/// The corners on A of what the faces share after the translation t, counter-clockwise from the
+/// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in rationals. The naive
+/// twin.
+std::vector<Point> shared_naive(const Point& t, const MeetingFaces& faces);
+
+/// Checks the laws of a patch from the definitions: corners lie inside the faces that they name,
+/// are extreme and in order.
 [[nodiscard]] kernels::Report validate(const Patch& patch, const MeetingFaces& faces);
 
 }  // namespace fathom::patch
