@@ -67,6 +67,7 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
   geometry.cores = depth.status();
   std::size_t optima = 1;
   if (const Penetration* const penetration = depth.penetration()) {
+    geometry.patches.reserve(penetration->optima.size());
     for (const Optimum& optimum : penetration->optima) {
       geometry.patches.push_back(shared_inside(
           {optimum.direction, points_a, optimum.contact.a, points_b, optimum.contact.b}, optimum.support));
