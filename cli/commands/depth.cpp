@@ -26,6 +26,7 @@
 #include "cli/output/answer_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/approximate.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/files/shape_names.hpp"
@@ -285,6 +286,16 @@ struct Files {
         pictures(request, request.svg, "picture", ".svg") {}
 };
 
+/// Of the answer, and of its patches and the derivative if these are asked for and have one.
+std::string certificate_of(const Body& a, const Body& b, const AnsweredCase& answered, const AnswerForm& form,
+                           Monitor* monitor) {
+  if (!answered.manifold || !has_patch_certificate(answered.manifold->geometry))
+    return certificate_text(a, b, answered.answer, answered.id, monitor);
+  std::vector<Twist> motions;
+  if (form.motion) motions.push_back(form.motion->against_b());
+  return certificate_text(a, b, answered.answer, answered.manifold->geometry, motions, answered.id, monitor);
+}
+
 std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
   if (request.json) return output::answer_json(answered, request.form);
   return is_stream(request) ? answer_line(answered, request.form) : answer_block(answered, request.form);
@@ -382,13 +393,13 @@ Replies exact_replies(const DepthRequest& request) {
     AnsweredCase answered = answered_by(asked, request, question_of(request, monitor, workspace));
     if (!answered.answer.complete()) return {text_of(answered, request), {}, interrupted};
     const Case& single = asked;
+    const Body& b = request.one_body ? single.a : single.b;
+    if (request.form.manifold())
+      answered.manifold = output::manifold_of(single.a, b, answered.answer, request.form.motion, &monitor);
     if (!request.certificate.empty() || request.form.certificate) {
-      answered.certificate =
-          certificate_text(single.a, request.one_body ? single.a : single.b, answered.answer, single.id, &monitor);
+      answered.certificate = certificate_of(single.a, b, answered, request.form, &monitor);
       require_readable(single.id, answered.certificate);
     }
-    if (request.form.manifold())
-      answered.manifold = output::manifold_of(single.a, single.b, answered.answer, request.form.motion, &monitor);
     CaseReply reply{text_of(answered, request)};
     const std::string picture = files->pictures.wanted() ? answer_picture(single, answered, request.form) : "";
     if (proof) proof->write(answered.certificate);

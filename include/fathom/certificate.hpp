@@ -19,6 +19,7 @@
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
+#include "fathom/patch.hpp"
 #include "fathom/point.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
@@ -86,6 +87,27 @@ struct ConeProof {
 /// high. In the first three cases the signed depth of the bodies follows exactly.
 enum class ShapeClaim { depth, touching, apart, signed_bounds };
 
+/// A direction orthogonal to that of a patch, in which the patch ends: the face of a body has its
+/// least <inward,x> all along a line on which two corners are, this one and that of the side before.
+struct PatchSide {
+  bool of_b;           ///< whose face it is
+  Vector inward;       ///< primitive
+  std::size_t corner;  ///< the last corner on the line, counter-clockwise
+};
+
+/// Proves that a contact patch is the hull of its corners, and each of them extreme.
+struct PatchProof {
+  /// convex weights of points of A, and of points of B; none of a half-space
+  std::vector<std::pair<std::vector<Weight>, std::vector<Weight>>> corners;
+  std::vector<PatchSide> sides;  ///< counter-clockwise seen from the tip of the direction
+};
+
+/// A derivative of the signed depth, along a motion of A.
+struct CertifiedRate {
+  Twist motion;  ///< of A; B is at rest
+  Surd value;    ///< its rational part is 0
+};
+
 /// Self-contained: it holds the shapes.
 struct ShapeCertificate {
   std::string id;  ///< of the case; may be empty
@@ -106,6 +128,9 @@ struct ShapeCertificate {
   std::vector<Weight> weights_a,  ///< else, unless a core is a half-space: convex weights of points of A
       weights_b;                  ///< of points of B: the distance of the two is that of the cores
   std::optional<ConeProof> cone;  ///< touching, of points: all optimal directions
+  /// One for each direction, or none at all: format 2. Not of signed_bounds.
+  std::vector<PatchProof> patches;
+  std::vector<CertifiedRate> rates;  ///< beside patches, if all optimal directions are proved
 };
 
 /// Returns the certificate of an answer to signed_depth(a, b). Throws std::logic_error if the proof
@@ -114,7 +139,7 @@ struct ShapeCertificate {
 ShapeCertificate make_certificate(const Shape& a, const Shape& b, const SignedDepth& answer,
                                   Monitor* monitor = nullptr);
 
-/// The text that checkers read: format 2.
+/// The text that checkers read: format 2, or 4 if it has patches.
 std::string certificate_text(const ShapeCertificate& certificate);
 
 /// Which format the text of two point sets without radii is in that touch: both can express them.
@@ -128,6 +153,19 @@ enum class ShapeFormat {
 /// The text of make_certificate(a, b, answer), with this id.
 std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& answer, std::string_view id = {},
                              ShapeFormat format = ShapeFormat::shortest, Monitor* monitor = nullptr);
+
+// ---- with contact patches: format 4 ----
+
+/// Whether an answer with these patches has a certificate of format 4: not of unions, nor of curved
+/// bodies.
+bool has_patch_certificate(const ContactGeometry& geometry);
+
+/// The text of a certificate of the answer, of its patches, and of the derivatives along these
+/// motions of A, where all optimal directions can be proved: not of cores that touch, nor if optima
+/// are unlisted. `geometry` is that of the answer. Throws as the functions above do, and
+/// std::invalid_argument if there is none.
+std::string certificate_text(const Body& a, const Body& b, const Answer& answer, const ContactGeometry& geometry,
+                             std::span<const Twist> motions = {}, std::string_view id = {}, Monitor* monitor = nullptr);
 
 // ---- unions of convex pieces: format 3 ----
 

@@ -257,7 +257,7 @@ class ShapeWriter {
   explicit ShapeWriter(const ShapeCertificate& certificate) : c_(certificate), out_(4000) {}
 
   std::string text() {
-    out_.word("fathom-certificate 2").end();
+    out_.word(c_.patches.empty() ? "fathom-certificate 2" : "fathom-certificate 4").end();
     if (!c_.id.empty()) out_.word("id").word(escaped(c_.id)).end();
     body(c_.a, "a", "shape_a", "halfspace_a", "radius_a");
     body(c_.b, "b", "shape_b", "halfspace_b", "radius_b");
@@ -265,6 +265,7 @@ class ShapeWriter {
     if (c_.claim == ShapeClaim::signed_bounds) bracket();
     if (!of_half_space()) lower_side();
     if (c_.cone) cone(*c_.cone);
+    if (!c_.patches.empty()) patches();
     out_.word("end");
     for (const std::size_t n : counts_) out_.word(n);
     out_.end();
@@ -369,6 +370,31 @@ class ShapeWriter {
     vectors("rays", proof.cone.rays);
     announce("differences", proof.differences.size()).end();
     for (const auto& [i, j] : proof.differences) out_.word(std::size_t{j}).word(std::size_t{i}).end();
+  }
+
+  void patches() {
+    announce("patches", c_.patches.size()).end();
+    for (const PatchProof& patch : c_.patches) {
+      counts_.insert(counts_.end(), {patch.corners.size(), patch.sides.size()});
+      out_.word("patch").word(patch.corners.size()).word(patch.sides.size()).end();
+      for (const auto& [of_a, of_b] : patch.corners) {
+        for (const auto* weights : {&of_a, &of_b}) {
+          out_.word(weights->size());
+          for (const Weight& w : *weights) out_.word(std::size_t{w.index}).word(w.weight);
+        }
+        out_.end();
+      }
+      for (const PatchSide& side : patch.sides)
+        out_.word(side.of_b ? "b" : "a").words(side.inward).word(side.corner).end();
+    }
+    if (c_.rates.empty()) return;
+    announce("rates", c_.rates.size()).end();
+    for (const CertifiedRate& rate : c_.rates)
+      out_.words(rate.motion.v)
+          .words(rate.motion.w)
+          .word(mpz_class(sgn(rate.value.root)))
+          .word(mpq_class(abs(rate.value.root)))
+          .end();
   }
 
   const ShapeCertificate& c_;

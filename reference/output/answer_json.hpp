@@ -26,6 +26,9 @@ struct Manifold {
 /// A motion by which the derivative is asked for.
 struct Motion {
   Twist of_a, of_b;
+
+  /// Of A, with B at rest: of convex bodies it has the same derivative.
+  [[nodiscard]] Twist against_b() const { return {of_a.v - of_b.v, of_a.w - of_b.w}; }
 };
 
 /// Of a complete answer about these bodies.

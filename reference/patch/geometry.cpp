@@ -86,7 +86,7 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
     }
     geometry.cone = planes ? std::move(planes->cone) : *cone;
     const Contact& faces = planes ? planes->contact : *contact;
-    const Vector n = cone != nullptr ? geometry.cone->direction() : depth.touch()->direction;
+    const Vector n = geometry.cone->direction();
     geometry.patches.push_back(shared({n, points_a, faces.a, points_b, faces.b}, 0));
   }
   find_kinks(geometry, optima);

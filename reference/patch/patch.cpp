@@ -423,19 +423,24 @@ Patch shared_inside(const MeetingFaces& faces, const mpq_class& support) {
   return patch;
 }
 
+std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Points& body,
+                                             std::span<const std::uint32_t> ids) {
+  std::vector<GivenPoint> given;
+  for (const std::uint32_t i : ids) given.push_back(body[i]);
+  std::vector<std::uint32_t> cycle = cycle_of(scaled(given).points, 0, given.size(), n);
+  for (std::uint32_t& i : cycle) i = ids[i];
+  return cycle;
+}
+
 Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const std::uint32_t> face,
                const mpq_class& support, bool half_space_is_a) {
-  std::vector<GivenPoint> given;
-  for (const std::uint32_t i : face) given.push_back(body[i]);
-  const Scaled points = scaled(given);
-  const std::vector<std::uint32_t> cycle = cycle_of(points.points, 0, points.points.size(), n);
-  const auto least = std::ranges::min_element(cycle, {}, [&](std::uint32_t i) { return face[i]; });
+  std::vector<std::uint32_t> cycle = counter_clockwise(n, body, face);
+  std::rotate(cycle.begin(), std::ranges::min_element(cycle), cycle.end());
   Patch patch = patch_along(n, support);
-  for (std::size_t k = 0; k < cycle.size(); ++k) {
-    const std::uint32_t i = cycle[(static_cast<std::size_t>(least - cycle.begin()) + k) % cycle.size()];
+  for (const std::uint32_t i : cycle) {
     PatchCorner& corner = patch.corners.emplace_back();
-    if (half_space_is_a) (corner.on_b = {face[i]}, corner.meeting = CornerOfB{given[i]});
-    else (corner.on_a = {face[i]}, corner.meeting = CornerOfA{given[i]});
+    if (half_space_is_a) (corner.on_b = {i}, corner.meeting = CornerOfB{body[i]});
+    else (corner.on_a = {i}, corner.meeting = CornerOfA{body[i]});
   }
   return patch;
 }

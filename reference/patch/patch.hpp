@@ -40,6 +40,11 @@ Patch shared_inside(const MeetingFaces& faces, const mpq_class& support);
 Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const std::uint32_t> face,
                const mpq_class& support, bool half_space_is_a);
 
+/// The corners among points that lie in a plane orthogonal to n, counter-clockwise seen from its
+/// tip; of equal points the lowest id stands for all.
+std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Points& body,
+                                             std::span<const std::uint32_t> ids);
+
 /// A contact point times a denominator: on A, on B or between them along n, wherever it takes
 /// fewest steps.
 struct Numerators {

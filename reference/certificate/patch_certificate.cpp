@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Format 4: what is proved of contact patches beside the depth. The corners of a patch as points of
+// both bodies, and the sides that leave no room for another one.      [verify/check/FORMAT.md, 13]
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "fathom/patch.hpp"
+#include "kernels/float_environment.hpp"
+#include "kernels/vector.hpp"
+#include "reference/certificate/certificate.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/patch/patch.hpp"
+#include "reference/shapes/core.hpp"
+#include "reference/solve/depth.hpp"
+
+namespace fathom::certificate {
+namespace {
+
+/// A face in direction u by its corners, counter-clockwise seen from the tip of n; none of a
+/// half-space.
+struct OrderedFace {
+  std::vector<Point> corners;
+
+  OrderedFace(const std::vector<Point>& body, const Vector& u, const Vector& n) {
+    if (body.empty()) return;
+    for (const std::uint32_t i : patch::counter_clockwise(n, body, solve::extreme_points(body, u)))
+      corners.push_back(body[i]);
+  }
+};
+
+/// The weights of the point p in a polygon, segment or point with these corners, in order: of a
+/// triangle at the first corner, without those that are 0.
+std::vector<Weight> weights_in(const std::vector<Point>& body, const std::vector<std::uint32_t>& corners,
+                               const Point& p) {
+  const Point& first = body[corners[0]];
+  if (corners.size() == 1) return {{corners[0], 1}};
+  const auto kept = [](std::vector<Weight> weights) {
+    std::erase_if(weights, [](const Weight& w) { return w.weight == 0; });
+    std::ranges::sort(weights, {}, &Weight::index);
+    return weights;
+  };
+  const Point to = p - first;
+  if (corners.size() == 2) {
+    const Point along = body[corners[1]] - first;
+    const mpq_class share = dot(along, to) / dot(along, along);
+    return kept({{corners[0], 1 - share}, {corners[1], share}});
+  }
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const Point e = body[corners[k]] - first, f = body[corners[k + 1]] - first, area = cross(e, f);
+    const mpq_class whole = dot(area, area), second = dot(area, cross(to, f)) / whole,
+                    third = dot(area, cross(e, to)) / whole;
+    if (second >= 0 && third >= 0 && second + third <= 1)
+      return kept({{corners[0], 1 - second - third}, {corners[k], second}, {corners[k + 1], third}});
+  }
+  contradiction("a corner of a patch outside its face");
+}
+
+std::vector<Weight> weights_on(const std::vector<Point>& body, std::vector<std::uint32_t> on, const Vector& n,
+                               const Point& p) {
+  if (on.empty()) return {};
+  if (on.size() > 2) on = patch::counter_clockwise(n, body, on);
+  return weights_in(body, on, p);
+}
+
+/// The directions in the plane of a face in which it is bounded: inward normals of its edges, of a
+/// segment also along it from both ends, of a point four.
+std::vector<Vector> inward(const std::vector<Point>& face, const Vector& n) {
+  std::vector<Vector> normals;
+  for (std::size_t k = 0; face.size() > 1 && k < face.size(); ++k) {
+    const Vector along = primitive_along(face[(k + 1) % face.size()] - face[k]);
+    normals.push_back(primitive(cross(n, along)));
+    if (face.size() == 2) normals.push_back(along);
+  }
+  if (face.size() != 1) return normals;
+  const Vector e = n.x != 0 || n.y != 0 ? Vector{-n.y, n.x, 0} : Vector{1, 0, 0};
+  for (const Vector& m : {e, cross(n, e)}) normals.insert(normals.end(), {primitive(m), primitive(-m)});
+  return normals;
+}
+
+mpq_class least(const std::vector<Point>& points, const Vector& m) {
+  mpq_class value = dot(m, points.front());
+  for (const Point& p : points) value = std::min(value, dot(m, p));
+  return value;
+}
+
+/// Before or after, counter-clockwise around n from the direction e.
+bool angle_less(const Vector& n, const Vector& e, const Vector& u, const Vector& v) {
+  const auto half = [&](const Vector& w) {
+    const int side = sgn(det(n, e, w));
+    return side > 0 || (side == 0 && dot(e, w) > 0) ? 0 : 1;
+  };
+  if (half(u) != half(v)) return half(u) < half(v);
+  return det(n, u, v) > 0;
+}
+
+/// The sides of a patch with these corners on A: in the order of their directions all in which a
+/// face is bounded where the patch is, without those that the two beside them make superfluous.
+std::vector<PatchSide> sides_of(const std::vector<Point>& on_a, const Point& t, const OrderedFace& a,
+                                const OrderedFace& b, const Vector& n) {
+  std::vector<PatchSide> sides;
+  const auto add = [&](const OrderedFace& face, bool of_b) {
+    for (const Vector& m : inward(face.corners, n)) {
+      const mpq_class level = least(on_a, m) + (of_b ? mpq_class(dot(m, t)) : mpq_class(0));
+      const bool known = std::ranges::any_of(sides, [&](const PatchSide& s) { return same_direction(s.inward, m); });
+      if (!known && level == least(face.corners, m)) sides.push_back({of_b, m, 0});
+    }
+  };
+  add(a, false);
+  add(b, true);
+  const Vector first = sides.front().inward;
+  std::ranges::sort(sides,
+                    [&](const PatchSide& p, const PatchSide& q) { return angle_less(n, first, p.inward, q.inward); });
+  const auto after = [&](std::size_t l) { return l + 1 == sides.size() ? 0 : l + 1; };
+  for (std::size_t l = 0; l < sides.size(); ++l) {
+    const Vector both[] = {sides[l].inward, sides[after(l)].inward};
+    const auto corner = std::ranges::find_if(on_a, [&](const Point& p) {
+      return dot(both[0], p) == least(on_a, both[0]) && dot(both[1], p) == least(on_a, both[1]);
+    });
+    if (corner == on_a.end()) contradiction("a patch that its sides do not hold");
+    sides[l].corner = static_cast<std::size_t>(corner - on_a.begin());
+  }
+  for (std::size_t l = 0; sides.size() > 3 && l < sides.size();) {
+    const PatchSide &before = sides[l == 0 ? sides.size() - 1 : l - 1], &next = sides[after(l)];
+    if (before.corner == sides[l].corner && det(n, before.inward, next.inward) > 0)
+      sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(l));
+    else ++l;
+  }
+  return sides;
+}
+
+PatchProof prove_patch(const Patch& patch, const std::vector<Point>& a, const std::vector<Point>& b) {
+  const Vector& n = patch.direction;
+  PatchProof proof;
+  std::vector<Point> on_a;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    on_a.push_back(patch.a(k).core);
+    proof.corners.push_back({weights_on(a, patch.corners[k].on_a, n, on_a.back()),
+                             weights_on(b, patch.corners[k].on_b, n, patch.b(k).core)});
+  }
+  proof.sides = sides_of(on_a, patch.translation(), OrderedFace(a, -n, n), OrderedFace(b, n, n), n);
+  return proof;
+}
+
+std::vector<Point> points_of(const Shape& shape) {
+  if (shapes::is_halfspace(shape)) return {};
+  return shapes::polytope_points(shape, most_expanded_points).value();
+}
+
+/// The same answer as about shapes.
+SignedDepth as_shapes(const Answer& answer, const ContactGeometry& geometry) {
+  if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found)) return *shapes;
+  const Depth& depth = std::get<Depth>(answer.found);
+  return {Surd{0, signed_square(depth)}, 0, 0, depth, geometry.cone, {}};
+}
+
+}  // namespace
+}  // namespace fathom::certificate
+
+namespace fathom {
+
+bool has_patch_certificate(const ContactGeometry& geometry) { return !geometry.of_unions && !geometry.no_patches; }
+
+std::string certificate_text(const Body& a, const Body& b, const Answer& answer, const ContactGeometry& geometry,
+                             std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (!has_patch_certificate(geometry))
+    throw std::invalid_argument("patches of unions and of curved bodies have no certificate");
+  ShapeCertificate proof =
+      make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);
+  proof.id = id;
+  const std::vector<Point> points_a = certificate::points_of(proof.a), points_b = certificate::points_of(proof.b);
+  for (const Patch& patch : geometry.patches) {
+    if (patch.direction != proof.directions.at(proof.patches.size())) certificate::contradiction("another direction");
+    proof.patches.push_back(certificate::prove_patch(patch, points_a, points_b));
+  }
+  const bool one_direction = shapes::is_halfspace(proof.a) || shapes::is_halfspace(proof.b);
+  if (geometry.no_first_order || (geometry.cone && !one_direction)) motions = {};
+  for (const Twist& motion : motions)
+    proof.rates.push_back({motion, std::get<DirectionalDerivative>(directional_derivative(geometry, motion)).value()});
+  return certificate_text(proof);
+}
+
+}  // namespace fathom
