@@ -168,6 +168,10 @@ void write_points(Writer& out, std::string_view name, std::span<const P> points)
   for (const P& p : points) out.words(p).end();
 }
 
+/// The points of a core that is a polytope. Throws std::invalid_argument if it is none, or a sum of
+/// too many.
+std::vector<Point> points_of(const Shape& shape);
+
 /// Throws std::logic_error: an answer and its proof do not agree.
 [[noreturn]] void contradiction(const char* what);
 

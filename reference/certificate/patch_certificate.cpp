@@ -142,11 +142,6 @@ PatchProof prove_patch(const Patch& patch, const std::vector<Point>& a, const st
   return proof;
 }
 
-std::vector<Point> points_of(const Shape& shape) {
-  if (shapes::is_halfspace(shape)) return {};
-  return shapes::polytope_points(shape, most_expanded_points).value();
-}
-
 /// The same answer as about shapes.
 SignedDepth as_shapes(const Answer& answer, const ContactGeometry& geometry) {
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found)) return *shapes;
@@ -169,12 +164,15 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
   ShapeCertificate proof =
       make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);
   proof.id = id;
-  const std::vector<Point> points_a = certificate::points_of(proof.a), points_b = certificate::points_of(proof.b);
+  const auto points_of = [](const Shape& shape) {
+    return shapes::is_halfspace(shape) ? std::vector<Point>() : certificate::points_of(shape);
+  };
+  const std::vector<Point> points_a = points_of(proof.a), points_b = points_of(proof.b);
   for (const Patch& patch : geometry.patches) {
     if (patch.direction != proof.directions.at(proof.patches.size())) certificate::contradiction("another direction");
     proof.patches.push_back(certificate::prove_patch(patch, points_a, points_b));
   }
-  const bool one_direction = shapes::is_halfspace(proof.a) || shapes::is_halfspace(proof.b);
+  const bool one_direction = points_a.empty() || points_b.empty();
   if (geometry.no_first_order || (geometry.cone && !one_direction)) motions = {};
   for (const Twist& motion : motions)
     proof.rates.push_back({motion, std::get<DirectionalDerivative>(directional_derivative(geometry, motion)).value()});

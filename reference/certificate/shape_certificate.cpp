@@ -19,12 +19,6 @@
 namespace fathom::certificate {
 namespace {
 
-std::vector<Point> points_of(const Shape& shape) {
-  std::optional<std::vector<Point>> points = shapes::polytope_points(shape, most_expanded_points);
-  if (!points) throw std::invalid_argument("a sum has too many points to be written out, or a core is curved");
-  return std::move(*points);
-}
-
 // The same core as one hull.
 void set_points(Shape& shape, const std::vector<Point>& points) {
   if (std::get<std::vector<Term>>(shape.core).size() > 1) shape.core = hull(points).core;
@@ -406,6 +400,12 @@ class ShapeWriter {
 bool bare(const Shape& shape) { return shape.radius == 0 && shapes::require_all_but_points(shape); }
 
 }  // namespace
+
+std::vector<Point> points_of(const Shape& shape) {
+  std::optional<std::vector<Point>> points = shapes::polytope_points(shape, most_expanded_points);
+  if (!points) throw std::invalid_argument("a sum has too many points to be written out, or a core is curved");
+  return std::move(*points);
+}
 
 kernels::Report validate(const ShapeCertificate& certificate) { return ShapeCheck(certificate).run(); }
 
