@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -110,11 +111,26 @@ class Text {
       result_ += '\n';
     }
   }
+  /// Of a corner: two lists on one line, between these numbers.
+  void weights(const std::vector<fathom_check::Weight>& weights, const std::array<std::size_t, 3>& ends) {
+    for (const std::size_t list : {0, 1}) {
+      result_ += (list == 0 ? "" : " ") + std::to_string(ends[list + 1] - ends[list]);
+      for (std::size_t k = ends[list]; k < ends[list + 1]; ++k) {
+        result_ += ' ' + std::to_string(weights[k].index) + ' ';
+        add(weights[k].weight);
+      }
+    }
+    result_ += '\n';
+  }
   /// Those of the items from number `first` to `last`.
   template <class Items, class Line>
   void range(const std::string& name, const Items& items, std::size_t first, std::size_t last, const Line& row) {
     announce(name, last - first, "");
     for (std::size_t k = first; k < last; ++k) row(items[k]);
+  }
+  void announce_two(const char* name, std::size_t count, std::size_t other) {
+    line(name, count, other);
+    counts_.insert(counts_.end(), {count, other});
   }
   /// With the footer, which repeats all counts.
   std::string ended(int format) && {
@@ -230,6 +246,26 @@ void write_proof_of_unions(Text& text, const Certificate& c) {
   text.tree(parts.tree.items);
 }
 
+/// The patches and rates of format 4.
+void write_patches(Text& text, const fathom_check::PatchParts& parts) {
+  const auto sides = [&](const fathom_check::PatchParts::Side& side) {
+    text.line(side.of_b ? "b" : "a", side.inward.x, side.inward.y, side.inward.z, std::size_t{side.corner});
+  };
+  std::size_t patch = 0, corner = 0, side = 0;
+  text.part("patches", parts.corner_lists, [&](const fathom_check::List& corners) {
+    const std::size_t end_of_sides = parts.side_lists[patch++].end;
+    text.announce_two("patch", corners.end - corner, end_of_sides - side);
+    for (; corner < corners.end; ++corner) {
+      const auto [end_a, end_b] = parts.corners.items[corner];
+      text.weights(parts.weights, {parts.begin_of(corner), end_a, end_b});
+    }
+    for (; side < end_of_sides; ++side) sides(parts.sides.items[side]);
+  });
+  if (!parts.rates.items.empty())
+    text.part("rates", parts.rates.items,
+              [&](const fathom_check::PatchParts::Rate& rate) { text.line(rate.v, rate.w, rate.sign, rate.root); });
+}
+
 /// All but the first line and the id.
 std::string text_of(const Certificate& c) {
   Text text;
@@ -260,6 +296,7 @@ std::string text_of(const Certificate& c) {
     text.part("rays", c.rays.items, vector);
     text.part("differences", c.differences.items, pair);
   }
+  if (c.format == 4) write_patches(text, c.of_patches);
   return std::move(text).ended(c.format);
 }
 

@@ -72,6 +72,25 @@ class Certificates(ProgramTest):
         self.assertTrue(all(line.startswith("s VERIFIED ") for line in lines), lines)
         self.assertEqual(self.both("-", stdin=CUBES + files[0].read_text() + CUBES)[1][::2], [CUBES_OK] * 2)
 
+    def test_accepted_of_format_4(self):
+        files = sorted((DATA / "format_4").glob("*.cert"))
+        self.assertEqual(self.both(*files), (0, [
+            "s VERIFIED touching signed_depth=-sqrt(1/4)+1/2 patches=2 rates=2 capsule%20on%20the%20floor",
+            "s VERIFIED penetrating signed_depth=sqrt(0)+1 cone=0+4 patches=1 tip%20to%20tip",
+            "s VERIFIED disjoint signed_depth=-sqrt(1)+0 patches=1 rods",
+            "s VERIFIED penetrating signed_depth=sqrt(1)+0 optima=1 patches=4 rates=2 two%20cubes",
+            "s VERIFIED penetrating signed_depth=sqrt(1)+0 optima=2 patches=5+5 rates=3 two%20ways%20out"]))
+
+    def test_the_faults_of_format_4(self):
+        """Those of faults.jsonl, as check.py sees them too."""
+        for row in map(json.loads, (ROOT / "tests" / "check" / "faults.jsonl").read_text().splitlines()):
+            if row["of"].startswith("format_4/"):
+                text = (DATA / row["of"]).read_text()
+                for before, after in row["edits"]:
+                    text = text.replace(before, after, 1)
+                said = re.sub(r"(REFUSED .*?):\d+: .*", r"\1", re.sub(r"(MALFORMED .*?:\d+): .*", r"\1", row["says"]))
+                self.assertEqual(self.both("-", stdin=text)[1], [said], row["edits"])
+
     def test_the_examples_of_the_page(self):
         """Each certificate that FORMAT.md shows, remarks aside, is the file that it names or one of the data."""
         page = (ROOT / "verify" / "check" / "FORMAT.md").read_text()
@@ -84,6 +103,9 @@ class Certificates(ProgramTest):
                                                       flags=re.MULTILINE) == re.sub("^id .*\n", "", text, flags=re.MULTILINE)]
             self.assertEqual(len(found), 1, text[:200])
             self.assertEqual(self.both("-", stdin=text)[0], 0)
+        patch = re.search(r"(?:^    .+\n)+", page[page.index("    patches 1 "):], re.MULTILINE)[0]
+        self.assertIn("".join(re.sub("  .*", "", line[4:]) + "\n" for line in patch.splitlines()),
+                      (DATA / "format_4" / "two_cubes.cert").read_text())
 
     def test_refused(self):
         files = sorted((DATA / "refused").glob("*.cert"))
@@ -139,7 +161,7 @@ class Certificates(ProgramTest):
                          (2, ["s MALFORMED two%20cubes:21", APART_OK]))
         self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
                          (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
-        self.assertEqual(self.both("-", stdin="fathom-certificate 4\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 5\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
         self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED x:3", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 

@@ -8,8 +8,9 @@ PATH        a genuine certificate, or a folder of them (*.cert)
 --checker   a program that takes certificates as arguments and prints verdict lines; the first one sees every forgery
 --share K   the further ones see every K-th forgery (default 1: all)
 --solids N  besides, N certificates of format 2 that random_solids.py makes
+--patches N N certificates of format 4 that patches.py makes; and of the others those that can have patches, with patches
 --oracle    the program fathom, which re-solves the points of accepted forgeries whose points or claim are others than the genuine ones;
-            those of format 2 are judged by definition
+            those of formats 2 and 4 are judged by definition
 --count N   forgeries in all, at least
 
 Exit codes: 0 fine; 1 a disagreement, or an untrue claim was accepted; 2 usage, or a genuine certificate is not accepted.
@@ -19,6 +20,7 @@ import collections
 import json
 import os
 import pathlib
+import random
 import re
 import shlex
 import subprocess
@@ -29,6 +31,7 @@ from fractions import Fraction
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import forging  # noqa: E402
+import patches  # noqa: E402
 import random_solids  # noqa: E402
 import solids  # noqa: E402
 from parts import Parts  # noqa: E402
@@ -59,9 +62,11 @@ def run_checker(command, folder, names):
 def statement(text):
     """What a certificate claims, as exact values: two equal ones are true together."""
     parts = Parts(text)
-    if parts.format == "2":
-        proof = ("heights", "inner", "weights", "vertices", "facets", "differences", *(["directions"] if parts.which == "some" else []))
-        return parts.claim, parts.which, {part: rows for part, rows in parts.rows.items() if not part.startswith(proof)}
+    if parts.format in ("2", "4"):
+        proof = ["heights", "inner", "weights", "vertices", "facets", "differences", "patches", "rates"]
+        proof += ["directions"] if parts.which == "some" and parts.format == "2" else []
+        return (parts.claim, parts.which, {part: rows for part, rows in parts.rows.items() if not part.startswith(tuple(proof))},
+                patches.claimed(parts) if parts.format == "4" else None)
     points = [[[Fraction(x) for x in row] for row in parts.rows[body]] for body in "ab"]
     directions = sorted(tuple(map(int, row)) for row in parts.rows["directions"]) if parts.which == "all" else None
     return points, parts.claim[0], [Fraction(x) for x in parts.claim[1:]], directions
@@ -115,6 +120,8 @@ class Campaign:
             self.kinds[kind] += 1
             self.outcomes[max(verdicts[name], key=lambda v: EXIT[v.split()[0]], default="none").split()[0]] += 1
             if any(verdict.startswith("VERIFIED") for verdict in verdicts[name]):
+                if kind in forging.NEVER_ACCEPTED:
+                    self.fault(f"{kind}: accepted, though it never is a proof", forged)
                 self.take_accepted(forged, genuine, verdicts[name])
 
     def take_accepted(self, forged, genuine, verdicts):
@@ -139,7 +146,7 @@ class Campaign:
     def judge_accepted(self):
         polytopes = [(claim, forged) for claim, forged, piece in self.accepted if piece.startswith("fathom-certificate 1")]
         for _, forged, piece in self.accepted:
-            if piece.startswith("fathom-certificate 2") and not solids.is_true(Parts(piece)):
+            if not piece.startswith("fathom-certificate 1") and not self.is_true_by_definition(Parts(piece)):
                 self.fault("an untrue claim is accepted", forged)
         if polytopes and not self.options.oracle:
             return [self.fault("accepted, and no oracle to ask", forged) for _, forged in polytopes]
@@ -152,6 +159,10 @@ class Campaign:
                 if not is_true(claim, result):
                     self.fault("an untrue claim is accepted", forged)
         return None
+
+    @staticmethod
+    def is_true_by_definition(parts):
+        return solids.is_true(parts) and (parts.format != "4" or patches.is_true(parts))
 
     def report(self):
         total = sum(self.kinds.values())
@@ -170,7 +181,13 @@ def genuine_texts(options):
         for text in re.split(r"^(?=fathom-certificate)", path.read_text(), flags=re.MULTILINE):
             if text.startswith("fathom-certificate"):
                 texts.append(Parts(text).text())
-    return texts + [Parts(text).text() for _, text, _ in random_solids.genuine(options.solids, options.seed)]
+    texts += [Parts(text).text() for _, text, _ in random_solids.genuine(options.solids, options.seed)]
+    if not options.patches:
+        return texts
+    rng = random.Random(options.seed)
+    texts = [text if text.startswith("fathom-certificate 4") else patches.with_patches(text, rng) for text in texts
+             if patches.can_have_patches(text)]
+    return texts + list(patches.genuine(options.patches, options.seed))
 
 
 def main():
@@ -181,6 +198,7 @@ def main():
     parser.add_argument("--share", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--solids", type=int, default=0)
+    parser.add_argument("--patches", type=int, default=0)
     parser.add_argument("path", nargs="*")
     options = parser.parse_args()
     texts = genuine_texts(options)

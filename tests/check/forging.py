@@ -4,9 +4,11 @@ of a forgery, or None where it does not apply. A forgery may happen to be genuin
 import random
 from fractions import Fraction
 
+import patch_forging
 from parts import Parts
 
-CLAIMS = {"1": {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0}, "2": {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2}}
+CLAIMS = {"1": {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0}, "2": {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
+          "4": {"depth": 1, "touching": 0, "apart": 1}}
 
 
 def some_row(parts, rng, *names):
@@ -275,6 +277,8 @@ def word_nudged(text, rng):
 ON_PARTS = (number, number, index, swapped_words, swapped_rows, dropped_row, doubled_row, reversed_facet, cut_corner, claimed, claimed,
             direction, exchanged_bodies, moved_body)
 ON_FORMAT_2 = (near, near, near, another_body, cone, cone)
+ON_FORMAT_4 = patch_forging.NEVER + patch_forging.MAYBE
+NEVER_ACCEPTED = {kind.__name__ for kind in patch_forging.NEVER}
 ON_TEXT = (truncated, line_gone, line_twice, lines_exchanged, byte, word_nudged)
 
 
@@ -293,7 +297,7 @@ def forgeries(text, others, count, seed):
     """(name, text) of forgeries of `text`: all truncations if there are no more than `count`, then `count` others. `others`: the Parts of
     other cases."""
     rng, parts = random.Random(seed), Parts(text)
-    on_parts = ON_PARTS + (ON_FORMAT_2 if parts.format == "2" else ())
+    on_parts = ON_PARTS + {"1": (), "2": ON_FORMAT_2, "4": ON_FORMAT_2 + ON_FORMAT_4}[parts.format]
     genuine = parts.text()
     if len(genuine) <= count:
         yield from (("truncated", genuine[:k]) for k in range(len(genuine)))

@@ -6,7 +6,7 @@ ONE_LINE = ("radius_a", "radius_b", "halfspace_a", "halfspace_b")
 
 class Parts:
     """A certificate without comments and id: the claim's words, and the rows of each part as lists of words. Radius and half-space are
-    parts of one row; of a shape, each term is a row and each atom."""
+    parts of one row; of a shape, each term is a row and each atom; of patches, each patch is a row, each corner and each side."""
 
     def __init__(self, text):
         lines = [line.split(" ") for line in text.split("\n")[:-1] if not line.startswith(("#", "id "))]
@@ -29,6 +29,13 @@ class Parts:
                     self.rows[word] += [["term"], *(list(row) for row in lines[at + 1:at + 1 + atoms])]
                     at += 1 + atoms
                 continue
+            if word == "patches":
+                self.rows[word] = []
+                for _ in range(count):
+                    end = at + 1 + int(lines[at][1]) + int(lines[at][2])
+                    self.rows[word] += [["patch"], *(list(row) for row in lines[at + 1:end])]
+                    at = end
+                continue
             if word == "directions":
                 self.which = rest[1]
             self.rows[word] = [list(row) for row in lines[at:at + count]]
@@ -50,6 +57,15 @@ class Parts:
         for part, rows in self.rows.items():
             if part in ONE_LINE:
                 out += [" ".join([part, *row]) for row in rows]
+            elif part == "patches":
+                starts = [k for k, row in enumerate(rows) if row == ["patch"]] + [len(rows)]
+                announce(part, len(starts) - 1)
+                for start, end in zip(starts, starts[1:]):
+                    sides = [row for row in rows[start + 1:end] if row[0] in ("a", "b")]
+                    corners = [row for row in rows[start + 1:end] if row[0] not in ("a", "b")]
+                    announce("patch", len(corners), f" {len(sides)}")
+                    counts.append(len(sides))
+                    out += map(" ".join, corners + sides)
             elif part.startswith("shape_"):
                 starts = [k for k, row in enumerate(rows) if row == ["term"]] + [len(rows)]
                 announce(part, len(starts) - 1)

@@ -97,8 +97,13 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("verify/check/check_inner.cpp", "return most <= most_bits_of_vertices(s) ?", "return most <= 63 ?", "check_tests"),
     ("verify/check/check_cone.cpp", "if (ends[r] < 2) throw", "if (ends[r] < 1) throw", "check_tests"),
     ("verify/check/check_tree.cpp", "if (listed != open_[s]) throw", "if (listed > open_[s]) throw", "check_tests"),
+    ("verify/check/check_patches.cpp", "product_ != lowest_ * p.den) throw", "product_ < lowest_ * p.den) throw", "check_tests"),
+    ("verify/check/check_patches.cpp", "if (compare(order[k - 1], order[k]) == 0)", "if (compare(order[k - 1], order[k]) > 0)",
+     "check_tests"),
     ("verify/check/check.py", "demand(sum(p * p for p in y) <= 1,", "demand(sum(p * p for p in y) <= 2,",
      "check_forgeries_of_format_2"),
+    ("verify/check/check.py", "demand(dot(n, cross(before, m)) > 0,", "demand(dot(n, cross(before, m)) >= 0,",
+     "check_forgeries_of_patches"),
     # the judge and the harness
     ("verify/judge/judge.cpp", "if (claim_.overlap && conventions_.touching == Touching::separate)",
      "if (claim_.overlap && conventions_.touching == Touching::either)", "judge_tests"),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A certificate as it was read: nothing in it is believed yet.    [FORMAT.md, sections 2, 3 and 12]
+// A certificate as it was read: nothing in it is believed yet.
+//                                                           [FORMAT.md, sections 2, 3, 12 and 13]
 #pragma once
 
 #include <gmpxx.h>
@@ -131,6 +132,35 @@ struct UnionParts {
   mpz_class unit = 1;  ///< the least common multiple of the denominators of all coordinates of optima
 };
 
+/// What a certificate of format 4 says besides: a patch for each direction.
+struct PatchParts {
+  /// Weights of a point of A, then of B, up to these among those of all corners.
+  struct Corner {
+    std::size_t end_a, end_b;
+  };
+  struct Side {
+    bool of_b;
+    Vector inward;
+    std::uint32_t corner;
+  };
+  /// How fast the signed depth grows, sign sqrt(root), as A moves with v + w x p at its points p.
+  struct Rate {
+    RationalPoint v, w;
+    Integer sign;
+    Rational root;
+  };
+
+  std::size_t line = 0;
+  std::vector<List> corner_lists, side_lists;  ///< one of each for each patch
+  Part<std::vector<Corner>> corners;
+  std::vector<Weight> weights;
+  Part<std::vector<Side>> sides;
+  Part<std::vector<Rate>> rates;
+
+  /// Of corner k among the weights.
+  [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : corners.items[k - 1].end_b; }
+};
+
 struct Certificate {
   Arena integers;  ///< where all below lie
   int format = 1;
@@ -149,9 +179,13 @@ struct Certificate {
   Part<std::vector<Vector>> lineality, rays;
   Part<std::vector<Pair>> differences;
   UnionParts of_unions;
+  PatchParts of_patches;
   mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };
+
+/// Whether bodies have radii and may be half-spaces, and the signed depth is what is claimed.
+inline bool is_of_bodies(int format) { return format == 2 || format == 4; }
 
 inline bool has_half_space(const Certificate& c) {
   return c.a.core == Body::Core::half_space || c.b.core == Body::Core::half_space;

@@ -35,9 +35,9 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
     const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
     return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
   }
-  const char* const what = v.format == 2                ? " signed_depth"
-                           : v.distance_squared.empty() ? " depth_squared"
-                                                        : " distance_squared";
+  const char* const what = v.format == 2 || v.format == 4 ? " signed_depth"
+                           : v.distance_squared.empty()   ? " depth_squared"
+                                                          : " distance_squared";
   std::string line = "s VERIFIED " + v.status + what;
   if (v.at_least.empty()) {
     line += "=" + v.depth_squared + v.distance_squared + v.signed_depth;
@@ -47,6 +47,8 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
   if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
   if (!v.cone.empty()) line += " cone=" + v.cone;
   if (!v.pieces.empty()) line += " pieces=" + v.pieces;
+  if (!v.patches.empty()) line += " patches=" + v.patches;
+  if (v.rates > 0) line += " rates=" + std::to_string(v.rates);
   return line + " " + label;
 }
 

@@ -18,7 +18,8 @@ RATIONAL = re.compile(INTEGER.pattern + "(/(?!0+$)" + NATURAL.pattern + ")?")
 TEXT = re.compile("([!-$&-~]|%[0-9A-Fa-f]{2})+")
 NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of each format: how many a claim has
            2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
-           3: {"depth": 1, "touching": 0, "apart": 1}}
+           3: {"depth": 1, "touching": 0, "apart": 1},
+           4: {"depth": 1, "touching": 0, "apart": 1}}
 ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
 
 
@@ -136,8 +137,8 @@ class Reader:
         return atoms
 
     def body(self, c, x):
-        word = self.fields()[0] if c["format"] == 2 else x
-        if word == "shape_" + x:
+        word = self.fields()[0] if c["format"] in (2, 4) else x
+        if word == "shape_" + x and c["format"] == 2:
             c["terms_" + x] = [self.term() for _ in self.header(word)]
             self.advance()
         elif word == "halfspace_" + x:
@@ -145,7 +146,7 @@ class Reader:
             self.advance()
         else:
             c[x] = self.part(x, [RATIONAL] * 3, rational)
-        if c["format"] == 2 and self.fields()[0] == "radius_" + x:
+        if c["format"] in (2, 4) and self.fields()[0] == "radius_" + x:
             c["radius_" + x] = rational(self.these("radius_" + x, RATIONAL)[1])
             self.advance()
 
@@ -218,7 +219,7 @@ class Reader:
 
     def certificate(self, c):
         self.bytes, self.numbers, self.counts = 0, 0, []
-        c["format"] = int(self.these("fathom-certificate", re.compile("[123]"))[1])
+        c["format"] = int(self.these("fathom-certificate", re.compile("[1234]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
@@ -227,6 +228,8 @@ class Reader:
             self.union(c)
         else:
             self.convex(c)
+        if c["format"] == 4:
+            self.patches(c)
         counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
         demand(list(map(int, self.these("end", *[NATURAL] * len(counts))[1:])) == counts, "expected the counts of the parts again",
                Malformed)
@@ -250,11 +253,39 @@ class Reader:
             c["facets"] = self.facets()
         elif word != "disjoint" and not plane:
             self.weights(c)
-        if c["format"] == 2 and word == "touching" and not plane and self.fields()[0] == "lineality":
+        if c["format"] in (2, 4) and word == "touching" and not plane and self.fields()[0] == "lineality":
             c["cone"] = True
             c["lineality"] = self.part("lineality", [INTEGER] * 3, int)
             c["rays"] = self.part("rays", [INTEGER] * 3, int)
             c["differences"] = self.part("differences", [NATURAL] * 2, int)
+
+    def corner(self):
+        """Two lists of weights: of points of a, and of b."""
+        self.advance()
+        row, found = self.these(*[RATIONAL] * len(self.fields())), []
+        self.count_numbers(len(row))
+        for _ in "ab":
+            demand(row and NATURAL.fullmatch(row[0]), "expected the number of weights", Malformed)
+            count = int(row[0])
+            indices, weights, row = row[1:2 * count + 1:2], row[2:2 * count + 1:2], row[2 * count + 1:]
+            demand(len(weights) == count and all(map(NATURAL.fullmatch, indices)), "expected as many weights as announced", Malformed)
+            found.append([(int(i), rational(w)) for i, w in zip(indices, weights)])
+        demand(not row, "expected the end of the corner", Malformed)
+        return found
+
+    def patches(self, c):
+        count = self.header("patches")
+        self.advance()
+        for _ in count:
+            corners, sides = map(int, self.these("patch", NATURAL, NATURAL)[1:])
+            self.count_numbers(2)
+            self.counts += [corners, sides]
+            corners = [self.corner() for _ in range(corners)]
+            rows = [self.row(re.compile("[ab]"), *[INTEGER] * 3, NATURAL) for _ in range(sides)]
+            c["patches"].append((corners, [(x, tuple(map(int, m)), int(k)) for x, *m, k in rows]))
+            self.advance()
+        if self.fields()[0] == "rates":
+            c["rates"] = self.part("rates", [*[RATIONAL] * 6, INTEGER, RATIONAL], rational)
 
 
 def widest(numbers):
@@ -289,9 +320,9 @@ def require_limits(c):
     v = w + y if places else w
     size = vectors * v + len(weights) * x + len(heights) * g
     demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
-    directions = len(c["directions"]) + len(rays) + 2 * len(c["lineality"])
-    u = widest(n for row in c["directions"] + rays + c["lineality"] for n in row)
-    numbers = [n for q in c["bounds"] + ([c["radius_a"], c["radius_b"]] if c["format"] == 2 else []) for n in q.as_integer_ratio()]
+    directions, sides = len(c["directions"]) + len(rays) + 2 * len(c["lineality"]), [m for _, sides in c["patches"] for _, m, _ in sides]
+    u = widest(n for row in c["directions"] + rays + c["lineality"] + sides for n in row)
+    numbers = [n for q in c["bounds"] + ([c["radius_a"], c["radius_b"]] if c["format"] != 1 else []) for n in q.as_integer_ratio()]
     b = widest(numbers) if c["format"] == 1 else 2 * sum(map(int.bit_length, numbers))
     work = (len(points) + places) * directions * cost(v, u)
     work += (len(points) + 4 * places + 4 * sum(len(corners)**2 for corners in facets)) * cost(v, v)
@@ -299,6 +330,7 @@ def require_limits(c):
     work += 4 * len(weights) * cost(v + x, v + x)
     work += 4 * len(points) * cost(v + u + g, v + u + g) if heights else 0
     work += differences * (len(rays) + differences) * cost(v + u, v + u)
+    work += work_of_patches(c, v, u, size)
     demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
     fine = c["unit"] * c["fine"]
     for x in "ab":
@@ -306,6 +338,18 @@ def require_limits(c):
         c["terms_" + x] = c["terms_" + x] and [[[scaled(v, fine) for v in atom] for atom in term] for term in c["terms_" + x]]
         c["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + x]]
     c["unit"] = fine
+
+
+def work_of_patches(c, v, u, size):
+    """Section 13. With v, u and the size so far."""
+    corners = [[w for each in corner for _, w in each] for corners, _ in c["patches"] for corner in corners]
+    sides, vectors = sum(len(sides) for _, sides in c["patches"]), sum(map(len, corners)) + 2 * len(corners)
+    x = max((common_denominator(weights, vectors)[1] for weights in corners), default=0)
+    demand(size + vectors * (v + x) <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    r = max((sum(abs(n).bit_length() for q in (*rate[:6], rate[7]) for n in q.as_integer_ratio()) for rate in c["rates"]), default=0)
+    work = sides * (len(c["a"]) + len(c["b"])) * cost(v, u) + 4 * sides * cost(v + x + u, 2 * u)
+    work += 4 * (vectors + 6 * len(corners)) * cost(v + x + 2 * u, v + x + 2 * u)
+    return work + 8 * len(c["rates"]) * len(corners) * cost(v + x + u + r, v + x + u + r)
 
 
 def require_union_limits(c):
@@ -489,7 +533,53 @@ def check(c):
         demand(dot(z, z) <= -least * c["whole"]**2, "weights of points too far from each other")
     if c["cone"]:
         check_cone(c)
+    if c["format"] == 4:
+        check_patches(c)
     return proved(c, rho)
+
+
+def check_patches(c):
+    """Section 13."""
+    directions, plane = c["directions"], c["halfspace_a"] or c["halfspace_b"]
+    demand(len(c["patches"]) == len(directions), "expected one patch for each direction")
+    patches = [(n, check_patch(c, n, *patch)) for n, patch in zip(directions, c["patches"])]
+    demand(not c["rates"] or plane or c["claim"] == "apart" or c["which"] == "all", "a rate without all optimal directions")
+    for rate in c["rates"]:
+        check_rate(c, patches, rate)
+
+
+def check_patch(c, n, corners, sides):
+    """The p in A with p + t in B are the hull of the corners that are returned, and these are its extreme points. t = (h(n)/<n,n>) n."""
+    h = sum(height(c, x, towards(x, n)) for x in "ab")
+    level = {x: support(c, x, towards(x, n)) for x in "ab" if c[x]}  # of its face; a half-space has no points
+    face = {x: [p for p in c[x] if dot(towards(x, n), p) == level[x]] for x in level}
+    found = []
+    for corner in corners:
+        demand(all(bool(weights) == (x in level) for x, weights in zip("ab", corner)), "weights of a half-space, or none of points")
+        whole = lcm(*(w.denominator for weights in corner for _, w in weights))
+        whole_weights = {x: [(i, int(w * whole)) for i, w in weights] for x, weights in zip("ab", corner)}
+        end = {x: combination(whole_weights[x], c[x], whole) for x in level}
+        demand(all(dot(towards(x, n), p) == level[x] * whole for x, p in end.items()), "a corner that is not in the faces")
+        demand(len(end) < 2 or all(dot(n, n) * (q - p) == h * whole * k for p, q, k in zip(end["a"], end["b"], n)), "ends that do not meet")
+        found.append(tuple(Fraction(x, whole) for x in next(iter(end.values()))))
+    demand(len(set(found)) == len(found), "two corners at one point")
+    demand(sides and {k for *_, k in sides} == {*range(len(found))}, "no side, one without its corner, or a corner without a side")
+    demand(all(x in level and dot(n, m) == 0 for x, m, _ in sides), "a side of a half-space, or not orthogonal to the direction")
+    for l, (x, m, k) in enumerate(sides):
+        _, before, other = sides[l - 1]
+        lowest = min(dot(m, p) for p in face[x])
+        demand(dot(n, cross(before, m)) > 0, "sides that do not turn one way")
+        demand(dot(m, found[k]) == lowest == dot(m, found[other]), "a side that passes by its corner")
+    return found
+
+
+def check_rate(c, patches, rate):
+    """As A moves with the velocity v + w x p at each of its points p, the signed depth grows at the rate sign sqrt(root)."""
+    v, w, (sign, root) = [x * c["unit"] for x in rate[:3]], rate[3:6], rate[6:]
+    demand(sign in (-1, 0, 1) and root >= 0 and (sign == 0) == (root == 0), "no number with a sign")
+    fastest = [max(-dot(n, v) - dot(n, cross(w, p)) for p in corners) for n, corners in patches]
+    least = min(Fraction(square(speed), dot(n, n)) for speed, (n, _) in zip(fastest, patches))
+    demand(least == sign * root * c["unit"]**2, "another rate than claimed")
 
 
 def proved(c, rho):
@@ -507,7 +597,9 @@ def proved(c, rho):
     value = square(rho) - bounds[0] if claim == "apart" else rho + sum(bounds)  # has the sign of the signed depth
     status = "penetrating" if value > 0 else "disjoint" if value < 0 else "touching"
     cone = f" cone={len(c['lineality'])}+{len(c['rays'])}" if c["cone"] else ""
-    return f"{status} signed_depth={'-' if claim == 'apart' else ''}sqrt({bounds[0] if bounds else 0})+{rho}{optima}{cone}"
+    patches = f" patches={'+'.join(str(len(corners)) for corners, _ in c['patches'])}" if c["format"] == 4 else ""
+    rates = f" rates={len(c['rates'])}" if c["rates"] else ""
+    return f"{status} signed_depth={'-' if claim == 'apart' else ''}sqrt({bounds[0] if bounds else 0})+{rho}{optima}{cone}{patches}{rates}"
 
 
 def has_interior(points):
@@ -647,7 +739,7 @@ def verdicts(file, name):
         c = {"id": "", "radius_a": 0, "radius_b": 0, "cone": False}
         c.update((f"{part}_{x}", None) for part in ("terms", "halfspace") for x in "ab")
         c.update((f"{part}{x}", []) for part in ("", "heights_", "inner_", "weights_") for x in "ab")
-        c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": []})
+        c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": [], "patches": [], "rates": []})
         try:
             reader.certificate(c)
             (require_union_limits if c["format"] == 3 else require_limits)(c)

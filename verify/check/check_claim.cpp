@@ -54,6 +54,7 @@ void check_claim(const Certificate& c, Arithmetic arithmetic) {
   if (c.proof == Proof::facets) check_inner(c, bodies, low.num > 0 ? low : Bound{0, 1});
   if (c.proof == Proof::weights) check_weights(c, bodies.a.all_points(), bodies.b.all_points(), low);
   if (c.has_cone) check_cone(c, bodies);
+  if (c.format == 4) check_patches(c, bodies);
 }
 
 }  // namespace fathom_check

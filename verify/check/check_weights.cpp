@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point of each core, given by convex combinations of its core points: a common one, or two that
-// are near to each other.
+// Convex combinations of core points; a point of each core that is given by one: a common point, or
+// two that are near to each other.
 #include "budget.hpp"
 #include "checks.hpp"
 #include "vectors.hpp"
@@ -8,26 +8,27 @@
 namespace fathom_check {
 namespace {
 
-/// The sum of weight * point, over a common denominator of the weights.
-struct Combination {
-  MutableVector sum;
-  mpz_class den = 1;
-};
-
 void check_weight(const Weight& w, std::size_t points, std::size_t line) {
   if (w.index >= points) throw refused(line, "there is no point of this number");
   if (w.weight.num.sign() <= 0) throw refused(line, "a weight is positive: this one is not");
 }
 
 Combination combine(const Part<std::vector<Weight>>& part, const Points& points) {
+  for (std::size_t k = 0; k < part.items.size(); ++k) check_weight(part.items[k], points.size(), part.lines[k]);
+  return convex_combination(part.items.data(), part.items.data() + part.items.size(), points, part.line);
+}
+
+}  // namespace
+
+Combination convex_combination(const Weight* begin, const Weight* end, const Points& points, std::size_t line) {
   Combination result;
-  for (std::size_t k = 0; k < part.items.size(); ++k) {
-    check_weight(part.items[k], points.size(), part.lines[k]);
-    mpz_lcm(result.den.get_mpz_t(), result.den.get_mpz_t(), part.items[k].weight.den.get_mpz_t());
+  for (const Weight* w = begin; w != end; ++w) {
+    check_weight(*w, points.size(), line);
+    mpz_lcm(result.den.get_mpz_t(), result.den.get_mpz_t(), w->weight.den.get_mpz_t());
   }
   mpz_class total = 0, factor;
-  for (std::size_t k = 0; k < part.items.size(); ++k) {
-    const Weight& w = part.items[k];
+  for (; begin != end; ++begin) {
+    const Weight& w = *begin;
     mpz_divexact(factor.get_mpz_t(), result.den.get_mpz_t(), w.weight.den.get_mpz_t());
     mpz_mul(factor.get_mpz_t(), factor.get_mpz_t(), w.weight.num.get_mpz_t());
     const Vector& p = points[w.index];
@@ -36,11 +37,9 @@ Combination combine(const Part<std::vector<Weight>>& part, const Points& points)
     mpz_addmul(result.sum.y.get_mpz_t(), factor.get_mpz_t(), p.y.get_mpz_t());
     mpz_addmul(result.sum.z.get_mpz_t(), factor.get_mpz_t(), p.z.get_mpz_t());
   }
-  if (total != result.den) throw refused(part.line, "these weights do not sum to 1");
+  if (total != result.den) throw refused(line, "these weights do not sum to 1");
   return result;
 }
-
-}  // namespace
 
 void check_weights(const Certificate& c, const Points& points_a, const Points& points_b, const Bound& low) {
   const Combination a = combine(c.weights_a, points_a), b = combine(c.weights_b, points_b);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of FORMAT.md, sections 4 and 12. Each returns if all is proved and throws a Fault
+// The checks of FORMAT.md, sections 4, 12 and 13. Each returns if all is proved and throws a Fault
 // otherwise.
 #pragma once
 
@@ -23,6 +23,15 @@ void check_claim(const Certificate& certificate, Arithmetic arithmetic = Arithme
 /// The upper side (section 5): each direction's height compared as the claim demands. If a core is
 /// a half-space, the lower side too.
 void check_directions(const Certificate& certificate, const Scaled& bodies, const Bound& low, const Bound& high);
+
+/// The sum of weight * point, over a common denominator of the weights.
+struct Combination {
+  MutableVector sum;
+  mpz_class den = 1;
+};
+/// Throws Fault (refused, on `line`) unless the weights are positive, of points that exist, and sum
+/// to 1.
+Combination convex_combination(const Weight* begin, const Weight* end, const Points& points, std::size_t line);
 
 /// The weights are convex, and yield points of A and of B that are so near to each other that
 /// h(n)/|n| is at least `low`.
@@ -59,6 +68,9 @@ void check_inner(const Certificate& certificate, const Scaled& bodies, const Bou
 
 /// No vector has h = 0 but those of the cone.
 void check_cone(const Certificate& certificate, const Scaled& bodies);
+
+/// Section 13: each patch is the hull of its corners, and the rates follow.
+void check_patches(const Certificate& certificate, const Scaled& bodies);
 
 /// Section 12, once it is known that the number of the claim is positive.
 void check_unions(const Certificate& certificate, const Scaled& bodies, const Bound& low);

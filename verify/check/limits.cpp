@@ -54,14 +54,15 @@ Count cost(Count s, Count t) {
   return product(fixed + std::max(s, t), fixed + std::min({s, t, linear_from}));
 }
 
+Count widest(const Vector& n) { return std::max({bits(n.x), bits(n.y), bits(n.z)}); }
 Count widest(const Part<std::vector<Vector>>& vectors) {
-  Count widest = 0;
-  for (const Vector& n : vectors.items) widest = std::max({widest, bits(n.x), bits(n.y), bits(n.z)});
-  return widest;
+  Count result = 0;
+  for (const Vector& n : vectors.items) result = std::max(result, widest(n));
+  return result;
 }
 
 Count width_of_claim(const Certificate& c) {
-  if (c.format != 2) {
+  if (!is_of_bodies(c.format)) {
     if (c.claim == Claim::touching || c.claim == Claim::disjoint) return 0;
     return std::max({bits(c.low.num), bits(c.low.den), bits(c.high.num), bits(c.high.den)});
   }
@@ -113,6 +114,34 @@ Width width_of_weights(const Certificate& c, Count weights, std::size_t line, co
   for (const auto* part : {&c.weights_a, &c.weights_b})
     for (const Weight& weight : part->items) result.take(weight.weight);
   return result;
+}
+
+// The letters are those of section 13; v and u are those of section 8.
+struct OfPatches {
+  Count size = 0, work = 0;
+};
+OfPatches size_and_work_of_patches(const Certificate& c, Count v, Count u, std::size_t line, const Limits& limits) {
+  const PatchParts& parts = c.of_patches;
+  const Count corners = parts.corners.items.size(), g = parts.weights.size(), s = parts.sides.items.size(),
+              m = parts.rates.items.size(), n = c.a.points.items.size() + c.b.points.items.size();
+  Count x = 0, r = 0;
+  for (std::size_t k = 0; k < corners; ++k) {
+    Width of_corner(g + 2 * corners, line, limits);
+    for (std::size_t i = parts.begin_of(k); i < parts.corners.items[k].end_b; ++i)
+      of_corner.take(parts.weights[i].weight);
+    x = std::max(x, of_corner.value());
+  }
+  for (const PatchParts::Rate& rate : parts.rates.items) {
+    Count sum = 0;
+    for (const Rational* q : {&rate.v.x, &rate.v.y, &rate.v.z, &rate.w.x, &rate.w.y, &rate.w.z, &rate.root})
+      sum += bits(q->num) + bits(q->den);
+    r = std::max(r, sum);
+  }
+  Count work = product(product(s, n), cost(v, u));
+  work = sum(work, product(4 * (g + 8 * corners), cost(v + x + 2 * u, v + x + 2 * u)));
+  work = sum(work, product(4 * s, cost(v + x + u, 2 * u)));
+  work = sum(work, product(product(8 * m, corners), cost(v + x + u + r, v + x + u + r)));
+  return {product(g + 2 * corners, corners > 0 ? v + x : 0), work};
 }
 
 // The letters are those of section 12.
@@ -174,15 +203,18 @@ void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   }
   const Count x = width_of_weights(c, weights, line, limits).value();
   const Count v = of_points.value() + (i > 0 ? of_parameters.value() : 0), g = of_heights.value();
-  if (vectors * v + weights * x + j * g > limits.size) throw of_points.too_large();
+  Count u = std::max({widest(c.directions), widest(c.lineality), widest(c.rays)});
+  for (const PatchParts::Side& side : c.of_patches.sides.items) u = std::max(u, widest(side.inward));
+  const OfPatches patches = size_and_work_of_patches(c, v, u, line, limits);
+  if (sum(vectors * v + weights * x + j * g, patches.size) > limits.size) throw of_points.too_large();
 
-  const Count u = std::max({widest(c.directions), widest(c.lineality), widest(c.rays)});
   Count work = product(product(n + i, k), cost(v, u));
   work = sum(work, product(n + 4 * i + 4 * squared_corners(c.facets.items), cost(v, v)));
   work = sum(work, product(4 * (k + f), cost(v, width_of_claim(c))));
   work = sum(work, product(4 * weights, cost(v + x, v + x)));
   if (j > 0) work = sum(work, product(4 * n, cost(v + u + g, v + u + g)));
   work = sum(work, product(product(e, r + e), cost(v + u, v + u)));
+  work = sum(work, patches.work);
   require_work(work, line, limits);
   c.fine = of_parameters.denominator();
   c.scale = of_points.denominator() * c.fine;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12, and nothing more
-// lenient.
+// From lines to a certificate: the grammar of FORMAT.md, sections 2, 12 and 13, and nothing
+// more lenient.
 #pragma once
 
 #include <algorithm>
@@ -73,6 +73,10 @@ class Parser {
   void read_polytopes(Certificate& result);
   void read_tree(Part<Nodes>& part);
   void read_nearest(Certificate& result);
+  void read_patches(PatchParts& parts);
+  void read_corner(PatchParts& parts);
+  std::size_t read_weights_of_corner(std::vector<Weight>& weights, std::size_t first);
+  void read_rates(Part<std::vector<PatchParts::Rate>>& part);
   void read_footer(const Certificate& certificate);
 
   Lines* lines_;

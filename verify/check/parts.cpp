@@ -22,7 +22,9 @@ bool is_id(std::string_view text) {
 }
 
 bool is_header(std::string_view line) {
-  return line == "fathom-certificate 1" || line == "fathom-certificate 2" || line == "fathom-certificate 3";
+  constexpr std::string_view start = "fathom-certificate ";
+  return line.size() == start.size() + 1 && line.substr(0, start.size()) == start && line.back() >= '1' &&
+         line.back() <= '4';
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ void Parser::read(Certificate& result) {
   integers_ = &result.integers;
   const bool whole = lines_->kind() == Lines::Kind::whole;
   if (!whole || !is_header(lines_->text())) {
-    const Fault fault = wrong("'fathom-certificate' and a format: 1, 2 or 3");
+    const Fault fault = wrong("'fathom-certificate' and a format: 1, 2, 3 or 4");
     if (at_header()) lines_->advance();  // it is this certificate's own
     throw fault;
   }
@@ -42,6 +44,7 @@ void Parser::read(Certificate& result) {
   advance();
   if (at("id")) read_id(result);
   result.format == 3 ? read_unions(result) : read_convex(result);
+  if (result.format == 4) read_patches(result.of_patches);
   read_footer(result);
   require_limits(result, lines_->number(), limits_);
 }
@@ -90,7 +93,7 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
     for (std::size_t left = header("shape_" + name, "the number of its terms"); left > 0; --left)
       body.terms.push_back(read_term());
     advance();
-  } else if (format == 2 && at("halfspace_" + name)) {
+  } else if (is_of_bodies(format) && at("halfspace_" + name)) {
     constexpr const char* expected = "a half-space: its normal and its offset, four rational numbers";
     require_line(expected);
     demand(5, expected);
@@ -101,7 +104,7 @@ void Parser::read_body(Body& body, const std::string& name, int format) {
   } else {
     read_points(body, name);
   }
-  if (format == 2 && at("radius_" + name)) {
+  if (is_of_bodies(format) && at("radius_" + name)) {
     constexpr const char* expected = "a radius: one rational number";
     require_line(expected);
     demand(2, expected);
@@ -140,7 +143,7 @@ void Parser::read_claim(Certificate& result) {
   const char* expected = "'claim depth Q', 'claim touching', 'claim apart Q' or 'claim signed_bounds LO HI'";
   if (result.format == 1) expected = "'claim depth Q', 'claim bounds LO HI', 'claim touching' or 'claim disjoint'";
   if (shapes) expected = "'claim signed_bounds LO HI'";
-  if (result.format == 3) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
+  if (result.format > 2) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
   require_line(expected);
   result.claim_line = lines_->number();
   if (fields_.size() < 2 || fields_[0] != "claim") throw wrong(expected);
@@ -236,7 +239,7 @@ void Parser::read_proof(Certificate& result) {
     read_weights(result.weights_a, "weights_a");
     read_weights(result.weights_b, "weights_b");
   }
-  result.has_cone = result.format == 2 && result.claim == Claim::touching && at("lineality");
+  result.has_cone = is_of_bodies(result.format) && result.claim == Claim::touching && at("lineality");
   if (!result.has_cone) return;
   read_vectors(result.lineality, header("lineality"));
   read_vectors(result.rays, header("rays"));

@@ -21,6 +21,14 @@ Verdict fault(Outcome outcome, std::size_t line, const std::string& reason) {
   return verdict;
 }
 
+/// How many corners each patch has: "4+1".
+std::string corners_of_patches(const std::vector<List>& lists) {
+  std::string result;
+  for (std::size_t k = 0; k < lists.size(); ++k)
+    result += (k == 0 ? "" : "+") + std::to_string(lists[k].end - begin_of(lists, k));
+  return result;
+}
+
 /// For a certificate that has passed every check.
 Verdict verified(const Certificate& c) {
   Verdict verdict;
@@ -40,6 +48,8 @@ Verdict verified(const Certificate& c) {
     verdict.signed_depth = (c.claim == Claim::apart ? "-sqrt(" : "sqrt(") + text(c.low) + ")+" + radii(c).get_str();
   }
   if (c.has_cone) verdict.cone = std::to_string(c.lineality.items.size()) + "+" + std::to_string(c.rays.items.size());
+  verdict.patches = corners_of_patches(c.of_patches.corner_lists);
+  verdict.rates = c.of_patches.rates.items.size();
   if (c.all) verdict.optima = c.directions.items.size();
   verdict.outcome = Outcome::verified;
   return verdict;

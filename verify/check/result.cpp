@@ -137,7 +137,7 @@ bool is_square_of_signed_depth(const mpq_class& square, const Certificate& c) {
   return depth * depth == square && sgn(depth - rho) == sgn(cores);
 }
 
-/// Whether the result's depth is that of a certificate of format 2: 0 unless the bodies penetrate,
+/// Whether the result's depth is that of a certificate of format 2 or 4: 0 unless they penetrate,
 /// and then null or its square.
 bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
   const std::string_view state = status(c);
@@ -145,8 +145,8 @@ bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
   return state == "undecided" ? !square : square && *square == 0;
 }
 
-/// Whether the result's distance is that of a certificate of format 2 or 3: of bodies that are
-/// disjoint, null or its square.
+/// Whether the result's distance is that of a certificate of another format than 1: of bodies
+/// that are disjoint, null or its square.
 bool is_distance(const std::optional<mpq_class>& square, const Certificate& c) {
   if (std::string_view(status(c)) != "disjoint") return false;
   return c.format == 3 ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
@@ -202,7 +202,7 @@ void compare(const Result& result, const Certificate& c) {
            "the result's signed depth is below what the certificate proves");
     demand(!exact || is_proved(*exact, c), "the result's exact signed depth is another than the certificate's");
   }
-  if (c.format == 2) {
+  if (is_of_bodies(c.format)) {
     demand(!result.depth || is_depth(result.depth->value, c), "the result's depth is another than the certificate's");
     return demand(!result.bound, "the result has a bound, which goes with format 1");
   }
