@@ -66,6 +66,23 @@ TEST(CheckHostile, AnnouncedCountsOfUnionsReserveNothing) {
 }
 
 // Each level is a split whose only child is the next one.
+TEST(CheckHostile, AnnouncedCountsOfPatchesReserveNothing) {
+  const std::string point =
+                        "fathom-certificate 4\na 1\n0 0 0\nb 1\n0 0 1\nclaim touching\ndirections 1 some\n0 0 0\n"
+                        "weights_a 1\n0 1\nweights_b 1\n0 1\n",
+                    patch = point + "patches 1\n", corner = patch + "patch 1 0\n";
+  for (const std::string count :
+       {"1000000000000", "18446744073709551615", "18446744073709551616", "99999999999999999999999999999999"}) {
+    for (const std::string& text :
+         {point + "patches " + count + "\npatch 0 0\n", patch + "patch " + count + " 0\n0 0\n",
+          patch + "patch 0 " + count + "\na 0 0 0 0\n", corner + count + " 0 1 0\n", corner + "0 " + count + " 0 1\n",
+          corner + "0 0\nrates " + count + "\n0 0 0 0 0 0 0 0\n"})
+      EXPECT_EQ(verify(text).outcome, Outcome::malformed) << text;
+    EXPECT_EQ(verify(corner + "1 " + count + " 1 0\nend 1 1 1 1 1 1 1 0\n").outcome, Outcome::refused);
+    EXPECT_EQ(verify(patch + "patch 0 1\na 0 0 0 " + count + "\nend 1 1 1 1 1 1 0 1\n").outcome, Outcome::refused);
+  }
+}
+
 TEST(CheckHostile, ATreeMayBeAsDeepAsItIsLong) {
   constexpr std::size_t levels = 1'000'000;
   std::vector<std::string> tree(levels, "split 0 0");

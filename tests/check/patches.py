@@ -147,6 +147,8 @@ def bodies(kind, rng):
     """Two of them, without shapes."""
     if kind == "plane":
         plane, body = random_solids.plane_body(rng), random_solids.points_body(rng)
+        if rng.random() < 0.4:  # a box that stands on it
+            plane["plane"], body = (times(rng.choice([-1, 1]), rng.choice(UNITS)), plane["plane"][1]), random_solids.points_body(rng, "box")
         if rng.random() < 0.3:
             plane["plane"] = (plane["plane"][0], min(dot(plane["plane"][0], p) for p in body["points"]))
         return rng.sample([plane, body], 2)
@@ -171,20 +173,19 @@ def genuine(count, seed):
 
 
 def claimed(parts):
-    """The corners' points of each patch, and the rates."""
+    """The corners of each patch, each its points of both bodies (of a half-space none), and the rates."""
     points, found = {x: body_of(parts.rows, x).get("points") for x in "ab"}, []
     for row in parts.rows["patches"]:
         if row == ["patch"]:
             found.append([])
         elif row[0] not in "ab":
-            first = int(row[0])
-            weights, x = (row[1:1 + 2 * first], "a") if first else (row[2:], "b")
-            found[-1].append(combined_of(points[x], weights))
+            of_a = 1 + 2 * int(row[0])
+            found[-1].append((combined_of(points["a"], row[1:of_a]), combined_of(points["b"], row[of_a + 1:])))
     return [sorted(corners) for corners in found], [tuple(map(Fraction, row)) for row in parts.rows.get("rates", [])]
 
 
 def combined_of(points, words):
-    total = O
+    total = O if points else ()
     for i, w in zip(words[::2], words[1::2]):
         total = plus(total, times(Fraction(w), points[int(i)]))
     return total
@@ -194,7 +195,7 @@ def is_true(parts):
     """Whether the patches and rates of a certificate whose other claims are true are those of the definitions."""
     points, found = patches_of(parts)
     corners, rates = claimed(parts)
-    shift = lambda patch: patch.corners if points["a"] else [plus(p, patch.t) for p in patch.corners]
-    if corners != [sorted(shift(patch)) for patch in found] or (rates and not knows_all_optima(parts)):
+    ends = lambda patch: sorted((p if points["a"] else (), plus(p, patch.t) if points["b"] else ()) for p in patch.corners)
+    if corners != list(map(ends, found)) or (rates and not knows_all_optima(parts)):
         return False
     return all(sign * root == min(patch.rate(v, w) for patch in found) for *v, p, q, r, sign, root in rates for w in [(p, q, r)])

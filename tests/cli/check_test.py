@@ -4,10 +4,11 @@
 import json
 import os
 import shutil
+import sys
 import unittest
 
 import harness
-from harness import DATA, EXECUTABLE, CliTest
+from harness import DATA, EXECUTABLE, ROOT, CliTest
 
 CUBES = DATA / "certificates" / "depth_cubes.cert"
 TEXT = CUBES.read_text()
@@ -29,6 +30,15 @@ class Check(CliTest):
         sibling.chmod(0o755)
         original, harness.EXECUTABLE = harness.EXECUTABLE, str(copy)
         self.addCleanup(setattr, harness, "EXECUTABLE", original)
+
+    def test_what_is_handed_over_says_the_same(self):
+        """check.py stands in for the proved checker: it reads each certificate as the C++ checker writes it again."""
+        reader = ROOT / "verify" / "check" / "check.py"
+        self.stand_in(f'[ "$1" = --width ] && shift; exec "{sys.executable}" -B "{reader}" "$@"\n')
+        names = sorted(name for name in (DATA / "certificates").rglob("*.cert") if name.parent.name != "refused")
+        _, direct, _ = self.run_cli("check", *names)
+        code, out, _ = self.run_cli("check", "--proved", "--echo", *names)
+        self.assertEqual((code, [line for line in out.splitlines() if line.startswith("s ")]), (0, direct.splitlines()))
 
     @unittest.skipUnless(os.path.exists(PROVED), "the proved checker is not built")
     def test_proved_compares(self):

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <utility>
 
+#include "proved.hpp"
 #include "text.hpp"
 
 namespace fathom_check {
@@ -43,6 +44,39 @@ void core(std::ostream& out, const char* name, const Body& body) {
   }
 }
 
+/// The point that these weights yield; weights of points that are not there add nothing.
+std::string place(const Body& body, const std::vector<Weight>& weights, std::size_t first, std::size_t last) {
+  mpq_class x, y, z;
+  for (std::size_t k = first; k < last; ++k) {
+    if (weights[k].index >= body.points.items.size()) continue;
+    const RationalPoint& p = body.points.items[weights[k].index];
+    const mpq_class weight = value(weights[k].weight);
+    x += weight * value(p.x);
+    y += weight * value(p.y);
+    z += weight * value(p.z);
+  }
+  return " " + x.get_str() + " " + y.get_str() + " " + z.get_str();
+}
+
+/// The corners as points of both bodies, of which a half-space has none.
+void patches(std::ostream& out, const Certificate& c) {
+  const PatchParts& parts = c.of_patches;
+  for (std::size_t k = 0, corner = 0; k < parts.corner_lists.size(); ++k) {
+    const std::size_t last = parts.corner_lists[k].end;
+    out << "c patch " << last - corner << '\n';
+    for (; corner < last; ++corner) {
+      const auto [end_a, end_b] = parts.corners.items[corner];
+      const std::size_t begin = parts.begin_of(corner);
+      out << 'c';
+      if (begin < end_a) out << " a" << place(c.a, parts.weights, begin, end_a);
+      if (end_a < end_b) out << " b" << place(c.b, parts.weights, end_a, end_b);
+      out << '\n';
+    }
+  }
+  for (const PatchParts::Rate& rate : parts.rates.items)
+    out << "c rate" << text(rate.v) << text(rate.w) << ' ' << rate.sign.value() << ' ' << text(rate.root) << '\n';
+}
+
 }  // namespace
 
 std::string echo(const Certificate& c) {
@@ -61,6 +95,7 @@ std::string echo(const Certificate& c) {
     case Claim::apart: out << "apart " << text(c.low) << '\n'; break;
     case Claim::signed_bounds: out << "signed_bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
   }
+  patches(out, c);
   return out.str();
 }
 
