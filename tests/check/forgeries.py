@@ -36,6 +36,7 @@ import random_solids  # noqa: E402
 import solids  # noqa: E402
 from parts import Parts  # noqa: E402
 
+getattr(sys, "set_int_max_str_digits", int)(0)
 BATCH = 1000  # files a process
 VERDICT = re.compile(r"s (?:(VERIFIED) (.*) (\S+)|(REFUSED|MALFORMED) (\S+?):\d+: .*)")
 EXIT = {"VERIFIED": 0, "REFUSED": 1, "MALFORMED": 2}

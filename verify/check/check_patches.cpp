@@ -185,22 +185,26 @@ Motion motion_of(const PatchParts::Rate& rate) {
 mpq_class squared_rate(const Certificate& c, const std::vector<Combination>& corners, const Motion& motion) {
   mpq_class least;
   MutableVector lever;
-  mpz_class along, turning;
+  mpz_class along, speed, fastest, den_of_fastest;
   const std::vector<List>& lists = c.of_patches.corner_lists;
   for (std::size_t k = 0; k < lists.size(); ++k) {
     const Vector& n = c.directions.items[k];
     cross(lever, n, motion.w);  // <n, w x p> = <n x w, p>
     dot(along, n, motion.v);
-    mpq_class fastest;
+    along *= c.scale;
     for (std::size_t i = begin_of(lists, k); i < lists[k].end; ++i) {
       const Combination& p = corners[i];
-      dot(turning, lever, p.sum);
-      mpq_class speed(-along * c.scale * p.den - turning, motion.den * c.scale * p.den);
-      speed.canonicalize();
-      if (i == begin_of(lists, k) || speed > fastest) fastest = speed;
+      dot(speed, lever, p.sum);
+      speed += along * p.den;
+      speed = -speed;  // over p.den and what all corners share
+      if (i != begin_of(lists, k) && speed * den_of_fastest <= fastest * p.den) continue;
+      swap(fastest, speed);
+      den_of_fastest = p.den;
     }
     dot(along, n, n);
-    const mpq_class squared = fastest * abs(fastest) / along;
+    const mpz_class den = den_of_fastest * motion.den * c.scale;
+    mpq_class squared(fastest * abs(fastest), den * den * along);
+    squared.canonicalize();
     if (k == 0 || squared < least) least = squared;
   }
   return least;
