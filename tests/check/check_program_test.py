@@ -318,6 +318,15 @@ class Options(ProgramTest):
         for wrong in ({"low": 2}, {"low": "2", "high": 3}, {"low": 2, "high": 1e999}, 2, None, {"low": 2, "high": 3, "exact": {"sign": 0}}):
             self.assertEqual(code("balls", signed_depth=wrong), 2, wrong)
 
+    def test_results_of_format_4(self):
+        for name, right, wrong in (("two_cubes", {"status": "penetrating", "depth": {"squared": "1"}}, {"depth": {"squared": "2"}}),
+                                   ("rods_apart", {"status": "disjoint", "distance": {"squared": "1"}}, {"distance": {"squared": "2"}}),
+                                   ("two_ways_out", {"depth": {"squared": "1"}}, {"bound": {"squared": "1"}})):
+            text = (DATA / "format_4" / f"{name}.cert").read_text()
+            for fields, expected in ((right, 0), ({**right, **wrong}, 1)):
+                fields = json.dumps({**fields, "certificate": text})
+                self.assertEqual(self.run_program(CHECK, "--results", "-", stdin=fields)[0], expected, (name, fields))
+
     def test_what_is_said_of_a_distance_is_proved_or_refused(self):
         text = (DATA / "disjoint_cubes.cert").read_text()  # format 1: it proves that they are disjoint
 
