@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bindings/c/boundary.hpp"
@@ -36,8 +37,7 @@ T present(const Part<T>& part) {
   return *part;
 }
 
-void copy(const std::array<double, 3>& from, double* to) { std::ranges::copy(from, to); }
-void copy(const SurdPoint& from, double* to) { copy(rounded::nearest_binary64(from), to); }
+void copy(const SurdPoint& from, double* to) { copy_numbers(rounded::nearest_binary64(from), to); }
 
 /// What the caller asks, by the monitor of this call.
 Question question_of(const fathom_options& given, Monitor& monitor) {
@@ -116,14 +116,8 @@ auto asked_with_proof(const fathom_body* a, const fathom_body* b, const fathom_o
 
 // ---- exact texts ----
 
-std::string text_of(const Surd& value) {
-  std::string text = kernels::exact_surd_text(value);
-  std::erase(text, ' ');
-  return text;
-}
-
 std::string text_of(const SurdPoint& values) {
-  return text_of(values[0]) + " " + text_of(values[1]) + " " + text_of(values[2]);
+  return surd_text(values[0]) + " " + surd_text(values[1]) + " " + surd_text(values[2]);
 }
 
 std::string text_of(const Vector& n) { return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str(); }
@@ -146,22 +140,16 @@ std::string text_of(const ClosenessProof& proof) {
 std::string exact_of(const Answer& answer, int quantity) {
   switch (quantity) {
     case FATHOM_SIGNED_DEPTH:
-      return answer.exact() ? text_of(*answer.exact())
-                            : "[" + text_of(answer.low()) + "," + text_of(answer.high()) + "]";
+      return answer.exact() ? surd_text(*answer.exact())
+                            : "[" + surd_text(answer.low()) + "," + surd_text(answer.high()) + "]";
     case FATHOM_DIRECTION: return text_of(present(answer.direction()));
     case FATHOM_TRANSLATION: return text_of(present(answer.translation()));
     case FATHOM_WITNESS_A: return text_of(present(answer.witness()).a);
     case FATHOM_WITNESS_B: return text_of(present(answer.witness()).b);
-    case FATHOM_DEEPEST_PAIR: return text_of(Surd{0, present(answer.union_bounds()).deepest_pair});
-    case FATHOM_HULLS: return text_of(Surd{0, present(answer.union_bounds()).hulls});
+    case FATHOM_DEEPEST_PAIR: return surd_text(Surd{0, present(answer.union_bounds()).deepest_pair});
+    case FATHOM_HULLS: return surd_text(Surd{0, present(answer.union_bounds()).hulls});
     default: throw std::invalid_argument("quantity: expected one from 0 to 6, found " + std::to_string(quantity));
   }
-}
-
-std::string json_of(const fathom_answer& asked, const std::string& id) {
-  const output::AnsweredCase answered{id, asked.answer, output::about_bodies(Case{id, *asked.a, *asked.b}, false),
-                                      facts_of(*asked.a, *asked.b, asked.answer)};
-  return output::answer_json(answered, {.optima = asked.listed});
 }
 
 std::string certificate_of(const fathom_answer& asked, const std::string& id, const fathom_options& options) {
@@ -212,6 +200,25 @@ fathom_check::Verdict verify_about(std::string_view text, const fathom_body& a, 
 }
 
 }  // namespace
+
+void copy_numbers(const std::array<double, 3>& from, double* to) { std::ranges::copy(from, to); }
+
+std::string surd_text(const Surd& value) {
+  std::string text = kernels::exact_surd_text(value);
+  std::erase(text, ' ');
+  return text;
+}
+
+std::string json_of(const fathom_answer& asked, const std::string& id, std::optional<output::Manifold> manifold) {
+  const bool with_patches = manifold.has_value();
+  const output::AnsweredCase answered{id,
+                                      asked.answer,
+                                      output::about_bodies(Case{id, *asked.a, *asked.b}, false),
+                                      facts_of(*asked.a, *asked.b, asked.answer),
+                                      {},
+                                      std::move(manifold)};
+  return output::answer_json(answered, {.optima = asked.listed, .patch = with_patches});
+}
 
 int status_of(const std::optional<Status>& status) { return status ? static_cast<int>(*status) : FATHOM_UNDECIDED; }
 
@@ -270,7 +277,7 @@ int fathom_answer_direction(const fathom_answer* answer, double direction[3]) {
   return guarded([&] {
     require(answer, "answer");
     require(direction, "direction");
-    copy(fathom::rounded::nearest_unit(present(answer->answer.direction())), direction);
+    copy_numbers(fathom::rounded::nearest_unit(present(answer->answer.direction())), direction);
   });
 }
 
@@ -307,7 +314,7 @@ int fathom_answer_optimum(const fathom_answer* answer, size_t index, double dire
     require(answer, "answer");
     require_way_out(*answer, index);
     const fathom::WayOut way = answer->answer.way_out(index);
-    if (direction) copy(fathom::rounded::nearest_unit(way.direction), direction);
+    if (direction) copy_numbers(fathom::rounded::nearest_unit(way.direction), direction);
     if (translation) copy(way.translation, translation);
   });
 }

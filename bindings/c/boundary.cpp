@@ -89,14 +89,17 @@ void require(const void* pointer, const char* name) {
   if (pointer == nullptr) throw std::invalid_argument(std::string(name) + ": expected a pointer, found NULL");
 }
 
+void require_finite(const double* numbers, std::size_t count, const std::string& name) {
+  const double* const wrong = std::find_if_not(numbers, numbers + count, [](double x) { return std::isfinite(x); });
+  if (wrong != numbers + count)
+    throw std::invalid_argument(name + ": expected finite numbers, found " + hex_text(*wrong) + " at index " +
+                                std::to_string(wrong - numbers));
+}
+
 PoseBinary64 pose_from(const double* numbers, const std::string& name) {
+  require_finite(numbers, 12, name);
   PoseBinary64 pose;
-  for (std::size_t i = 0; i < 12; ++i) {
-    if (!std::isfinite(numbers[i]))
-      throw std::invalid_argument(name + ": expected finite numbers, found " + hex_text(numbers[i]) + " at index " +
-                                  std::to_string(i));
-    pose[i / 4][i % 4] = numbers[i];
-  }
+  for (std::size_t i = 0; i < 12; ++i) pose[i / 4][i % 4] = numbers[i];
   return pose;
 }
 

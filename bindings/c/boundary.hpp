@@ -3,8 +3,10 @@
 // codes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -17,6 +19,7 @@
 #include "fathom/files.hpp"
 #include "fathom/prepared.hpp"
 #include "kernels/float_environment.hpp"
+#include "reference/output/answer_json.hpp"
 
 struct fathom_body {
   std::shared_ptr<const fathom::Body> body;
@@ -26,10 +29,25 @@ struct fathom_prepared {
   fathom::Prepared prepared;
 };
 
+namespace fathom::c {
+
+/// Where the bodies of an answer touch, found when somebody asks, once, whatever threads do.
+class LaterManifold {
+ public:
+  const output::Manifold& of(const fathom_answer& asked);
+
+ private:
+  std::mutex lock_;
+  std::optional<output::Manifold> found_;
+};
+
+}  // namespace fathom::c
+
 struct fathom_answer {
   std::shared_ptr<const fathom::Body> a, b;
   fathom::Answer answer;
   std::optional<std::size_t> listed;  ///< how many optima were asked for
+  std::unique_ptr<fathom::c::LaterManifold> manifold = std::make_unique<fathom::c::LaterManifold>();
 };
 
 namespace fathom::c {
@@ -52,6 +70,9 @@ void require_struct(const Struct* given, const char* name) {
   if (given->size != sizeof(Struct))
     throw std::invalid_argument(std::string(name) + ": not set by its init function of this version");
 }
+
+/// Throws std::invalid_argument that begins with the name unless all of these numbers are finite.
+void require_finite(const double* numbers, std::size_t count, const std::string& name);
 
 /// Twelve numbers as a matrix. Throws std::invalid_argument that begins with the name unless they
 /// are finite.
@@ -131,6 +152,15 @@ class CallersMonitor final : public Monitor {
 
 /// The options that are given, or the usual ones. Throws std::invalid_argument.
 fathom_options options_from(const fathom_options* options);
+
+/// One line of JSON with all that is shown.
+std::string json_of(const fathom_answer& asked, const std::string& id, std::optional<output::Manifold> manifold = {});
+
+/// In lowest terms: "3/5", "-sqrt(1/3)".
+std::string surd_text(const Surd& value);
+
+/// To nearest.
+void copy_numbers(const std::array<double, 3>& from, double* to);
 
 /// FATHOM_PENETRATING and so on.
 int status_of(const std::optional<Status>& status);

@@ -253,6 +253,53 @@ FATHOM_API int fathom_answer_deepest_pair(const fathom_answer* answer, double* d
 /** Of unions, sets the depth of their convex hulls, which is at least that of the unions. */
 FATHOM_API int fathom_answer_hulls(const fathom_answer* answer, double* depth);
 
+/* Where the bodies touch: found by the first of these functions, which fathom_options::stop does
+ * not end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither a
+ * polytope nor a half-space; "incomplete", the search was stopped; "too-large", a core against a
+ * half-space is a sum of too many points. */
+
+/** Sets how many patches there are: one after each way out that is listed; one of bodies that touch
+ * or are apart; of unions one for each two pieces that touch after a way out, or that are nearest.
+ * A patch is the set of all contact points: a point, a segment or a convex polygon. */
+FATHOM_API int fathom_answer_patches(const fathom_answer* answer, size_t* count);
+
+/** Sets what is known of a patch: how many corners it has, 1 of a point, 2 of a segment; the unit
+ * vector along which A leaves; the length of a segment, or the area of a polygon; which way out it
+ * belongs to; of unions the piece of A and the piece of B that touch, else 0 and 0. Each pointer
+ * may be NULL. */
+FATHOM_API int fathom_answer_patch(const fathom_answer* answer, size_t patch, size_t* corners, double direction[3], double* size,
+                                   size_t* optimum, size_t pieces[2]);
+
+/** Sets a corner of a patch, as a point of A and one of B with b - a = the translation: those of a
+ * polygon are counter-clockwise seen from the tip of the direction. Each may be NULL. */
+FATHOM_API int fathom_answer_patch_corner(const fathom_answer* answer, size_t patch, size_t corner, double a[3], double b[3]);
+
+/** Sets whether the signed depth is differentiable by the poses of the bodies. FATHOM_ABSENT of
+ * unions. */
+FATHOM_API int fathom_answer_smooth(const fathom_answer* answer, int* smooth);
+
+/** Sets the gradient by A's pose: while points p of A move with v' + w' x p, about the origin of
+ * the world, the signed depth changes at the rate <v, v'> + <w, w'>. That by B's pose is minus it.
+ * FATHOM_ABSENT unless the signed depth is smooth: the reason names what it is not for, "ties",
+ * several ways out; "extended", a patch is more than a point; "cone", the cores touch and more than
+ * one plane separates them. Each may be NULL. */
+FATHOM_API int fathom_answer_gradient(const fathom_answer* answer, double v[3], double w[3]);
+
+/** Sets the derivative of the signed depth while the points p of each body begin to move with v + w
+ * x p, for its twist v, w; NULL for a body at rest. It is the one-sided one, whether the depth is
+ * smooth or not. `exact` gets it as fathom_answer_exact does; it and `rate` may be NULL. Further
+ * words where it is left out: "unlisted", not all ways out are listed; "touching", of unions;
+ * "exact-fit", unions turn, and a way out has no clearance; "many-planes", unions turn, and pieces
+ * that touch after a way out have more than one plane between them. */
+FATHOM_API int fathom_answer_derivative(const fathom_answer* answer, const double twist_a[6], const double twist_b[6], double* rate,
+                                        char** exact);
+
+/** Makes the line of fathom_answer_json with the field "manifold", as `fathom depth --json --patch`
+ * prints it, and unless both twists are NULL with "derivative", as with --twist and --twist-b.
+ * Where something is left out, the fields say why. */
+FATHOM_API int fathom_answer_manifold_json(const fathom_answer* answer, const char* id, const double twist_a[6], const double twist_b[6],
+                                           char** text);
+
 /** What fathom_answer_exact tells. */
 enum {
   FATHOM_SIGNED_DEPTH = 0, /**< a number; "[LOW,HIGH]", two numbers, where only bounds are known */

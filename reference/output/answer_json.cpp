@@ -3,6 +3,7 @@
 
 #include "reference/output/answer_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -116,13 +117,10 @@ Json counters_object(const Counters& counters) {
 }
 
 Json cone_object(const OptimalCone& cone) {
-  constexpr std::string_view names[] = {"none", "line", "plane", "all"};
   Json rays = Json::array();
   for (const Vector& ray : cone.rays) rays.push_back(exact(ray));
   const bool has_axis = cone.lineality == Lineality::line || cone.lineality == Lineality::plane;
-  return {{"lineality", names[static_cast<std::size_t>(cone.lineality)]},
-          {"axis", has_axis ? exact(cone.axis) : Json()},
-          {"rays", rays}};
+  return {{"lineality", lineality_name(cone)}, {"axis", has_axis ? exact(cone.axis) : Json()}, {"rays", rays}};
 }
 
 // ---- contact manifolds ----
@@ -283,6 +281,11 @@ std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, co
 
 std::string result_line(const Result& result) { return line_of(result_schema, FATHOM_VERSION, result); }
 
+std::string_view lineality_name(const OptimalCone& cone) {
+  constexpr std::array<std::string_view, 4> names{"none", "line", "plane", "all"};
+  return names.at(static_cast<std::size_t>(cone.lineality));
+}
+
 std::string_view method_name(const Depth& depth) { return depth.method ? name(*depth.method) : "shallow"; }
 
 std::string_view method_name(const SignedDepth& depth) {
@@ -301,7 +304,7 @@ Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const s
 Json manifold_object(const Manifold& manifold) {
   const ContactGeometry& g = manifold.geometry;
   const std::optional<Gradient> gradient = g.gradient();
-  const bool smoothness = !g.of_unions && !g.no_patches;  // is told
+  const bool smoothness = manifold.tells_smoothness();
   Json result{{"patches", g.no_patches ? Json() : Json::array_of(g.patches, [&](const Patch& patch) {
                  return patch_object(patch, g.of_unions);
                })}};

@@ -21,6 +21,9 @@ struct Manifold {
   ContactGeometry geometry;
   std::optional<VertexWeights> weights;
   std::optional<std::variant<DirectionalDerivative, LeftOut>> derivative = {};  ///< along the motion asked for
+
+  /// Whether it is told if the depth is smooth, and why it is not.
+  [[nodiscard]] bool tells_smoothness() const { return !geometry.of_unions && !geometry.no_patches; }
 };
 
 /// A motion by which the derivative is asked for.
@@ -31,7 +34,7 @@ struct Motion {
   [[nodiscard]] Twist against_b() const { return {of_a.v - of_b.v, of_a.w - of_b.w}; }
 };
 
-/// Of a complete answer about these bodies.
+/// Of an answer about these bodies; of an incomplete one it says that nothing is told.
 Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
                      Monitor* monitor = nullptr);
 
@@ -72,6 +75,9 @@ std::string json_error(const std::string& id, std::size_t line, std::string_view
 
 /// One line, without its newline, of an answer about two polytopes or shapes, exact or approximate.
 std::string result_line(const Result& result);
+
+/// The word for the linear space that a cone holds.
+std::string_view lineality_name(const OptimalCone& cone);
 
 /// The word for the method that answered.
 std::string_view method_name(const Depth& depth);

@@ -86,18 +86,8 @@ TEST(CDepth, TouchingAndDisjointCubes) {
 TEST(CDepth, EqualsTheCppInterface) {
   for (const families::Family& family : families::families()) {
     const Case made = family.make(1, 6);
-    const auto body = [](const Body& from) {
-      std::vector<std::string> texts;
-      for (const Point& p : from.points)
-        for (const mpq_class& x : {p.x, p.y, p.z}) texts.push_back(exact_text(x));
-      std::vector<const char*> numbers;
-      for (const std::string& text : texts) numbers.push_back(text.c_str());
-      fathom_body* handle = nullptr;
-      EXPECT_EQ(fathom_body_from_numbers(numbers.data(), numbers.size() / 3, &handle), FATHOM_OK)
-          << fathom_last_error();
-      return BodyHandle(handle);
-    };
-    const AnswerHandle answer = answer_about(body(made.a), body(made.b));
+    const AnswerHandle answer =
+        answer_about(exact_body_of(made.a.points.exact()), exact_body_of(made.b.points.exact()));
     const Depth expected = penetration_depth(made.a, made.b);
     EXPECT_EQ(fathom_answer_status(answer.get()), static_cast<int>(expected.status())) << family.name;
     const Surd value{0, signed_square(expected)};

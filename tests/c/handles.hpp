@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fathom/fathom.h"
+#include "fathom/numbers.hpp"
+#include "fathom/point.hpp"
 
 namespace fathom::testing {
 
@@ -26,6 +28,18 @@ using AnswerHandle = std::unique_ptr<fathom_answer, Free>;
 inline BodyHandle body_of(const std::vector<double>& xyz) {
   fathom_body* body = nullptr;
   EXPECT_EQ(fathom_body_from_points(xyz.data(), xyz.size() / 3, &body), FATHOM_OK) << fathom_last_error();
+  return BodyHandle(body);
+}
+
+/// The same of exact points.
+inline BodyHandle exact_body_of(const std::vector<Point>& points) {
+  std::vector<std::string> texts;
+  for (const Point& p : points)
+    for (const mpq_class& x : {p.x, p.y, p.z}) texts.push_back(exact_text(x));
+  std::vector<const char*> numbers;
+  for (const std::string& text : texts) numbers.push_back(text.c_str());
+  fathom_body* body = nullptr;
+  EXPECT_EQ(fathom_body_from_numbers(numbers.data(), points.size(), &body), FATHOM_OK) << fathom_last_error();
   return BodyHandle(body);
 }
 

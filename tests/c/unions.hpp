@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
 #include "tests/c/handles.hpp"
 
@@ -23,16 +22,7 @@ inline BodyHandle union_of(const std::vector<BodyHandle>& pieces) {
 
 inline BodyHandle union_of(const Pieces& pieces) {
   std::vector<BodyHandle> handles;
-  for (const std::vector<Point>& piece : pieces) {
-    std::vector<std::string> texts;
-    for (const Point& p : piece)
-      for (const mpq_class& x : {p.x, p.y, p.z}) texts.push_back(exact_text(x));
-    std::vector<const char*> numbers;
-    for (const std::string& text : texts) numbers.push_back(text.c_str());
-    fathom_body* handle = nullptr;
-    EXPECT_EQ(fathom_body_from_numbers(numbers.data(), piece.size(), &handle), FATHOM_OK) << fathom_last_error();
-    handles.emplace_back(handle);
-  }
+  for (const std::vector<Point>& piece : pieces) handles.push_back(exact_body_of(piece));
   return union_of(handles);
 }
 

@@ -31,7 +31,7 @@ def test_there_are_examples():
     with_examples = {test.name.rsplit(".", 1)[-1] for name in MODULES for test in finder.find(importlib.import_module(name))
                      if test.examples}
     assert {"depth", "distance", "depths", "ray", "growth", "width", "metric", "approx", "study", "judge", "check", "cases", "golden",
-            "union", "union_depth", "read_pieces"} <= with_examples
+            "union", "union_depth", "read_pieces", "derivative"} <= with_examples
 
 
 def test_public_names_have_docstrings():

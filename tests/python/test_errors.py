@@ -124,7 +124,7 @@ def test_a_mask_without_masked_numbers_is_none():
         assert fathom.depth(body, CUBE).depth == 2
 
 
-@pytest.mark.parametrize("made", [_fathom.Body, _fathom.Pose, _fathom.Answer, _fathom.Cases, _fathom.ZstdLines])
+@pytest.mark.parametrize("made", [_fathom.Body, _fathom.Pose, _fathom.Answer, _fathom.Manifold, _fathom.Cases, _fathom.ZstdLines])
 def test_objects_without_a_value(made):
     """type.__new__ makes them."""
     empty = made.__new__(made)

@@ -45,13 +45,15 @@ from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity
                             read_pieces, sphere, tapered_capsule, union)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
+from fathom._patches import Derivative, Gradient, OptimalCone, Patch, PatchCorner, VertexWeights
 from fathom._prepared import Prepared
 from fathom._questions import (Approx, Growth, Judgement, Metric, Ray, Study, approx, closer_than, growth, judge, metric, overlap, ray,
                                study)
 from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, union_depth
 
-__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", "Exact", "Growth", "Judgement", "Metric", "NotConvexWarning", "Optimum",
-           "PieceContact", "Pose", "Prepared", "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum",
-           "Width", "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "cylinder", "depth", "depths", "distance",
-           "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray", "read_mesh",
-           "read_pieces", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]
+__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", "Derivative", "Exact", "Gradient", "Growth", "Judgement",
+           "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared", "Ray",
+           "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width", "approx",
+           "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "cylinder", "depth", "depths", "distance", "ellipsoid",
+           "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray", "read_mesh", "read_pieces",
+           "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]

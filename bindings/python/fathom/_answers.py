@@ -13,6 +13,7 @@ from typing import Any, Callable, Iterable, NamedTuple, Sequence
 import numpy as np
 
 from fathom import _fathom
+from fathom._patches import ContactAnswer
 from fathom._types import BodyLike, FloatArray, PoseLike
 
 DEFAULT_BITS, MOST_BITS, MOST_THREADS = 64, 1000, 1024
@@ -39,10 +40,22 @@ def _simplified(rational: Fraction, root: Fraction) -> Root:
 class _Kept(types.SimpleNamespace):
     """What an answer told, without the answer: this is what pickle keeps."""
 
+    __slots__ = ("_asked",)  # what pickle does not keep
+
     def certificate(self, id: str) -> str:
         """Asks again."""
-        ask, *arguments = self.question
-        return getattr(_fathom, ask)(*arguments).certificate(id)  # type: ignore[no-any-return]
+        return self._again().certificate(id)
+
+    def manifold(self) -> _fathom.Manifold | None:
+        """Asks again; None of a search that was stopped."""
+        return self._again().manifold() if self.complete else None
+
+    def _again(self) -> _fathom.Answer:
+        """The answer, found a second time and no more."""
+        if not hasattr(self, "_asked"):
+            ask, *arguments = self.question
+            self._asked: _fathom.Answer = getattr(_fathom, ask)(*arguments)
+        return self._asked
 
 
 _FIELDS = [name for name, member in vars(_fathom.Answer).items() if isinstance(member, property)]
@@ -143,7 +156,7 @@ class _Answer:
         return self._answer.high
 
 
-class PairAnswer(_Answer):
+class PairAnswer(_Answer, ContactAnswer):
     """What the answers about two bodies tell of all kinds."""
 
     __slots__ = ()
@@ -370,6 +383,16 @@ class Depths(list["Depth | Exception"]):
         """Unit vectors, of shape (n, 3)."""
         none = np.full(3, np.nan)
         return np.array([hit.direction if isinstance(hit, Depth) else none for hit in self]).reshape(-1, 3)
+
+    @property
+    def gradients(self) -> FloatArray:
+        """The gradients by A's poses, v and w of `Depth.gradient` in a row, of shape (n, 6). NaN where the signed depth is not smooth."""
+        return np.array([self._gradient(hit) for hit in self]).reshape(-1, 6)
+
+    @staticmethod
+    def _gradient(hit: Depth | Exception) -> FloatArray:
+        found = hit.gradient if isinstance(hit, Depth) else None
+        return np.full(6, np.nan) if found is None else np.concatenate([found.v, found.w])
 
     def _numbers(self, name: str) -> FloatArray:
         return np.array([getattr(hit, name, None) for hit in self], dtype=float)  # None is NaN

@@ -33,6 +33,16 @@ class Body:
     def with_margin(self, margin: Number) -> Body: ...
     def __add__(self, other: Body) -> Body: ...
 
+class Manifold:
+    patches: list[dict[str, Any]]
+    smooth: bool | None
+    kinks: tuple[str, ...] | None
+    gradient: dict[str, Any] | None
+    vertex_weights: dict[str, Any] | None
+    optimal_cone: dict[str, Any] | None
+    left_out: str | None
+    def derivative(self, v: Triple, w: Triple, v_b: Triple, w_b: Triple) -> dict[str, Any]: ...
+
 class Answer:
     status: str
     complete: bool
@@ -59,6 +69,7 @@ class Answer:
     witness: Any
     exact_witness: Any
     question: tuple[Any, ...]
+    def manifold(self) -> Manifold | None: ...
     def certificate(self, id: str) -> str: ...
 
 class Prepared:

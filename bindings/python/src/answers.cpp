@@ -77,11 +77,6 @@ py::object translation(const PairAnswer& asked, bool exact) {
   return py::make_tuple(integers(t.normal), fraction(t.alpha), fraction(t.beta));
 }
 
-py::object rounded_point(const RoundedPoint& p, bool exact) {
-  if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
-  return array(rounded::nearest_binary64(p));
-}
-
 py::object witness_in_python(const PairAnswer& asked, bool exact) {
   if (const Depth* const depth = asked.depth()) return witness(std::optional(depth->contact_points()), exact);
   if (const UnionDepth* const unions = asked.of_unions())
@@ -295,7 +290,18 @@ py::object witness(const std::optional<Witness>& found, bool exact) {
   return py::make_tuple(array(found->a), array(found->b));
 }
 
+py::dict weights(const std::vector<Weight>& of_points) {
+  py::dict result;
+  for (const Weight& w : of_points) result[py::int_(w.index)] = fraction(w.weight);
+  return result;
+}
+
 py::array_t<double> unit(const Vector& n) { return array(rounded::nearest_unit(n)); }
+
+py::object rounded_point(const RoundedPoint& p, bool exact) {
+  if (exact) return py::make_tuple(fractions(p.core), integers(p.normal), fraction(p.distance));
+  return array(rounded::nearest_binary64(p));
+}
 
 void bind_answers(py::module_& module) {
   using py::arg;
@@ -325,6 +331,7 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("notes", notes)
       .def_readonly("dents", &PairAnswer::dents)
       .def_property_readonly("question", question_of)
+      .def("manifold", manifold_told)
       .def("certificate", certificate, arg("id"));
   module.def(
       "depth",

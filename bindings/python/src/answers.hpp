@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -89,13 +90,16 @@ struct Asked {
   std::optional<files::GivenPose> pose_a = std::nullopt, pose_b = std::nullopt;
 };
 
+struct ToldManifold;
+
 /// Its numbers are computed when they are asked for.
 struct PairAnswer {
   Body a, b;  ///< where they are
   Question question;
   Answer answer;
-  std::vector<std::string> notes = {};  ///< on the poses
-  std::string dents = {};               ///< what is said of meshes that are not convex; else empty
+  std::vector<std::string> notes = {};          ///< on the poses
+  std::string dents = {};                       ///< what is said of meshes that are not convex; else empty
+  std::shared_ptr<ToldManifold> manifold = {};  ///< where the bodies touch, once somebody has asked
 
   /// Returns the depth of two polytopes; of shapes if one is another shape; of unions if one is a
   /// union. Null if the answer is of another kind.
@@ -117,9 +121,18 @@ py::dict predicates(const PredicateCounts& counts);
 py::object contact(const Contact* contact);
 /// A pair of points, as floats or fractions; None if there is none.
 py::object witness(const std::optional<Witness>& witness, bool exact);
+/// By the indices of points.
+py::dict weights(const std::vector<Weight>& of_points);
 /// Each component of n / |n|, correctly rounded.
 py::array_t<double> unit(const Vector& n);
+/// Floats, or (p, n, r) for p + r n/|n|.
+py::object rounded_point(const RoundedPoint& p, bool exact);
 
+/// Where the bodies of an answer touch, found the first time; null if the search was stopped.
+std::shared_ptr<ToldManifold> manifold_told(PairAnswer& asked);
+
+/// Manifold. To be called before bind_answers.
+void bind_manifolds(py::module_& module);
 /// Answer, depth, width, union_depth, check.
 void bind_answers(py::module_& module);
 /// depths.

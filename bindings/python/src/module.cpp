@@ -126,6 +126,7 @@ PYBIND11_MODULE(_fathom, module) {
   });
   module.attr("version") = FATHOM_VERSION;
   python::bind_bodies(module);
+  python::bind_manifolds(module);
   python::bind_answers(module);
   python::bind_batches(module);
   python::bind_questions(module);

@@ -123,11 +123,6 @@ py::dict growth(const py::object& a, const py::object& b, const py::object& cent
   py::dict result("status"_a = std::string(name(found.status())), "growth"_a = fraction(found.growth),
                   "centers"_a = py::make_tuple(fractions(found.center_a), fractions(found.center_b)));
   if (!found.touch) return result;
-  const auto weights = [](const std::vector<Weight>& of_body) {
-    py::dict shares;
-    for (const Weight& w : of_body) shares[py::int_(w.index)] = fraction(w.weight);
-    return shares;
-  };
   result["normal"] = integers(found.touch->normal);
   result["contact"] = contact(&found.touch->contact);
   result["weights"] = py::make_tuple(weights(found.touch->weights_a), weights(found.touch->weights_b));

@@ -11,6 +11,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/output/answer_json.hpp"
 #include "reference/text/json.hpp"
 #include "verify/golden/records/facts.hpp"
 
@@ -249,12 +250,7 @@ void write_value(JsonStream& out, const ShapeStatement& truth) {
 }
 
 void write_cone(JsonStream& out, const OptimalCone& cone) {
-  constexpr std::array<std::string_view, 4> names{"none", "line", "plane", "all"};
-  out.key("optimal_cone")
-      .open('{')
-      .key("lineality")
-      .plain(names.at(static_cast<std::size_t>(cone.lineality)))
-      .key("axis");
+  out.key("optimal_cone").open('{').key("lineality").plain(output::lineality_name(cone)).key("axis");
   if (cone.lineality == Lineality::line || cone.lineality == Lineality::plane) out.exact(cone.axis);
   else out.null();
   out.key("rays").open('[');
