@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+#include <cfenv>
 #include <string>
 #include <thread>
 #include <variant>
@@ -170,6 +170,49 @@ TEST(CManifold, WhatIsRefused) {
   EXPECT_NE(manifold_line(curved, nullptr, nullptr).find("\"left_out\":\"curved\""), std::string::npos);
   EXPECT_TRUE(count == 7 && smooth == 7 && rate == 7 && v[0] == 7 && text == nullptr);
 }
+
+TEST(CManifold, OfASearchThatWasStopped) {
+  const BodyHandle a = bar(), b = block();
+  std::size_t told = 0, left_out = 0;
+  for (int calls = 1; told == 0 && calls < 1000; ++calls) {
+    int more = calls;
+    fathom_options options;
+    fathom_options_init(&options);
+    options.stop = [](void* caller) { return --*static_cast<int*>(caller) < 0 ? 1 : 0; };
+    options.caller = &more;
+    fathom_answer* made = nullptr;
+    if (fathom_depth(a.get(), b.get(), &options, &made) != FATHOM_OK) continue;
+    const AnswerHandle answer(made);
+    std::size_t count = 0;
+    const int code = fathom_answer_patches(answer.get(), &count);
+    if (code == FATHOM_OK) {
+      ++told;
+      continue;
+    }
+    ++left_out;
+    EXPECT_EQ(refused(code), absent("left out: incomplete"));
+    EXPECT_NE(manifold_line(answer, nullptr, nullptr).find("\"left_out\":\"incomplete\""), std::string::npos);
+  }
+  EXPECT_GT(told, 0U);
+  EXPECT_GT(left_out, 0U);
+}
+
+#ifdef FE_UPWARD
+TEST(CManifold, AnyRoundingMode) {
+  const AnswerHandle answer = answer_about(shape_of("sphere:r=1"), shape_of("box:half=1:1:1,at=1.1:0.3:0.7"));
+  const std::string usual = manifold_line(answer, twist_of_a.data(), nullptr);
+  std::fesetround(FE_UPWARD);
+  const AnswerHandle again = answer_about(shape_of("sphere:r=1"), shape_of("box:half=1:1:1,at=1.1:0.3:0.7"));
+  const std::string upward = manifold_line(again, twist_of_a.data(), nullptr);
+  Three v{}, w{}, upward_v{}, upward_w{};
+  const int code = fathom_answer_gradient(again.get(), upward_v.data(), upward_w.data());
+  std::fesetround(FE_TONEAREST);
+  ASSERT_EQ(code, FATHOM_OK);
+  ASSERT_EQ(fathom_answer_gradient(answer.get(), v.data(), w.data()), FATHOM_OK) << fathom_last_error();
+  EXPECT_EQ(upward, usual);
+  EXPECT_TRUE(upward_v == v && upward_w == w);
+}
+#endif
 
 TEST(CManifold, OneAnswerInManyThreads) {
   const AnswerHandle answer = answer_about(shape_of("box:half=1:1:1"), shape_of("box:half=1:2:1,at=1:2:2"));
