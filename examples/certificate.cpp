@@ -2,6 +2,7 @@
 // An answer with its proof: a checker that shares no code with the library reads the certificate.
 #include <fathom/certificate.hpp>
 #include <fathom/check.hpp>
+#include <fathom/patch.hpp>
 #include <iostream>
 #include <vector>
 
@@ -19,10 +20,21 @@ int main() {
   const auto bounds = fathom::make_bounds_certificate(a, b, mpq_class(1, 4), 1);
   std::cout << fathom_check::verdict_line(fathom_check::verify(fathom::certificate_text(bounds)), "bounds") << "\n";
 
+  // Where the bodies touch, and how fast the depth changes as A sinks, can be proved with it.
+  const fathom::Body body_a{a}, body_b{b};
+  const fathom::Answer answer{depth};
+  const fathom::ContactGeometry touching = contact_geometry(body_a, body_b, answer);
+  const std::vector<fathom::Twist> sinking{{{0, 0, -1}, {}}};
+  if (has_patch_certificate(touching)) {
+    const std::string proof = certificate_text(body_a, body_b, answer, touching, sinking, "patches");
+    std::cout << fathom_check::verdict_line(fathom_check::verify(proof), "") << "\n";
+  }
+
   // A text that was changed is refused.
   std::cout << fathom_check::verify(text + "end\n").accepted() << "\n";
 }
 
 //> s VERIFIED penetrating depth_squared=1/3 optima=1 tetrahedra
 //> s VERIFIED penetrating depth_squared_in=[1/4,1] bounds
+//> s VERIFIED penetrating signed_depth=sqrt(1/3)+0 optima=1 patches=3 rates=1 patches
 //> 0

@@ -88,7 +88,8 @@ struct ConeProof {
 enum class ShapeClaim { depth, touching, apart, signed_bounds };
 
 /// A direction orthogonal to that of a patch, in which the patch ends: the face of a body has its
-/// least <inward,x> all along a line on which two corners are, this one and that of the side before.
+/// least <inward,x> all along a line on which two corners are: this one, and that of the side
+/// before.
 struct PatchSide {
   bool of_b;           ///< whose face it is
   Vector inward;       ///< primitive

@@ -39,8 +39,8 @@ struct PatchCorner {
 
 /// All contact points in one optimal direction. Its corners are extreme, each listed once: one of a
 /// point, two of a segment, three or more of a polygon, counter-clockwise seen from the tip of the
-/// direction. The first is the one with the least on_a, and of these with the least on_b, compared as
-/// lists. What is rational is computed when it is asked for.
+/// direction. The first is the one with the least on_a, and of these with the least on_b, compared
+/// as lists. What is rational is computed when it is asked for.
 struct Patch {
   Vector direction;                   ///< n: primitive, the way A leaves along
   std::variant<mpq_class, Point> by;  ///< h(n), from which the translation follows; or of unions the translation

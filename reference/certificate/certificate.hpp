@@ -37,6 +37,9 @@ namespace fathom::certificate {
 /// Throws std::invalid_argument if a shape is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
 
+/// The same for its patches: their corners are those of the naive twin.
+void validate_patches(kernels::Report& report, const ShapeCertificate& certificate);
+
 /// The point that weights combine; what is wrong with them goes to the report.
 Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
 

@@ -142,6 +142,11 @@ PatchProof prove_patch(const Patch& patch, const std::vector<Point>& a, const st
   return proof;
 }
 
+/// None of a half-space.
+std::vector<Point> core_points(const Shape& shape) {
+  return shapes::is_halfspace(shape) ? std::vector<Point>() : points_of(shape);
+}
+
 /// The same answer as about shapes.
 SignedDepth as_shapes(const Answer& answer, const ContactGeometry& geometry) {
   if (const SignedDepth* const shapes = std::get_if<SignedDepth>(&answer.found)) return *shapes;
@@ -150,6 +155,30 @@ SignedDepth as_shapes(const Answer& answer, const ContactGeometry& geometry) {
 }
 
 }  // namespace
+
+// A half-space shares the whole face of the other body.
+void validate_patches(kernels::Report& report, const ShapeCertificate& certificate) {
+  const std::vector<Point> a = core_points(certificate.a), b = core_points(certificate.b);
+  report.expect(certificate.patches.size() == certificate.directions.size(), "not a patch for each direction");
+  for (std::size_t i = 0; i < certificate.patches.size() && report.ok(); ++i) {
+    const Vector& n = certificate.directions[i];
+    const std::vector<Point>& own = a.empty() ? b : a;
+    std::vector<Point> corners, expected;
+    for (const auto& [of_a, of_b] : certificate.patches[i].corners)
+      corners.push_back(combined(report, own, a.empty() ? of_b : of_a));
+    if (a.empty() || b.empty()) {
+      expected = OrderedFace(own, a.empty() ? n : -n, n).corners;
+    } else {
+      const std::vector<std::uint32_t> in_a = patch::counter_clockwise(n, a, solve::extreme_points(a, -n)),
+                                       in_b = patch::counter_clockwise(n, b, solve::extreme_points(b, n));
+      const mpq_class height = dot(n, b[in_b[0]] - a[in_a[0]]) / dot(n, n);
+      expected = patch::shared_naive(height * n, {n, a, in_a, b, in_b});
+    }
+    const bool same = std::is_permutation(corners.begin(), corners.end(), expected.begin(), expected.end());
+    report.expect(same, "the corners of a patch are others");
+  }
+}
+
 }  // namespace fathom::certificate
 
 namespace fathom {
@@ -164,10 +193,7 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
   ShapeCertificate proof =
       make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);
   proof.id = id;
-  const auto points_of = [](const Shape& shape) {
-    return shapes::is_halfspace(shape) ? std::vector<Point>() : certificate::points_of(shape);
-  };
-  const std::vector<Point> points_a = points_of(proof.a), points_b = points_of(proof.b);
+  const std::vector<Point> points_a = certificate::core_points(proof.a), points_b = certificate::core_points(proof.b);
   for (const Patch& patch : geometry.patches) {
     if (patch.direction != proof.directions.at(proof.patches.size())) certificate::contradiction("another direction");
     proof.patches.push_back(certificate::prove_patch(patch, points_a, points_b));

@@ -407,7 +407,11 @@ std::vector<Point> points_of(const Shape& shape) {
   return std::move(*points);
 }
 
-kernels::Report validate(const ShapeCertificate& certificate) { return ShapeCheck(certificate).run(); }
+kernels::Report validate(const ShapeCertificate& certificate) {
+  kernels::Report report = ShapeCheck(certificate).run();
+  if (report.ok() && !certificate.patches.empty()) validate_patches(report, certificate);
+  return report;
+}
 
 }  // namespace fathom::certificate
 

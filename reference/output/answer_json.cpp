@@ -326,11 +326,11 @@ Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& deriv
   if (const LeftOut* const reason = std::get_if<LeftOut>(&derivative)) return {{"left_out", name(*reason)}};
   const DirectionalDerivative& d = std::get<DirectionalDerivative>(derivative);
   const Surd value = d.value();
-  // + 0.0: a zero is no negative one
-  Json rate =
-      signed_depth_object({round_binary64(value, Rounding::rd) + 0.0, round_binary64(value, Rounding::ru) + 0.0});
+  const auto unsigned_zero = [](double x) { return x == 0 ? 0.0 : x; };
+  Json rate = signed_depth_object(
+      {unsigned_zero(round_binary64(value, Rounding::rd)), unsigned_zero(round_binary64(value, Rounding::ru))});
   rate["exact"] = exact_object(value);
-  const double nearest = round_binary64(value) + 0.0;
+  const double nearest = unsigned_zero(round_binary64(value));
   const bool told = std::isfinite(nearest) && (nearest != 0 || d.sign == 0);
   return {{"rate", rate},
           {"value", told ? Json(nearest) : Json()},

@@ -284,7 +284,7 @@ struct Overlaid {
   std::vector<Shared> corners;
 };
 
-/// The corners counter-clockwise, by their places among `points`, of which `count` begin at `first`.
+/// The corners counter-clockwise, by their places among the `count` points that begin at `first`.
 template <class Integer>
 std::vector<std::uint32_t> cycle_of(const std::vector<Vec3<Integer>>& points, std::size_t first, std::size_t count,
                                     const Vec3<Integer>& n) {

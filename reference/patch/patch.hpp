@@ -54,8 +54,8 @@ struct Numerators {
 Numerators contact_numerators(const Patch& patch, std::size_t corner);
 
 /// The corners on A of what the faces share after the translation t, counter-clockwise from the
-/// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in rationals. The naive
-/// twin.
+/// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in
+/// rationals. The naive twin.
 std::vector<Point> shared_naive(const Point& t, const MeetingFaces& faces);
 
 /// Checks the laws of a patch from the definitions: corners lie inside the faces that they name,

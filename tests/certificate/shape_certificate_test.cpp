@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "fathom/certificate.hpp"
+#include "fathom/patch.hpp"
 #include "reference/certificate/certificate.hpp"
+#include "reference/shapes/core.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/catalogue.hpp"
@@ -311,10 +313,21 @@ std::string expected_line(const SignedDepth& depth, const ShapeCertificate& cert
   return line + " " + certificate.id;
 }
 
+/// The line about a certificate with patches: that of the answer, and how many corners and rates
+/// there are.
+std::string with_patches(std::string line, const std::string& id, const ContactGeometry& geometry, std::size_t rates) {
+  line.resize(line.size() - id.size());
+  for (std::size_t i = 0; i < geometry.patches.size(); ++i)
+    line += (i == 0 ? "patches=" : "+") + std::to_string(geometry.patches[i].corners.size());
+  if (rates > 0) line += " rates=" + std::to_string(rates);
+  return line + " " + id + "-with-patches";
+}
+
 TEST(ShapeCheckers, AcceptEveryCertificateWithTheAnswer) {
   const std::string path = ::testing::TempDir() + "shape_checkers_test.cert";
   std::ofstream file(path);
   std::vector<std::string> expected;
+  families::Random random(2);
   for (const auto& [id, a, b] : pairs()) {
     const SignedDepth depth = signed_depth(a, b);
     ShapeCertificate certificate = make_certificate(a, b, depth);
@@ -323,6 +336,17 @@ TEST(ShapeCheckers, AcceptEveryCertificateWithTheAnswer) {
     expected.push_back(expected_line(depth, certificate));
     EXPECT_EQ(fathom_check::verdict_line(fathom_check::verify(text), id), expected.back());
     file << text;
+
+    const Body body_a{{}, a}, body_b{{}, b};
+    const Answer answer{depth};
+    const ContactGeometry geometry = contact_geometry(body_a, body_b, answer);
+    const std::vector<Twist> motions{{{1, 0, mpq_class(-1, 2)}, {0, 3, 1}}, {small_point(random), small_point(random)}};
+    const std::string of_patches = certificate_text(body_a, body_b, answer, geometry, motions, id + "-with-patches");
+    EXPECT_TRUE(of_patches.starts_with("fathom-certificate 4\n")) << id;
+    const bool half = shapes::is_halfspace(a) || shapes::is_halfspace(b);
+    expected.push_back(with_patches(expected.back(), id, geometry, geometry.cone && !half ? 0 : motions.size()));
+    EXPECT_EQ(fathom_check::verdict_line(fathom_check::verify(of_patches), id), expected.back());
+    file << of_patches;
   }
   file.close();
   const std::string command = "python3 -B \"" FATHOM_TEST_DATA "/../../verify/check/check.py\" \"" + path + "\"";

@@ -64,6 +64,15 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/approximate/growth.cpp", "return placed.position(sum, hull.vertices.size());",
      "return placed.position(sum, points.size());", "approximate_tests"),
     ("reference/approximate/growth.cpp", "report.expect(room > 0,", "report.expect(room >= 0,", "approximate_tests"),
+    # contact patches and derivatives: the faces for the patch, one corner, the first optimum, the wrong order
+    ("reference/patch/patch.cpp", "if (sign < 0) return std::nullopt;", "if (sign <= 0) return std::nullopt;", "patch_tests"),
+    ("reference/patch/patch.cpp", "return enters(p) && !enters(q);", "return enters(q) && !enters(p);", "patch_tests"),
+    ("reference/patch/patch.cpp", "if (of_a > 1 && of_b > 1 && of_a + of_b > 4) return shared(faces, support);", "", "patch_tests"),
+    ("reference/patch/derivative.cpp", "if (k > 0 && rate * below <= above * p.denominator) continue;", "if (k > 0) continue;",
+     "patch_tests"),
+    ("reference/patch/derivative.cpp", "rate.squared > best.squared : rate.squared < best.squared)", "false : false)", "patch_tests"),
+    ("reference/patch/derivative.cpp", "if (geometry.cone) return patch::by_cone(geometry, of_a, of_b);", "", "patch_tests"),
+    ("reference/certificate/patch_certificate.cpp", "add(b, true);", "", "certificate_tests"),
     # unions, curved shapes, what is rounded
     ("reference/unions/union_search.cpp", "kernels::compare(cell.nearest, *best_) <= 0) split(cell)",
      "kernels::compare(cell.nearest, *best_) < 0) split(cell)", "unions_tests"),
