@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams.
-From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches.
+From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
+  patch_example.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -49,3 +50,11 @@ Print Assumptions union_depth2_whole.
 Print Assumptions seam_depth.
 Print Assumptions seam_verdict.
 Print Assumptions unions_refused.
+Print Assumptions patched_verdict_sound.
+Print Assumptions check_patch_sound.
+Print Assumptions round_cornered.
+Print Assumptions body_patch_moved.
+Print Assumptions rate_unique.
+Print Assumptions cubes_patch.
+Print Assumptions cubes_rates.
+Print Assumptions patch_forgeries_refused.

@@ -15,7 +15,7 @@ complain() { echo "mutants.sh: $*"; bad=1; }
 build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml union_limits.ml union_prepare.ml"
+  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml patch_prepare.ml union_limits.ml union_prepare.ml"
   # shellcheck disable=SC2086
   cat $told >before
   # shellcheck disable=SC2086
@@ -59,6 +59,14 @@ mutant 's/Q\.add g\.a\.radius g\.b\.radius/Q.add Q.one g.b.radius/' touching%20s
 mutant 's/beside q a b None/beside (Q.of_int 25) a b None/' farther%20than%20they%20are \
   'VERIFIED touching signed_depth=-sqrt\(25\)\+5 ' '.*26' <"$signed"
 mutant 's/map direction c\.rays\.items/map direction (Array.sub c.rays.items 0 (max 0 (Array.length c.rays.items - 1)))/' tip%20to%20tip REFUSED '' <"$signed"
+# format 4: a wrong unit of a corner or of a rate, another rate than is claimed, a corner twice that the order leaves out, a corner whose
+# side is another one's
+patches=$here/examples/proved_patches.cert
+mutant 's/corner_unit = unit/corner_unit = Z.one/' rods REFUSED '' <"$patches"
+mutant 's/rate_unit = !unit/rate_unit = Z.one/' rods REFUSED '' <"$patches"
+mutant 's/rate_square = ratio (.*); rate_unit/rate_square = ratio Q.one; rate_unit/' rods REFUSED '' <"$patches"
+mutant 's/Z\.of_int order)/Z.of_int (Array.sub order (min 1 c) (max 0 (Int.pred c))))/' a%20corner%20twice REFUSED '' <"$patches"
+mutant 's/named_by = named\.(k)/named_by = Z.zero/' a%20corner%20that%20no%20side%20names REFUSED '' <"$patches"
 # format 3: wrong units of the points and of the optima, another depth or distance than is claimed, an optimum or a node left out,
 # wrong hints
 unions=$here/examples/proved_unions.cert

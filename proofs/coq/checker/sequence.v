@@ -9,6 +9,16 @@ Section Walks.
   (* the list map f l *)
   Definition each (f : T -> U) (l : list T) : list U := rev_append (fold_left (fun done x => f x :: done) l []) [].
 
+  (* the list map f l, if f has a value everywhere *)
+  Definition every (f : T -> option U) (l : list T) : option (list U) :=
+    match fold_left (fun done x => match done with
+                                   | Some ys => match f x with Some y => Some (y :: ys) | None => None end
+                                   | None => None
+                                   end) l (Some []) with
+    | Some ys => Some (rev_append ys [])
+    | None => None
+    end.
+
   (* chain a [b; c] z = [(a, b); (b, c); (c, z)];   pairs a [b; c] = [(a, b); (b, c)] *)
   Fixpoint chain (a : T) (l : list T) (z : T) : list (T * T) :=
     match l with [] => [(a, z)] | b :: l' => (a, b) :: chain b l' z end.
@@ -26,6 +36,7 @@ Section Walks.
     match l with [] => f acc a z | b :: l' => fold_chain f (f acc a b) b l' z end.
 End Walks.
 Arguments each {T U}.
+Arguments every {T U}.
 Arguments chain {T}.
 Arguments pairs {T}.
 Arguments along_chain {T}.
@@ -39,6 +50,28 @@ Proof.
   { induction l0 as [|x l0 IH]; simpl; intros; [rewrite app_nil_r; reflexivity|].
     rewrite IH. simpl. rewrite <- app_assoc. reflexivity. }
   rewrite G. reflexivity.
+Qed.
+
+Lemma every_spec : forall (T U : Type) (f : T -> option U) l ys, every f l = Some ys ->
+  Forall2 (fun x y => f x = Some y) l ys.
+Proof.
+  intros T U f l ys H. unfold every in H.
+  set (g := fun done x => match done with
+    | Some ys => match f x with Some y => Some (y :: ys) | None => None end | None => None end) in *.
+  assert (none : forall l, fold_left g l None = None) by (induction l0; simpl; auto).
+  assert (G : forall l done zs, fold_left g l (Some done) = Some zs ->
+    exists ys, zs = rev ys ++ done /\ Forall2 (fun x y => f x = Some y) l ys).
+  { induction l0 as [|x l0 IH]; simpl; intros done zs E; [inversion E; exists []; auto|].
+    destruct (f x) as [y|] eqn:F; [|rewrite none in E; discriminate].
+    destruct (IH _ _ E) as (ys' & -> & F'). exists (y :: ys'). simpl. rewrite <- app_assoc. auto. }
+  destruct (fold_left g l (Some [])) as [zs|] eqn:E; [|discriminate]. destruct (G _ _ _ E) as (ys' & -> & F).
+  inversion H. rewrite rev_append_rev, !app_nil_r, rev_involutive. auto.
+Qed.
+Lemma every_in : forall (T U : Type) (f : T -> option U) l ys y, every f l = Some ys -> In y ys ->
+  exists x, In x l /\ f x = Some y.
+Proof.
+  intros T U f l ys y H. apply every_spec in H. induction H as [|x z l ys F _ IH]; simpl; [tauto|].
+  intros [<-|I0]; [exists x; auto|]. destruct (IH I0) as (x' & I1 & E). exists x'. auto.
 Qed.
 
 Lemma along_chain_spec : forall (T : Type) f l (a z : T), along_chain f a l z = true ->

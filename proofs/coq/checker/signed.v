@@ -76,13 +76,7 @@ Fixpoint place (unit : Z) (ts : list (table (atom zvec))) (l : inner_point) (p :
   end.
 
 Definition places (unit : Z) (ts : list (table (atom zvec))) (ls : list inner_point) : option (list zvec) :=
-  match fold_left (fun done l => match done with
-                                 | Some ps => match place unit ts l zzero with Some p => Some (p :: ps) | None => None end
-                                 | None => None
-                                 end) ls (Some []) with
-  | Some ps => Some (rev_append ps [])
-  | None => None
-  end.
+  every (fun l => place unit ts l zzero) ls.
 
 Definition core_points (c : zcore) (unit : Z) (ls : list inner_point) : option (list zvec) :=
   match c with

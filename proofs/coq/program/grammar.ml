@@ -133,12 +133,13 @@ let footer_at r expected counts =
 
 let footer r counts = advance r; footer_at r "end and the five counts again" counts
 
-(* the first line: 1, 2 or 3 *)
+(* the first line: 1, 2, 3 or 4 *)
 let format_of r =
   begin_certificate r;
-  let f = fields r "fathom-certificate 1, 2 or 3" in
+  let f = fields r "fathom-certificate 1, 2, 3 or 4" in
   literal f "fathom-certificate ";
-  let format = match f.s with "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | _ -> 1 in
+  let format =
+    match f.s with "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | "fathom-certificate 4" -> 4 | _ -> 1 in
   literal f (string_of_int format);
   finish f;
   format

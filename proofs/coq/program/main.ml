@@ -41,6 +41,12 @@ let signed_words : Proved.signed_statement -> string = function
       (match optima with Some k -> " optima=" ^ Z.to_string k | None -> "")
       (match cone with Some (k, r) -> Printf.sprintf " cone=%s+%s" (Z.to_string k) (Z.to_string r) | None -> "")
 
+(* likewise of format 4: its meaning is soundness/patch_printed.v's *)
+let patched_words (s : Proved.patched_statement) =
+  let count (_, corners) = string_of_int (List.length corners) in
+  signed_words s.depth_says ^ " patches=" ^ String.concat "+" (Proved.each count s.corners_at)
+  ^ if s.rates_are = [] then "" else Printf.sprintf " rates=%d" (List.length s.rates_are)
+
 (* likewise of format 3: its meaning is soundness/union_printed.v's *)
 let union_words (s : Proved.union_statement) =
   let status : Proved.union_status -> string = function
@@ -79,6 +85,21 @@ let judge_signed ~width name (g : Signed_grammar.t) =
       let line, reason = Signed_prepare.reason ~width g m claim in
       refused name line reason
 
+let judge_patched ~width name (g : Patch_grammar.t) =
+  let denominators = Patch_limits.within g in
+  match Patch_prepare.claim g denominators with
+  | exception Prepare.Refused (line, reason) -> refused name line reason
+  | claim ->
+    let m = denominators.of_lengths in
+    let rho = Grammar.ratio (Signed_prepare.rho g.signed) in
+    let a = Signed_grammar.proved_body g.signed.a and b = Signed_grammar.proved_body g.signed.b in
+    match Proved.patched_verdict width m rho a b claim with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (patched_words statement) name)
+    | None ->
+      let base_holds = Proved.signed_verdict width m rho a b claim.base <> None in
+      let line, reason = Patch_prepare.reason ~width g m claim base_holds in
+      refused name line reason
+
 (* the depth of a union in itself is no width *)
 let judge_union ~width name (g : Union_grammar.t) =
   let denominators = Union_limits.within g in
@@ -97,6 +118,7 @@ let read ~width r name =
   match Grammar.format_of r with
   | 1 -> let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
   | 2 -> let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
+  | 4 -> let g = Patch_grammar.certificate r name in (g.signed.end_line, fun () -> judge_patched ~width !name g)
   | _ -> let g = Union_grammar.certificate r name in (g.end_line, fun () -> judge_union ~width !name g)
 
 (* one certificate, from its first line on *)

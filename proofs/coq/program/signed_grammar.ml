@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The grammar of format 2 (verify/check/FORMAT.md): from lines to a certificate as it stands there. *)
+(* The grammar of format 2 (verify/check/FORMAT.md), and of format 4 but for its patches: from lines to a certificate as it stands there. *)
 open Lines
 open Grammar
 
@@ -61,9 +61,9 @@ let atom vectors f =
   end
 
 (* the core at hand; counts collects what is announced by a word, the last one first *)
-let core r counts vectors name =
+let core ~shapes r counts vectors name =
   let announce part = counts := Array.length part.items :: !counts; Array.to_list part.items in
-  if starts r "shape_" then begin
+  if shapes && starts r "shape_" then begin
     let f = fields r ("shape_" ^ name ^ " and a count") in
     literal f ("shape_" ^ name ^ " ");
     let count = natural f in
@@ -99,10 +99,10 @@ let core r counts vectors name =
   end
 
 (* the core and its radius; leaves the line behind them at hand *)
-let body r counts name =
+let body ~shapes r counts name =
   let core_line = r.number in
   let vectors = ref 0 in
-  let core = core r counts vectors name in
+  let core = core ~shapes r counts vectors name in
   advance r;
   let radius =
     if starts r "radius_" then begin
@@ -121,11 +121,11 @@ let proved_body b = { Proved.core_of = b.core; radius = ratio b.radius }
 let is_shape b = match b.core with Proved.Terms _ -> true | _ -> false
 let is_half_space b = match b.core with Proved.Half_space _ -> true | _ -> false
 
-let claim_of r shapes =
-  let f = fields r (if shapes then "claim signed_bounds" else "claim depth, touching, apart or signed_bounds") in
+let claim_of ~bounds r shapes =
+  let f = fields r (if shapes then "claim signed_bounds" else "claim depth, touching" ^ if bounds then ", apart or signed_bounds" else " or apart") in
   literal f "claim ";
   let claim =
-    if has_prefix "claim signed_bounds " f.s then begin
+    if bounds && has_prefix "claim signed_bounds " f.s then begin
       literal f "signed_bounds ";
       let lo = rational f in blank f;
       Signed_bounds (lo, rational f)
@@ -150,14 +150,16 @@ let inner_point terms f =
   let rec go k done_ = if k = terms then List.rev done_ else (if k > 0 then blank f; go (k + 1) (place () :: done_)) in
   go 0 []
 
-let certificate r name =
+(* all but the footer, whose line, or that of the patches, it leaves at hand; with the counts so far, the last one first *)
+let all_but_footer ~patched r name =
   advance r;
   name_of r name;
   let counts = ref [] in
   let announced part = counts := Array.length part.items :: !counts; part in
-  let a = body r counts "a" in
-  let b = body r counts "b" in
-  let claim = claim_of r (is_shape a || is_shape b) in
+  let body = body ~shapes:(not patched) r counts in
+  let a = body "a" in
+  let b = body "b" in
+  let claim = claim_of ~bounds:(not patched) r (is_shape a || is_shape b) in
   let claim_line = r.number in
   let all, directions = directions_of r in
   ignore (announced directions);
@@ -193,6 +195,13 @@ let certificate r name =
       Some { lineality; rays; differences }
     end
     else None in
-  footer_at r "end and all counts again" (List.rev !counts);
-  { a = { a with heights = heights_a; inner = inner_a }; b = { b with heights = heights_b; inner = inner_b };
-    claim; claim_line; end_line = r.number; all; directions; lower; cone }
+  ( { a = { a with heights = heights_a; inner = inner_a }; b = { b with heights = heights_b; inner = inner_b };
+      claim; claim_line; end_line = r.number; all; directions; lower; cone },
+    !counts )
+
+let footer_behind r counts = footer_at r "end and all counts again" (List.rev counts)
+
+let certificate r name =
+  let g, counts = all_but_footer ~patched:false r name in
+  footer_behind r counts;
+  g

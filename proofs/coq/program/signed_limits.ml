@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Size and work of a certificate of format 2: verify/check/FORMAT.md, section 8, whose letters these are. *)
+(* Size and work of a certificate of format 2, and of format 4 but for what its patches add: verify/check/FORMAT.md, section 8, whose letters these are. *)
 open Grammar
 open Signed_grammar
 open Limits
@@ -16,7 +16,11 @@ let each_vector f b =
 
 let parameters f b = Array.iter (List.iter (fun (_, (x, y, z)) -> List.iter (fun q -> f (ratio q)) [ x; y; z ])) b.inner.items
 
-let within g =
+(* what patches add: how wide the sides are; the size, of v; the work, of n, v and u *)
+type added = { widest : Z.t; size : Z.t -> Z.t; work : Z.t -> Z.t -> Z.t -> Z.t }
+let nothing_added = { widest = Z.zero; size = (fun _ -> Z.zero); work = (fun _ _ _ -> Z.zero) }
+
+let within ?(added = nothing_added) g =
   let both f = f g.a; f g.b in
   let widest_of part = Array.fold_left (fun u (x, y, z) -> largest [ u; bits x; bits y; bits z ]) Z.zero part.items in
   let vertices, facets, weights_a, weights_b =
@@ -43,20 +47,20 @@ let within g =
   let of_weights, x = common weights (fun f -> List.iter (fun p -> Array.iter (fun (_, q) -> f (ratio q)) p.items) [ weights_a; weights_b ]) in
   let of_heights, h = common j (fun f -> both (fun b -> Array.iter (fun q -> f (ratio q)) b.heights.items)) in
   let v = w + if Z.equal i Z.zero then Z.zero else y in
-  let u = largest [ widest_of g.directions; widest_of lineality; widest_of rays ] in
+  let u = largest [ widest_of g.directions; widest_of lineality; widest_of rays; added.widest ] in
   let digits q = number 2 * (bits (Q.num q) + bits (Q.den q)) in
   let b =
     digits g.a.radius + digits g.b.radius
     + match g.claim with Depth q | Apart q -> digits q | Touching -> Z.zero | Signed_bounds (lo, hi) -> digits lo + digits hi in
   let four = number 4 in
   let long = v + u + h in
-  require (Z.leq ((vectors * v) + (weights * x) + (j * h)) most_size);
+  require (Z.leq ((vectors * v) + (weights * x) + (j * h) + added.size v) most_size);
   require
     (Z.leq
        (((n + i) * k * product v u) + ((n + (four * i) + (four * t)) * product v v) + (four * (k + f) * product v b)
         + (four * weights * product (v + x) (v + x))
         + (if Z.equal j Z.zero then Z.zero else four * n * product long long)
-        + (e * (r + e) * product (v + u) (v + u)))
+        + (e * (r + e) * product (v + u) (v + u)) + added.work (number g.a.vectors + number g.b.vectors) v u)
        most_work);
   (* lengths: also those that do not count, of radii and half-spaces *)
   let m = ref of_points in

@@ -201,20 +201,9 @@ Qed.
 Lemma places_sound : forall unit ts ls L, (0 < unit)%Z -> places unit (map numbered ts) ls = Some L ->
   forall p, In p L -> in_terms (map (map (map_atom inj)) ts) (scal (/ IZR unit) (inj p)).
 Proof.
-  intros unit ts ls L Hu H. unfold places in H.
-  set (f := fun (done : option (list zvec)) l => match done with
-    | Some ps => match place unit (map numbered ts) l zzero with Some p => Some (p :: ps) | None => None end | None => None end) in *.
-  assert (none : forall ls, fold_left f ls None = None) by (induction ls0; simpl; auto).
-  set (good := fun ps => forall p, In p ps -> in_terms (map (map (map_atom inj)) ts) (scal (/ IZR unit) (inj p))).
-  assert (G : forall ls ps qs, good ps -> fold_left f ls (Some ps) = Some qs -> good qs).
-  { induction ls0 as [|l ls0 IH]; simpl; intros ps qs G E; [inversion E; subst; auto|].
-    destruct (place unit (map numbered ts) l zzero) as [p|] eqn:Ep; [|rewrite none in E; discriminate].
-    apply (IH (p :: ps)); auto. intros x [<-|Hx]; [|apply G; auto].
-    apply (place_sound unit ts l zzero p (fun p => p = origin) Hu) in Ep.
-    - destruct Ep as (s & t & -> & Ht & E'). rewrite E'. replace (add origin t) with t by (pteq; ring). auto.
-    - pteq; ring. }
-  destruct (fold_left f ls (Some [])) as [ps|] eqn:E; [|discriminate]. inversion H; subst.
-  intros p Hp. rewrite rev_append_rev, app_nil_r in Hp. apply in_rev in Hp. apply (G ls []) in E; auto. intros x [].
+  intros unit ts ls L Hu H p Hp. destruct (every_in _ _ _ _ _ _ H Hp) as (l & _ & E).
+  apply (place_sound unit ts l zzero p (fun p => p = origin) Hu) in E; [|pteq; ring].
+  destruct E as (s & t & -> & Ht & E). rewrite E. replace (add origin t) with t by (pteq; ring). auto.
 Qed.
 
 Lemma core_points_sound : forall c unit ls L, (0 < unit)%Z -> core_points c unit ls = Some L ->
