@@ -14,7 +14,7 @@ let within (g : t) =
   let width corner =
     let each f = Array.iter (fun (_, w) -> f (ratio w)) in
     snd (common g.signed.end_line (many + (number 2 * c)) (fun f -> each f corner.corner_a; each f corner.corner_b)) in
-  let x = if Z.equal many Z.zero then Z.zero else most width (Array.map (fun p -> p.corners.items) g.patches.items) in
+  let x = most width (Array.map (fun p -> p.corners.items) g.patches.items) in
   let widest side = let x, y, z = side.inward in largest [ bits x; bits y; bits z ] in
   let digits rate =
     let sum = ref (bits (Q.num rate.root) + bits (Q.den rate.root)) in
