@@ -219,7 +219,8 @@ Proof.
 Qed.
 
 (* and if the cores are apart, the rate is the one-sided derivative *)
-Theorem rate_derivative : forall A B ra rb d v w r, d < 0 -> rate_is (Body (Points A) ra) (Body (Points B) rb) d v w r
+Theorem rate_derivative_apart : forall A B ra rb d v w r, d < 0 -> rate_is (Body (Points A) ra) (Body (Points B) rb) d
+  v w r
   ->
   forall e, 0 < e -> exists s0, 0 < s0 /\ forall s x, 0 < s < s0 ->
     signed_depth (core_gaps (moved_body v w s A ra) (Body (Points B) rb)) x -> s * (r - e) <= x - d <= s * (r + e).

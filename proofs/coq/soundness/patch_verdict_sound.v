@@ -6,7 +6,7 @@ From Fathom.checker Require Import vector sequence table support certificate ver
   patch_verdict.
 From Fathom.geometry Require Import meaning bodies space norm hulls difference scaling signed_depth rounded ways_out
   curved units gaps.
-From Fathom.geometry Require Import contact patches.
+From Fathom.geometry Require Import contact patches rates rates_overlap.
 From Fathom.soundness Require Import statement booleans printed verdict_sound signed_sides signed_printed signed_units
   signed_claims.
 From Fathom.soundness Require Import signed_sound patch_sound patch_printed.
@@ -298,4 +298,56 @@ Proof.
   - intros r Ir. destruct (rates c) as [|r0 rs] eqn:Rc; [contradiction|]. apply andb_true_iff in R0.
     destruct R0 as [Ha R0].
     apply (rate_says m _ _ Hm d qs); auto. exact (forallb_In _ _ _ R0 r Ir).
+Qed.
+
+Lemma radius_back : forall m b, (0 < m)%Z -> all_body (fits m) (divides m) b = true -> (0 <= radius (in_units m b))%Z ->
+  0 <= radius (real_body b).
+Proof.
+  intros m b Hm F R0. assert (Pm := IZR_pos _ Hm). assert (E := f_equal radius (in_units_real m b Hm F)).
+  change (IZR (radius (in_units m b)) = IZR m * radius (real_body b)) in E. apply IZR_le in R0. rewrite E in R0. nra.
+Qed.
+
+(* and of points, with or without radii, each rate that is accepted is the one-sided derivative *)
+Theorem patched_verdict_rates : forall width m rho A B ra rb c s r,
+  patched_verdict width m rho (Body (Points A) ra) (Body (Points B) rb) c = Some s -> In r (rates_are s) ->
+  let X := Body (Points (map real A)) (value ra) in
+  let Y := Body (Points (map real B)) (value rb) in
+  let root := signed_root (value (rate_square r)) in
+  exists d, signed_depth (gaps X Y) d /\ forall e, 0 < e -> exists s0, 0 < s0 /\ forall t x, 0 < t < s0 ->
+    signed_depth (gaps (moved_body (real (rate_v r)) (real (rate_w r)) t (map real A) (value ra)) Y) x ->
+    t * (root - e) <= x - d <= t * (root + e).
+Proof.
+  intros width m rho A B ra rb c s r H Ir X Y root. assert (Says := patched_verdict_sound _ _ _ _ _ _ _ H).
+  assert (EX : real_body (Body (Points A) ra) = X) by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+  assert (EY : real_body (Body (Points B) rb) = Y) by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+  rewrite EX, EY in Says. unfold patched_verdict in H.
+  destruct (signed_verdict width m rho _ _ (base c)) as [u|] eqn:V; [|discriminate].
+  destruct (directions_of (base c)) as [[[[qn qd] ns] all]|] eqn:D; [|discriminate]. cbv zeta in H.
+  destruct (check_patches _ _ _ []) as [cs|]; [|discriminate].
+  destruct (match rates c with [] => true | _ :: _ => _ end) eqn:R0; [|discriminate]. inversion H. subst s. clear H.
+  cbn [rates_are depth_says] in *. unfold signed_verdict in V. cbv zeta in V.
+  destruct (_ && signed_check _ _ _ _) eqn:E; [|discriminate]. inversion V. subst u. clear V.
+  apply andb_true_iff in E. destruct E as [E C]. assert (C' := C). unfold signed_check in C'. apply andb_true_iff in C'.
+  destruct C' as [Rad C']. assert (Hm : (0 < m)%Z) by (bsplit; auto).
+  assert (Ha : all = true). { destruct (rates c); [contradiction|]. apply andb_true_iff in R0. apply R0. }
+  subst all. destruct (stated_root rho _ _ _ _ _ D) as (st & optima & cone & St & _).
+  assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & Rest).
+  destruct S1 as (Erho & S2 & S3 & _). cbv zeta in Rest. destruct Rest as (_ & _ & _ & Rates).
+  set (d := signed_root (value (Ratio qn qd))) in *. exists (d + (radius X + radius Y)). rewrite <- Erho.
+  split; [exact S3|].
+  assert (Radii : 0 <= radius X /\ 0 <= radius Y).
+  { rewrite <- EX, <- EY. bsplit. split; apply (radius_back m); auto. }
+  rewrite Erho. apply rate_derivative_bodies; auto.
+  - apply Radii.
+  - apply Radii.
+  - intros Z. assert (Q := signed_sqr_root (value (Ratio qn qd))). fold d in Q. rewrite Z in Q.
+    unfold signed_sqr, value in Q. cbn [num den] in Q.
+    assert (Pd := IZR_pos _ Hqd). assert (Zq : IZR qn = 0).
+    { apply Rmult_eq_reg_r with (/ IZR qd); [unfold Rdiv in Q; lra|]. apply Rgt_not_eq, Rinv_0_lt_compat; auto. }
+    apply (eq_IZR qn 0) in Zq. cbn [core_of in_units map_body map_core] in C'.
+    destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB k|qn' qd' n|]; inversion D; subst.
+    + unfold check_depth in C'. bsplit. lia.
+    + match goal with K : (0 <? qn')%Z = true |- _ => apply Z.ltb_lt in K end. lia.
+    + unfold check_on_plane in C'. discriminate.
+  - apply (Rates r). exact Ir.
 Qed.
