@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane.
 From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
   patch_example.
 
@@ -55,8 +55,9 @@ Print Assumptions check_patch_sound.
 Print Assumptions round_cornered.
 Print Assumptions body_patch_moved.
 Print Assumptions rate_unique.
-Print Assumptions rate_bounds.
-Print Assumptions rate_derivative.
+Print Assumptions patched_verdict_rates.
+Print Assumptions rate_points.
+Print Assumptions rate_plane.
 Print Assumptions cubes_patch.
 Print Assumptions cubes_rates.
 Print Assumptions patch_forgeries_refused.

@@ -34,3 +34,11 @@ Definition speed (v w n p : pt) : R := - dot n (add v (cross w p)).
 Definition rate_is (A B : body pt R) (d : R) (v w : pt) (r : R) : Prop :=
   (forall n, optimal (core_gaps A B) d n -> exists p, patch_of A B d n p /\ r <= speed v w n p)
   /\ (exists n, optimal (core_gaps A B) d n /\ forall p, patch_of A B d n p -> speed v w n p <= r).
+
+(* where p is at the time s *)
+Definition moved (v w : pt) (s : R) (p : pt) : pt := add p (scal s (add v (cross w p))).
+Definition moved_body (v w : pt) (s : R) (A : list pt) (r : R) : body pt R := Body (Points (map (moved v w s) A)) r.
+(* from d on the signed depth of G s grows at the rate r: this is its one-sided derivative at s = 0
+   *)
+Definition grows (G : R -> pt -> Prop) (d r : R) : Prop := forall e, 0 < e -> exists s0, 0 < s0 /\
+  forall s x, 0 < s < s0 -> signed_depth (G s) x -> s * (r - e) <= x - d <= s * (r + e).

@@ -3,7 +3,8 @@
    touch it there.  Rates. *)
 Require Import Reals Lra Psatz List FinFun.
 From Fathom.checker Require Import sequence body.
-From Fathom.geometry Require Import meaning bodies space norm hulls farkas difference scaling signed_depth units contact.
+From Fathom.geometry Require Import meaning bodies space norm hulls farkas difference scaling signed_depth units.
+From Fathom.geometry Require Import contact.
 Import ListNotations.
 Open Scope R_scope.
 

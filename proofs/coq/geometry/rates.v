@@ -8,10 +8,6 @@ From Fathom.geometry Require Import contact patches.
 Import ListNotations.
 Open Scope R_scope.
 
-(* where the points of A are at the time s *)
-Definition moved (v w : pt) (s : R) (p : pt) : pt := add p (scal s (add v (cross w p))).
-Definition moved_body (v w : pt) (s : R) (A : list pt) (r : R) : body pt R := Body (Points (map (moved v w s) A)) r.
-
 Lemma moved_conv : forall v w s A p, conv A p -> conv (map (moved v w s) A) (moved v w s p).
 Proof.
   intros v w s A p Hp. apply (Hp (fun p => conv (map (moved v w s) A) (moved v w s p))).
@@ -219,16 +215,30 @@ Proof.
 Qed.
 
 (* and if the cores are apart, the rate is the one-sided derivative *)
-Theorem rate_derivative_apart : forall A B ra rb d v w r, d < 0 -> rate_is (Body (Points A) ra) (Body (Points B) rb) d
-  v w r
-  ->
-  forall e, 0 < e -> exists s0, 0 < s0 /\ forall s x, 0 < s < s0 ->
-    signed_depth (core_gaps (moved_body v w s A ra) (Body (Points B) rb)) x -> s * (r - e) <= x - d <= s * (r + e).
+Theorem rate_apart : forall A B ra rb d v w r, d < 0 -> rate_is (Body (Points A) ra) (Body (Points B) rb) d v w r ->
+  grows (fun s => core_gaps (moved_body v w s A ra) (Body (Points B) rb)) d r.
 Proof.
   intros A B ra rb d v w r Hd R e He. destruct (rate_bounds _ _ _ _ _ _ _ _ R e He) as (s0 & P0 & G).
   destruct R as [Fast (n & O & _)]. destruct (Fast n O) as (p & Hp & Hr).
   destruct (rate_least_apart A B ra rb d r v w n O p Hd Hp Hr e He) as (s1 & P1 & K).
   exists (Rmin s0 s1). split; [apply Rmin_glb_lt; auto|]. intros s x [Ps Ls] V.
-  assert (M0 := Rmin_l s0 s1). assert (M1 := Rmin_r s0 s1). assert (U := G s x (conj Ps (Rlt_le_trans _ _ _ Ls M0)) V).
+  assert (M0 := Rmin_l s0 s1). assert (M1 := Rmin_r s0 s1).
+  assert (U := G s x (conj Ps (Rlt_le_trans _ _ _ Ls M0)) V).
   assert (L := least_le_most _ _ _ (K s (conj Ps (Rlt_le_trans _ _ _ Ls M1))) (proj2 V)). lra.
+Qed.
+
+(* ---- radii are added to both ---- *)
+Lemma grows_bodies : forall A Y ra d v w r, A <> [] -> 0 <= ra -> 0 <= radius Y ->
+  bounded_core (core_of Y) \/ half_space_core (core_of Y) ->
+  grows (fun s => core_gaps (moved_body v w s A ra) Y) d r ->
+  grows (fun s => gaps (moved_body v w s A ra) Y) (d + (ra + radius Y)) r.
+Proof.
+  intros A Y ra d v w r NA Pa Py HY D e He. destruct (D e He) as (s0 & P0 & G). exists s0. split; auto.
+  intros s x Hs Hx.
+  assert (C : comparable (core_of (moved_body v w s A ra)) (core_of Y)).
+  { assert (K : bounded_core (core_of (moved_body v w s A ra))) by (simpl; destruct A; [congruence|discriminate]).
+    unfold comparable. tauto. }
+  destruct (core_gaps_planed _ _ C) as (y & Vy & _).
+  assert (E := signed_depth_unique _ _ _ Hx (theorem_R _ _ y C Pa Py Vy)). cbn [moved_body radius] in E.
+  specialize (G s y Hs Vy). lra.
 Qed.

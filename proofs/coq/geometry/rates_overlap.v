@@ -220,37 +220,16 @@ Section Overlap.
 End Overlap.
 
 (* ---- a rate is the one-sided derivative ---- *)
-Theorem rate_derivative : forall A B ra rb d v w r, d <> 0 ->
+Theorem rate_points : forall A B ra rb d v w r, d <> 0 ->
   signed_depth (core_gaps (Body (Points A) ra) (Body (Points B) rb)) d ->
-  rate_is (Body (Points A) ra) (Body (Points B) rb) d v w r -> forall e, 0 < e -> exists s0, 0 < s0 /\ forall s x, 0 <
-    s < s0 ->
-    signed_depth (core_gaps (moved_body v w s A ra) (Body (Points B) rb)) x -> s * (r - e) <= x - d <= s * (r + e).
+  rate_is (Body (Points A) ra) (Body (Points B) rb) d v w r ->
+  grows (fun s => core_gaps (moved_body v w s A ra) (Body (Points B) rb)) d r.
 Proof.
-  intros A B ra rb d v w r Hd D R e He. destruct (Rtotal_order d 0) as [L|[E|L]]; [|contradiction|].
-  - apply rate_derivative_apart; auto.
-  - destruct (rate_bounds _ _ _ _ _ _ _ _ R e He) as (s0 & P0 & G).
-    destruct (rate_least_overlap A B ra rb d r v w L D (proj1 R) e He) as (s1 & P1 & K).
-    exists (Rmin s0 s1). split; [apply Rmin_glb_lt; auto|]. intros s x [Ps Ls] Hx.
-    assert (M0 := Rmin_l s0 s1). assert (M1 := Rmin_r s0 s1).
-    assert (U := G s x (conj Ps (Rlt_le_trans _ _ _ Ls M0)) Hx).
-    assert (W := K s x (conj Ps (Rlt_le_trans _ _ _ Ls M1)) Hx). lra.
-Qed.
-
-(* of the rounded bodies too *)
-Theorem rate_derivative_bodies : forall A B ra rb d v w r, 0 <= ra -> 0 <= rb -> d <> 0 ->
-  signed_depth (core_gaps (Body (Points A) ra) (Body (Points B) rb)) d ->
-  rate_is (Body (Points A) ra) (Body (Points B) rb) d v w r -> forall e, 0 < e -> exists s0, 0 < s0 /\ forall s x, 0 <
-    s < s0 ->
-    signed_depth (gaps (moved_body v w s A ra) (Body (Points B) rb)) x ->
-    s * (r - e) <= x - (d + (ra + rb)) <= s * (r + e).
-Proof.
-  intros A B ra rb d v w r Pa Pb Hd D R e He. destruct (rate_derivative _ _ _ _ _ _ _ _ Hd D R e He) as (s0 & P0 & G).
-  exists s0. split; auto. intros s x Hs Hx. destruct (at_least_some _ _ (proj1 D)) as (g & Hg).
-  assert (N : A <> [] /\ B <> []).
-  { apply (P_nonempty A B g), P_minkowski. destruct Hg as (b & a & Hb & Ha & E). exists a, b. auto. }
-  destruct N as [NA NB]. assert (C : comparable (core_of (moved_body v w s A ra)) (Points B)).
-  { left. split; simpl; auto. destruct A; [congruence|discriminate]. }
-  destruct (core_gaps_planed (moved_body v w s A ra) (Body (Points B) rb) C) as (y & Vy & _).
-  assert (E := signed_depth_unique _ _ _ Hx (theorem_R (moved_body v w s A ra) (Body (Points B) rb) y C Pa Pb Vy)). simpl in E.
-  specialize (G s y Hs Vy). lra.
+  intros A B ra rb d v w r Hd D R. destruct (Rtotal_order d 0) as [L|[E|L]]; [apply rate_apart; auto|contradiction|].
+  intros e He. destruct (rate_bounds _ _ _ _ _ _ _ _ R e He) as (s0 & P0 & G).
+  destruct (rate_least_overlap A B ra rb d r v w L D (proj1 R) e He) as (s1 & P1 & K).
+  exists (Rmin s0 s1). split; [apply Rmin_glb_lt; auto|]. intros s x [Ps Ls] Hx.
+  assert (M0 := Rmin_l s0 s1). assert (M1 := Rmin_r s0 s1).
+  assert (U := G s x (conj Ps (Rlt_le_trans _ _ _ Ls M0)) Hx).
+  assert (W := K s x (conj Ps (Rlt_le_trans _ _ _ Ls M1)) Hx). lra.
 Qed.

@@ -6,7 +6,7 @@ From Fathom.checker Require Import vector sequence table support certificate ver
   patch_verdict.
 From Fathom.geometry Require Import meaning bodies space norm hulls difference scaling signed_depth rounded ways_out
   curved units gaps.
-From Fathom.geometry Require Import contact patches rates rates_overlap.
+From Fathom.geometry Require Import contact patches rates rates_overlap rates_plane.
 From Fathom.soundness Require Import statement booleans printed verdict_sound signed_sides signed_printed signed_units
   signed_claims.
 From Fathom.soundness Require Import signed_sound patch_sound patch_printed.
@@ -307,20 +307,25 @@ Proof.
   change (IZR (radius (in_units m b)) = IZR m * radius (real_body b)) in E. apply IZR_le in R0. rewrite E in R0. nra.
 Qed.
 
-(* and of points, with or without radii, each rate that is accepted is the one-sided derivative *)
-Theorem patched_verdict_rates : forall width m rho A B ra rb c s r,
-  patched_verdict width m rho (Body (Points A) ra) (Body (Points B) rb) c = Some s -> In r (rates_are s) ->
-  let X := Body (Points (map real A)) (value ra) in
-  let Y := Body (Points (map real B)) (value rb) in
-  let root := signed_root (value (rate_square r)) in
-  exists d, signed_depth (gaps X Y) d /\ forall e, 0 < e -> exists s0, 0 < s0 /\ forall t x, 0 < t < s0 ->
-    signed_depth (gaps (moved_body (real (rate_v r)) (real (rate_w r)) t (map real A) (value ra)) Y) x ->
-    t * (root - e) <= x - d <= t * (root + e).
+Lemma half_space_height : forall A n o qn qd k, height_root A (Half_space o k) qn qd n = true -> inj o <> origin.
 Proof.
-  intros width m rho A B ra rb c s r H Ir X Y root. assert (Says := patched_verdict_sound _ _ _ _ _ _ _ H).
-  assert (EX : real_body (Body (Points A) ra) = X) by (unfold real_body, map_body; simpl; rewrite each_map; auto).
-  assert (EY : real_body (Body (Points B) rb) = Y) by (unfold real_body, map_body; simpl; rewrite each_map; auto).
-  rewrite EX, EY in Says. unfold patched_verdict in H.
+  intros A n o qn qd k H. unfold height_root, outer_height, sum_of_fractions in H.
+  cbn [reach height_unit heights_b] in H.
+  destruct (same_sense o n) eqn:E; [|discriminate]. apply (same_sense_multiple o n E).
+Qed.
+
+(* and while points move, with or without radii, each rate that is accepted is the one-sided
+   derivative *)
+Theorem patched_verdict_rates : forall width m rho A ra B c s r,
+  patched_verdict width m rho (Body (Points A) ra) B c = Some s -> In r (rates_are s) ->
+  exists d, signed_depth (gaps (real_body (Body (Points A) ra)) (real_body B)) d
+    /\ grows (fun t => gaps (moved_body (real (rate_v r)) (real (rate_w r)) t (map real A) (value ra)) (real_body B)) d
+         (signed_root (value (rate_square r))).
+Proof.
+  intros width m rho A ra B c s r H Ir. assert (Says := patched_verdict_sound _ _ _ _ _ _ _ H).
+  assert (EX : real_body (Body (Points A) ra) = Body (Points (map real A)) (value ra))
+    by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+  unfold patched_verdict in H.
   destruct (signed_verdict width m rho _ _ (base c)) as [u|] eqn:V; [|discriminate].
   destruct (directions_of (base c)) as [[[[qn qd] ns] all]|] eqn:D; [|discriminate]. cbv zeta in H.
   destruct (check_patches _ _ _ []) as [cs|]; [|discriminate].
@@ -333,21 +338,38 @@ Proof.
   subst all. destruct (stated_root rho _ _ _ _ _ D) as (st & optima & cone & St & _).
   assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & Rest).
   destruct S1 as (Erho & S2 & S3 & _). cbv zeta in Rest. destruct Rest as (_ & _ & _ & Rates).
-  set (d := signed_root (value (Ratio qn qd))) in *. exists (d + (radius X + radius Y)). rewrite <- Erho.
-  split; [exact S3|].
-  assert (Radii : 0 <= radius X /\ 0 <= radius Y).
-  { rewrite <- EX, <- EY. bsplit. split; apply (radius_back m); auto. }
-  rewrite Erho. apply rate_derivative_bodies; auto.
-  - apply Radii.
-  - apply Radii.
-  - intros Z. assert (Q := signed_sqr_root (value (Ratio qn qd))). fold d in Q. rewrite Z in Q.
-    unfold signed_sqr, value in Q. cbn [num den] in Q.
-    assert (Pd := IZR_pos _ Hqd). assert (Zq : IZR qn = 0).
+  specialize (Rates r Ir). set (d := signed_root (value (Ratio qn qd))) in *.
+  assert (Radii : 0 <= value ra /\ 0 <= radius (real_body B)).
+  { bsplit. split; [|apply (radius_back m); auto].
+    change (0 <= radius (real_body (Body (Points A) ra))). apply (radius_back m); auto. }
+  destruct Radii as [Pa Pb]. rewrite EX in *. exists (d + (value ra + radius (real_body B))).
+  split; [rewrite Erho in S3; exact S3|].
+  assert (NA : map real A <> []).
+  { destruct (at_least_some _ _ (proj1 S2)) as (g & b & a & _ & Hx & _). intros Z. simpl in Hx. rewrite Z in Hx.
+    apply (Hx (fun _ => False)); [intros x y l _ []|intros x []]. }
+  assert (NB : forall K, core_of (real_body B) = Points K -> K <> []).
+  { intros K EK Z. destruct (at_least_some _ _ (proj1 S2)) as (g & b & a & Hx & _). rewrite EK, Z in Hx.
+    apply (Hx (fun _ => False)); [intros x y l _ []|intros x []]. }
+  destruct B as [[LB|ts|o k] rb]; cbn [core_of in_units map_body map_core] in C'.
+  - apply grows_bodies; auto. { left. apply (NB _ eq_refl). }
+    apply rate_points; auto.
+    intros Z. assert (Q := signed_sqr_root (value (Ratio qn qd))). fold d in Q. rewrite Z in Q.
+    unfold signed_sqr, value in Q. cbn [num den] in Q. assert (Pd := IZR_pos _ Hqd). assert (Zq : IZR qn = 0).
     { apply Rmult_eq_reg_r with (/ IZR qd); [unfold Rdiv in Q; lra|]. apply Rgt_not_eq, Rinv_0_lt_compat; auto. }
-    apply (eq_IZR qn 0) in Zq. cbn [core_of in_units map_body map_core] in C'.
-    destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB k|qn' qd' n|]; inversion D; subst.
+    apply (eq_IZR qn 0) in Zq.
+    destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; inversion D; subst.
     + unfold check_depth in C'. bsplit. lia.
     + match goal with K : (0 <? qn')%Z = true |- _ => apply Z.ltb_lt in K end. lia.
     + unfold check_on_plane in C'. discriminate.
-  - apply (Rates r). exact Ir.
+  - destruct (base c); discriminate.
+  - assert (Nz : inj (integral m o) <> origin).
+    { destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; try discriminate.
+      unfold check_on_plane in C'. bsplit. exact (half_space_height _ _ _ _ _ _ H0). }
+    assert (No : real o <> origin).
+    { bsplit. match goal with F : all_body _ _ (Body (Half_space o k) rb) = true |- _ => unfold all_body in F; cbn
+      [core_of] in F end.
+      bsplit. match goal with F : fits m o = true |- _ => rewrite (integral_scal m o Hm F) in Nz end.
+      intros Z. apply Nz. rewrite Z. pteq; ring. }
+    apply grows_bodies; auto. { right. exists (real o), (value k). auto. }
+    apply rate_plane; auto.
 Qed.
