@@ -116,6 +116,24 @@ expect 0 '^s VERIFIED disjoint signed_depth_in=\[-300000,-300000\] <stdin>$' - <
 } >"$scratch"
 expect 1 '^s REFUSED <stdin>:' - <"$scratch"
 
+# patches: many sides and rates; and many corners, all at one point
+patch() { # CORNERS WEIGHTS SIDES RATES
+  printf 'fathom-certificate 4\na 1\n0 0 0\nhalfspace_b 0 0 1 0\nclaim touching\ndirections 1 some\n0 0 1\npatches 1\n'
+  printf 'patch %s %s\n' "$1" "$((4 * $3))"
+  echo "$2$(many " 0 1/$2" "$2" | tr -d '\n') 0" | copies "$1"
+  printf 'a 0 1 0 0\na -1 0 0 0\na 0 -1 0 0\na 1 0 0 0\n' | copies "$3"
+  echo "rates $4"
+  many '0 0 1 0 0 0 -1 1' "$4"
+  echo "end 1 1 1 $1 $((4 * $3)) $4"
+}
+for counts in '1 50 1 1' '1 1 200000 1' '1 1 1 200000'; do
+  # shellcheck disable=SC2086
+  patch $counts >"$scratch"
+  expect 0 "^s VERIFIED touching signed_depth=sqrt\(0\)\+0 patches=1 rates=${counts##* } <stdin>\$" - <"$scratch"
+done
+patch 200000 1 1 1 >"$scratch"
+expect 1 '^s REFUSED <stdin>:' - <"$scratch"
+
 # unions: many pieces, optima's separations, polytopes; a tree as deep as it is long, and one node with all the others below it
 box() { # NAME LOW-X HIGH-X LOW-Y HIGH-Y LOW-Z HIGH-Z
   printf '%s 8\n' "$1"

@@ -122,8 +122,7 @@ Section Rate.
       assert (Sm : s * M <= e).
       { assert (E : s2 * (M + 1) = e) by (unfold s2; field; lra).
         assert (s * (M + 1) <= s2 * (M + 1)) by (apply Rmult_le_compat_r; lra). lra. }
-      assert (C0 : - (1 / 2) <= s * c <= 1 / 2) by (apply Rabs_def2 || (split; revert Sc; unfold Rabs; destruct
-        Rcase_abs; lra)).
+      assert (C0 : - (1 / 2) <= s * c <= 1 / 2) by (revert Sc; unfold Rabs; destruct Rcase_abs; lra).
       set (u := add n (scal s y)). assert (Nu : norm2 u = 1 + 2 * (s * c) + s * s * Q).
       { unfold u. replace (norm2 (add n (scal s y))) with (norm2 n + 2 * (s * dot n y) + s * s * norm2 y)
           by (unfold norm2, dot; simpl; ring). rewrite Nn. fold c Q. ring. }

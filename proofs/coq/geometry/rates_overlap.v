@@ -128,7 +128,7 @@ Section Overlap.
     assert (S2 : g * g * d <= 4 * e).
     { rewrite Gg, Ny. assert (d * (1 - k) <= 2 * e) by nra. nra. }
     assert (S3 : 2 * d * g <= q).
-    { apply Rnot_lt_le. intros L'. assert (q * q < 2 * d * g * (2 * d * g)) by (apply Rmult_le_0_lt_compat; lra).
+    { apply Rnot_lt_le. intros L'. assert (q * q < 2 * d * g * (2 * d * g)) by nra.
       assert (4 * d * (g * g * d) <= 4 * d * (4 * e)) by (apply Rmult_le_compat_l; lra). lra. }
     assert (S4 : 2 * (d * (g * g)) <= q * g) by nra.
     apply Rmult_le_reg_l with q; auto. replace (q * (2 * e / q)) with (2 * e) by (field; lra). lra.
