@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
-From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane.
+From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
+  rates_moving.
 From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
   patch_example.
 
@@ -56,8 +57,10 @@ Print Assumptions round_cornered.
 Print Assumptions body_patch_moved.
 Print Assumptions rate_unique.
 Print Assumptions patched_verdict_rates.
+Print Assumptions patched_verdict_rates_half_space.
 Print Assumptions rate_points.
 Print Assumptions rate_plane.
+Print Assumptions rate_half_space_moves.
 Print Assumptions cubes_patch.
 Print Assumptions cubes_rates.
 Print Assumptions patch_forgeries_refused.

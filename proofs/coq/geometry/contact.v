@@ -35,9 +35,13 @@ Definition rate_is (A B : body pt R) (d : R) (v w : pt) (r : R) : Prop :=
   (forall n, optimal (core_gaps A B) d n -> exists p, patch_of A B d n p /\ r <= speed v w n p)
   /\ (exists n, optimal (core_gaps A B) d n /\ forall p, patch_of A B d n p -> speed v w n p <= r).
 
-(* where p is at the time s *)
+(* where p is at the time s; the hull of the points A, with the radius r, when they have moved *)
 Definition moved (v w : pt) (s : R) (p : pt) : pt := add p (scal s (add v (cross w p))).
 Definition moved_body (v w : pt) (s : R) (A : list pt) (r : R) : body pt R := Body (Points (map (moved v w s) A)) r.
+(* likewise of a half-space with the radius r: b - a for all points of B and of the moved body *)
+Definition moved_set (v w : pt) (s : R) (C : pt -> Prop) (q : pt) : Prop := exists p, C p /\ q = moved v w s p.
+Definition moved_gaps (v w : pt) (s : R) (m : pt) (c r : R) (B : body pt R) : pt -> Prop :=
+  difference_of (in_body B) (thick (moved_set v w s (fun p => dot m p <= c)) r).
 (* from d on the signed depth of G s grows at the rate r: this is its one-sided derivative at s = 0
    *)
 Definition grows (G : R -> pt -> Prop) (d r : R) : Prop := forall e, 0 < e -> exists s0, 0 < s0 /\

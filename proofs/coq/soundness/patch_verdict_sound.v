@@ -6,7 +6,7 @@ From Fathom.checker Require Import vector sequence table support certificate ver
   patch_verdict.
 From Fathom.geometry Require Import meaning bodies space norm hulls difference scaling signed_depth rounded ways_out
   curved units gaps.
-From Fathom.geometry Require Import contact patches rates rates_overlap rates_plane.
+From Fathom.geometry Require Import contact patches rates rates_overlap rates_plane rates_moving.
 From Fathom.soundness Require Import statement booleans printed verdict_sound signed_sides signed_printed signed_units
   signed_claims.
 From Fathom.soundness Require Import signed_sound patch_sound patch_printed.
@@ -300,6 +300,13 @@ Proof.
     apply (rate_says m _ _ Hm d qs); auto. exact (forallb_In _ _ _ R0 r Ir).
 Qed.
 
+Lemma half_space_height_a : forall B n o qn qd k, height_root (Half_space o k) B qn qd n = true -> inj o <> origin.
+Proof.
+  intros B n o qn qd k H. unfold height_root, outer_height, sum_of_fractions in H.
+  cbn [height_unit heights_a heights_b] in H.
+  destruct (reach n B 1 []) as [[x e]|]; [|discriminate]. cbn [reach] in H.
+  destruct (same_sense o (zneg n)) eqn:E; [|discriminate]. apply (same_sense_multiple o (zneg n) E).
+Qed.
 Lemma radius_back : forall m b, (0 < m)%Z -> all_body (fits m) (divides m) b = true -> (0 <= radius (in_units m b))%Z ->
   0 <= radius (real_body b).
 Proof.
@@ -314,6 +321,41 @@ Proof.
   destruct (same_sense o n) eqn:E; [|discriminate]. apply (same_sense_multiple o n E).
 Qed.
 
+(* of an accepted rate: the claim, and what is proved of the bodies *)
+Lemma accepted_rate : forall width m rho A B c s r, patched_verdict width m rho A B c = Some s -> In r (rates_are s) ->
+  exists qn qd ns d, directions_of (base c) = Some (qn, qd, ns, true) /\ d = signed_root (value (Ratio qn qd))
+    /\ (0 < m)%Z /\ (0 < qd)%Z /\ all_body (fits m) (divides m) A = true /\ all_body (fits m) (divides m) B = true
+    /\ signed_check m (in_units m A) (in_units m B) (base c) = true
+    /\ 0 <= radius (real_body A) /\ 0 <= radius (real_body B)
+    /\ signed_depth (core_gaps (real_body A) (real_body B)) d
+    /\ signed_depth (gaps (real_body A) (real_body B)) (d + (radius (real_body A) + radius (real_body B)))
+    /\ rate_is (real_body A) (real_body B) d (real (rate_v r)) (real (rate_w r)) (signed_root (value (rate_square r))).
+Proof.
+  intros width m rho A B c s r H Ir. assert (Says := patched_verdict_sound _ _ _ _ _ _ _ H).
+  unfold patched_verdict in H. destruct (signed_verdict width m rho _ _ (base c)) as [u|] eqn:V; [|discriminate].
+  destruct (directions_of (base c)) as [[[[qn qd] ns] all]|] eqn:D; [|discriminate]. cbv zeta in H.
+  destruct (check_patches _ _ _ []) as [cs|]; [|discriminate].
+  destruct (match rates c with [] => true | _ :: _ => _ end) eqn:R0; [|discriminate]. inversion H. subst s. clear H.
+  cbn [rates_are depth_says] in *. unfold signed_verdict in V. cbv zeta in V.
+  destruct (_ && signed_check _ _ _ _) eqn:E; [|discriminate]. inversion V. subst u. clear V.
+  apply andb_true_iff in E. destruct E as [E C]. assert (C' := C). unfold signed_check in C'. apply andb_true_iff in C'.
+  destruct C' as [Rad _]. assert (Hm : (0 < m)%Z) by (bsplit; auto).
+  assert (Ha : all = true). { destruct (rates c); [contradiction|]. apply andb_true_iff in R0. apply R0. }
+  subst all. destruct (stated_root rho _ _ _ _ _ D) as (st & optima & cone & St & _).
+  assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & Rest).
+  destruct S1 as (Erho & S2 & S3 & _). cbv zeta in Rest. destruct Rest as (_ & _ & _ & Rates).
+  specialize (Rates r Ir). rewrite Erho in S3. bsplit.
+  exists qn, qd, ns, (signed_root (value (Ratio qn qd))).
+  repeat (split; [solve [auto | apply (radius_back m); auto]|]). auto.
+Qed.
+
+Lemma core_units_normal : forall m o k r, (0 < m)%Z -> all_body (fits m) (divides m) (Body (Half_space o k) r) = true ->
+  inj (integral m o) <> origin -> real o <> origin.
+Proof.
+  intros m o k r Hm F Nz. unfold all_body in F. cbn [core_of] in F. bsplit. rewrite (integral_scal m o) in Nz by auto.
+  intros Z. apply Nz. rewrite Z. pteq; ring.
+Qed.
+
 (* and while points move, with or without radii, each rate that is accepted is the one-sided
    derivative *)
 Theorem patched_verdict_rates : forall width m rho A ra B c s r,
@@ -322,54 +364,57 @@ Theorem patched_verdict_rates : forall width m rho A ra B c s r,
     /\ grows (fun t => gaps (moved_body (real (rate_v r)) (real (rate_w r)) t (map real A) (value ra)) (real_body B)) d
          (signed_root (value (rate_square r))).
 Proof.
-  intros width m rho A ra B c s r H Ir. assert (Says := patched_verdict_sound _ _ _ _ _ _ _ H).
+  intros width m rho A ra B c s r H Ir.
+  destruct (accepted_rate _ _ _ _ _ _ _ _ H Ir) as (qn & qd & ns & d & D & Ed & Hm & Hqd & _ & FB & C & Pa & Pb & S2 &
+    S3 & R).
   assert (EX : real_body (Body (Points A) ra) = Body (Points (map real A)) (value ra))
     by (unfold real_body, map_body; simpl; rewrite each_map; auto).
-  unfold patched_verdict in H.
-  destruct (signed_verdict width m rho _ _ (base c)) as [u|] eqn:V; [|discriminate].
-  destruct (directions_of (base c)) as [[[[qn qd] ns] all]|] eqn:D; [|discriminate]. cbv zeta in H.
-  destruct (check_patches _ _ _ []) as [cs|]; [|discriminate].
-  destruct (match rates c with [] => true | _ :: _ => _ end) eqn:R0; [|discriminate]. inversion H. subst s. clear H.
-  cbn [rates_are depth_says] in *. unfold signed_verdict in V. cbv zeta in V.
-  destruct (_ && signed_check _ _ _ _) eqn:E; [|discriminate]. inversion V. subst u. clear V.
-  apply andb_true_iff in E. destruct E as [E C]. assert (C' := C). unfold signed_check in C'. apply andb_true_iff in C'.
-  destruct C' as [Rad C']. assert (Hm : (0 < m)%Z) by (bsplit; auto).
-  assert (Ha : all = true). { destruct (rates c); [contradiction|]. apply andb_true_iff in R0. apply R0. }
-  subst all. destruct (stated_root rho _ _ _ _ _ D) as (st & optima & cone & St & _).
-  assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & Rest).
-  destruct S1 as (Erho & S2 & S3 & _). cbv zeta in Rest. destruct Rest as (_ & _ & _ & Rates).
-  specialize (Rates r Ir). set (d := signed_root (value (Ratio qn qd))) in *.
-  assert (Radii : 0 <= value ra /\ 0 <= radius (real_body B)).
-  { bsplit. split; [|apply (radius_back m); auto].
-    change (0 <= radius (real_body (Body (Points A) ra))). apply (radius_back m); auto. }
-  destruct Radii as [Pa Pb]. rewrite EX in *. exists (d + (value ra + radius (real_body B))).
-  split; [rewrite Erho in S3; exact S3|].
-  assert (NA : map real A <> []).
-  { destruct (at_least_some _ _ (proj1 S2)) as (g & b & a & _ & Hx & _). intros Z. simpl in Hx. rewrite Z in Hx.
-    apply (Hx (fun _ => False)); [intros x y l _ []|intros x []]. }
-  assert (NB : forall K, core_of (real_body B) = Points K -> K <> []).
-  { intros K EK Z. destruct (at_least_some _ _ (proj1 S2)) as (g & b & a & Hx & _). rewrite EK, Z in Hx.
-    apply (Hx (fun _ => False)); [intros x y l _ []|intros x []]. }
-  destruct B as [[LB|ts|o k] rb]; cbn [core_of in_units map_body map_core] in C'.
-  - apply grows_bodies; auto. { left. apply (NB _ eq_refl). }
+  exists (d + (value ra + radius (real_body B))). split; [exact S3|]. rewrite EX in *. cbn [radius] in Pa.
+  unfold signed_check in C. apply andb_true_iff in C. destruct C as [_ C].
+  assert (Empty : forall K, conv K = (fun p => conv K p) -> forall p, conv K p -> K <> []).
+  { intros K _ p Hp Z. rewrite Z in Hp. apply (Hp (fun _ => False)); [intros x y l _ []|intros x []]. }
+  destruct (at_least_some _ _ (proj1 S2)) as (g & b & a & Hb & Hx & _).
+  assert (NA : map real A <> []) by (apply (Empty _ eq_refl a); exact Hx).
+  destruct B as [[LB|ts|o k] rb]; cbn [core_of in_units map_body map_core] in C.
+  - apply grows_bodies; auto. { left. apply (Empty _ eq_refl b). exact Hb. }
     apply rate_points; auto.
-    intros Z. assert (Q := signed_sqr_root (value (Ratio qn qd))). fold d in Q. rewrite Z in Q.
+    intros Z. assert (Q := signed_sqr_root (value (Ratio qn qd))). rewrite <- Ed, Z in Q.
     unfold signed_sqr, value in Q. cbn [num den] in Q. assert (Pd := IZR_pos _ Hqd). assert (Zq : IZR qn = 0).
     { apply Rmult_eq_reg_r with (/ IZR qd); [unfold Rdiv in Q; lra|]. apply Rgt_not_eq, Rinv_0_lt_compat; auto. }
     apply (eq_IZR qn 0) in Zq.
     destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; inversion D; subst.
-    + unfold check_depth in C'. bsplit. lia.
+    + unfold check_depth in C. bsplit. lia.
     + match goal with K : (0 <? qn')%Z = true |- _ => apply Z.ltb_lt in K end. lia.
-    + unfold check_on_plane in C'. discriminate.
+    + unfold check_on_plane in C. discriminate.
   - destruct (base c); discriminate.
-  - assert (Nz : inj (integral m o) <> origin).
-    { destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; try discriminate.
-      unfold check_on_plane in C'. bsplit. exact (half_space_height _ _ _ _ _ _ H0). }
-    assert (No : real o <> origin).
-    { bsplit. match goal with F : all_body _ _ (Body (Half_space o k) rb) = true |- _ => unfold all_body in F; cbn
-      [core_of] in F end.
-      bsplit. match goal with F : fits m o = true |- _ => rewrite (integral_scal m o Hm F) in Nz end.
-      intros Z. apply Nz. rewrite Z. pteq; ring. }
+  - assert (No : real o <> origin).
+    { apply (core_units_normal m o k rb); auto.
+      destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; try discriminate.
+      unfold check_on_plane in C. bsplit. exact (half_space_height _ _ _ _ _ _ H1). }
     apply grows_bodies; auto. { right. exists (real o), (value k). auto. }
     apply rate_plane; auto.
+Qed.
+
+(* likewise while a half-space moves *)
+Theorem patched_verdict_rates_half_space : forall width m rho o k ra B c s r,
+  patched_verdict width m rho (Body (Half_space o k) ra) B c = Some s -> In r (rates_are s) ->
+  exists d, signed_depth (gaps (real_body (Body (Half_space o k) ra)) (real_body B)) d
+    /\ grows (fun t => moved_gaps (real (rate_v r)) (real (rate_w r)) t (real o) (value k) (value ra) (real_body B)) d
+         (signed_root (value (rate_square r))).
+Proof.
+  intros width m rho o k ra B c s r H Ir.
+  destruct (accepted_rate _ _ _ _ _ _ _ _ H Ir) as (qn & qd & ns & d & D & Ed & Hm & Hqd & FA & _ & C & Pa & Pb & S2 &
+    S3 & R).
+  exists (d + (value ra + radius (real_body B))). split; [exact S3|].
+  unfold signed_check in C. apply andb_true_iff in C. destruct C as [_ C].
+  destruct B as [[LB|ts|o' k'] rb]; cbn [core_of in_units map_body map_core] in C.
+  - assert (No : real o <> origin).
+    { apply (core_units_normal m o k ra); auto.
+      destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; try discriminate.
+      unfold check_on_plane in C. bsplit. exact (half_space_height_a _ _ _ _ _ _ H1). }
+    assert (EY : real_body (Body (Points LB) rb) = Body (Points (map real LB)) (value rb))
+      by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+    rewrite EY in *. apply rate_half_space_moves; auto.
+  - destruct (base c); discriminate.
+  - destruct (base c); try discriminate.
 Qed.
