@@ -19,6 +19,7 @@
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/patch.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
 #include "reference/approximate/separation.hpp"
@@ -100,6 +101,18 @@ TEST(FloatEnvironment, ReturnsWhenAnExceptionFliesThrough) {
 
 // ---- answers as text ----
 
+/// Where two bodies touch, and how their signed depth changes along a motion.
+struct ToFirstOrder {
+  ContactGeometry geometry;
+  std::variant<DirectionalDerivative, LeftOut> derivative;
+  std::optional<VertexWeights> weights;
+
+  ToFirstOrder(const std::vector<Point>& a, const std::vector<Point>& b)
+      : geometry(contact_geometry({a}, {b}, exact_answer({a}, {b}))),
+        derivative(directional_derivative(geometry, {{1, 2, 0}, {0, mpq_class(1, 3), 1}})),
+        weights(vertex_weights({a}, {b}, geometry)) {}
+};
+
 /// Writes whatever a result is made of.
 class Writer {
  public:
@@ -130,6 +143,17 @@ class Writer {
     *this << x.growth << x.center_a << x.center_b << x.flat_a << x.flat_b;
     if (!x.touch) return *this;
     return *this << x.touch->normal << x.touch->contact << x.touch->weights_a << x.touch->weights_b << x.touch->witness;
+  }
+  Writer& operator<<(const ToFirstOrder& x) {
+    for (const Patch& patch : x.geometry.patches) {
+      *this << patch.direction << patch.squared() << patch.centroid().a.core;
+      for (std::size_t k = 0; k < patch.corners.size(); ++k)
+        *this << patch.a(k).core << patch.b(k).core << patch.corners[k].on_a << patch.corners[k].on_b;
+    }
+    if (const auto* const d = std::get_if<DirectionalDerivative>(&x.derivative))
+      *this << static_cast<int>(d->sign) << d->root << d->direction;
+    if (x.weights) *this << x.weights->a << x.weights->b;
+    return *this;
   }
   Writer& operator<<(const MetricPenetration& x) {
     *this << x.depth;
@@ -293,6 +317,7 @@ TEST(FloatEnvironment, TheOtherQuestions) {
         return std::nullopt;
       }
     });
+    expect_the_same("contact geometry", [&] { return ToFirstOrder(a, b); });
     expect_the_same("metric", [&] {
       const Body ball = families::translated(families::box(2, 2, 2), {-1, -1, -1});
       return metric_depth(a, b, unit_ball(ball.points));

@@ -51,6 +51,9 @@ depth --json --method exact --closest-lines sampled --seed 7
 depth --json --method shallow
 depth --json --method naive
 depth --json --bits 10
+depth --patch --twist 1,1/2,0,1/3,0,1
+depth --exact --twist 0,0,0,1,-2,1/3
+depth --json --embed-certificate --patch --twist 1,1/2,0,1/3,0,1 --twist-b 0,0,1,0,-1,0
 width
 width --exact --digits 30
 width --json --embed-certificate

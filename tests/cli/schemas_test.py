@@ -96,6 +96,7 @@ class Schemas(CliTest):
         runs = [(command, *options, "-") for command in ("depth", "width") for options in (
             [], ["--counters", "--digits", "25"], ["--method", "naive"], ["--method", "shallow", "--counters"],
             ["--method", "certificate", "--embed-certificate"], ["--method", "exact", "--counters"])]
+        runs.append(("depth", "--patch", "--twist", "1,0,0,0,1/2,1", "--embed-certificate", "-"))
         for run in [*runs, ("depth", DATA / "real_cases.jsonl")]:
             lines = self.run_cli(*run, "--json", stdin=STREAM)[1].splitlines()
             self.assertEqual(len(lines), STREAM.count("\n") if run[-1] == "-" else 63)
