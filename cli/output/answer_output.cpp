@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -338,6 +339,22 @@ std::string way_caption(const Answer& answer, const AnswerForm& form) {
   return text;
 }
 
+/// The patches of the first way out, as they are drawn: to the nearest binary64.
+std::vector<std::vector<Point>> drawn_patches(const ContactGeometry& geometry) {
+  std::vector<std::vector<Point>> drawn;
+  const auto add = [&](const Patch& patch, RoundedPoint (Patch::*place)(std::size_t) const) {
+    std::vector<Point>& corners = drawn.emplace_back();
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+      const auto [x, y, z] = nearest_binary64((patch.*place)(k));
+      if (std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) corners.push_back({x, y, z});
+    }
+    if (corners.empty()) drawn.pop_back();
+  };
+  for (const Patch& patch : geometry.patches)
+    if (patch.way == 0) (add(patch, &Patch::b), add(patch, &Patch::a));
+  return drawn;
+}
+
 Parts contact_captions(const Answer& answer) {
   const UnionDepth* const depth = unions(answer);
   if (!depth) return answer.contact() ? Parts{"contact: " + contact_text(*answer.contact())} : Parts{};
@@ -423,11 +440,14 @@ picture::PairScene answer_scene(const Case& bodies, const Answer& answer) {
 
 std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
   const Answer& answer = answered.answer;
-  const picture::PairScene scene = answer_scene(bodies, answer);
+  picture::PairScene scene = answer_scene(bodies, answer);
+  if (answered.manifold && form.patch) scene.patches = drawn_patches(answered.manifold->geometry);
   const Length length = lengths_of(answer, {}).back();
   Parts caption{fmt::format("{}: {} {}", answer.status_name(), length.what, length.value)};
   if (scene.moves() && answer.translation()) caption.push_back(way_caption(answer, form));
   std::ranges::move(contact_captions(answer), std::back_inserter(caption));
+  if (!scene.patches.empty())
+    caption.push_back("filled: the contact patch, " + patch_text(answered.manifold->geometry.patches.front(), false));
   if (const UnionBounds* const bounds = bounds_beside(answer))
     caption.push_back(fmt::format("deepest pair: {}, piece {} of A and piece {} of B; hulls: {}",
                                   root_text(bounds->deepest_pair), bounds->a, bounds->b, root_text(bounds->hulls)));

@@ -214,7 +214,7 @@ std::string ghost_element(const PairScene& scene, const Window& window) {
   return path_element("ghost", outline_data(silhouettes(scene.a, window, scene.way)));
 }
 
-/// The faces in contact.
+/// The faces in contact, and on them the patches.
 std::string contact_elements(const PairScene& scene, const Window& window) {
   std::string result;
   const auto add = [&](const std::vector<std::vector<Point>>& faces, const std::string& style) {
@@ -223,6 +223,8 @@ std::string contact_elements(const PairScene& scene, const Window& window) {
   };
   add(scene.touch_b, "body-b");
   add(scene.touch_a, "body-a");
+  for (const std::vector<Point>& corners : scene.patches)
+    result += feature_element(corners, window, corners.size() == 1 ? "true dot" : "near", 4.5);
   return result;
 }
 
@@ -370,6 +372,7 @@ std::string description_of(const PairScene& scene) {
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
   if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
+  if (!scene.patches.empty()) result += " The contact patches are filled on both bodies.";
   if (scene.enclosed) result += " The way is known to within its bounds.";
   if (scene.claimed)
     result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";

@@ -29,6 +29,8 @@ struct PairScene {
   bool cut = false;              ///< whether it was
   /// the faces in contact: of each the points that span it, or one point
   std::vector<std::vector<Point>> touch_a, touch_b;
+  /// contact patches that are to be shown, by their corners: on A, and on B
+  std::vector<std::vector<Point>> patches;
   bool enclosed = false;  ///< whether the way is known by bounds only
 
   [[nodiscard]] bool approximate() const;  ///< whether an outline is sampled
