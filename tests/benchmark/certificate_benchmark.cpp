@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates: the time to find the depth with its proof, to write it and to check it, per family
 // and size, beside the exact method and, on hulls of at most 64 vertices, Bullet's EPA, all in one
-// run. Then: processor time as a multiple of the others'. Points go in as doubles where doubles
+// run. Then: processor time as a multiple of the others', and of contact patches and a derivative
+// beside the answer. Points go in as doubles where doubles
 // hold them, as rationals elsewhere; one workspace serves all calls.
 #include <benchmark/benchmark.h>
 
@@ -17,6 +18,7 @@
 
 #include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/patch.hpp"
 #include "fathom/prepared.hpp"
 #ifdef FATHOM_BULLET
 #include "tests/benchmark/bullet_epa.hpp"
@@ -99,6 +101,29 @@ void add(const std::string& instance, const std::string& contender, const std::s
   })->Unit(benchmark::kMicrosecond);
 }
 
+/// The pairs of a set with their answers, patches found.
+struct Touching {
+  std::vector<Body> a, b;
+  std::vector<Answer> answers;
+  std::vector<ContactGeometry> geometries;
+};
+
+void add_patches(const std::string& instance, const std::shared_ptr<const Set>& set) {
+  const auto all = std::make_shared<Touching>();
+  for (const Pair& pair : set->pairs) {
+    all->a.push_back(pair.a.empty() ? pair.input.a : Body{GivenPoints(pair.a)});
+    all->b.push_back(pair.b.empty() ? pair.input.b : Body{GivenPoints(pair.b)});
+    all->answers.push_back({certified(pair)});
+    all->geometries.push_back(contact_geometry(all->a.back(), all->b.back(), all->answers.back()));
+  }
+  add(instance, "patches", set,
+      [all](std::size_t i) { benchmark::DoNotOptimize(contact_geometry(all->a[i], all->b[i], all->answers[i])); });
+  add(instance, "derivative", set, [all](std::size_t i) {
+    static const Twist motion{{1, 2, 3}, {mpq_class(1, 2), 0, 1}};
+    benchmark::DoNotOptimize(directional_derivative(all->geometries[i], motion));
+  });
+}
+
 void add_instance(const families::Family& family, unsigned size, std::size_t count, bool with_pipeline) {
   const auto filled = std::make_shared<Set>();
   fill(*filled, family, size, count);
@@ -108,6 +133,7 @@ void add_instance(const families::Family& family, unsigned size, std::size_t cou
   add(instance, "answer", set, [set](std::size_t i) { benchmark::DoNotOptimize(certified(set->pairs[i])); });
   add(instance, "text", set, [set](std::size_t i) { benchmark::DoNotOptimize(proof(set->pairs[i])); });
   add(instance, "check", set, [set](std::size_t i) { benchmark::DoNotOptimize(fathom_check::verify(set->texts[i])); });
+  if (size == 20) add_patches(instance, set);
   if (with_pipeline)
     add(instance, "pipeline", set, [set](std::size_t i) {
       benchmark::DoNotOptimize(testing::exact_depth(set->cases[i].a.points, set->cases[i].b.points));
@@ -214,6 +240,11 @@ class RatioReporter : public benchmarks::TimesReporter {
       const double unit = times.at("bullet_epa");
       std::printf("%-28s  bullet_epa: answer %.2f, prepared %.2f, overlap %.2f\n", instance.c_str(),
                   times.at("answer") / unit, times.at("prepared") / unit, times.at("overlap") / unit);
+    }
+    for (const auto& [instance, times] : this->times()) {
+      if (!times.contains("patches")) continue;
+      std::printf("%-28s  answer: patches %.2f, derivative %.2f\n", instance.c_str(),
+                  times.at("patches") / times.at("answer"), times.at("derivative") / times.at("answer"));
     }
     if (families == 0) return;
     std::printf("geometric mean of %zu families, 20 points  bullet_epa", families);
