@@ -141,20 +141,6 @@ int support_sign(kernels::Positions a, kernels::Positions b, const Vector& u) {
   return sgn(mpq_class(u.x * (q.x - p.x) + u.y * (q.y - p.y) + u.z * (q.z - p.z)));
 }
 
-// The faces in direction n of two bodies. Only their extreme points are placed on a lattice.
-Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
-  const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
-  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
-    std::vector<Point> result;
-    for (const std::uint32_t i : ids) result.push_back(points[i]);
-    return result;
-  };
-  Contact contact = depth::contact_of(depth::facing_faces(polytope::place(chosen(a, ids_a), chosen(b, ids_b)), n));
-  for (std::uint32_t& i : contact.a) i = ids_a[i];
-  for (std::uint32_t& i : contact.b) i = ids_b[i];
-  return contact;
-}
-
 }  // namespace
 
 ClippedCone whole_space() {
@@ -228,6 +214,20 @@ Vector inner_direction(const OptimalCone& cone) {
   Vector sum;
   for (const Vector& ray : cone.rays) sum = sum + ray;
   return primitive(sum);
+}
+
+// Only the extreme points are placed on a lattice.
+Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n) {
+  const std::vector<std::uint32_t> ids_a = solve::extreme_points(a, -n), ids_b = solve::extreme_points(b, n);
+  const auto chosen = [](kernels::Positions points, const std::vector<std::uint32_t>& ids) {
+    std::vector<Point> result;
+    for (const std::uint32_t i : ids) result.push_back(points[i]);
+    return result;
+  };
+  Contact contact = depth::contact_of(depth::facing_faces(polytope::place(chosen(a, ids_a), chosen(b, ids_b)), n));
+  for (std::uint32_t& i : contact.a) i = ids_a[i];
+  for (std::uint32_t& i : contact.b) i = ids_b[i];
+  return contact;
 }
 
 PlanesBetween planes_between(kernels::Context& context, std::optional<polytope::PlacedPair> pair, kernels::Positions a,

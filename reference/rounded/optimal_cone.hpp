@@ -43,6 +43,9 @@ OptimalCone optimal_cone(kernels::Context& context, kernels::Positions a, kernel
 /// A direction in the relative interior of the cone, but O: primitive.
 Vector inner_direction(const OptimalCone& cone);
 
+/// The faces in direction n of two bodies given by their points.
+Contact contact_along(kernels::Positions a, kernels::Positions b, const Vector& n);
+
 /// All planes between bodies that touch, and the least faces that share points: those in any
 /// direction inside the cone.
 struct PlanesBetween {
