@@ -36,5 +36,5 @@ int main() {
 
 //> s VERIFIED penetrating depth_squared=1/3 optima=1 tetrahedra
 //> s VERIFIED penetrating depth_squared_in=[1/4,1] bounds
-//> s VERIFIED penetrating signed_depth=sqrt(1/3)+0 optima=1 patches=3 rates=1 patches
+//> s VERIFIED penetrating signed_depth=sqrt(1/3)+0 optima=1 patches=6 rates=1 patches
 //> 0

@@ -31,8 +31,7 @@ std::optional<mpq_class> typed_number(std::string_view text);
 std::optional<Point> typed_point(std::string_view text);
 /// The same, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
-/// Six numbers with commas between them, not all zero: the velocity of the origin's point, and of
-/// the turn.
+/// Six numbers with commas between them, not all zero: v, and w.
 std::optional<Twist> typed_twist(std::string_view text);
 /// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
 /// ten between them.

@@ -339,16 +339,18 @@ std::string way_caption(const Answer& answer, const AnswerForm& form) {
   return text;
 }
 
-/// The patches of the first way out, as they are drawn: to the nearest binary64.
+/// The patches of the first way out, or of bodies that do not penetrate, as they are drawn: to the
+/// nearest binary64, without those that are beyond it.
 std::vector<std::vector<Point>> drawn_patches(const ContactGeometry& geometry) {
   std::vector<std::vector<Point>> drawn;
   const auto add = [&](const Patch& patch, RoundedPoint (Patch::*place)(std::size_t) const) {
-    std::vector<Point>& corners = drawn.emplace_back();
+    std::vector<Point> corners;
     for (std::size_t k = 0; k < patch.corners.size(); ++k) {
       const auto [x, y, z] = nearest_binary64((patch.*place)(k));
-      if (std::isfinite(x) && std::isfinite(y) && std::isfinite(z)) corners.push_back({x, y, z});
+      if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
+      corners.push_back({x, y, z});
     }
-    if (corners.empty()) drawn.pop_back();
+    drawn.push_back(std::move(corners));
   };
   for (const Patch& patch : geometry.patches)
     if (patch.way == 0) (add(patch, &Patch::b), add(patch, &Patch::a));
@@ -419,8 +421,12 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
     if (const std::size_t count = ties(answer, form); count > 1) parts.push_back(fmt::format("{} ties", count));
     if (const std::string flat = flat_text(answered.facts, form.width); !flat.empty()) parts.push_back("flat " + flat);
   }
-  if (answered.manifold && form.patch && !answered.manifold->geometry.no_patches)
-    parts.push_back("patch " + patch_text(answered.manifold->geometry.patches.front(), false));
+  if (answered.manifold && form.patch) {
+    const ContactGeometry& g = answered.manifold->geometry;
+    parts.push_back(g.no_patches ? fmt::format("patch not told: {}", name(*g.no_patches))
+                                 : "patch " + patch_text(g.patches.front(), g.of_unions));
+    if (g.patches.size() > 1) parts.push_back(fmt::format("{} more patches", g.patches.size() - 1));
+  }
   if (answered.manifold && answered.manifold->derivative)
     parts.push_back("derivative " + rate_text(*answered.manifold->derivative, form.exact));
   if (const UnionBounds* const bounds = bounds_beside(answer))
@@ -446,8 +452,11 @@ std::string answer_picture(const Case& bodies, const AnsweredCase& answered, con
   Parts caption{fmt::format("{}: {} {}", answer.status_name(), length.what, length.value)};
   if (scene.moves() && answer.translation()) caption.push_back(way_caption(answer, form));
   std::ranges::move(contact_captions(answer), std::back_inserter(caption));
-  if (!scene.patches.empty())
-    caption.push_back("filled: the contact patch, " + patch_text(answered.manifold->geometry.patches.front(), false));
+  if (!scene.patches.empty()) {
+    const ContactGeometry& g = answered.manifold->geometry;
+    caption.push_back("filled: the contact patch, " + patch_text(g.patches.front(), g.of_unions) +
+                      (scene.patches.size() > 2 ? ", and those of other pieces" : ""));
+  }
   if (const UnionBounds* const bounds = bounds_beside(answer))
     caption.push_back(fmt::format("deepest pair: {}, piece {} of A and piece {} of B; hulls: {}",
                                   root_text(bounds->deepest_pair), bounds->a, bounds->b, root_text(bounds->hulls)));

@@ -37,7 +37,8 @@ namespace fathom::certificate {
 /// Throws std::invalid_argument if a shape is none.
 [[nodiscard]] kernels::Report validate(const ShapeCertificate& certificate);
 
-/// The same for its patches: their corners are those of the naive twin.
+/// The same for its patches: their corners are those of the naive twin. Sides and rates are left to
+/// the checkers.
 void validate_patches(kernels::Report& report, const ShapeCertificate& certificate);
 
 /// The point that weights combine; what is wrong with them goes to the report.

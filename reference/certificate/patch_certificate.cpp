@@ -96,12 +96,12 @@ bool angle_less(const Vector& n, const Vector& e, const Vector& u, const Vector&
 
 /// The sides of a patch with these corners on A: in the order of their directions all in which a
 /// face is bounded where the patch is, without those that the two beside them make superfluous.
-std::vector<PatchSide> sides_of(const std::vector<Point>& on_a, const Point& t, const OrderedFace& a,
-                                const OrderedFace& b, const Vector& n) {
+std::vector<PatchSide> sides_of(const std::vector<Point>& on_a, const OrderedFace& a, const OrderedFace& b,
+                                const Vector& n) {
   std::vector<PatchSide> sides;
   const auto add = [&](const OrderedFace& face, bool of_b) {
     for (const Vector& m : inward(face.corners, n)) {
-      const mpq_class level = least(on_a, m) + (of_b ? mpq_class(dot(m, t)) : mpq_class(0));
+      const mpq_class level = least(on_a, m);  // a translation along n does not change it
       const bool known = std::ranges::any_of(sides, [&](const PatchSide& s) { return same_direction(s.inward, m); });
       if (!known && level == least(face.corners, m)) sides.push_back({of_b, m, 0});
     }
@@ -138,7 +138,7 @@ PatchProof prove_patch(const Patch& patch, const std::vector<Point>& a, const st
     proof.corners.push_back({weights_on(a, patch.corners[k].on_a, n, on_a.back()),
                              weights_on(b, patch.corners[k].on_b, n, patch.b(k).core)});
   }
-  proof.sides = sides_of(on_a, patch.translation(), OrderedFace(a, -n, n), OrderedFace(b, n, n), n);
+  proof.sides = sides_of(on_a, OrderedFace(a, -n, n), OrderedFace(b, n, n), n);
   return proof;
 }
 
@@ -194,8 +194,9 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
       make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);
   proof.id = id;
   const std::vector<Point> points_a = certificate::core_points(proof.a), points_b = certificate::core_points(proof.b);
+  if (geometry.patches.size() != proof.directions.size()) certificate::contradiction("patches of another answer");
   for (const Patch& patch : geometry.patches) {
-    if (patch.direction != proof.directions.at(proof.patches.size())) certificate::contradiction("another direction");
+    if (patch.direction != proof.directions[proof.patches.size()]) certificate::contradiction("another direction");
     proof.patches.push_back(certificate::prove_patch(patch, points_a, points_b));
   }
   const bool one_direction = points_a.empty() || points_b.empty();

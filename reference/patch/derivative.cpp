@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The derivative of the signed depth along a motion: of each optimal direction the greatest rate at
-// the corners of its patch, and of these the least.
+// the corners of its patch, and of these the least; of unions that are apart the greatest.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -33,9 +33,7 @@ struct ScaledTwist {
  private:
   [[nodiscard]] Vector difference(const Point& p, const Point& q) const {
     const auto integer = [&](const mpq_class& c) { return mpz_class(c.get_num() * (denominator / c.get_den())); };
-    const auto along = [&](const mpq_class& c, const mpq_class& d) -> mpz_class {
-      return sgn(c) == 0 ? mpz_class(-integer(d)) : mpz_class(integer(c) - integer(d));
-    };
+    const auto along = [&](const mpq_class& c, const mpq_class& d) { return mpz_class(integer(c) - integer(d)); };
     return {along(p.x, q.x), along(p.y, q.y), along(p.z, q.z)};
   }
 };

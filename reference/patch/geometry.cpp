@@ -30,7 +30,7 @@ class CorePoints {
   }
 
   /// None of a half-space, of what is curved, and of sums of too many points.
-  [[nodiscard]] bool known() const { return !body_.shape || expanded_; }
+  [[nodiscard]] bool known() const { return !body_.pieces && (!body_.shape || expanded_); }
   [[nodiscard]] polytope::Points points() const {
     return expanded_ ? polytope::Points(*expanded_) : polytope::Points(body_.points);
   }
@@ -50,7 +50,7 @@ const CorePoints& require_known(const CorePoints& points) {
 
 void add_kink(ContactGeometry& geometry, Kink kink) { geometry.kinks.push_back(kink); }
 
-/// What follows from the patches of convex bodies, all of whose optima `ties` and the cone tell.
+/// Of convex bodies with so many shortest ways out, whose patches and cone are known.
 void find_kinks(ContactGeometry& geometry, std::size_t optima) {
   if (optima > 1) add_kink(geometry, Kink::ties);
   if (std::ranges::any_of(geometry.patches, [](const Patch& patch) { return patch.rank() > 0; }))
@@ -65,6 +65,11 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
   const polytope::Points points_a = require_known(a).points(), points_b = require_known(b).points();
   ContactGeometry geometry;
   geometry.cores = depth.status();
+  const auto require_faces = [&](const Contact& contact) {
+    if (contact.a.back() >= points_a.size() || contact.b.back() >= points_b.size())
+      throw std::invalid_argument("the answer is about other bodies");
+  };
+  if (depth.contact() != nullptr) require_faces(*depth.contact());
   std::size_t optima = 1;
   if (const Penetration* const penetration = depth.penetration()) {
     geometry.patches.reserve(penetration->optima.size());
@@ -94,6 +99,8 @@ ContactGeometry of_polytopes(const Body& body_a, const Body& body_b, const Depth
 }
 
 ContactGeometry of_half_space(const Body& a, const Body& b, const PlaneSupport& plane) {
+  if (shapes::is_halfspace(a) == shapes::is_halfspace(b))
+    throw std::invalid_argument("the answer is about other bodies");
   const bool half_space_is_a = shapes::is_halfspace(a);
   const CorePoints own(half_space_is_a ? b : a);
   ContactGeometry geometry;
@@ -147,13 +154,15 @@ mpq_class squared_gap(const Box& a, const Box& b) {
 void add_nearest(ContactGeometry& geometry, const Pieces& a, const Pieces& b, const UnionDistance& apart,
                  Monitor* monitor) {
   kernels::Context context(monitor);
+  Options options;
+  options.monitor = monitor;
   const mpq_class& squared = apart.distance.squared;
   std::vector<Box> boxes_a(a.begin(), a.end()), boxes_b(b.begin(), b.end());
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t j = 0; j < b.size(); ++j) {
       context.check();
       if (squared_gap(boxes_a[i], boxes_b[j]) > squared) continue;
-      const Depth depth = penetration_depth(a[i], b[j]);
+      const Depth depth = penetration_depth(a[i], b[j], options);
       const Distance& found = *depth.distance();
       if (found.squared != squared) continue;
       geometry.patches.push_back(shared({found.direction, a[i], found.contact.a, b[j], found.contact.b},
@@ -186,6 +195,14 @@ ContactGeometry of_unions(const Pieces& a, const Pieces& b, const UnionDepth& de
   return geometry;
 }
 
+/// Whether the core is a half-space, or every atom of it a point.
+bool of_points(const Body& body) {
+  const auto* const terms = body.shape ? std::get_if<std::vector<Term>>(&body.shape->core) : nullptr;
+  return terms == nullptr || std::ranges::all_of(*terms, [](const Term& term) {
+           return std::ranges::all_of(term.atoms, [](const Atom& atom) { return atom.axes.empty(); });
+         });
+}
+
 ContactGeometry of_shapes(const Body& a, const Body& b, const SignedDepth& shapes, Monitor* monitor) {
   ContactGeometry geometry;
   if (const Depth* const cores = std::get_if<Depth>(&shapes.core)) {
@@ -193,7 +210,8 @@ ContactGeometry of_shapes(const Body& a, const Body& b, const SignedDepth& shape
   } else if (const PlaneSupport* const plane = std::get_if<PlaneSupport>(&shapes.core)) {
     geometry = of_half_space(a, b, *plane);
   } else {
-    geometry.no_patches = geometry.no_first_order = LeftOut::curved;
+    const bool polytopes = of_points(a) && of_points(b);
+    geometry.no_patches = geometry.no_first_order = polytopes ? LeftOut::too_large : LeftOut::curved;
   }
   for (Patch& patch : geometry.patches) (patch.radius_a = shapes.radius_a, patch.radius_b = shapes.radius_b);
   return geometry;

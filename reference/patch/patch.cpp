@@ -144,10 +144,11 @@ class Polygon {
   /// How many edges there are to be crossed.
   [[nodiscard]] std::size_t edges() const { return size() > 2 ? size() : size() - 1; }
   [[nodiscard]] const Seen<Integer>& operator[](std::size_t i) const { return corners_[i]; }
-  /// How far a point is beyond a side: negative outside.
-  [[nodiscard]] Integer beyond(std::size_t side, const Seen<Integer>& p) const {
+  /// 1 inside of a side, 0 on it, -1 outside.
+  [[nodiscard]] int side_of(const Seen<Integer>& p, std::size_t side) const {
     const HalfPlane& h = sides_[side];
-    return Integer(h.x * p.x + h.y * p.y - h.level);
+    const int sign = sgn(Integer(h.x * p.x + h.y * p.y - h.level));
+    return (sign > 0) - (sign < 0);
   }
 
  private:
@@ -163,24 +164,22 @@ class Polygon {
   std::vector<HalfPlane> sides_;
 };
 
-/// How far the corners of one polygon are beyond the sides of another one.
-template <class Integer>
-class Beyond {
+/// On which side of a polygon's sides the corners of another one are.
+class Sides {
  public:
-  Beyond(const Polygon<Integer>& of, const Polygon<Integer>& polygon) : sides_(polygon.sides()) {
-    values_.reserve(of.size() * sides_);
+  template <class Integer>
+  Sides(const Polygon<Integer>& of, const Polygon<Integer>& polygon) : sides_(polygon.sides()) {
+    signs_.reserve(of.size() * sides_);
     for (std::size_t i = 0; i < of.size(); ++i)
-      for (std::size_t s = 0; s < sides_; ++s) values_.push_back(polygon.beyond(s, of[i]));
+      for (std::size_t s = 0; s < sides_; ++s) signs_.push_back(static_cast<std::int8_t>(polygon.side_of(of[i], s)));
   }
-  [[nodiscard]] const Integer& operator()(std::size_t corner, std::size_t side) const {
-    return values_[corner * sides_ + side];
-  }
-  [[nodiscard]] int sign(std::size_t corner, std::size_t side) const { return sgn((*this)(corner, side)); }
-  [[nodiscard]] std::size_t sides() const { return sides_; }
+  /// 1 inside, 0 on the side, -1 outside.
+  [[nodiscard]] int operator()(std::size_t corner, std::size_t side) const { return signs_[corner * sides_ + side]; }
+  [[nodiscard]] std::size_t count() const { return sides_; }
 
  private:
   std::size_t sides_;
-  std::vector<Integer> values_;
+  std::vector<std::int8_t> signs_;
 };
 
 /// Where a point of a polygon is on its boundary: at a corner, inside the edge after it, or not.
@@ -195,11 +194,11 @@ using Where = OnBoundary::Where;
 
 /// Of corner i of the other polygon; nullopt if it is outside.
 template <class Integer>
-std::optional<OnBoundary> place_in(const Polygon<Integer>& polygon, const Beyond<Integer>& beyond, std::size_t i) {
+std::optional<OnBoundary> place_in(const Polygon<Integer>& polygon, const Sides& sides, std::size_t i) {
   std::array<std::size_t, 4> on{};  // sides; of a point all four
   std::size_t count = 0;
-  for (std::size_t s = 0; s < beyond.sides(); ++s) {
-    const int sign = beyond.sign(i, s);
+  for (std::size_t s = 0; s < sides.count(); ++s) {
+    const int sign = sides(i, s);
     if (sign < 0) return std::nullopt;
     if (sign == 0) on[count++] = s;
   }
@@ -220,7 +219,7 @@ template <class Integer>
 class Overlay {
  public:
   Overlay(std::vector<Seen<Integer>> a, std::vector<Seen<Integer>> b)
-      : a_(std::move(a)), b_(std::move(b)), a_beyond_(a_, b_), b_beyond_(b_, a_) {}
+      : a_(std::move(a)), b_(std::move(b)), a_sides_(a_, b_), b_sides_(b_, a_) {}
 
   [[nodiscard]] std::vector<Shared> corners() const {
     std::vector<Shared> found = all();
@@ -232,14 +231,13 @@ class Overlay {
   [[nodiscard]] std::vector<Shared> all() const {
     std::vector<Shared> found;
     for (std::size_t i = 0; i < a_.size(); ++i)
-      if (const auto on_b = place_in(b_, a_beyond_, i)) found.push_back({{Where::corner, i}, *on_b});
+      if (const auto on_b = place_in(b_, a_sides_, i)) found.push_back({{Where::corner, i}, *on_b});
     for (std::size_t j = 0; j < b_.size(); ++j)
-      if (const auto on_a = place_in(a_, b_beyond_, j); on_a && !on_a->at_corner())
+      if (const auto on_a = place_in(a_, b_sides_, j); on_a && !on_a->at_corner())
         found.push_back({*on_a, {Where::corner, j}});
     for (std::size_t i = 0; i < a_.edges(); ++i)
       for (std::size_t j = 0; j < b_.edges(); ++j)
-        if (a_beyond_.sign(i, j) * a_beyond_.sign(a_.next(i), j) < 0 &&
-            b_beyond_.sign(j, i) * b_beyond_.sign(b_.next(j), i) < 0)
+        if (a_sides_(i, j) * a_sides_(a_.next(i), j) < 0 && b_sides_(j, i) * b_sides_(b_.next(j), i) < 0)
           found.push_back({{Where::edge, i}, {Where::edge, j}});
     return found;
   }
@@ -247,7 +245,7 @@ class Overlay {
   /// Whether A's edge that holds the corner comes from outside of B there.
   [[nodiscard]] bool enters(const Shared& corner) const {
     const std::size_t from = corner.a.index, side = corner.b.index;
-    return a_beyond_.sign(from, side) < 0 || (corner.b.at_corner() && a_beyond_.sign(from, b_.before(side)) < 0);
+    return a_sides_(from, side) < 0 || (corner.b.at_corner() && a_sides_(from, b_.before(side)) < 0);
   }
 
   /// Of three or more: along A's boundary, and between two of these along B's where it is inside A.
@@ -273,7 +271,7 @@ class Overlay {
   }
 
   Polygon<Integer> a_, b_;
-  Beyond<Integer> a_beyond_, b_beyond_;
+  Sides a_sides_, b_sides_;  // of A's corners against B's sides, and the other way round
 };
 
 // ---- corners ----

@@ -115,6 +115,7 @@ void expect_patches(const Body& a, const Body& b, const std::string& id) {
   const Answer answer = exact_answer(a, b);
   const Depth& depth = std::get<Depth>(answer.found);
   const ContactGeometry geometry = contact_geometry(a, b, answer);
+  ASSERT_EQ(geometry.patches.size(), depth.penetration() ? depth.optima().size() : 1U) << id;
   for (std::size_t i = 0; i < geometry.patches.size(); ++i) {
     const Patch& patch = geometry.patches[i];
     std::vector<Point> corners;
@@ -122,11 +123,9 @@ void expect_patches(const Body& a, const Body& b, const std::string& id) {
       corners.push_back(patch.a(k).core);
       EXPECT_EQ(patch.b(k).core - patch.a(k).core, patch.translation()) << id;
     }
-    if (depth.touch()) {
-      EXPECT_EQ(patch.translation(), Point{}) << id;
-      continue;
-    }
-    const Contact& contact = depth.penetration() ? depth.optima()[i].contact : *depth.contact();
+    const Contact contact = depth.penetration() ? depth.optima()[i].contact
+                            : depth.distance()  ? depth.distance()->contact
+                                                : *signed_depth(files::shape_of(a), files::shape_of(b)).contact();
     const patch::MeetingFaces faces{patch.direction, a.points, contact.a, b.points, contact.b};
     const kernels::Report report = patch::validate(patch, faces);
     EXPECT_TRUE(report.ok()) << id << ": " << report.faults.front();
@@ -231,10 +230,11 @@ Point small_vector(Random& random) {
   return {mpq_class(random.between(-3, 3)), mpq_class(random.between(-3, 3)), mpq_class(random.between(-3, 3))};
 }
 
-void expect_derivatives(const Body& a, const Body& b, Random& random, int twists, const std::string& id) {
+/// Returns how many were compared.
+int expect_derivatives(const Body& a, const Body& b, Random& random, int twists, const std::string& id) {
   const Answer answer = exact_answer(a, b);
   const ContactGeometry geometry = contact_geometry(a, b, answer);
-  if (geometry.no_first_order) return;
+  if (geometry.no_first_order) return 0;
   for (int k = 0; k < twists; ++k) {
     Twist of_a{small_vector(random), small_vector(random)}, of_b{};
     if (k % 3 == 1) of_b = {small_vector(random), small_vector(random)};
@@ -247,6 +247,7 @@ void expect_derivatives(const Body& a, const Body& b, Random& random, int twists
     }
     expect_derivative(a, b, geometry, answer.low(), of_a, of_b, id + ", twist " + std::to_string(k));
   }
+  return twists;
 }
 
 // ---- families ----
@@ -263,7 +264,7 @@ TEST_P(EveryFamilyPatch, FollowsFromTheDefinitionAndDiffers) {
       expect_swapped(made.a, made.b, made.id);
     }
   const Case made = family.make(4, 8);
-  expect_derivatives(made.a, made.b, random, 3, made.id);
+  EXPECT_EQ(expect_derivatives(made.a, made.b, random, 3, made.id), 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, EveryFamilyPatch, ::testing::Range<std::size_t>(0, families::families().size()),
@@ -282,15 +283,17 @@ Body lattice_body(Random& random) {
 TEST(Patch, OfLatticeBodiesOfEveryRank) {
   Random random(11);
   std::array<int, 3> ranks{};
+  int compared = 0;
   for (int i = 0; i < 600; ++i) {
     const Body a = lattice_body(random), b = lattice_body(random);
     const std::string id = "lattice bodies " + std::to_string(i);
     expect_patches(a, b, id);
     expect_swapped(a, b, id);
     for (const Patch& patch : geometry_of(a, b).patches) ++ranks[static_cast<std::size_t>(patch.rank())];
-    if (i % 6 == 0) expect_derivatives(a, b, random, 3, id);
+    if (i % 6 == 0) compared += expect_derivatives(a, b, random, 3, id);
   }
   for (const int count : ranks) EXPECT_GT(count, 30);
+  EXPECT_EQ(compared, 300);
 }
 
 /// Of bodies that touch, the patch is all that they share.
@@ -332,13 +335,15 @@ TEST(Patch, OfRoundedBodiesAndHalfSpaces) {
     const Quaternion q{1, mpq_class(random.between(-1, 1)), mpq_class(random.between(-1, 1)), 0};
     return {{}, moved(shape, rigid_pose(q, center))};
   };
+  int compared = 0;
   for (int i = 0; i < 40; ++i) {
     const Body a = rounded_body();
     const Body b = i % 4 == 3 ? Body{{}, halfspace({mpq_class(random.between(-1, 1)), 1, 1}, rational_between(-8, 8))}
                               : rounded_body();
-    expect_derivatives(a, b, random, 3, "rounded " + std::to_string(i));
-    if (i % 4 == 3) expect_derivatives(b, a, random, 3, "rounded, exchanged " + std::to_string(i));
+    compared += expect_derivatives(a, b, random, 3, "rounded " + std::to_string(i));
+    if (i % 4 == 3) compared += expect_derivatives(b, a, random, 3, "rounded, exchanged " + std::to_string(i));
   }
+  EXPECT_EQ(compared, 150);
 }
 
 TEST(Patch, OfUnions) {
@@ -376,6 +381,14 @@ TEST(Patch, GradientAndWeights) {
     const Vector n = geometry.gradient()->normal;
     const mpq_class rate = -dot(n, twist.v + cross(twist.w, geometry.gradient()->point));
     EXPECT_EQ(found.sign * found.root, rate * abs(rate) / dot(n, n)) << made.id;
+    double in_doubles = 0;
+    const SurdPoint by_v = geometry.gradient()->by_translation(), by_w = geometry.gradient()->by_rotation();
+    const Point parts[] = {twist.v, twist.w};
+    for (const auto& [by, part] : {std::pair(&by_v, &parts[0]), {&by_w, &parts[1]}})
+      in_doubles += round_binary64((*by)[0]) * part->x.get_d() + round_binary64((*by)[1]) * part->y.get_d() +
+                    round_binary64((*by)[2]) * part->z.get_d();
+    if (made.id.find("coordinates") == std::string::npos && made.id.find("far") == std::string::npos)
+      EXPECT_NEAR(in_doubles, round_binary64(found.value()), 1e-6) << made.id;
     const std::optional<VertexWeights> weights = vertex_weights(made.a, made.b, geometry);
     if (!weights) continue;
     ++weighted;
@@ -385,6 +398,9 @@ TEST(Patch, GradientAndWeights) {
       sum = sum + w.weight * made.a.points[w.index];
     }
     EXPECT_EQ(sum, geometry.gradient()->point) << made.id;
+    Point sum_b;
+    for (const Weight& w : weights->b) sum_b = sum_b + w.weight * made.b.points[w.index];
+    EXPECT_EQ(sum_b - sum, geometry.patches[0].translation()) << made.id;
   }
   EXPECT_GT(smooth, 20);
   EXPECT_GT(weighted, 20);
