@@ -118,9 +118,9 @@ struct ContactGeometry {
   [[nodiscard]] std::optional<Gradient> gradient() const;
 };
 
-/// Returns where two bodies touch. `answer` is the one about these bodies. Exact. For faces of m and
-/// n corners it takes O(m n) steps and as many bytes; bodies that touch are searched for all planes
-/// that separate them, unions that are apart for all pairs of pieces that are nearest. Throws
+/// Returns where two bodies touch. `answer` is the one about these bodies. Exact. For faces of m
+/// and n corners it takes O(m n) steps and as many bytes; bodies that touch are searched for all
+/// planes that separate them, unions that are apart for all nearest pairs of pieces. Throws
 /// std::invalid_argument if the answer cannot be about these bodies, InputError and Interrupted as
 /// exact_answer does.
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor = nullptr);
@@ -144,8 +144,8 @@ struct DirectionalDerivative {
 /// Returns the derivative of the signed depth while A and B begin to move with these velocities,
 /// from this moment on: (sigma(s) - sigma(0)) / s for s -> 0+. Only the velocities count, not how
 /// the bodies go on. Exact [proofs/patch.md, Theorem 1; of unions Theorem 4]. One step for each
-/// corner; cubic in the rays of the cone of bodies that touch, and in the contacts of one way out of
-/// unions that turn. Throws std::invalid_argument if a number is not in lowest terms.
+/// corner; cubic in the rays of the cone of bodies that touch, and in the contacts of one way out
+/// of unions that turn. Throws std::invalid_argument if a number is not in lowest terms.
 std::variant<DirectionalDerivative, LeftOut> directional_derivative(const ContactGeometry& geometry, const Twist& of_a,
                                                                     const Twist& of_b = {});
 
