@@ -454,7 +454,7 @@ std::string answer_picture(const Case& bodies, const AnsweredCase& answered, con
   std::ranges::move(contact_captions(answer), std::back_inserter(caption));
   if (!scene.patches.empty()) {
     const ContactGeometry& g = answered.manifold->geometry;
-    caption.push_back("filled: the contact patch, " + patch_text(g.patches.front(), g.of_unions) +
+    caption.push_back("green: the contact patch, " + patch_text(g.patches.front(), g.of_unions) +
                       (scene.patches.size() > 2 ? ", and those of other pieces" : ""));
   }
   if (const UnionBounds* const bounds = bounds_beside(answer))

@@ -372,7 +372,7 @@ std::string description_of(const PairScene& scene) {
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
   if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";
-  if (!scene.patches.empty()) result += " The contact patches are filled on both bodies.";
+  if (!scene.patches.empty()) result += " The contact patches are drawn on both bodies.";
   if (scene.enclosed) result += " The way is known to within its bounds.";
   if (scene.claimed)
     result += scene.cut ? " The claimed translation is far longer than drawn." : " The claimed translation is dashed.";
