@@ -18,6 +18,7 @@
 #include "bindings/python/src/bodies.hpp"
 #include "fathom/answer.hpp"
 #include "fathom/monitor.hpp"
+#include "reference/output/answer_json.hpp"
 
 namespace fathom::python {
 
@@ -90,7 +91,11 @@ struct Asked {
   std::optional<files::GivenPose> pose_a = std::nullopt, pose_b = std::nullopt;
 };
 
-struct ToldManifold;
+/// A manifold, and whether its places are those of an answer about shapes.
+struct ToldManifold {
+  output::Manifold manifold;
+  bool of_shapes = false;
+};
 
 /// Its numbers are computed when they are asked for.
 struct PairAnswer {
@@ -145,3 +150,7 @@ void bind_questions(py::module_& module);
 template <>
 struct pybind11::detail::type_caster<fathom::python::PairAnswer>
     : fathom::python::MadeCaster<fathom::python::PairAnswer> {};
+
+template <>
+struct pybind11::detail::type_caster<fathom::python::ToldManifold>
+    : fathom::python::MadeCaster<fathom::python::ToldManifold> {};

@@ -13,22 +13,7 @@
 #include "bindings/python/src/answers.hpp"
 #include "bindings/python/src/numbers.hpp"
 #include "fathom/patch.hpp"
-#include "reference/output/answer_json.hpp"
 #include "reference/rounded/coordinates.hpp"
-
-namespace fathom::python {
-
-/// A manifold, and whether its places are those of an answer about shapes.
-struct ToldManifold {
-  output::Manifold manifold;
-  bool of_shapes = false;
-};
-
-}  // namespace fathom::python
-
-template <>
-struct pybind11::detail::type_caster<fathom::python::ToldManifold>
-    : fathom::python::MadeCaster<fathom::python::ToldManifold> {};
 
 namespace fathom::python {
 namespace {
