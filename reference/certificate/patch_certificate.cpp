@@ -29,38 +29,11 @@ struct OrderedFace {
   }
 };
 
-/// The weights of the point p in a polygon, segment or point with these corners, in order: of a
-/// triangle at the first corner, without those that are 0.
-std::vector<Weight> weights_in(const std::vector<Point>& body, const std::vector<std::uint32_t>& corners,
-                               const Point& p) {
-  const Point& first = body[corners[0]];
-  if (corners.size() == 1) return {{corners[0], 1}};
-  const auto kept = [](std::vector<Weight> weights) {
-    std::erase_if(weights, [](const Weight& w) { return w.weight == 0; });
-    std::ranges::sort(weights, {}, &Weight::index);
-    return weights;
-  };
-  const Point to = p - first;
-  if (corners.size() == 2) {
-    const Point along = body[corners[1]] - first;
-    const mpq_class share = dot(along, to) / dot(along, along);
-    return kept({{corners[0], 1 - share}, {corners[1], share}});
-  }
-  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-    const Point e = body[corners[k]] - first, f = body[corners[k + 1]] - first, area = cross(e, f);
-    const mpq_class whole = dot(area, area), second = dot(area, cross(to, f)) / whole,
-                    third = dot(area, cross(e, to)) / whole;
-    if (second >= 0 && third >= 0 && second + third <= 1)
-      return kept({{corners[0], 1 - second - third}, {corners[k], second}, {corners[k + 1], third}});
-  }
-  contradiction("a corner of a patch outside its face");
-}
-
 std::vector<Weight> weights_on(const std::vector<Point>& body, std::vector<std::uint32_t> on, const Vector& n,
                                const Point& p) {
   if (on.empty()) return {};
   if (on.size() > 2) on = patch::counter_clockwise(n, body, on);
-  return weights_in(body, on, p);
+  return patch::weights_in(body, on, p);
 }
 
 /// The directions in the plane of a face in which it is bounded: inward normals of its edges, of a

@@ -233,19 +233,35 @@ std::optional<std::vector<Weight>> only_weights(kernels::Positions body, const V
                                         : true;
     if (there && ++in_face > on.size()) return std::nullopt;
   }
-  if (on.size() == 1) return std::vector<Weight>{{on[0], 1}};
-  const Point along = body[on[1]] - first, to = p - first;
-  if (on.size() == 2) {
-    const mpq_class share = dot(along, to) / dot(along, along);
-    return std::vector<Weight>{{on[0], 1 - share}, {on[1], share}};
-  }
-  const Point across = body[on[2]] - first, area = cross(along, across);
-  const mpq_class whole = dot(area, area), second = dot(area, cross(to, across)) / whole,
-                  third = dot(area, cross(along, to)) / whole;
-  return std::vector<Weight>{{on[0], 1 - second - third}, {on[1], second}, {on[2], third}};
+  return weights_in(body, on, p);
 }
 
 }  // namespace
+
+std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p) {
+  const Point& first = body[corners[0]];
+  if (corners.size() == 1) return {{corners[0], 1}};
+  const auto kept = [](std::vector<Weight> weights) {
+    std::erase_if(weights, [](const Weight& w) { return w.weight == 0; });
+    std::ranges::sort(weights, {}, &Weight::index);
+    return weights;
+  };
+  const Point to = p - first;
+  if (corners.size() == 2) {
+    const Point along = body[corners[1]] - first;
+    const mpq_class share = dot(along, to) / dot(along, along);
+    return kept({{corners[0], 1 - share}, {corners[1], share}});
+  }
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const Point e = body[corners[k]] - first, f = body[corners[k + 1]] - first, area = cross(e, f);
+    const mpq_class whole = dot(area, area), second = dot(area, cross(to, f)) / whole,
+                    third = dot(area, cross(e, to)) / whole;
+    if (second >= 0 && third >= 0 && second + third <= 1)
+      return kept({{corners[0], 1 - second - third}, {corners[k], second}, {corners[k + 1], third}});
+  }
+  throw std::logic_error("a corner of a patch outside its face");
+}
+
 }  // namespace fathom::patch
 
 namespace fathom {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fathom/patch.hpp"
+#include "kernels/positions.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/lattice.hpp"
 
@@ -44,6 +45,11 @@ Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const st
 /// tip; of equal points the lowest id stands for all.
 std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Points& body,
                                              std::span<const std::uint32_t> ids);
+
+/// The weights, ascending and none 0, of the point p in a polygon, segment or point with these
+/// corners, in order: of a polygon those in a triangle at the first corner. Throws std::logic_error
+/// if p is not in it.
+std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p);
 
 /// A contact point times a denominator: on A, on B or between them along n, wherever it takes
 /// fewest steps.
