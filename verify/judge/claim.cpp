@@ -106,7 +106,8 @@ const double* length_of(const Reply& reply) {
 
 std::optional<mpq_class> deepest_contact(const Claim& claim) {
   if (!claim.length || claim.contact_depths.empty()) return std::nullopt;
-  return *std::ranges::max_element(claim.contact_depths) - *claim.length;
+  const std::optional<mpq_class>& deepest = *std::ranges::max_element(claim.contact_depths);  // one is more than none
+  return deepest ? std::optional<mpq_class>(*deepest - *claim.length) : std::nullopt;
 }
 
 Claim exact_claim(const Reply& reply, const Conventions& conventions, long exponent) {
@@ -137,7 +138,7 @@ Claim exact_claim(const Reply& reply, const Conventions& conventions, long expon
   }
   for (const ContactPoint& contact : reply.contacts) {
     claim.contacts.push_back(*point_of(contact.position, exponent));
-    if (contact.depth) claim.contact_depths.push_back(length_of_claim(*contact.depth));
+    claim.contact_depths.push_back(contact.depth ? std::optional(length_of_claim(*contact.depth)) : std::nullopt);
   }
   return claim;
 }

@@ -32,8 +32,8 @@ struct Claim {
   std::optional<Vector> direction;            ///< primitive, of A's motion; nullopt also if it is zero
   std::optional<mpq_class> direction_length;  ///< squared, of the direction as given
   std::optional<Point> witness_a, witness_b;
-  std::vector<Point> contacts;  ///< empty if a number of theirs is not finite
-  std::vector<mpq_class> contact_depths;
+  std::vector<Point> contacts;                           ///< empty if a number of theirs is not finite
+  std::vector<std::optional<mpq_class>> contact_depths;  ///< of each of them
 
   /// The translation of A along a unit direction that makes the bodies touch. There must be a
   /// length.

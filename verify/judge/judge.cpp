@@ -261,7 +261,8 @@ class Judge {
       remarks_.length_sign = true;
       found(Verdict::wrong_sign);
       d = -d;
-      for (mpq_class& depth : claim_.contact_depths) depth = -depth;
+      for (std::optional<mpq_class>& depth : claim_.contact_depths)
+        if (depth) *depth = -*depth;
     }
     if (truth_.too_long(d)) {
       deep_ = claim_.overlap;

@@ -162,12 +162,18 @@ mpq_class Scene::exit_distance_squared(const Vector& u) {
   return factor * factor * dot(u, u);
 }
 
-mpq_class squared_distance(const Point& point, std::span<const Point> body) {
+std::optional<Outside> outside_of(const Point& point, std::span<const Point> body) {
   const polytope::PlacedPair placed = polytope::place({&point, 1}, body);
-  if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return 0;
-  const polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
-  return kernels::ratio(nearest.height * nearest.height,
-                        placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
+  if (polytope::position_of_origin(placed.a, placed.b).position != polytope::Position::outside) return std::nullopt;
+  polytope::NearestPoints nearest = polytope::nearest_points(placed.a, placed.b);
+  mpq_class squared = kernels::ratio(nearest.height * nearest.height,
+                                     placed.denominator * placed.denominator * dot(nearest.normal, nearest.normal));
+  return Outside{std::move(squared), std::move(nearest.normal)};
+}
+
+mpq_class squared_distance(const Point& point, std::span<const Point> body) {
+  const std::optional<Outside> outside = outside_of(point, body);
+  return outside ? outside->squared : mpq_class(0);
 }
 
 mpq_class squared_distance(const Point& point, const Pieces& body) {

@@ -62,6 +62,13 @@ class Scene {
 std::optional<mpq_class> way_out(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u,
                                  unsigned patience = 200);
 
+/// How a point lies outside of a body.
+struct Outside {
+  mpq_class squared;  ///< of its distance
+  Vector away;        ///< primitive, from the nearest point of the body to it
+};
+/// nullopt if the hull of the others holds the point. The body is not empty.
+std::optional<Outside> outside_of(const Point& point, std::span<const Point> body);
 /// The squared distance of a point from the hull of the others; 0 inside. The body is not empty.
 mpq_class squared_distance(const Point& point, std::span<const Point> body);
 /// Returns the squared distance of a point from the union of pieces; 0 inside.

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts: what a sensible engine answers in doubles is right at all tilts; what is broken on
+// purpose is found, with a proof, and what the proofs do not say is refused.
+#include "verify/judge/manifold.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "kernels/vector.hpp"
+#include "tests/judge/findings.hpp"
+#include "tests/judge/pairs.hpp"
+#include "verify/families/random.hpp"
+
+namespace fathom::judging {
+namespace {
+
+using families::Random;
+using testing::cubes;
+using testing::left;
+using testing::overlap;
+using enum ContactFinding;
+using Words = std::vector<ContactFinding>;
+
+Words words(const std::vector<ContactFault>& faults) {
+  Words result;
+  for (const ContactFault& fault : faults) result.push_back(fault.finding);
+  return result;
+}
+
+ContactJudge judge_of(const Truth& truth, const Reply& reply, const ContactLimits& limits = {},
+                      const Tolerance& tolerance = {}) {
+  return ContactJudge(truth, reply, {}, Precision::binary64, tolerance, limits);
+}
+
+/// The findings; each is to be proved.
+Words found(const Truth& truth, const Reply& reply, const ContactLimits& limits = {}, const Tolerance& tolerance = {}) {
+  const ContactJudge judge = judge_of(truth, reply, limits, tolerance);
+  const std::vector<ContactFault> faults = judge.faults();
+  for (const ContactFault& fault : faults) {
+    EXPECT_TRUE(judge.proves(fault)) << fault.sentence;
+    EXPECT_FALSE(fault.sentence.empty());
+  }
+  return words(faults);
+}
+
+/// Unit cubes that overlap by 0.6 along x; contacts half way between their faces.
+Reply on_square(const std::vector<std::array<double, 2>>& places, std::optional<double> depth = 0.6) {
+  Reply reply = overlap(0.6, left);
+  for (const auto& [y, z] : places) reply.contacts.push_back({{0.7, y, z}, depth});
+  return reply;
+}
+
+TEST(Manifold, OfTwoCubes) {
+  const Reply four = on_square({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  EXPECT_EQ(found(cubes(), four), Words{});
+  const auto with = [&](std::array<double, 2> place, double depth) {
+    Reply reply = four;
+    reply.contacts.push_back({{0.7, place[0], place[1]}, depth});
+    return reply;
+  };
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6005)), Words{}) << "within the tolerance";
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6007)), Words{contact_too_deep});
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5995)), Words{});
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5993)), Words{contact_too_shallow});
+  EXPECT_EQ(found(cubes(), with({0, 1.0005}, 0.6)), Words{});
+  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.6)), Words{contact_outside});
+  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.9)), Words{contact_outside}) << "one finding for each contact";
+
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}})), Words{misses_extent});
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}})), (Words{misses_extent, tips}));
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}}), {.most = 3}), Words{}) << "three corners miss one";
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {0.1, 0}, {0.1, 0.2}}), {.most = 3}), (Words{misses_extent, tips}));
+  EXPECT_EQ(found(cubes(), overlap(0.6, left)), Words{}) << "no contacts are promised";
+  EXPECT_EQ(judge_of(cubes(), on_square({{0, 0}, {1, 0}})).faults()[0].sentence,
+            "the contacts miss a corner of the patch by 1");
+  EXPECT_EQ(judge_of(cubes(), with({0.5, 0.5}, 0.7)).faults()[0].sentence,
+            "contact 4 is too deep: 0.7 is claimed, along the lines near it the bodies overlap by 0.6 at most");
+}
+
+// Without depths of their own contacts have that of the answer, less a margin that is declared.
+TEST(Manifold, ContactsWithoutDepths) {
+  const Truth wedge =
+      truth_about(std::vector<Point>{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, -1}, {0, 4, -1}},
+                  std::vector<Point>{{0, 0, -8},
+                                     {4, 0, -8},
+                                     {0, 4, -8},
+                                     {4, 4, -8},
+                                     {0, 0, mpq_class(-1, 2)},
+                                     {4, 0, mpq_class(-1, 2)},
+                                     {0, 4, mpq_class(-1, 2)},
+                                     {4, 4, mpq_class(-1, 2)}});
+  Reply reply = overlap(0.5, testing::up);
+  for (const auto& [x, y] : {std::array{0.0, 0.0}, {0.0, 4.0}, {1.0, 4.0}, {1.0, 0.0}})
+    reply.contacts.push_back({{x, y, -0.75}, {}});
+  EXPECT_EQ(found(wedge, reply), (Words{contact_too_deep, contact_too_deep})) << "they overlap by 1/4 at x = 1";
+  EXPECT_EQ(found(wedge, reply, {.margin = mpq_class(1, 4)}), Words{});
+  for (ContactPoint& contact : reply.contacts) contact.depth = contact.position[0] == 0 ? 0.5 : 0.25;
+  EXPECT_EQ(found(wedge, reply), Words{});
+  reply.contacts[2].position[0] = reply.contacts[3].position[0] = 3;  // apart by 1/4
+  EXPECT_EQ(found(wedge, reply), (Words{contact_too_deep, contact_too_deep}));
+  reply.contacts[2].depth = reply.contacts[3].depth = -0.25;
+  EXPECT_EQ(found(wedge, reply), Words{}) << "a contact may be one to come";
+}
+
+// ---- an engine in doubles ----
+
+using Corners = std::array<Triple, 8>;  // corner k of a box has the bits of k
+
+Triple minus(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
+double times(const Triple& p, const Triple& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+Triple crossed(const Triple& u, const Triple& v) {
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+Triple along(const Triple& p, double s, const Triple& d) { return {p[0] + s * d[0], p[1] + s * d[1], p[2] + s * d[2]}; }
+
+/// The face of a box that is farthest along v, in order.
+std::vector<Triple> face(const Corners& box, const Triple& v) {
+  constexpr std::array<std::array<std::size_t, 4>, 6> faces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  const auto height = [&](const auto& f) {
+    double sum = 0;
+    for (const std::size_t k : f) sum += times(v, box[k]);
+    return sum;
+  };
+  std::vector<Triple> result;
+  for (const std::size_t k : *std::ranges::max_element(faces, {}, height)) result.push_back(box[k]);
+  return result;
+}
+
+/// A lies on B: the face of A below, clipped by the sides of B's face above; the direction is the
+/// latter's normal. As engines do it.
+Reply clipped(const Corners& a, const Corners& b) {
+  const std::vector<Triple> base = face(b, {0, 0, 1});
+  std::vector<Triple> polygon = face(a, {0, 0, -1});
+  Triple n = crossed(minus(base[1], base[0]), minus(base[2], base[0]));
+  const double length = std::sqrt(times(n, n)) * (n[2] < 0 ? -1 : 1);
+  n = {n[0] / length, n[1] / length, n[2] / length};
+  const Triple middle = along(base[0], 0.5, minus(base[2], base[0]));
+  for (std::size_t i = 0; i < 4; ++i) {
+    Triple out = crossed(minus(base[(i + 1) % 4], base[i]), n);
+    if (times(out, minus(middle, base[i])) > 0) out = {-out[0], -out[1], -out[2]};
+    std::vector<Triple> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Triple &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+      const double dp = times(out, minus(p, base[i])), dq = times(out, minus(q, base[i]));
+      if (dp <= 0) kept.push_back(p);
+      if (dp * dq < 0) kept.push_back(along(p, dp / (dp - dq), minus(q, p)));
+    }
+    polygon = kept;
+  }
+  Reply reply = overlap(0, n);
+  for (const Triple& p : polygon) {
+    reply.contacts.push_back({p, times(n, minus(base[0], p))});
+    reply.depth = std::max(*reply.depth, *reply.contacts.back().depth);
+  }
+  return reply;
+}
+
+/// A box that lies on one, sunk in a little, turned about the vertical, and tilted.
+Corners posed(const Triple& half, const Triple& at, double turn, double tilt) {
+  Corners result;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const double x = (k & 1 ? half[0] : -half[0]), y = (k & 2 ? half[1] : -half[1]), z = (k & 4 ? half[2] : -half[2]);
+    const double c = std::cos(turn), s = std::sin(turn);
+    const Triple turned{c * x - s * y, s * x + c * y, z};
+    const double ct = std::cos(tilt), st = std::sin(tilt);
+    result[k] = along(at, 1, {ct * turned[0] + st * z, turned[1], ct * z - st * turned[0]});
+  }
+  return result;
+}
+
+GivenPoints body(const Corners& box) { return GivenPoints(std::vector<Triple>(box.begin(), box.end())); }
+
+/// Broken in one way, each is found by this word.
+void expect_broken_found(const Truth& truth, const Reply& right, const std::string& where) {
+  const auto has = [&](const Reply& reply, ContactFinding word) {
+    const Words all = found(truth, reply);
+    return std::ranges::find(all, word) != all.end();
+  };
+  for (std::size_t k = 0; k < right.contacts.size(); ++k) {
+    Reply reply = right;
+    *reply.contacts[k].depth += 0.01;
+    EXPECT_TRUE(has(reply, contact_too_deep)) << where;
+    reply = right;
+    reply.contacts[k].position[0] += 50;
+    EXPECT_TRUE(has(reply, contact_outside)) << where;
+  }
+  Triple mean{};
+  for (const ContactPoint& contact : right.contacts)
+    mean = along(mean, 1.0 / static_cast<double>(right.contacts.size()), contact.position);
+  Reply reply = right;
+  reply.contacts.push_back({mean, 0.0});
+  EXPECT_TRUE(has(reply, contact_too_shallow)) << where;
+}
+
+TEST(Manifold, OfAClippingEngineIsNotBlamedAtAnyTilt) {
+  Random random(3);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random.between(0, 1 << 20)) / (1 << 20);
+  };
+  for (const double tilt : {0.0, 1e-9, 1e-4, 0.01}) {
+    for (int k = 0; k < 3; ++k) {
+      const Triple half_a{between(0.5, 2), between(0.5, 2), 1}, half_b{between(0.5, 2), between(0.5, 2), 1};
+      const Corners a = posed(half_a, {between(-0.5, 0.5), between(-0.5, 0.5), 1.95}, k == 0 ? 0 : between(0, 3), tilt),
+                    b = posed(half_b, {0, 0, 0}, 0, 0);
+      const Truth truth = truth_about(body(a), body(b));
+      ASSERT_EQ(truth.depth.status(), Status::penetrating);
+      const Reply reply = clipped(a, b);
+      ASSERT_GE(reply.contacts.size(), 3U);
+      const std::string where = "tilt " + std::to_string(tilt) + ", scene " + std::to_string(k);
+      EXPECT_EQ(found(truth, reply), Words{}) << where;
+      expect_broken_found(truth, reply, where);
+      if (tilt > 0) continue;
+      Reply less = reply;
+      less.contacts.pop_back();
+      EXPECT_EQ(found(truth, less)[0], misses_extent) << where;
+      less.contacts.resize(1);
+      EXPECT_EQ(found(truth, less), (Words{misses_extent, tips})) << where;
+    }
+  }
+}
+
+// ---- forgeries ----
+
+TEST(Manifold, ForgedProofsAreRefused) {
+  Reply reply = on_square({{0, 0}, {1, 0}, {2, 0.5}, {0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}});
+  reply.contacts[3].depth = 0.7;
+  reply.contacts[4].depth = 0.5;
+  const ContactJudge judge = judge_of(cubes(), reply);
+  std::vector<ContactFault> faults = judge.faults();
+  ASSERT_EQ(words(faults), (Words{contact_outside, contact_too_deep, contact_too_shallow, misses_extent}));
+  const auto refused = [&](std::size_t k, auto change) {
+    ContactFault fault = faults[k];
+    EXPECT_TRUE(judge.proves(fault));
+    change(fault);
+    return !judge.proves(fault);
+  };
+  const mpq_class hair(1, 1'000'000'000);
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) { fault.contact = 5; })) << "a good one";
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) { fault.contact = 6; }));
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) { fault.contact.reset(); }));
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) { fault.planes.reset(); }));
+    EXPECT_TRUE(refused(k, [&](ContactFault& fault) { fault.planes->u.x += hair; }));
+    EXPECT_TRUE(refused(k, [&](ContactFault& fault) { fault.planes->w.x += hair; }));
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) { fault.planes->u = fault.planes->w = {}; }));
+    EXPECT_TRUE(refused(k, [](ContactFault& fault) {
+      fault.finding = fault.finding == contact_outside ? contact_too_deep : contact_outside;
+    }));
+  }
+  EXPECT_TRUE(refused(1, [](ContactFault& fault) { fault.planes->u.y += 1; })) << "a plane that proves less";
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.contact = 5; }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines.pop_back(); }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines.clear(); }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines[0] = fault.lines[1]; }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines[0].factor *= 2; }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines[0].a.x += 1, fault.lines[0].factor += 1; }));
+  EXPECT_TRUE(refused(2, [](ContactFault& fault) { fault.lines[0].b.x -= 1, fault.lines[0].factor += 1; }));
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed.clear(); }));
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed[0].away = -fault.missed[0].away; }));
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed[0].away = {0, 0, 0}; }));
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed[0].away.x += 1; })) << "not across";
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed[0].direction = {0, 0, 1}; }));
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.missed[0].point.z += 1; })) << "not of the patch";
+  EXPECT_TRUE(refused(3, [](ContactFault& fault) { fault.finding = tips; }));
+}
+
+}  // namespace
+}  // namespace fathom::judging

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verify/judge/manifold.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "kernels/float_environment.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
+#include "reference/patch/patch.hpp"
+#include "reference/polytope/polygon.hpp"
+#include "verify/judge/scene.hpp"
+
+namespace fathom::judging {
+namespace {
+
+constexpr unsigned position_bits = 40;
+/// Corners of a patch of which subsets are tried.
+constexpr std::size_t most_corners = 16;
+
+/// Moved along n into the plane of O.
+Point shadow(const Vector& n, const Point& p) { return p - mpq_class(dot(n, p) / mpq_class(dot(n, n))) * n; }
+
+std::vector<Point> shadows(const Vector& n, std::span<const Point> points) {
+  std::vector<Point> result;
+  for (const Point& p : points) result.push_back(shadow(n, p));
+  return result;
+}
+
+/// The farthest of the corners from the hull of some of them, which are as few and as near as can
+/// be, squared.
+mpq_class least_missed_squared(const std::vector<Point>& corners, std::size_t count) {
+  std::vector<char> chosen(corners.size(), 0);
+  std::fill(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), 1);
+  std::optional<mpq_class> least;
+  do {
+    std::vector<Point> some;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      if (chosen[k] != 0) some.push_back(corners[k]);
+    mpq_class farthest = 0;
+    for (const Point& corner : corners) farthest = std::max(farthest, squared_distance(corner, some));
+    if (!least || farthest < *least) least = std::move(farthest);
+  } while (std::ranges::prev_permutation(chosen).found);
+  return *least;
+}
+
+/// The corners of the hull of shadows along n, as those of a face.
+std::vector<std::uint32_t> corners_seen(const std::vector<Point>& shadows, const Vector& n) {
+  std::vector<Vec3<mpq_class>> points;
+  for (const Point& p : shadows) points.push_back({p.x, p.y, p.z});
+  std::vector<std::uint32_t> ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0U);
+  return polytope::polygon_corners(points, std::move(ids), Vec3<mpq_class>{n.x, n.y, n.z});
+}
+
+/// What the hulls of shadows share, by its corners; empty if that is nothing.
+std::vector<Point> common(const std::vector<Point>& one, const std::vector<Point>& other, const Vector& n) {
+  if (one.empty() || other.empty()) return {};
+  const std::vector<std::uint32_t> of_one = corners_seen(one, n), of_other = corners_seen(other, n);
+  return patch::shared_naive({}, {n, polytope::Points(one), of_one, polytope::Points(other), of_other});
+}
+
+std::string length_text(const mpq_class& signed_square) {
+  return fmt::format("{:.4g}", kernels::nearest_binary64({0, signed_square}));
+}
+
+}  // namespace
+
+std::string_view name(ContactFinding finding) {
+  constexpr std::array<std::string_view, 5> names{"contact-outside", "contact-too-deep", "contact-too-shallow",
+                                                  "misses-extent", "tips"};
+  return names.at(static_cast<std::size_t>(finding));
+}
+
+ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions,
+                           const NumberFormat& format, const Tolerance& tolerance, ContactLimits limits)
+    : truth_(truth), claim_(exact_claim(reply, conventions, format.exponent)), limits_(std::move(limits)) {
+  const kernels::DefaultFloatEnvironment environment;
+  const Allowances allowed(sizes_of(truth.a, truth.b), truth.depth.squared(), format, tolerance);
+  depth_ = allowed.depth;
+  near_ = kernels::enclosed({0, allowed.witness.squared()}, position_bits).high;
+  const Penetration* const penetration = truth.depth.penetration();
+  if (!penetration || penetration->unlisted > 0) return;
+  for (const Optimum& optimum : penetration->optima) {
+    const Patch patch = patch::shared_inside(
+        {optimum.direction, truth.a, optimum.contact.a, truth.b, optimum.contact.b}, optimum.support);
+    Extent& extent = extents_.emplace_back(Extent{optimum.direction, {}, patch.centroid().a.core, 0});
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
+    if (!limits_.most || *limits_.most >= extent.corners.size()) continue;
+    if (extent.corners.size() > most_corners || *limits_.most == 0) {
+      extents_.clear();  // not asked
+      return;
+    }
+    extent.allowed_squared = least_missed_squared(extent.corners, *limits_.most);
+  }
+}
+
+std::vector<ContactFault> ContactJudge::faults() const {
+  const kernels::DefaultFloatEnvironment environment;
+  std::vector<ContactFault> faults;
+  if (claim_.contacts.empty() || !claim_.finite) return faults;
+  if (claim_.direction) {
+    const patch::LinesAlong lines(*claim_.direction, truth_.a.exact(), truth_.b.exact());
+    for (std::size_t k = 0; k < claim_.contacts.size(); ++k) judge_contact(lines, k, faults);
+  }
+  judge_extent(faults);
+  return faults;
+}
+
+// ---- one contact ----
+
+const mpq_class& ContactJudge::claimed(std::size_t contact) const {
+  const std::optional<mpq_class>& own = claim_.contact_depths[contact];
+  return own ? *own : *claim_.length;
+}
+
+/// Of factor |v|.
+mpq_class ContactJudge::signed_square(const mpq_class& factor) const {
+  return factor * abs(factor) * dot(*claim_.direction, *claim_.direction);
+}
+
+/// Whether the contact is claimed to be deeper than an overlap, by more than is allowed; or less
+/// deep.
+bool ContactJudge::deeper(std::size_t contact, const mpq_class& factor) const {
+  const mpq_class &d = claimed(contact), overlap = signed_square(factor);
+  if (!depth_.above(d, overlap)) return false;
+  return claim_.contact_depths[contact] || Allowance(0, 0, limits_.margin).above(d, overlap);
+}
+bool ContactJudge::shallower(std::size_t contact, const mpq_class& factor) const {
+  return claim_.contact_depths[contact] && depth_.below(claimed(contact), signed_square(factor));
+}
+
+// The line through the position is asked first: it answers for most contacts.
+void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t contact,
+                                 std::vector<ContactFault>& faults) const {
+  const Point& x = claim_.contacts[contact];
+  const std::optional<patch::LineOverlap> here = lines.at(x);
+  const auto told = [&] { return fmt::format("{:.4g}", kernels::nearest_binary64({claimed(contact), 0})); };
+  if (!here || deeper(contact, here->factor)) {
+    const patch::GreatestOverlap greatest = lines.greatest(x, near_);
+    if (!greatest.overlap) {
+      faults.push_back(
+          {ContactFinding::contact_outside,
+           contact,
+           greatest.planes,
+           {},
+           {},
+           fmt::format("contact {} is outside: no line near it along the direction meets both bodies", contact)});
+      return;
+    }
+    if (deeper(contact, greatest.overlap->factor)) {
+      faults.push_back({ContactFinding::contact_too_deep,
+                        contact,
+                        greatest.planes,
+                        {},
+                        {},
+                        fmt::format("contact {} is too deep: {} is claimed, along the lines near it the bodies overlap "
+                                    "by {} at most",
+                                    contact, told(), length_text(signed_square(greatest.overlap->factor)))});
+      return;
+    }
+  }
+  if (!claim_.contact_depths[contact] || (here && !shallower(contact, here->factor))) return;
+  std::vector<patch::LineOverlap> corners = lines.corners(x, near_);
+  const mpq_class least = std::ranges::min_element(corners, {}, &patch::LineOverlap::factor)->factor;
+  if (!shallower(contact, least)) return;
+  faults.push_back({ContactFinding::contact_too_shallow,
+                    contact,
+                    std::nullopt,
+                    std::move(corners),
+                    {},
+                    fmt::format("contact {} is too shallow: {} is claimed, along the lines near it the bodies overlap "
+                                "by {} at least",
+                                contact, told(), length_text(signed_square(least)))});
+}
+
+// ---- all contacts ----
+
+/// Whether a squared distance is more than that of positions and a root together.
+bool ContactJudge::too_far(const mpq_class& squared, const mpq_class& allowed) const {
+  return sign({squared - near_ * near_ - allowed, -4 * near_ * near_ * allowed}) > 0;
+}
+
+std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Point& point, const mpq_class& allowed,
+                                                mpq_class& squared) const {
+  const Vector& n = extent.direction;
+  const std::optional<Outside> outside = outside_of(shadow(n, point), shadows(n, claim_.contacts));
+  squared = outside ? outside->squared : mpq_class(0);
+  if (!outside || !too_far(squared, allowed)) return std::nullopt;
+  return MissedPoint{n, point, outside->away};
+}
+
+void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
+  if (extents_.empty()) return;
+  ContactFault fault{ContactFinding::misses_extent, std::nullopt, std::nullopt, {}, {}, ""};
+  std::optional<mpq_class> least;
+  const Extent* best = nullptr;
+  for (const Extent& extent : extents_) {
+    mpq_class farthest = 0;
+    std::optional<MissedPoint> worst;
+    for (const Point& corner : extent.corners) {
+      mpq_class squared;
+      std::optional<MissedPoint> found = missed(extent, corner, extent.allowed_squared, squared);
+      if (found && squared > farthest) (farthest = std::move(squared), worst = std::move(found));
+    }
+    if (!worst) return;
+    if (!least || farthest < *least) (least = farthest, best = &extent);
+    fault.missed.push_back(*std::move(worst));
+  }
+  fault.sentence = fmt::format("the contacts miss a corner of the patch by {}", length_text(*least));
+  faults.push_back(std::move(fault));
+  mpq_class squared;
+  if (std::optional<MissedPoint> middle = missed(*best, best->centroid, 0, squared))
+    faults.push_back({ContactFinding::tips,
+                      std::nullopt,
+                      std::nullopt,
+                      {},
+                      {*std::move(middle)},
+                      fmt::format("the bodies tip over: the middle of the patch is {} away from the contacts",
+                                  length_text(squared))});
+}
+
+// ---- proofs ----
+
+bool ContactJudge::proves(const ContactFault& fault) const {
+  const kernels::DefaultFloatEnvironment environment;
+  if (claim_.contacts.empty() || !claim_.finite) return false;
+  using enum ContactFinding;
+  if (fault.finding == misses_extent || fault.finding == tips) return proves_missed(fault);
+  if (!claim_.direction || !fault.contact || *fault.contact >= claim_.contacts.size()) return false;
+  if (fault.finding == contact_too_shallow) return proves_too_shallow(fault);
+  if (!fault.planes) return false;
+  const Vector& v = *claim_.direction;
+  const mpq_class rise = dot(v, fault.planes->u),
+                  limit = patch::bound(*fault.planes, truth_.a.exact(), truth_.b.exact(),
+                                       claim_.contacts[*fault.contact], near_);
+  if (dot(v, fault.planes->w) != rise) return false;
+  if (fault.finding == contact_outside) return rise == 0 && limit < 0;
+  return rise == 1 && deeper(*fault.contact, limit);
+}
+
+/// The lines are the corners of what the shadows of both bodies and of the box share; the bodies
+/// overlap by too much on each, and so, as the overlap is concave, on all between them.
+bool ContactJudge::proves_too_shallow(const ContactFault& fault) const {
+  const Vector& v = *claim_.direction;
+  const Point& x = claim_.contacts[*fault.contact];
+  std::vector<Point> box, lines;
+  for (const int i : {-1, 1})
+    for (const int j : {-1, 1})
+      for (const int k : {-1, 1}) box.push_back(shadow(v, {x.x + i * near_, x.y + j * near_, x.z + k * near_}));
+  for (const patch::LineOverlap& line : fault.lines) {
+    if (line.b - line.a != line.factor * v || !shallower(*fault.contact, line.factor)) return false;
+    if (outside_of(line.a, truth_.a.exact()) || outside_of(line.b, truth_.b.exact())) return false;
+    lines.push_back(shadow(v, line.a));
+  }
+  const std::vector<Point> corners =
+      common(common(shadows(v, truth_.a.exact()), shadows(v, truth_.b.exact()), v), box, v);
+  return !corners.empty() &&
+         std::ranges::all_of(corners, [&](const Point& p) { return std::ranges::find(lines, p) != lines.end(); });
+}
+
+bool ContactJudge::is_missed(const MissedPoint& missed, const mpq_class& allowed) const {
+  if (is_zero(missed.away) || dot(missed.direction, missed.away) != 0) return false;
+  std::optional<mpq_class> gap;
+  for (const Point& x : claim_.contacts) {
+    mpq_class there = dot(missed.away, missed.point - x);
+    if (!gap || there < *gap) gap = std::move(there);
+  }
+  return *gap > 0 && too_far(*gap * *gap / mpq_class(dot(missed.away, missed.away)), allowed);
+}
+
+bool ContactJudge::proves_missed(const ContactFault& fault) const {
+  if (fault.finding == ContactFinding::tips)
+    return fault.missed.size() == 1 && std::ranges::any_of(extents_, [&](const Extent& extent) {
+             const MissedPoint& missed = fault.missed[0];
+             return missed.direction == extent.direction && missed.point == extent.centroid && is_missed(missed, 0);
+           });
+  return !extents_.empty() && std::ranges::all_of(extents_, [&](const Extent& extent) {
+    return std::ranges::any_of(fault.missed, [&](const MissedPoint& missed) {
+      return missed.direction == extent.direction &&
+             std::ranges::find(extent.corners, missed.point) != extent.corners.end() &&
+             is_missed(missed, extent.allowed_squared);
+    });
+  });
+}
+
+}  // namespace fathom::judging

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contacts of an answer, one by one and as a whole: each has its own depth along the answer's
+// direction, and together they cover the patch in which the bodies touch after the shortest way out.
+//                                                    [VERDICTS.md, "Contacts"; proofs/judge.md]
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fathom/judge.hpp"
+#include "reference/patch/local_depth.hpp"
+#include "verify/judge/claim.hpp"
+
+namespace fathom::judging {
+
+/// What may be wrong with contacts, in order of rank.
+enum class ContactFinding {
+  contact_outside,      ///< no line along the direction near a contact meets both bodies
+  contact_too_deep,     ///< along no line near it they overlap so much
+  contact_too_shallow,  ///< along each line near it that meets both they overlap more
+  misses_extent,        ///< the contacts leave out part of each patch
+  tips                  ///< and so much that the middle of the patch is not between them
+};
+/// "contact-outside": lower case, hyphens.
+std::string_view name(ContactFinding finding);
+
+/// What a subject declares of its contacts.
+struct ContactLimits {
+  mpq_class margin = 0;  ///< how much less deep than the answer contacts without an own depth may be; a length
+  std::optional<std::size_t> most = {};  ///< how many it answers at most
+};
+
+/// A point of a patch that the contacts do not reach, seen along the patch's direction n.
+struct MissedPoint {
+  Vector direction;  ///< n
+  Point point;       ///< on A
+  Vector away;       ///< orthogonal to n: no contact is so far along it as the point, by more than is allowed
+};
+
+/// A finding with its proof.
+struct ContactFault {
+  ContactFinding finding;
+  std::optional<std::size_t> contact;      ///< which of the reply's it is about; none if it is about all
+  std::optional<patch::TwoPlanes> planes;  ///< of one that is outside or too deep
+  std::vector<patch::LineOverlap> lines;   ///< of one that is too shallow: the corners of all lines near it
+  std::vector<MissedPoint> missed;         ///< of all: a corner of each patch, or the centroid of one
+  std::string sentence;                    ///< for people, one line
+};
+
+/// Judges the contacts of one answer about two polytopes. Lengths and points may be off by the
+/// tolerance or the slack, that of positions rounded up by 2^-40.
+class ContactJudge {
+ public:
+  /// The truth must outlive it.
+  ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+               const Tolerance& tolerance, ContactLimits limits = {});
+
+  /// All that is wrong, in order of contacts, those about all of them at last; only the first that
+  /// holds of each contact. Positions, depths and the direction are taken as they stand: an answer
+  /// with a wrong sign is to be judged by that first. Empty for an answer without contacts beside a
+  /// depth, or with numbers that are not finite.
+  [[nodiscard]] std::vector<ContactFault> faults() const;
+
+  /// Whether a fault follows from the numbers that it holds, by products of them with all points;
+  /// that of a contact too shallow by clipping the bodies' shadows.
+  [[nodiscard]] bool proves(const ContactFault& fault) const;
+
+ private:
+  struct Extent {
+    Vector direction;
+    std::vector<Point> corners;
+    Point centroid;
+    mpq_class allowed_squared;  ///< beside the tolerance: what as many contacts as it answers must miss
+  };
+
+  [[nodiscard]] const mpq_class& claimed(std::size_t contact) const;
+  [[nodiscard]] mpq_class signed_square(const mpq_class& factor) const;
+  [[nodiscard]] bool deeper(std::size_t contact, const mpq_class& factor) const;
+  [[nodiscard]] bool shallower(std::size_t contact, const mpq_class& factor) const;
+  void judge_contact(const patch::LinesAlong& lines, std::size_t contact, std::vector<ContactFault>& faults) const;
+  void judge_extent(std::vector<ContactFault>& faults) const;
+  [[nodiscard]] std::optional<MissedPoint> missed(const Extent& extent, const Point& point, const mpq_class& allowed,
+                                                  mpq_class& squared) const;
+  [[nodiscard]] bool too_far(const mpq_class& squared, const mpq_class& allowed) const;
+  [[nodiscard]] bool is_missed(const MissedPoint& missed, const mpq_class& allowed) const;
+  [[nodiscard]] bool proves_too_shallow(const ContactFault& fault) const;
+  [[nodiscard]] bool proves_missed(const ContactFault& fault) const;
+
+  const Truth& truth_;
+  Claim claim_;
+  ContactLimits limits_;
+  Allowance depth_;
+  mpq_class near_;               ///< by how much a position may be off
+  std::vector<Extent> extents_;  ///< of all optima; empty unless the bodies overlap
+};
+
+}  // namespace fathom::judging
