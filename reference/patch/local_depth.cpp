@@ -16,15 +16,15 @@ namespace {
 
 // ---- a linear program ----
 
-/// Two for "a point of A is one of B", two for "a point of A is one of the box", and one for each of
-/// the three that weights sum to 1.
+/// Two for "a point of A is one of B", two for "a point of A is one of the box", and one for each
+/// of the three that weights sum to 1.
 constexpr std::size_t equations = 7;
 using Coefficients = std::array<mpq_class, equations>;
 const Coefficients right_sides{0, 0, 0, 0, 1, 1, 1};
 
-/// The greatest sum of cost times weight, of weights >= 0 for which the columns add up to the right
-/// sides. The revised simplex method; from a step that gains nothing on, until one does, by the rule
-/// of Bland [1977], so that it ends.
+/// The greatest sum of cost times weight, of weights >= 0 for which the columns add up to the
+/// right sides. The revised simplex method; from a step that gains nothing on, until one does, by
+/// the rule of Bland [1977], so that it ends.
 class WeightProgram {
  public:
   explicit WeightProgram(std::vector<Coefficients> columns) : columns_(std::move(columns)) {

@@ -5,7 +5,7 @@
 // On a line in the direction v let A begin at a and B end at b: b - a = f v, and f |v| is the local
 // depth, the way of A along v after which the line meets them in one point at most. It is concave
 // on the lines that meet both bodies, and negative where they are apart.
-//                                                                      [proofs/judge.md, "Contacts"]
+//                                                                     [proofs/judge.md, "Contacts"]
 #pragma once
 
 #include <gmpxx.h>

@@ -16,6 +16,7 @@
 
 #include "tests/harness/fake_subject.hpp"
 #include "verify/harness/coordinates.hpp"
+#include "verify/harness/journal.hpp"
 #include "verify/harness/seen_case.hpp"
 
 namespace fathom::harness {
@@ -341,6 +342,40 @@ TEST(InUnit, LengthsOfAnswersAreScaledAndDirectionsAreNot) {
   EXPECT_EQ(there.distance, 3.5);
   EXPECT_EQ(there.contacts, (std::vector<ContactPoint>{{{1, 2, 3}, 2.5}, {{0.5, 0.5, 0.5}, {}}}));
   EXPECT_EQ(*there.witness_b, (Triple{0.5, -2.5, 0})) << "rounded once, ties to even";
+}
+
+// Two cubes that overlap by 1 in a square: its corners are the contacts, but for one.
+TEST(ContactFaults, StandBesideTheVerdictInTheUnitOfTheCase) {
+  std::vector<Triple> cube, other;
+  for (const double x : {0, 4})
+    for (const double y : {0, 4})
+      for (const double z : {0, 4}) cube.push_back({x, y, z}), other.push_back({x + 3, y, z});
+  const Case seen{"c", Body{GivenPoints(cube)}, Body{GivenPoints(other)}};
+  Reply reply;
+  reply.overlap = true;
+  reply.depth = 0.5;  // in a unit twice as long
+  reply.direction = Triple{-1, 0, 0};
+  reply.contacts = {{{2, 0, 0}, 0.5}, {{2, 2, 0}, 0.5}, {{2, 2, 2}, 0.5}};
+  SubjectInfo info;
+  const auto judged = [&] {
+    Outcome outcome = outcome_for(seen, -1);
+    judge_answer(outcome, seen, {"", reply}, info, {});
+    return outcome;
+  };
+  const Outcome outcome = judged();
+  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  ASSERT_EQ(outcome.contact_faults.size(), 1U);
+  EXPECT_EQ(outcome.contact_faults[0].sentence, "the contacts miss a corner of the patch by 2.828");
+  EXPECT_EQ(outcome.contact_faults[0].missed[0].point, (Point{4, 0, 4}));
+  const std::optional<Outcome> read = read_outcome(outcome_line(outcome));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(outcome_line(*read), outcome_line(outcome));
+  info.most_contacts = 3;
+  EXPECT_TRUE(judged().contact_faults.empty());
+  reply.contacts[1].position[1] = 3;
+  EXPECT_EQ(judged().contact_faults.at(0).finding, judging::ContactFinding::contact_outside);
+  reply.direction = Triple{1, 0, 0};
+  EXPECT_TRUE(judged().contact_faults.empty()) << "the sign is wrong, and is told alone";
 }
 
 TEST(JudgedBodies, AreGrownByTheRadiusOfTheirWord) {

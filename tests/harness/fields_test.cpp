@@ -50,6 +50,9 @@ void fill(Accuracy& value) { value = Accuracy::u_r_16; }
 void fill(Status& value) { value = Status::penetrating; }
 void fill(Triple& value) { value = {0.5, -1, 2}; }
 void fill(Between& value) { value = {0.25, 0.75}; }
+void fill(Point& value) { value = {mpq_class(1, 2), mpq_class(-2, 3), 5}; }
+void fill(Vector& value) { value = {3, -1, 0}; }
+void fill(judging::ContactFinding& value) { value = judging::ContactFinding::misses_extent; }
 void fill(UnionBounds& value) { value = {mpq_class(1, 6), 3, 4, mpq_class(7, 3)}; }
 void fill(std::array<std::uint32_t, 2>& value) { value = {5, 6}; }
 void fill(NumberFormat& value) { value = {Precision::binary32, Precision::binary64}; }
@@ -135,6 +138,7 @@ TEST(Fields, AreInJsonInOrderAndComeBack) {
     EXPECT_EQ(keys_of(json["reply"]), names_in(*outcome.reply));
     EXPECT_EQ(keys_of(json["hulls"]), names_in(*outcome.hulls));
     EXPECT_EQ(keys_of(json["pieces"]), names_in(*outcome.pieces));
+    EXPECT_EQ(keys_of(json["contact_faults"][0]), names_in(outcome.contact_faults[0]));
     const std::optional<Outcome> read = read_outcome(line);
     ASSERT_TRUE(read) << line;
     EXPECT_EQ(outcome_line(*read), line) << "law: what was written is read as it was";
@@ -219,6 +223,11 @@ TEST(Fields, AreInTheSchemas) {
   expect_described<ContactPoint>(schema["reply"]["properties"]["contacts"]["items"]);
   expect_described<AboutHulls>(schema["hulls"]);
   expect_described<AboutPieces>(schema["case"]["properties"]["pieces"]);
+  const Json& fault = schema["contact_fault"]["properties"];
+  expect_described<judging::ContactFault>(schema["contact_fault"]);
+  expect_described<patch::TwoPlanes>(fault["planes"]);
+  expect_described<patch::LineOverlap>(fault["lines"]["items"]);
+  expect_described<judging::MissedPoint>(fault["missed"]["items"]);
   expect_described<Outcome>(schema["case"], head);
   expect_described<Unattributed>(schema["unattributed"], head);
   const Json protocol = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["reply"]["properties"];

@@ -10,9 +10,11 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
+#include "verify/judge/manifold.hpp"
 
 namespace fathom::harness {
 
@@ -39,6 +41,9 @@ struct SubjectInfo {
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices",
   /// a shape's name, or "" for all.
   std::map<std::string, mpq_class> rounding = {};
+  std::optional<std::size_t> most_contacts = {};  ///< in one reply
+  /// How much less deep than the reply contacts without a depth may be, in its unit.
+  std::optional<double> contact_margin = {};
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
 };
 
@@ -76,8 +81,9 @@ struct Outcome {
   std::optional<Judgement> judgement;  ///< if the reply was judged
   std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
   std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs
-  double seconds = 0;                  ///< wall time until the answer, or all answers
-  std::optional<double> microseconds;  ///< the same without the protocol, as the subject measured it
+  std::vector<judging::ContactFault> contact_faults;  ///< of a judged reply about polytopes
+  double seconds = 0;                                 ///< wall time until the answer, or all answers
+  std::optional<double> microseconds;                 ///< the same without the protocol, as the subject measured it
 };
 
 /// A failure that no case caused: after a good answer the process ended, wrote something or stopped

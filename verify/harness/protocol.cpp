@@ -396,24 +396,37 @@ NumberFormat format_in(const JsonValue& hello) {
   return {type(*said, "points", "the hello's precision"), type(*said, "answers", "the hello's precision")};
 }
 
-mpq_class radius_in(const JsonValue& value) {
-  const double radius = value.is_number() ? number_of(value, "rounding", Precision::binary64) : -1;
-  if (!std::isfinite(radius) || radius < 0) refuse("a radius of at least 0 for \"rounding\"", shown_json(value));
-  return exact_value(radius);
+double radius_in(const JsonValue& value, const char* name) {
+  const double radius = value.is_number() ? number_of(value, name, Precision::binary64) : -1;
+  if (!std::isfinite(radius) || radius < 0)
+    refuse(fmt::format("a radius of at least 0 for \"{}\"", name), shown_json(value));
+  return radius;
 }
 
 /// A radius for all bodies, or one for each word.
 std::map<std::string, mpq_class> rounding_in(const JsonValue& said) {
-  if (!said.is_object()) return {{"", radius_in(said)}};
+  if (!said.is_object()) return {{"", exact_value(radius_in(said, "rounding"))}};
   std::map<std::string, mpq_class> result;
   for (const auto& [word, value] : said.fields()) {
     const files::NamedShape named = files::named_shape(word);
     if (word != vertices_word && (!named.shape || named.rounded))
       refuse(fmt::format("{}, {} in \"rounding\" in the hello", vertices_word, files::list_of_shapes()),
              kernels::shown(word));
-    result[std::string(word)] = radius_in(*value);
+    result[std::string(word)] = exact_value(radius_in(*value, "rounding"));
   }
   return result;
+}
+
+/// {"most": 4, "margin": 0.01}, both optional.
+void read_manifold(const JsonValue& said, SubjectInfo& info) {
+  if (!said.is_object()) refuse("an object for \"manifold\" in the hello", shown_json(said));
+  if (const JsonValue* most = said.find("most")) {
+    const double count = radius_in(*most, "manifold.most");
+    if (count < 1 || count > 1e9 || std::floor(count) != count)
+      refuse("a number of contacts for \"manifold.most\"", shown_json(*most));
+    info.most_contacts = static_cast<std::size_t>(count);
+  }
+  if (const JsonValue* margin = said.find("margin")) info.contact_margin = radius_in(*margin, "manifold.margin");
 }
 
 /// The same, which must be an object, each with its fields once: readers differ in which of two
@@ -511,6 +524,7 @@ SubjectInfo read_hello(std::string_view line) {
           value->is_string() ? value->text() : value->written(JsonValue::Form::sorted).text();
   if (const JsonValue* promises = hello.find("promises")) info.promises = promises_in(*promises);
   if (const JsonValue* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
+  if (const JsonValue* manifold = hello.find("manifold")) read_manifold(*manifold, info);
   return info;
 }
 

@@ -31,6 +31,11 @@ Json json_of(Verdict value) { return name(value); }
 Json json_of(Accuracy value) { return name(value); }
 Json json_of(const mpq_class& value) { return exact_text(value); }
 Json json_of(const std::array<std::uint32_t, 2>& pair) { return Json::array({pair[0], pair[1]}); }
+Json json_of(judging::ContactFinding value) { return name(value); }
+Json json_of(const Point& p) { return Json::array({json_of(p.x), json_of(p.y), json_of(p.z)}); }
+Json json_of(const Vector& v) {
+  return Json::array({json_of(mpq_class(v.x)), json_of(mpq_class(v.y)), json_of(mpq_class(v.z))});
+}
 Json json_of(double value) {
   if (std::isfinite(value)) return value;
   return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
@@ -174,6 +179,21 @@ void take(const Read& json, Verdict& value) {
   const std::optional<Verdict> verdict = verdict_named(json.string());
   if (!verdict) throw Unreadable();
   value = *verdict;
+}
+void take(const Read& json, judging::ContactFinding& value) {
+  const std::optional<judging::ContactFinding> finding = judging::contact_finding_named(json.string());
+  if (!finding) throw Unreadable();
+  value = *finding;
+}
+void take(const Read& json, Point& p) {
+  take(json.at(0), p.x);
+  take(json.at(1), p.y);
+  take(json.at(2), p.z);
+}
+void take(const Read& json, Vector& v) {
+  Point p;
+  take(json, p);
+  v = {p.x.get_num(), p.y.get_num(), p.z.get_num()};
 }
 void take(const Read& json, Accuracy& value) {
   for (const Accuracy a :

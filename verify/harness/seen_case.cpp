@@ -162,9 +162,22 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// `radii`: those that the subject added, which shapes in `seen` have.
+/// Contacts are judged where neither the classification nor a sign is wrong.
+std::vector<judging::ContactFault> contact_faults(const Truth& truth, const Judgement& judgement, const Reply& reply,
+                                                  const SubjectInfo& info, const NumberFormat& format,
+                                                  const Tolerance& tolerance) {
+  if (reply.contacts.empty()) return {};
+  if (!judgement.findings.empty() && judgement.findings.front() <= Verdict::wrong_sign) return {};
+  const judging::ContactLimits limits{scaled(exact_value(info.contact_margin.value_or(0)), -format.exponent),
+                                      info.most_contacts};
+  return judging::ContactJudge(truth, reply, info.conventions, format, tolerance, limits).faults();
+}
+
+/// `radii`: those that the subject added, which shapes in `seen` have. `faults`: of its contacts,
+/// where that is not null.
 Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
-                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging) {
+                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging,
+                          std::vector<judging::ContactFault>* faults) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
@@ -183,6 +196,7 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
     return judged(truth);
   }
   Judgement judgement = judged(truth);
+  if (faults) *faults = contact_faults(*points, judgement, reply, info, format, judging.tolerance);
   for (const Solver& solver : judging.second) {
     const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {
@@ -416,10 +430,11 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   const NumberFormat format = in_unit(info.format, outcome.fit);
   const auto radii = rounding_radii(seen, info, outcome.fit);
   if (!has_union(seen)) outcome.radii = radii.first + radii.second;
-  const auto judged = [&](const Case& asked) {
-    return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging);
+  const auto judged = [&](const Case& asked, std::vector<judging::ContactFault>* faults = nullptr) {
+    return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging,
+                           faults);
   };
-  outcome.judgement = judged(seen);
+  outcome.judgement = judged(seen, &outcome.contact_faults);
   if (answer.hull_a || answer.hull_b) {
     const Case used = used_hulls(seen, answer, outcome.fit);
     outcome.hulls = {judged(used), squared_way(seen, used, answer), squared_way(used, seen, answer)};

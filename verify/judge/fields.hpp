@@ -15,6 +15,7 @@
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "reference/text/fields.hpp"
+#include "verify/judge/manifold.hpp"
 
 namespace fathom::judging {
 
@@ -182,5 +183,35 @@ inline constexpr std::tuple judgement_fields{
 
 static_assert(stored_fields(judgement_fields) == member_count<Judgement>(), "each member of Judgement has its row");
 constexpr const auto& fields_of(const Judgement*) { return judgement_fields; }
+
+// ---- contacts ----
+
+inline constexpr std::tuple two_planes_fields{field("u", &patch::TwoPlanes::u, "", "A linear function, for B."),
+                                              field("w", &patch::TwoPlanes::w, "", "A linear function, for A.")};
+inline constexpr std::tuple line_overlap_fields{
+    field("a", &patch::LineOverlap::a, "length", "Where A begins."),
+    field("b", &patch::LineOverlap::b, "length", "Where B ends."),
+    field("factor", &patch::LineOverlap::factor, "", "b - a is so many times the direction.")};
+inline constexpr std::tuple missed_point_fields{
+    field("direction", &MissedPoint::direction, "", "That of the patch."),
+    field("point", &MissedPoint::point, "length", "A corner of it, or its centroid."),
+    field("away", &MissedPoint::away, "", "A direction across it, in which no contact is so far.")};
+
+/// In the order of JSON.
+inline constexpr std::tuple contact_fault_fields{
+    field("finding", &ContactFault::finding, "", "What is wrong."),
+    field("contact", &ContactFault::contact, "", "Which of the reply's contacts it is about, from 0; absent of all."),
+    field("planes", &ContactFault::planes, "", "The proof of a contact that is outside, or too deep."),
+    field("lines", &ContactFault::lines, "", "The proof of one that is too shallow: the corners of all lines near it.",
+          "", [](const ContactFault& of) { return !of.lines.empty(); }),
+    field("missed", &ContactFault::missed, "", "The proof of what is wrong with all: a point of each patch.", "",
+          [](const ContactFault& of) { return !of.missed.empty(); }),
+    field("sentence", &ContactFault::sentence, "", "What is wrong, for people.")};
+static_assert(stored_fields(contact_fault_fields) == member_count<ContactFault>(),
+              "each member of ContactFault has its row");
+constexpr const auto& fields_of(const patch::TwoPlanes*) { return two_planes_fields; }
+constexpr const auto& fields_of(const patch::LineOverlap*) { return line_overlap_fields; }
+constexpr const auto& fields_of(const MissedPoint*) { return missed_point_fields; }
+constexpr const auto& fields_of(const ContactFault*) { return contact_fault_fields; }
 
 }  // namespace fathom::judging

@@ -19,6 +19,10 @@
 namespace fathom::judging {
 namespace {
 
+constexpr std::array<std::string_view, 5> finding_names{"contact-outside", "contact-too-deep", "contact-too-shallow",
+                                                        "misses-extent", "tips"};
+static_assert(finding_names.size() == static_cast<std::size_t>(ContactFinding::tips) + 1);
+
 constexpr unsigned position_bits = 40;
 /// Corners of a patch of which subsets are tried.
 constexpr std::size_t most_corners = 16;
@@ -71,10 +75,12 @@ std::string length_text(const mpq_class& signed_square) {
 
 }  // namespace
 
-std::string_view name(ContactFinding finding) {
-  constexpr std::array<std::string_view, 5> names{"contact-outside", "contact-too-deep", "contact-too-shallow",
-                                                  "misses-extent", "tips"};
-  return names.at(static_cast<std::size_t>(finding));
+std::string_view name(ContactFinding finding) { return finding_names.at(static_cast<std::size_t>(finding)); }
+
+std::optional<ContactFinding> contact_finding_named(std::string_view name) {
+  const auto* const found = std::ranges::find(finding_names, name);
+  if (found == finding_names.end()) return std::nullopt;
+  return static_cast<ContactFinding>(found - finding_names.begin());
 }
 
 ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions,

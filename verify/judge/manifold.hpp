@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts of an answer, one by one and as a whole: each has its own depth along the answer's
-// direction, and together they cover the patch in which the bodies touch after the shortest way out.
+// The contacts of an answer, one by one and as a whole: each has its own depth along the direction
+// of all, and together they cover the patch where the bodies touch after the shortest way out.
 //                                                    [VERDICTS.md, "Contacts"; proofs/judge.md]
 #pragma once
 
@@ -28,6 +28,8 @@ enum class ContactFinding {
 };
 /// "contact-outside": lower case, hyphens.
 std::string_view name(ContactFinding finding);
+/// The inverse of `name`; nullopt for other words.
+std::optional<ContactFinding> contact_finding_named(std::string_view name);
 
 /// What a subject declares of its contacts.
 struct ContactLimits {

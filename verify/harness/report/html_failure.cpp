@@ -196,6 +196,12 @@ std::string pieces_list(const AboutPieces& pieces) {
   return facts.list("Pairs of pieces");
 }
 
+std::string contacts_list(const std::vector<judging::ContactFault>& faults) {
+  Facts facts;
+  for (const judging::ContactFault& fault : faults) facts.add(std::string(name(fault.finding)), fault.sentence);
+  return facts.list("Contacts");
+}
+
 /// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a
 /// page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
@@ -369,6 +375,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);
   if (outcome.pieces) said += pieces_list(*outcome.pieces);
+  if (!outcome.contact_faults.empty()) said += contacts_list(outcome.contact_faults);
   said += "</div>\n" + case_text(subject, failure, anchor);
   if (const std::string exact = exact_numbers(outcome, known); !exact.empty())
     said += fmt::format("<details><summary>The exact numbers</summary><pre tabindex=\"0\">{}</pre></details>\n", exact);
