@@ -198,6 +198,40 @@ TEST(CompareVariant, ARightVariantOfAWrongAnswerIsNotInvariant) {
   EXPECT_EQ(verdict([](const Case& c) { return speechless(c, Verdict::unsupported); }), Verdict::pass);
 }
 
+/// The corners of what two boxes along the axes share.
+void add_contacts(const Case& pair, Reply& reply) {
+  for (const Point& p : pair.a.points.exact()) {
+    Point corner = p;
+    for (const auto axis : axes) {
+      const auto [low, high] = std::ranges::minmax_element(
+          pair.b.points.exact(), [](const mpq_class& x, const mpq_class& y) { return x < y; }, axis);
+      corner.*axis = std::clamp(p.*axis, mpq_class((*low).*axis), mpq_class((*high).*axis));
+    }
+    reply.contacts.push_back({{round_binary64(corner.x), round_binary64(corner.y), round_binary64(corner.z)}, {}});
+  }
+}
+
+TEST(CompareVariant, ContactsReachEquallyFar) {
+  const Examine all = judged(add_contacts);
+  // The corner of the square where A's second point is has no contact.
+  const Examine by_order = judged([](const Case& pair, Reply& reply) {
+    add_contacts(pair, reply);
+    std::erase_if(reply.contacts, [second = reply.contacts[1].position](const ContactPoint& contact) {
+      return contact.position[1] == second[1] && contact.position[2] == second[2];
+    });
+  });
+  const Case pair = cubes(mpq_class(1, 2));
+  for (const std::string& name : all_names) {
+    EXPECT_EQ(compared(all, all, pair, name, {}).verdict, Verdict::pass) << name;
+    const Outcome outcome = compared(by_order, by_order, pair, name, {});
+    EXPECT_EQ(outcome.verdict, name == "permute" ? Verdict::not_invariant : Verdict::pass) << name;
+    if (passes(outcome.verdict)) continue;
+    EXPECT_EQ(outcome.judgement->sentence,
+              "the contacts of the case and of the variant \"permute\" reach differently far, by 0.707107");
+  }
+  EXPECT_EQ(compared(all, by_order, pair, "scale", {}).verdict, Verdict::not_invariant);
+}
+
 // By the policy both of two translations may be right.
 TEST(CompareVariant, LongerTranslationsMayDiffer) {
   Tolerance any;

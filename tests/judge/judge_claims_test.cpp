@@ -198,6 +198,12 @@ TEST(Judge, ContactsLieInBothBodies) {
   both.contacts.front().position[0] = 0.25;
   EXPECT_EQ(judge(cubes(), both).sentence, "a contact is 0.25 away from A; a contact is 0.15 away from B")
       << "each the farthest";
+  Reply to_come = at(1.25);
+  to_come.contacts[0].depth = 0.6;
+  to_come.contacts[1].depth = -0.24;
+  EXPECT_EQ(findings(cubes(), to_come), Findings{Verdict::witness_off});
+  to_come.contacts[1].depth = -0.2495;
+  EXPECT_EQ(findings(cubes(), to_come), Findings{}) << "where a gap is claimed it may lie in that";
   Reply alone = at(9);
   alone.depth.reset();
   EXPECT_EQ(findings(cubes(), alone), Findings{}) << "without a depth they are not read";

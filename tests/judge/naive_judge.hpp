@@ -219,11 +219,12 @@ class NaiveJudge {
     const bool flipped = (sgn(d) < 0) != (*reply.depth < 0);
     std::optional<mpf_class> deepest;
     for (const ContactPoint& contact : reply.contacts) {
+      const mpf_class depth = real(exact_value((flipped ? -1 : 1) * contact.depth.value_or(0)));
+      const mpf_class allowed = real(depth < 0 ? real(witness_tol_ - depth) : witness_tol_);
       for (const GivenPoints* body : {&truth_.a, &truth_.b})
-        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), witness_tol_))
+        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), allowed))
           found.push_back(Verdict::witness_off);
       if (!contact.depth) continue;
-      const mpf_class depth = real(exact_value(flipped ? -*contact.depth : *contact.depth));
       if (!deepest || depth > *deepest) deepest = depth;
     }
     if (deepest && more(real(abs(real(*deepest - d))), depth_tol_)) found.push_back(Verdict::inconsistent);

@@ -154,6 +154,23 @@ void UnionCount::add(const Outcome& outcome) {
   by.add(-*judgement.error, name_of(outcome));
 }
 
+void ContactCount::add(const Outcome& outcome) {
+  std::array<bool, judging::contact_findings> found{};
+  for (const judging::ContactFault& fault : outcome.contact_faults)
+    found[static_cast<std::size_t>(fault.finding)] = true;
+  answers += outcome.contact_faults.empty() ? 0 : 1;
+  for (std::size_t i = 0; i < found.size(); ++i) findings[i] += found[i] ? 1 : 0;
+}
+
+std::vector<std::string> contact_entries(const ContactCount& contacts) {
+  if (contacts.answers == 0) return {};
+  std::vector<std::string> result{fmt::format("wrong in {} answers", contacts.answers)};
+  for (std::size_t i = 0; i < contacts.findings.size(); ++i)
+    if (contacts.findings[i] > 0)
+      result.push_back(fmt::format("{} in {}", name(static_cast<judging::ContactFinding>(i)), contacts.findings[i]));
+  return result;
+}
+
 std::vector<std::string> time_entries(const Times& times) {
   if (times.empty()) return {};
   return {fmt::format("median {:.4g} us", times.median()),
@@ -236,6 +253,7 @@ void Tally::add(const Outcome& outcome) {
   times_.add(outcome);
   hulls_.add(outcome);
   unions_.add(outcome);
+  contacts_.add(outcome);
   if (outcome.solid) parts_[0].row.add(outcome);
   if (outcome.metre_sized) parts_[1].row.add(outcome);
   if (outcome.solid && outcome.metre_sized) parts_[2].row.add(outcome);

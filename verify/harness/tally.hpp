@@ -89,6 +89,15 @@ std::vector<std::string> hull_entries(const HullCount& hulls);
 /// most"...; nothing without unions.
 std::vector<std::string> union_entries(const UnionCount& unions);
 
+/// Answers whose contacts are not right, and those that each finding is made of.
+struct ContactCount {
+  std::size_t answers = 0;
+  std::array<std::size_t, judging::contact_findings> findings{};
+  void add(const Outcome& outcome);
+};
+/// "wrong in 3 answers", "misses-extent in 2"; empty if all are right.
+std::vector<std::string> contact_entries(const ContactCount& contacts);
+
 // ---- outcomes by family and verdict ----
 
 inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::pass) + 1;
@@ -138,6 +147,7 @@ class Tally {
   [[nodiscard]] const Times& times() const { return times_; }
   [[nodiscard]] const HullCount& hulls() const { return hulls_; }
   [[nodiscard]] const UnionCount& unions() const { return unions_; }
+  [[nodiscard]] const ContactCount& contacts() const { return contacts_; }
 
   struct Line {
     std::string label;  ///< of outcomes without a family: "(no family)"; printable ASCII, at most 32 characters
@@ -163,6 +173,7 @@ class Tally {
   Times times_;
   HullCount hulls_;
   UnionCount unions_;
+  ContactCount contacts_;
   std::vector<Line> parts_{{"solid", {}}, {"metre_sized", {}}, {"solid_and_metre_sized", {}}};
   std::map<std::string, TallyRow> families_, variants_;
 };

@@ -13,10 +13,12 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "kernels/vector.hpp"
 #include "verify/families/random.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/manifold.hpp"
 #include "verify/judge/measures.hpp"
 
 namespace fathom::harness {
@@ -77,6 +79,7 @@ std::optional<Variant> translated(Variant variant) {
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     if (const std::optional<mpq_class> step = shift(original, axis, variant.format)) {
       moved = true;
+      variant.step.*axes[axis] = *step;
       for (Body* body : {&variant.seen.a, &variant.seen.b}) {
         if (body->words) {
           files::NamedBody words = *body->words;
@@ -137,7 +140,7 @@ std::optional<Variant> rescaled(Variant variant) {
 }
 
 std::optional<Variant> made(std::string_view name, const Case& as_seen, const NumberFormat& format) {
-  Variant variant{std::string(name), as_seen, false, 0, format};
+  Variant variant{std::string(name), as_seen, false, {}, 0, format};
   if (name == "swap") return swapped(std::move(variant));
   if (name == "translate") return translated(std::move(variant));
   if (name == "permute") return permuted(std::move(variant));
@@ -208,7 +211,8 @@ class Comparison {
     if (original_.judgement->excess_allowed || variant_.judgement->excess_allowed)
       return "";  // by the policy two answers may be right
     if (std::string text = of_lengths(); !text.empty()) return text;
-    return of_separating_distances();
+    if (std::string text = of_separating_distances(); !text.empty()) return text;
+    return of_contacts();
   }
 
  private:
@@ -219,7 +223,9 @@ class Comparison {
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& less_radii) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = sizes_of(made_.seen);
-    const judging::Sizes here{in_units(there.extent), 0, in_units(there.reach)};  // no points are compared
+    mpq_class way = 0;
+    for (const auto axis : axes) way = std::max(way, mpq_class(abs(made_.step.*axis)));
+    const judging::Sizes here{in_units(there.extent), in_units(there.farthest) + way, in_units(there.reach)};
     const judging::Slack slack = judging::rounding_slack(here, depth_squared, made_.format, tolerance.ulps);
     const judging::Slack slack_there =
         judging::rounding_slack(there, depth_squared_of(made_, depth_squared), made_.format, tolerance.ulps);
@@ -230,6 +236,7 @@ class Comparison {
     };
     allowed_depth_ = allowed(&judging::Slack::depth);
     allowed_separating_distance_ = allowed(&judging::Slack::direction);
+    allowed_contacts_ = 4 * allowed(&judging::Slack::witness);
   }
 
   /// The claimed depth, or distance, in the units of the original; of bodies that one answer says
@@ -277,9 +284,36 @@ class Comparison {
     return {original_.judgement->separating_distance_squared, there};
   }
 
+  /// The positions of contacts in the place and the units of the original; empty if one is not
+  /// finite.
+  [[nodiscard]] std::vector<Point> positions(const Reply& reply, const Point& step, long exponent) const {
+    std::vector<Point> result;
+    for (const ContactPoint& contact : reply.contacts) {
+      if (!judging::is_finite(contact)) return {};
+      result.push_back(
+          mpq_class(scaled(1, -exponent - made_.format.exponent)) * judging::exact_point(contact.position) - step);
+    }
+    return result;
+  }
+
+  /// Directions that differ may be those of different optima: then nothing is compared.
+  [[nodiscard]] std::string of_contacts() const {
+    const std::optional<Triple>&u = original_.reply->direction, &v = variant_.reply->direction;
+    if (!u || !v || !judging::is_finite(*u) || !judging::is_finite(*v)) return "";
+    const Vector n = primitive_along(judging::exact_point(*u));
+    if (is_zero(n) || !is_zero(cross(n, primitive_along(judging::exact_point(*v))))) return "";
+    const std::vector<Point> here = positions(*original_.reply, {}, 0),
+                             there = positions(*variant_.reply, made_.step, made_.exponent);
+    if (here.empty() || there.empty()) return "";
+    const mpq_class unlike = judging::unlike_squared(n, here, there);
+    if (unlike <= allowed_contacts_) return "";
+    return fmt::format("the contacts of the case and of {} reach differently far, by {}", of_variant(),
+                       short_text(signed_root(unlike)));
+  }
+
   const Outcome &original_, &variant_;
   const Variant& made_;
-  mpq_class allowed_depth_, allowed_separating_distance_;  ///< squared
+  mpq_class allowed_depth_, allowed_separating_distance_, allowed_contacts_;  ///< squared
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Variant {
   std::string name;  ///< one of variant_names
   Case seen;         ///< under the id of the original
   bool swapped = false;
+  Point step = {};    ///< by which all points are moved
   long exponent = 0;  ///< lengths are 2^exponent times those of the original
   NumberFormat format = {};
 };
@@ -52,8 +53,9 @@ mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original)
 /// but the subject's answers differ by more than the tolerance, the verdict becomes
 /// `not_invariant`, and the sentence says by how much. Compared are the depth, the separating
 /// distance of the direction, whether the bodies overlap (unless both answers are within the
-/// tolerance), and whether there is an answer at all. A variant that fails by itself keeps its
-/// verdict.
+/// tolerance), and whether there is an answer at all; and where both answers lie along one line,
+/// how far their contacts reach across it, which may differ by twice the tolerance. A variant that
+/// fails by itself keeps its verdict.
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
                         const Tolerance& tolerance);
 

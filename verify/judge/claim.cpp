@@ -190,6 +190,11 @@ bool Allowance::below(const mpq_class& d, const mpq_class& length) const {
 
 bool Allowance::negligible(const Surd& squared) const { return sign({squared.rational - squared_, squared.root}) <= 0; }
 
+bool Allowance::negligible(const mpq_class& squared, const mpq_class& beside) const {
+  const mpq_class other = square(beside);
+  return sign({squared - squared_ - other, -4 * squared_ * other}) <= 0;
+}
+
 Accuracy accuracy_of(const mpq_class& d, const mpq_class& depth_squared, const mpq_class& u_r,
                      const NumberFormat& format) {
   if (correctly_rounded(d, depth_squared, format)) return Accuracy::correctly_rounded;

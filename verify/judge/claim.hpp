@@ -6,6 +6,7 @@
 
 #include <gmpxx.h>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,11 @@ struct Claim {
   std::vector<Point> contacts;                           ///< empty if a number of theirs is not finite
   std::vector<std::optional<mpq_class>> contact_depths;  ///< of each of them
 
+  /// How far a contact still to come may be from a body: minus its depth, if that is below 0.
+  [[nodiscard]] mpq_class gap(std::size_t contact) const {
+    const std::optional<mpq_class>& depth = contact_depths[contact];
+    return depth && sgn(*depth) < 0 ? mpq_class(-*depth) : mpq_class(0);
+  }
   /// The translation of A along a unit direction that makes the bodies touch. There must be a
   /// length.
   [[nodiscard]] mpq_class way() const { return overlap ? *length : mpq_class(-*length); }
@@ -87,6 +93,8 @@ class Allowance {
   /// Whether a length, given by its square, is within the allowance.
   [[nodiscard]] bool negligible(const Surd& squared) const;
   [[nodiscard]] bool negligible(const mpq_class& squared) const { return squared <= squared_; }
+  /// Whether it is within the allowance and another length >= 0 together.
+  [[nodiscard]] bool negligible(const mpq_class& squared, const mpq_class& beside) const;
   [[nodiscard]] const mpq_class& squared() const { return squared_; }
 
  private:

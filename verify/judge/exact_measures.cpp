@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/irrational.hpp"
@@ -35,8 +36,8 @@ class ExactMeasures : public Measures {
   bool too_short(const mpq_class& d) override { return allowed_.depth.below(d, squared_); }
   bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
   bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
-  bool is_contact_off_a() override { return contact_a_ && !allowed_.witness.negligible(*contact_a_); }
-  bool is_contact_off_b() override { return contact_b_ && !allowed_.witness.negligible(*contact_b_); }
+  bool is_contact_off_a(const Claim& claim) override { return is_off(claim, contacts_a_); }
+  bool is_contact_off_b(const Claim& claim) override { return is_off(claim, contacts_b_); }
   bool is_off_length(const mpq_class& difference) override {
     return !allowed_.depth.negligible(difference * difference);
   }
@@ -71,6 +72,7 @@ class ExactMeasures : public Measures {
 
  private:
   [[nodiscard]] mpq_class rounding_unit() const;  ///< u R
+  [[nodiscard]] bool is_off(const Claim& claim, const std::vector<mpq_class>& squared) const;
   void ask_for_distance(const mpq_class& squared);
   void measure_length(const mpq_class& d, Judgement& result) const;
 
@@ -82,7 +84,8 @@ class ExactMeasures : public Measures {
   const Tolerance& tolerance_;
   mpq_class squared_;  // of the length in question
   Allowances allowed_;
-  std::optional<mpq_class> away_a_, away_b_, contact_a_, contact_b_;
+  std::optional<mpq_class> away_a_, away_b_;
+  std::vector<mpq_class> contacts_a_, contacts_b_;  // squared distances
 };
 
 ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
@@ -106,11 +109,12 @@ void ExactMeasures::measure(const Claim& claim, Judgement& result) {
   if (claim.witness_a) away_a_ = result.witness_a_squared = squared_distance_a(*claim.witness_a);
   if (claim.witness_b) away_b_ = result.witness_b_squared = squared_distance_b(*claim.witness_b);
   for (const Point& contact : claim.contacts) {
-    contact_a_ = std::max(contact_a_.value_or(0), squared_distance_a(contact));
-    contact_b_ = std::max(contact_b_.value_or(0), squared_distance_b(contact));
+    contacts_a_.push_back(squared_distance_a(contact));
+    contacts_b_.push_back(squared_distance_b(contact));
   }
-  result.contact_a_squared = contact_a_;
-  result.contact_b_squared = contact_b_;
+  if (claim.contacts.empty()) return;
+  result.contact_a_squared = *std::ranges::max_element(contacts_a_);
+  result.contact_b_squared = *std::ranges::max_element(contacts_b_);
 }
 
 std::string ExactMeasures::depth() const { return fmt::format("{}", root(depth_)); }
@@ -119,8 +123,14 @@ std::string ExactMeasures::length() const { return fmt::format("{}", root(square
 double ExactMeasures::off_by(const mpq_class& d) const { return kernels::nearest_binary64({d, -squared_}); }
 double ExactMeasures::away_a() const { return root(*away_a_); }
 double ExactMeasures::away_b() const { return root(*away_b_); }
-double ExactMeasures::contact_away_a() const { return root(*contact_a_); }
-double ExactMeasures::contact_away_b() const { return root(*contact_b_); }
+double ExactMeasures::contact_away_a() const { return root(*std::ranges::max_element(contacts_a_)); }
+double ExactMeasures::contact_away_b() const { return root(*std::ranges::max_element(contacts_b_)); }
+
+bool ExactMeasures::is_off(const Claim& claim, const std::vector<mpq_class>& squared) const {
+  for (std::size_t k = 0; k < squared.size(); ++k)
+    if (!allowed_.witness.negligible(squared[k], claim.gap(k))) return true;
+  return false;
+}
 
 mpq_class ExactMeasures::rounding_unit() const { return unit_roundoff(format_.points) * sizes_.farthest; }
 

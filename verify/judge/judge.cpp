@@ -320,8 +320,8 @@ class Judge {
   }
 
   void contacts() {
-    remarks_.contact_a = truth_.is_contact_off_a();
-    remarks_.contact_b = truth_.is_contact_off_b();
+    remarks_.contact_a = truth_.is_contact_off_a(claim_);
+    remarks_.contact_b = truth_.is_contact_off_b(claim_);
     if (remarks_.contact_a || remarks_.contact_b) found(Verdict::witness_off);
     const std::optional<mpq_class> off = deepest_contact(claim_);
     remarks_.deepest = off && truth_.is_off_length(*off);

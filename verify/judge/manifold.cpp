@@ -19,9 +19,8 @@
 namespace fathom::judging {
 namespace {
 
-constexpr std::array<std::string_view, 5> finding_names{"contact-outside", "contact-too-deep", "contact-too-shallow",
-                                                        "misses-extent", "tips"};
-static_assert(finding_names.size() == static_cast<std::size_t>(ContactFinding::tips) + 1);
+constexpr std::array<std::string_view, contact_findings> finding_names{"contact-outside", "contact-too-deep",
+                                                                       "contact-too-shallow", "misses-extent", "tips"};
 
 constexpr unsigned position_bits = 40;
 /// Corners of a patch of which subsets are tried.
@@ -229,6 +228,14 @@ void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
                       {*std::move(middle)},
                       fmt::format("the bodies tip over: the middle of the patch is {} away from the contacts",
                                   length_text(squared))});
+}
+
+mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<const Point> ys) {
+  const std::vector<Point> one = shadows(n, xs), other = shadows(n, ys);
+  mpq_class farthest = 0;
+  for (const Point& x : one) farthest = std::max(farthest, squared_distance(x, other));
+  for (const Point& y : other) farthest = std::max(farthest, squared_distance(y, one));
+  return farthest;
 }
 
 // ---- proofs ----

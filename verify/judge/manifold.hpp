@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,7 @@ enum class ContactFinding {
   misses_extent,        ///< the contacts leave out part of each patch
   tips                  ///< and so much that the middle of the patch is not between them
 };
+inline constexpr std::size_t contact_findings = static_cast<std::size_t>(ContactFinding::tips) + 1;
 /// "contact-outside": lower case, hyphens.
 std::string_view name(ContactFinding finding);
 /// The inverse of `name`; nullopt for other words.
@@ -100,5 +102,9 @@ class ContactJudge {
   mpq_class near_;               ///< by how much a position may be off
   std::vector<Extent> extents_;  ///< of all optima; empty unless the bodies overlap
 };
+
+/// How far two sets of contacts reach differently, seen along n: the Hausdorff distance of their
+/// hulls, squared. Neither is empty.
+mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<const Point> ys);
 
 }  // namespace fathom::judging

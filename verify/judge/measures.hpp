@@ -58,9 +58,10 @@ class Measures {
   /// points miss the translation by more, which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
-  /// Whether the contact that is farthest from the body is farther than tol.
-  virtual bool is_contact_off_a() = 0;
-  virtual bool is_contact_off_b() = 0;
+  /// Whether a contact of the claim that was measured, its signs mended, is farther from the body
+  /// than tol, and its gap beside that.
+  virtual bool is_contact_off_a(const Claim& claim) = 0;
+  virtual bool is_contact_off_b(const Claim& claim) = 0;
   /// Whether a difference of two claimed lengths is more than tol.
   virtual bool is_off_length(const mpq_class& difference) = 0;
   virtual bool misses(const Surd& squared_gap) = 0;

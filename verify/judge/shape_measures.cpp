@@ -121,8 +121,8 @@ class ShapeMeasures final : public Measures {
 
   bool is_off_a() override { return away_a_ && below(0, *away_a_, of_witness_); }
   bool is_off_b() override { return away_b_ && below(0, *away_b_, of_witness_); }
-  bool is_contact_off_a() override { return contact_a_ && below(0, *contact_a_, of_witness_); }
-  bool is_contact_off_b() override { return contact_b_ && below(0, *contact_b_, of_witness_); }
+  bool is_contact_off_a(const Claim& claim) override { return is_off(claim, contacts_a_); }
+  bool is_contact_off_b(const Claim& claim) override { return is_off(claim, contacts_b_); }
   bool is_off_length(const mpq_class& difference) override { return above(abs(difference), known(0), of_length_); }
   bool misses(const Surd& squared_gap) override {
     if (compare(squared_gap, of_gap_.high * of_gap_.high) > 0) return true;
@@ -157,8 +157,10 @@ class ShapeMeasures final : public Measures {
     if (claim.witness_a) result.witness_a_distance = outward(*(away_a_ = distance_of(*claim.witness_a, truth_.a)));
     if (claim.witness_b) result.witness_b_distance = outward(*(away_b_ = distance_of(*claim.witness_b, truth_.b)));
     for (const Point& contact : claim.contacts) {
-      contact_a_ = greater(contact_a_.value_or(known(0)), distance_of(contact, truth_.a));
-      contact_b_ = greater(contact_b_.value_or(known(0)), distance_of(contact, truth_.b));
+      contacts_a_.push_back(distance_of(contact, truth_.a));
+      contacts_b_.push_back(distance_of(contact, truth_.b));
+      contact_a_ = greater(contact_a_.value_or(known(0)), contacts_a_.back());
+      contact_b_ = greater(contact_b_.value_or(known(0)), contacts_b_.back());
     }
     if (contact_a_) result.contact_a_distance = outward(*contact_a_);
     if (contact_b_) result.contact_b_distance = outward(*contact_b_);
@@ -233,6 +235,11 @@ class ShapeMeasures final : public Measures {
   }
   bool below(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
     return exceeds(length - known(d), allowed);
+  }
+  bool is_off(const Claim& claim, const std::vector<RationalInterval>& distances) {
+    bool off = false;
+    for (std::size_t k = 0; k < distances.size(); ++k) off = below(claim.gap(k), distances[k], of_witness_) || off;
+    return off;
   }
   bool exceeds(const RationalInterval& excess, const RationalInterval& allowed) {
     if (excess.low > allowed.high) return true;
@@ -348,7 +355,9 @@ class ShapeMeasures final : public Measures {
   Sizes sizes_, asked_;                      // asked_: without these radii
   mpq_class farthest_;                       // of the asked bodies, a half-space's witness point included
   RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
-  std::optional<RationalInterval> separating_distance_, away_a_, away_b_, contact_a_, contact_b_;
+  std::optional<RationalInterval> separating_distance_, away_a_, away_b_;
+  std::optional<RationalInterval> contact_a_, contact_b_;  // the farthest of these:
+  std::vector<RationalInterval> contacts_a_, contacts_b_;
   std::optional<double> left_;
   bool open_ = false;
 };

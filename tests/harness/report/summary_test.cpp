@@ -150,6 +150,15 @@ TEST(Summary, WhatWasJudged) {
   manifold.reply->contacts = {{{1, 2, 3}, {}}, {{1, 2, 4}, {}}};
   summary.add(manifold);
   EXPECT_NE(summary.table({}).find("contacts in 1\n"), std::string::npos);
+  EXPECT_EQ(summary.table({}).find("wrong in"), std::string::npos);
+  using enum judging::ContactFinding;
+  for (const judging::ContactFinding finding : {contact_too_deep, contact_too_deep, tips})
+    manifold.contact_faults.push_back({finding, 0, {}, {}, {}, "a text"});
+  summary.add(manifold);
+  manifold.contact_faults.erase(manifold.contact_faults.begin(), manifold.contact_faults.begin() + 2);
+  summary.add(manifold);
+  EXPECT_NE(summary.table({}).find("\ncontacts     wrong in 2 answers; contact-too-deep in 1; tips in 2\n"),
+            std::string::npos);
 }
 
 // Rows of parts stand below that of all, unless a part is empty or is all.

@@ -49,6 +49,8 @@ std::string settings_list(const SubjectInfo& subject, const Tally& tally, const 
     add("hulls", fmt::format("{}", fmt::join(hulls, "; ")));
   if (const std::vector<std::string> unions = union_entries(tally.unions()); !unions.empty())
     add("unions", fmt::format("{}", fmt::join(unions, "; ")));
+  if (const std::vector<std::string> contacts = contact_entries(tally.contacts()); !contacts.empty())
+    add("contacts", fmt::format("{}", fmt::join(contacts, "; ")));
   if (const std::vector<std::string> excess = excess_entries(all); !excess.empty())
     add("excess of directions", fmt::format("{}", fmt::join(excess, "; ")));
   add("conventions", conventions_text(subject.conventions));

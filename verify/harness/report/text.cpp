@@ -318,6 +318,7 @@ std::string Summary::table(const SubjectInfo& subject, std::span<const Outcome> 
   add_entries(lines, widest, "time", time_entries(tally_.times()));
   add_entries(lines, widest, "hulls", hull_entries(tally_.hulls()));
   add_entries(lines, widest, "unions", union_entries(tally_.unions()));
+  add_entries(lines, widest, "contacts", contact_entries(tally_.contacts()));
   Lines things;
   for (const auto& [detail, count] : unattributed_) things.push_back(fmt::format("{} x {}", count, detail));
   add_entries(lines, widest, "unattributed", things);
