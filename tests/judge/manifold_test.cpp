@@ -9,12 +9,15 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
 #include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/families/random.hpp"
+#include "verify/judge/scene.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -105,6 +108,61 @@ TEST(Manifold, ContactsWithoutDepths) {
   EXPECT_EQ(found(wedge, reply), (Words{contact_too_deep, contact_too_deep}));
   reply.contacts[2].depth = reply.contacts[3].depth = -0.25;
   EXPECT_EQ(found(wedge, reply), Words{}) << "a contact may be one to come";
+}
+
+// ---- the definitions ----
+
+GivenPoints random_points(Random& random) {
+  std::vector<Triple> points;
+  for (int i = 0; i < 5; ++i)
+    points.push_back({static_cast<double>(random.between(-8, 8)), static_cast<double>(random.between(-8, 8)),
+                      static_cast<double>(random.between(-8, 8))});
+  return GivenPoints(std::move(points));
+}
+
+using LeastAndGreatest = std::optional<std::array<mpq_class, 2>>;
+
+/// What is wrong with one contact of the depth d, from the overlaps near it along a direction of
+/// the length 5.
+Words found_naively(const LeastAndGreatest& overlaps, const mpq_class& d, const mpq_class& tol) {
+  if (!overlaps) return {contact_outside};
+  if (d > 5 * (*overlaps)[1] + tol) return {contact_too_deep};
+  if (d < 5 * (*overlaps)[0] - tol) return {contact_too_shallow};
+  return {};
+}
+
+// Depths are chosen on the borders, a number to either side of them.
+TEST(Manifold, OfOneContactIsWhatTheDefinitionsSay) {
+  Random random(5);
+  const Vector v{3, 0, 4};
+  std::array<std::size_t, contact_findings> seen{};
+  std::size_t right = 0;
+  for (int k = 0; k < 24; ++k) {
+    const Truth truth = truth_about(random_points(random), random_points(random));
+    const mpq_class tol = sizes_of(truth.a, truth.b).extent / 8;
+    const Tolerance tolerance{0, mpq_class(1, 8), 0};
+    const Triple &p = families::any_of(truth.a.binary64(), random), &q = families::any_of(truth.b.binary64(), random);
+    const Triple x{(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
+    const LeastAndGreatest overlaps = patch::overlaps_naive(v, truth.a.exact(), truth.b.exact(), exact_point(x), tol);
+    std::vector<double> depths{0.5};
+    if (overlaps)
+      for (const Rounding rounding : {Rounding::rd, Rounding::ru}) {
+        depths.push_back(round_binary64(5 * (*overlaps)[1] + tol, rounding));
+        depths.push_back(round_binary64(5 * (*overlaps)[0] - tol, rounding));
+      }
+    for (const double depth : depths) {
+      Reply reply = overlap(depth, Triple{3, 0, 4});
+      reply.contacts = {{x, depth}};
+      Words words = found(truth, reply, {}, tolerance);
+      std::erase_if(words, [](ContactFinding finding) { return finding >= misses_extent; });
+      EXPECT_EQ(words, found_naively(overlaps, exact_value(depth), tol)) << "pair " << k << ", depth " << depth;
+      if (words.empty()) ++right;
+      else ++seen[static_cast<std::size_t>(words[0])];
+    }
+  }
+  EXPECT_GT(right, 10U);
+  for (const ContactFinding finding : {contact_outside, contact_too_deep, contact_too_shallow})
+    EXPECT_GT(seen[static_cast<std::size_t>(finding)], 3U) << name(finding);
 }
 
 // ---- an engine in doubles ----
