@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 
 namespace fathom::patch {
@@ -20,14 +21,26 @@ namespace {
 /// of the three that weights sum to 1.
 constexpr std::size_t equations = 7;
 using Coefficients = std::array<mpq_class, equations>;
+using IntegerColumn = std::array<mpz_class, equations>;
 const Coefficients right_sides{0, 0, 0, 0, 1, 1, 1};
+
+/// The least number > 0 that makes integers of them all.
+template <class Numbers>
+mpz_class unit_of(const Numbers& numbers) {
+  mpz_class unit = 1;
+  for (const mpq_class& x : numbers)
+    if (x.get_den() != 1) unit = lcm(unit, x.get_den());
+  return unit;
+}
+mpz_class in_units(const mpq_class& x, const mpz_class& unit) { return x.get_num() * (unit / x.get_den()); }
 
 /// The greatest sum of cost times weight, of weights >= 0 for which the columns add up to the
 /// right sides. The revised simplex method; from a step that gains nothing on, until one does, by
-/// the rule of Bland [1977], so that it ends.
+/// the rule of Bland [1977], so that it ends. Columns and costs are integers: so all columns are
+/// priced without fractions.
 class WeightProgram {
  public:
-  explicit WeightProgram(std::vector<Coefficients> columns) : columns_(std::move(columns)) {
+  explicit WeightProgram(std::vector<IntegerColumn> columns) : columns_(std::move(columns)) {
     for (std::size_t i = 0; i < equations; ++i) {
       basis_[i] = columns_.size() + i;  // an artificial variable for each equation
       inverse_[i][i] = 1;
@@ -37,7 +50,7 @@ class WeightProgram {
 
   /// Finds weights; else its prices prove that there are none. To be called first, and once.
   bool feasible() {
-    std::vector<mpq_class> costs(columns_.size() + equations);
+    std::vector<mpz_class> costs(columns_.size() + equations);
     std::fill(costs.end() - equations, costs.end(), -1);
     maximize(costs);
     for (std::size_t i = 0; i < equations; ++i)
@@ -50,7 +63,7 @@ class WeightProgram {
   }
 
   /// Costs of the columns, and then 0 of the artificial variables.
-  void maximize(const std::vector<mpq_class>& costs) {
+  void maximize(const std::vector<mpz_class>& costs) {
     for (bool stalled = false;;) {
       set_prices(costs);
       const std::optional<std::size_t> enters = entering(costs, stalled);
@@ -78,7 +91,7 @@ class WeightProgram {
   }
 
  private:
-  void set_prices(const std::vector<mpq_class>& costs) {
+  void set_prices(const std::vector<mpz_class>& costs) {
     for (std::size_t k = 0; k < equations; ++k) {
       prices_[k] = 0;
       for (std::size_t i = 0; i < equations; ++i)
@@ -87,21 +100,24 @@ class WeightProgram {
   }
 
   /// The column that gains most, or the first that gains.
-  [[nodiscard]] std::optional<std::size_t> entering(const std::vector<mpq_class>& costs, bool first) const {
+  [[nodiscard]] std::optional<std::size_t> entering(const std::vector<mpz_class>& costs, bool first) const {
+    const mpz_class unit = unit_of(prices_);
+    IntegerColumn prices;
+    for (std::size_t k = 0; k < equations; ++k) prices[k] = in_units(prices_[k], unit);
     std::optional<std::size_t> best;
-    mpq_class most = 0;
+    mpz_class most = 0, gain;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
-      mpq_class gain = costs[j];
+      gain = unit * costs[j];
       for (std::size_t k = 0; k < equations; ++k)
-        if (sgn(columns_[j][k]) != 0 && sgn(prices_[k]) != 0) gain -= prices_[k] * columns_[j][k];
+        if (sgn(columns_[j][k]) != 0) gain -= prices[k] * columns_[j][k];
       if (gain <= most) continue;
-      best = j, most = std::move(gain);
+      best = j, most = gain;
       if (first) break;
     }
     return best;
   }
 
-  [[nodiscard]] Coefficients through_basis(const Coefficients& column) const {
+  [[nodiscard]] Coefficients through_basis(const IntegerColumn& column) const {
     Coefficients result;
     for (std::size_t i = 0; i < equations; ++i)
       for (std::size_t k = 0; k < equations; ++k)
@@ -120,7 +136,7 @@ class WeightProgram {
     basis_[leaves] = enters;
   }
 
-  std::vector<Coefficients> columns_;
+  std::vector<IntegerColumn> columns_;
   std::array<std::size_t, equations> basis_;
   std::array<Coefficients, equations> inverse_;
   Coefficients level_, prices_;
@@ -134,7 +150,7 @@ using SeenAlong = LinesAlong::SeenAlong;
 class Region {
  public:
   Region(const std::vector<SeenAlong>& a, const std::vector<SeenAlong>& b, const std::vector<SeenAlong>& box)
-      : a_(a), b_(b), box_(box), program_(columns(a, b, box)), empty_(!program_.feasible()) {}
+      : a_(a), b_(b), box_(box), unit_(unit_of_plane()), program_(columns()), empty_(!program_.feasible()) {}
 
   [[nodiscard]] bool empty() const { return empty_; }
 
@@ -143,13 +159,13 @@ class Region {
     std::vector<mpq_class> costs = no_costs();
     for (std::size_t i = 0; i < a_.size(); ++i) costs[i] = -a_[i].height;
     for (std::size_t j = 0; j < b_.size(); ++j) costs[a_.size() + j] = b_[j].height;
-    program_.maximize(costs);
+    maximize(costs);
   }
   /// Moves to a point that is farthest to one side.
   void farthest(const mpq_class& x, const mpq_class& y) {
     std::vector<mpq_class> costs = no_costs();
     for (std::size_t k = 0; k < box_.size(); ++k) costs[a_.size() + b_.size() + k] = x * box_[k].x + y * box_[k].y;
-    program_.maximize(costs);
+    maximize(costs);
   }
 
   /// The point, by its heights on A and on B.
@@ -163,23 +179,46 @@ class Region {
     });
     return result;
   }
-  [[nodiscard]] const Coefficients& prices() const { return program_.prices(); }
+  /// Of the equations in the plane, as for coordinates and costs that are no integers.
+  [[nodiscard]] std::array<mpq_class, 4> prices() const {
+    std::array<mpq_class, 4> result;
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k] = program_.prices()[k] * kernels::ratio(unit_, unit_of_costs_);
+    return result;
+  }
 
  private:
-  static std::vector<Coefficients> columns(const std::vector<SeenAlong>& a, const std::vector<SeenAlong>& b,
-                                           const std::vector<SeenAlong>& box) {
-    std::vector<Coefficients> result;
-    result.reserve(a.size() + b.size() + box.size());
-    for (const SeenAlong& p : a) result.push_back({p.x, p.y, p.x, p.y, 1, 0, 0});
-    for (const SeenAlong& p : b) result.push_back({-p.x, -p.y, 0, 0, 0, 1, 0});
-    for (const SeenAlong& p : box) result.push_back({0, 0, -p.x, -p.y, 0, 0, 1});
+  [[nodiscard]] mpz_class unit_of_plane() const {
+    std::vector<mpq_class> all;
+    for (const auto* points : {&a_, &b_, &box_})
+      for (const SeenAlong& p : *points) all.insert(all.end(), {p.x, p.y});
+    return unit_of(all);
+  }
+  [[nodiscard]] std::vector<IntegerColumn> columns() const {
+    std::vector<IntegerColumn> result;
+    result.reserve(a_.size() + b_.size() + box_.size());
+    const auto add = [&](const SeenAlong& p, int first, int second, std::array<int, 3> sums) {
+      const mpz_class x = in_units(p.x, unit_), y = in_units(p.y, unit_);
+      result.push_back({first * x, first * y, second * x, second * y, sums[0], sums[1], sums[2]});
+    };
+    for (const SeenAlong& p : a_) add(p, 1, 1, {1, 0, 0});
+    for (const SeenAlong& p : b_) add(p, -1, 0, {0, 1, 0});
+    for (const SeenAlong& p : box_) add(p, 0, -1, {0, 0, 1});
     return result;
   }
   [[nodiscard]] std::vector<mpq_class> no_costs() const {
     return std::vector<mpq_class>(a_.size() + b_.size() + box_.size() + equations);
   }
+  void maximize(const std::vector<mpq_class>& costs) {
+    unit_of_costs_ = unit_of(costs);
+    std::vector<mpz_class> integers;
+    integers.reserve(costs.size());
+    for (const mpq_class& cost : costs) integers.push_back(in_units(cost, unit_of_costs_));
+    program_.maximize(integers);
+  }
 
   const std::vector<SeenAlong>&a_, &b_, &box_;
+  mpz_class unit_, unit_of_costs_ = 1;
   WeightProgram program_;
   bool empty_;
 };
@@ -242,7 +281,7 @@ GreatestOverlap LinesAlong::greatest(const Point& x, const mpq_class& within) co
     result.overlap = LineOverlap{lifted(a.x, a.y, a.height), lifted(b.x, b.y, b.height), b.height - a.height};
   }
   // As linear functions of the plane and of the height, which v alone raises:
-  const Coefficients& prices = region.prices();
+  const std::array<mpq_class, 4> prices = region.prices();
   const int rises = region.empty() ? 0 : 1;
   const auto function = [&](const mpq_class& of_x, const mpq_class& of_y) {
     std::array<mpq_class, 3> c;
