@@ -100,7 +100,8 @@ class Kit(unittest.TestCase):
                               "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False,
                                               "claims": "separating"},
                               "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
-                              "rounding": {"vertices": 0.1, "box": 0.25}, "settings": {"limit": "3"}})
+                              "rounding": {"vertices": 0.1, "box": 0.25}, "manifold": {"most": 4, "margin": 0.125},
+                              "settings": {"limit": "3"}})
 
     def test_numbers_are_kept_and_timed(self):
         for [(reply)], _ in self.replies((POINTS, POINTS)):

@@ -107,6 +107,7 @@ int main() {
   subject.settings = {{"limit", "3"}};
   subject.claims = "separating";
   subject.rounding = {{"vertices", 0.1}, {"box", 0.25}};
+  subject.manifold = {{"most", 4}, {"margin", 0.125}};
   if (const char* const axis = std::getenv("FATHOM_KIT_AXIS")) subject.axis = axis[0];
   return fathom_subject::run(subject, solve);
 }

@@ -33,4 +33,5 @@ run((a, b) => {
   return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
 }, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
      shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 },
+     manifold: { most: 4, margin: 0.125 },
      claims: 'separating', axis: process.env.FATHOM_KIT_AXIS });

@@ -27,6 +27,7 @@ fn solve(a: &Body, b: &Body) -> Result<Reply, String> {
 fn main() {
     let said = r#""name":"trial","version":"7","precision":{"points":"binary32","answers":"binary64"},"settings":{"limit":"3"},
 "conventions":{"touching":"overlap","depth":"negative","moves":"b","unit":false,"claims":"separating"},
-"capabilities":{"faces":true,"shapes":["capsule","box","margin"]},"promises":["depth"],"rounding":{"vertices":0.1,"box":0.25}"#;
+"capabilities":{"faces":true,"shapes":["capsule","box","margin"]},"promises":["depth"],"rounding":{"vertices":0.1,"box":0.25},
+"manifold":{"most":4,"margin":0.125}"#;
     run(&said.replace('\n', ""), solve);
 }

@@ -111,6 +111,9 @@ struct Subject {
   std::string answers = {};  ///< the precision of answers, if `precision` is that of points alone
   /// radii by which it rounds bodies: of "vertices", "box", ...; of "" for all
   std::map<std::string, double> rounding = {};
+  /// of its contacts: "most", how many an answer has at most; "margin", how much less deep those
+  /// without a depth may be
+  std::map<std::string, double> manifold = {};
   /// or "separating": a depth with a direction claims no more than that this translation separates
   std::string claims = "minimum";
   char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as
@@ -405,11 +408,12 @@ inline std::string precision(const Subject& subject) {
   return "{\"points\":" + quoted(subject.precision) + ",\"answers\":" + quoted(subject.answers) + '}';
 }
 
-inline std::string rounding(const std::map<std::string, double>& radii) {
-  if (radii.empty()) return "";
-  if (const auto of_all = radii.find(""); of_all != radii.end()) return ",\"rounding\":" + number(of_all->second);
-  return ",\"rounding\":{" +
-         joined(radii, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) + '}';
+inline std::string numbers(const char* name, const std::map<std::string, double>& all) {
+  if (all.empty()) return "";
+  const std::string start = std::string(",\"") + name + "\":";
+  if (const auto one = all.find(""); one != all.end()) return start + number(one->second);
+  return start + '{' + joined(all, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) +
+         '}';
 }
 
 inline std::string hello(const Subject& subject) {
@@ -422,7 +426,8 @@ inline std::string hello(const Subject& subject) {
          ",\"claims\":" + quoted(subject.claims) +
          "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) +
          '}' + (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
-         ",\"promises\":" + list(subject.promises) + rounding(subject.rounding) + ",\"settings\":{" + settings + "}}";
+         ",\"promises\":" + list(subject.promises) + numbers("rounding", subject.rounding) +
+         numbers("manifold", subject.manifold) + ",\"settings\":{" + settings + "}}";
 }
 
 inline std::string contact(const Contact& contact) {

@@ -150,14 +150,15 @@ console.log = console.info = console.debug = console.error;
  * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; and 'distance' of the others
  * settings        { iterations: 100, ... }: shown beside the verdicts
  * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes
+ * manifold        { most: 4, margin: 0.01 }: how many contacts an answer has at most, how much less deep those without a depth may be
  * claims          'minimum': no translation is shorter than depth * direction; or 'separating': no more than that this one separates
  * axis            'x', 'y' or 'z': along which the engine's own shapes lie. Bodies then come turned to it; left out: as the case has them
  */
 export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
-          shapes = [], promises = [], settings = {}, rounding, claims = 'minimum', axis } = declared;
+          shapes = [], promises = [], settings = {}, rounding, manifold, claims = 'minimum', axis } = declared;
   const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit, claims },
-                  capabilities: { faces, shapes }, promises, settings, rounding };
+                  capabilities: { faces, shapes }, promises, settings, rounding, manifold };
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     const message = JSON.parse(line);
     if (message.type === 'hello') write(JSON.stringify(hello));

@@ -150,7 +150,7 @@ def _answer(solve, message, axis):
 
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
-        faces=False, shapes=(), promises=(), settings=None, rounding=None, claims="minimum", axis=None):
+        faces=False, shapes=(), promises=(), settings=None, rounding=None, manifold=None, claims="minimum", axis=None):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
@@ -166,6 +166,7 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; and "distance" of the others
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
+    manifold        {"most": 4, "margin": 0.01}: how many contacts an answer has at most, how much less deep those without a depth may be
     claims          "minimum": no translation is shorter than depth * direction; or "separating": no more than that this one separates
     axis            "x", "y" or "z": along which the library's own shapes lie. Bodies then come turned to it; None: as the case has them
     """
@@ -174,6 +175,8 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
              "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
     if rounding is not None:
         hello["rounding"] = rounding
+    if manifold is not None:
+        hello["manifold"] = manifold
     for line in sys.stdin:
         message = json.loads(line)
         if message["type"] == "hello":
