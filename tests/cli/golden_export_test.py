@@ -131,7 +131,7 @@ class Export(CliTest):
         own = self.answer("golden", "export", "--format", "json", self.file("own.jsonl", json.dumps({"id": "own", "a": {"vertices": UNIT}, "b": {"vertices": UNIT}})))
         jsonschema.Draft202012Validator(schema).validate(json.loads(own))
         source = json.loads(path.read_text())["source"]
-        self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.2.0",
+        self.assertEqual(source, {"level": "L0", "seed": "1", "version": "1.3.0",
                                   "command": "fathom golden export --format json --exclude ties,disjoint"})
         self.assertEqual(fathom_golden.read(path), fathom_golden.read(self.export("--exclude", "ties,disjoint", format="csv")))
 

@@ -18,7 +18,7 @@ class Shapes(LevelTests, GoldenTest):
         self.assertGreater(records, 800)
         out = self.answer("golden", "verify", "--method", "exact", self.release)
         self.assertEqual(out,
-                         f"s VERIFIED P0 version=1.2.0 seed=1 shards={len(self.shards)} records={records} agreed=exact {self.release}\n")
+                         f"s VERIFIED P0 version=1.3.0 seed=1 shards={len(self.shards)} records={records} agreed=exact {self.release}\n")
 
     def test_schemas(self):
         self.validated()

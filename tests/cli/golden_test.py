@@ -27,7 +27,7 @@ class Release(GoldenTest):
         code, out, err = self.run_cli("golden", "verify", self.release)
         self.assertEqual((code, err), (0, ""), out)
         records = json.loads((self.release / "dataset.json").read_text())["records"]
-        self.assertEqual(out, f"s VERIFIED L0 version=1.2.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
+        self.assertEqual(out, f"s VERIFIED L0 version=1.3.0 seed=1 shards={len(self.shards)} records={records} {self.release}\n")
 
     def test_sums_of_contents(self):
         """They are of the decompressed files, whoever compressed these, and one sum stands for all of them."""
@@ -39,7 +39,7 @@ class Release(GoldenTest):
         self.assertEqual(done.stdout.count(": OK\n"), len(list(self.release.glob("*.zst"))))
         dataset = json.loads((self.release / "dataset.json").read_text())
         self.assertEqual(dataset["content_sha256"], sha256((self.release / CONTENTS).read_bytes()))
-        self.assertEqual(dataset["cite"], "The fathom developers: fathom golden data L0, version 1.2.0, seed 1. CC0-1.0. Content SHA-256: "
+        self.assertEqual(dataset["cite"], "The fathom developers: fathom golden data L0, version 1.3.0, seed 1. CC0-1.0. Content SHA-256: "
                          + dataset["content_sha256"])
 
     def test_same_bytes_on_any_number_of_threads(self):
@@ -123,7 +123,7 @@ class Committed(GoldenTest):
     def test_verified(self):
         code, out, err = self.run_cli("golden", "verify", COMMITTED)
         self.assertEqual((code, err), (0, ""), out)
-        self.assertTrue(out.startswith("s VERIFIED L0 version=1.2.0 seed=1 "), out)
+        self.assertTrue(out.startswith("s VERIFIED L0 version=1.3.0 seed=1 "), out)
 
     def test_made_again(self):
         """The same content; and the same bytes where the same version of libzstd compressed it."""

@@ -34,7 +34,7 @@ class TwoWays(GoldenTest):
         methods = json.loads((COMMITTED / PAGE).read_text())["methods"]
         self.assertIn("exact", methods)
         out = self.verified(COMMITTED, *(word for method in methods for word in ("--method", method)))
-        self.assertTrue(out.startswith("s VERIFIED L0 version=1.2.0 seed=1 "), out)
+        self.assertTrue(out.startswith("s VERIFIED L0 version=1.3.0 seed=1 "), out)
         self.assertIn(f" agreed={','.join(methods)} ", out)
 
     def test_page(self):

@@ -2,7 +2,9 @@
 // Pairs made from their contact, and degenerate pairs.
 
 #include <algorithm>
+#include <vector>
 
+#include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
 #include "verify/families/polytope_pairs.hpp"
 #include "verify/families/solids.hpp"
@@ -106,6 +108,69 @@ Bodies nearly_touching(Random& random, unsigned n) {
   const mpq_class size = times_power_of_two(1, -random.between(4, 60));
   const bool overlap = random.coin();
   return apart(a, b, overlap ? size : mpq_class(-size), random, n);
+}
+
+// ---- faces on faces, in doubles ----
+
+namespace {
+
+/// A box, a prism or a hull below z = 0, with a face in z = 0 and O inside it.
+Body under_a_face(Random& random, unsigned n) {
+  const std::int64_t kind = random.between(0, 2);
+  if (kind == 0) {
+    Body hull = feature_body(FeatureKind::face, plane_direction(0), random);
+    add_base(hull, random, n);
+    return hull;
+  }
+  const mpq_class x = random_reach(random), y = random_reach(random), z = random_reach(random);
+  const Body solid = kind == 1 ? box(x, y, z) : scaled(prism(std::max(3u, n / 2), z), x, y, 1);
+  return translated(solid, {0, 0, mpq_class(-z)});
+}
+
+/// A point inside the face of such a body, which is convex: at most 3/4 of the way from O to one of
+/// its corners, and as far again towards another.
+Point inside_face(const Body& body, Random& random) {
+  std::vector<Point> corners;
+  for (const Point& p : body.points)
+    if (p.z == 0) corners.push_back(p);
+  const Point& first = any_of(corners, random);
+  const Point& second = any_of(corners, random);
+  return ratio(random.between(0, 12), 32) * (first + second);
+}
+
+/// Turned about the line through O along a unit vector in z = 0, by the angle 2 atan(t / 2).
+Body tilted(const Body& body, const PlaneDirection& axis, const mpq_class& t) {
+  const mpq_class half = t / 2, norm = 1 + half * half, cosine = (1 - half * half) / norm, sine = t / norm;
+  const Point u{axis.x, axis.y, 0};
+  Body result;
+  for (const Point& p : body.points.exact())
+    result.points.push_back(cosine * p + sine * cross(u, p) + mpq_class((1 - cosine) * dot(u, p)) * u);
+  return result;
+}
+
+Body in_doubles(const Body& body) {
+  const auto nearest = [](const mpq_class& x) { return exact_value(round_binary64(x)); };
+  Body result;
+  for (const Point& p : body.points.exact()) result.points.push_back({nearest(p.x), nearest(p.y), nearest(p.z)});
+  return result;
+}
+
+}  // namespace
+
+Bodies faces(const mpq_class& tilt, Random& random, unsigned n) {
+  const Body lower = under_a_face(random, n);
+  const Body upper = scaled(under_a_face(random, n), 1, 1, -1);
+  const mpq_class depth = times_power_of_two(1, -random.between(5, 10));
+  const Point place = inside_face(lower, random) - Point{0, 0, depth};
+  const PlaneDirection axis = plane_direction(ratio(random.between(-16, 16), 16));
+  const mpq_class angle = random.coin() ? tilt : mpq_class(-tilt);
+  Bodies bodies{translated(tilted(upper, axis, angle), place), lower};
+  // Along the axes of coordinates parallel faces stay parallel, in doubles too.
+  const std::int64_t turn = random.between(0, 2);
+  if (turn > 0) bodies = rotated(bodies, turn == 1 ? rotation(1, 1, 0, 0) : rotation(1, 0, 1, 0));
+  if (random.coin()) bodies = rotated(bodies, rotation(0, 1, 1, 0));
+  const Point origin = random_shift(random, 4);
+  return {in_doubles(translated(bodies.a, origin)), in_doubles(translated(bodies.b, origin))};
 }
 
 // ---- ties, shared features, flat bodies, extreme coordinates ----

@@ -26,6 +26,11 @@ Bodies overlapping(Random& random, unsigned n) {
   return overlapping(A, B, random, n);
 }
 
+template <long Nanoradians>
+Bodies faces(Random& random, unsigned n) {
+  return faces(ratio(Nanoradians, 1'000'000'000), random, n);
+}
+
 template <int RankA, int RankB>
 Bodies flat(Random& random, unsigned n) {
   return flat(RankA, RankB, random, n);
@@ -160,6 +165,11 @@ constexpr Family table[] = {
      overlapping<FeatureKind::face, FeatureKind::face>},
     {"contact_edge_edge", "one optimum, of kind edge-edge, depth 2^-k", 6,
      overlapping<FeatureKind::edge, FeatureKind::edge>},
+    // A face of A in a face of B, in doubles, by the angle between them.
+    {"faces_parallel", "part of a face of A in a face of B, in doubles: exactly parallel", 8, faces<0>},
+    {"faces_tilted_hair", "the same, A turned by 1e-9 about a line in its face", 8, faces<1>},
+    {"faces_tilted_slightly", "the same, A turned by 1e-4", 8, faces<100'000>},
+    {"faces_tilted", "the same, A turned by 0.01", 8, faces<10'000'000>},
     // Bodies without interior.
     {"point_point", "a point against a point, small half-integers", 6, flat<0, 0>},
     {"point_segment", "a point against a segment, small half-integers", 6, flat<0, 1>},

@@ -215,6 +215,14 @@ Bodies overlapping(FeatureKind a, FeatureKind b, Random& random, unsigned n);
 /// the nine kinds.
 Bodies nearly_touching(Random& random, unsigned n);
 
+/// A face of A in a face of B, by part of each, as an engine has them: boxes, prisms of about n
+/// points, or hulls of n further points, at least 4; all coordinates binary64. A's face is turned
+/// out of B's by the angle 2 atan(tilt / 2), 0 <= tilt <= 1/100, about a line in it that lies 2^-k
+/// deep in B, 5 <= k <= 10; then every coordinate is rounded to the nearest. What is exact: B's
+/// face lies across a coordinate axis; with tilt 0 A's does too, and the depth is 2^-k with this
+/// one optimum, of kind facet-facet. With any tilt the bodies penetrate.
+Bodies faces(const mpq_class& tilt, Random& random, unsigned n);
+
 // ---- degenerate pairs: ties, shared features, lower-dimensional bodies, extreme coordinates ----
 
 /// A solid against itself (platonic, prism or box; turned): P is symmetric about O, so every
