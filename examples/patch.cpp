@@ -41,8 +41,8 @@ void tell(const std::string& bodies, const fathom::Twist& of_a) {
 
   const auto found = directional_derivative(touching, of_a);
   if (const auto* const rate = std::get_if<fathom::DirectionalDerivative>(&found))
-    std::cout << "  as A moves, the depth changes at the rate " << round_binary64(rate->value()) << ", for corner "
-              << rate->corner << '\n';
+    std::cout << "  as A moves, the depth changes at the rate " << round_binary64(rate->value()) << ", squared "
+              << rate->root() << ", for corner " << rate->corner << '\n';
   else std::cout << "  its derivative is left out: " << name(std::get<fathom::LeftOut>(found)) << '\n';
 }
 
@@ -63,7 +63,7 @@ int main() {
 //>   (2, 2, -1/4) on 4 of A's points, (2, 2, 0) on 1 of B's
 //>   (1, 2, -1/4) on 2 of A's points, (1, 2, 0) on 2 of B's
 //>   extended
-//>   as A moves, the depth changes at the rate 1.5, for corner 0
+//>   as A moves, the depth changes at the rate 1.5, squared 9/4, for corner 0
 //> 1 patch, smooth
 //>   rank 0, squared size 0, A moves by (0, 0, 1/4), around (1/2, 1/4, -1/4)
 //>   (1/2, 1/4, -1/4) on 1 of A's points, (1/2, 1/4, 0) on 3 of B's
@@ -71,6 +71,6 @@ int main() {
 //>   point 0 of B: weight 7/48
 //>   point 1 of B: weight 5/16
 //>   point 2 of B: weight 13/24
-//>   as A moves, the depth changes at the rate 1, for corner 0
+//>   as A moves, the depth changes at the rate 1, squared 1, for corner 0
 //> patches are left out: curved
 //>   its derivative is left out: curved

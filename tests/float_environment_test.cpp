@@ -151,7 +151,7 @@ class Writer {
         *this << patch.a(k).core << patch.b(k).core << patch.corners[k].on_a << patch.corners[k].on_b;
     }
     if (const auto* const d = std::get_if<DirectionalDerivative>(&x.derivative))
-      *this << static_cast<int>(d->sign) << d->root << d->direction;
+      *this << static_cast<int>(d->sign()) << d->root() << d->direction;
     if (x.weights) *this << x.weights->a << x.weights->b;
     return *this;
   }

@@ -131,14 +131,16 @@ struct Twist {
   Point v, w;  ///< in lowest terms
 };
 
-/// A one-sided derivative, sign * sqrt(root).
+/// A one-sided derivative, over / (under |direction|). Its square is computed when it is asked for.
 struct DirectionalDerivative {
-  int sign = 0;            ///< -1, 0 or 1
-  mpq_class root;          ///< >= 0, in lowest terms
-  Vector direction;        ///< primitive: the optimal direction that decides
-  std::size_t patch = 0;   ///< which of ContactGeometry::patches decides
-  std::size_t corner = 0;  ///< of its corners the one that decides
-  [[nodiscard]] Surd value() const { return {0, sign < 0 ? mpq_class(-root) : root}; }  ///< as one number
+  mpz_class over, under = 1;  ///< under > 0; they may have common factors
+  Vector direction;           ///< primitive: the optimal direction that decides
+  std::size_t patch = 0;      ///< which of ContactGeometry::patches decides
+  std::size_t corner = 0;     ///< of its corners the one that decides
+
+  [[nodiscard]] int sign() const { return sgn(over); }  ///< -1, 0 or 1
+  [[nodiscard]] mpq_class root() const;                 ///< its square, in lowest terms
+  [[nodiscard]] Surd value() const;                     ///< sign() * sqrt(root()), as one number
 };
 
 /// Returns the derivative of the signed depth while A and B begin to move with these velocities,

@@ -331,7 +331,7 @@ Json derivative_object(const std::variant<DirectionalDerivative, LeftOut>& deriv
       {unsigned_zero(round_binary64(value, Rounding::rd)), unsigned_zero(round_binary64(value, Rounding::ru))});
   rate["exact"] = exact_object(value);
   const double nearest = unsigned_zero(round_binary64(value));
-  const bool told = std::isfinite(nearest) && (nearest != 0 || d.sign == 0);
+  const bool told = std::isfinite(nearest) && (nearest != 0 || d.sign() == 0);
   return {{"rate", rate},
           {"value", told ? Json(nearest) : Json()},
           {"direction", exact(d.direction)},

@@ -2,10 +2,14 @@
 // The derivative of the signed depth along a motion: of each optimal direction the greatest rate at
 // the corners of its patch, and of these the least; of unions that are apart the greatest.
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "fathom/patch.hpp"
+#include "kernels/number/fixed_integer.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/patch/patch.hpp"
@@ -14,26 +18,32 @@
 namespace fathom::patch {
 namespace {
 
-/// A velocity over one denominator.
-struct ScaledTwist {
+/// How fast B moves against A, over one denominator. As <n, w x n> = 0, it does not matter along n
+/// where a contact point is taken to be.
+struct RelativeTwist {
   Vector v, w;
   mpz_class denominator = 1;
+  long bits;  ///< of the largest component
 
-  /// How fast B moves against A. As <n, w x n> = 0, it does not matter along n where a contact
-  /// point is taken to be.
-  ScaledTwist(const Twist& of_a, const Twist& of_b) {
+  RelativeTwist(const Twist& of_a, const Twist& of_b) {
     for (const Twist* twist : {&of_a, &of_b})
       for (const Point* part : {&twist->v, &twist->w})
         for (const mpq_class* c : {&part->x, &part->y, &part->z})
           if (c->get_den() != 1) denominator = lcm(denominator, c->get_den());
     v = difference(of_b.v, of_a.v);
     w = difference(of_b.w, of_a.w);
+    bits = std::max(kernels::bit_length(v), kernels::bit_length(w));
   }
 
  private:
   [[nodiscard]] Vector difference(const Point& p, const Point& q) const {
-    const auto integer = [&](const mpq_class& c) { return mpz_class(c.get_num() * (denominator / c.get_den())); };
-    const auto along = [&](const mpq_class& c, const mpq_class& d) { return mpz_class(integer(c) - integer(d)); };
+    const auto integer = [&](const mpq_class& c) {
+      if (c.get_den() == denominator) return c.get_num();
+      return mpz_class(c.get_num() * (denominator / c.get_den()));
+    };
+    const auto along = [&](const mpq_class& c, const mpq_class& d) {
+      return sgn(d) == 0 ? integer(c) : mpz_class(integer(c) - integer(d));
+    };
     return {along(p.x, q.x), along(p.y, q.y), along(p.z, q.z)};
   }
 };
@@ -43,57 +53,143 @@ Point relative_velocity(const Patch& patch, std::size_t corner, const Twist& of_
   return of_b.v + cross(of_b.w, patch.b(corner).core) - of_a.v - cross(of_a.w, patch.a(corner).core);
 }
 
-mpq_class signed_square(const mpq_class& x) { return x * abs(x); }
+int compare(const DirectionalDerivative& x, const DirectionalDerivative& y) {
+  if (x.sign() != y.sign()) return x.sign() < y.sign() ? -1 : 1;
+  const auto square = [](const DirectionalDerivative& of, const DirectionalDerivative& other) {
+    const mpz_class scaled = of.over * other.under;
+    return mpz_class(scaled * scaled * dot(other.direction, other.direction));
+  };
+  return x.sign() * cmp(square(x, y), square(y, x));
+}
 
-/// The rate rate / |direction|.
-struct Rate {
-  mpq_class rate;     ///< where it is needed
-  mpq_class squared;  ///< of the quotient, with its sign
-  Vector direction;
-  std::size_t patch = 0, corner = 0;
+// ---- of one patch ----
+
+/// How fast B moves against A along n, in integers over one denominator.
+template <class Integer>
+struct MotionAlong {
+  Vec3<Integer> n;
+  Integer push;        ///< <n,v>
+  Vec3<Integer> turn;  ///< n x w: <n, w x p> = <turn, p>
+
+  MotionAlong(const Vec3<Integer>& n, const Vec3<Integer>& v, const Vec3<Integer>& w)
+      : n(n), push(dot(n, v)), turn(cross(n, w)) {}
 };
 
-DirectionalDerivative derivative_of(const Rate& rate) {
-  return {sgn(rate.squared), abs(rate.squared), rate.direction, rate.patch, rate.corner};
+/// A rate along n, times |n|.
+template <class Integer>
+struct Quotient {
+  Integer over, under;  ///< under > 0
+};
+
+/// At a corner that is a point, or where two edges cross along n, from p to q and from r to s:
+/// points over one denominator.
+template <class Integer>
+Quotient<Integer> rate_at(const MotionAlong<Integer>& motion, const std::vector<Vec3<Integer>>& points,
+                          const Integer& denominator) {
+  const Vec3<Integer>& p = points[0];
+  const Integer at_p(motion.push * denominator + dot(motion.turn, p));
+  if (points.size() == 1) return {at_p, denominator};
+  const Vec3<Integer> edge = points[1] - p, across = cross(points[3] - points[2], motion.n);
+  Integer share = dot(points[2] - p, across), whole = dot(edge, across);
+  if (sgn(whole) < 0) (whole = -whole, share = -share);
+  return {Integer(whole * at_p + share * dot(motion.turn, edge)), Integer(denominator * whole)};
+}
+
+/// The points that a corner follows from.
+std::span<const GivenPoint> points_of(const PatchCorner& corner, std::array<GivenPoint, 4>& crossing) {
+  if (const auto* const a = std::get_if<CornerOfA>(&corner.meeting)) return {&a->point, 1};
+  if (const auto* const b = std::get_if<CornerOfB>(&corner.meeting)) return {&b->point, 1};
+  const CrossingEdges& edges = std::get<CrossingEdges>(corner.meeting);
+  crossing = {edges.a[0], edges.a[1], edges.b[0], edges.b[1]};
+  return crossing;
+}
+
+/// The points of a corner over one denominator > 0.
+template <class Integer>
+struct PointsOver {
+  std::vector<Vec3<Integer>> points;
+  Integer denominator;
+};
+
+/// For points of P bits, a direction of N, a twist of T and a denominator of D bits, what two rates
+/// are compared by has at most 4 P + 3 N + T + D + max(P, D) + 16 bits.
+constexpr unsigned wide_bits = 1408;
+using Wide = kernels::FixedInteger<wide_bits>;
+
+/// Of points in binary64, if that is wide enough.
+std::optional<PointsOver<Wide>> in_wide(std::span<const GivenPoint> given, long bits_of_motion) {
+  std::array<kernels::Dyadic, 12> numbers;  // of at most four points
+  std::size_t count = 0;
+  long low = 0, high = 0;
+  for (const GivenPoint& p : given) {
+    const auto* const binary64 = std::get_if<std::array<double, 3>>(&p.coordinates);
+    if (binary64 == nullptr) return std::nullopt;
+    for (const double x : *binary64) {
+      const kernels::Dyadic& number = numbers.at(count++) = kernels::dyadic(x);
+      low = std::min(low, number.exponent);
+      high = std::max(high, number.exponent + 53);
+    }
+  }
+  const long bits = high - low;
+  if (4 * bits + bits_of_motion - low + std::max(bits, -low) + 16 > wide_bits) return std::nullopt;
+  PointsOver<Wide> result{{}, Wide::shifted(1, static_cast<unsigned>(-low))};
+  result.points.reserve(given.size());
+  const auto wide = [&](const kernels::Dyadic& x) {
+    return Wide::shifted(x.mantissa, static_cast<unsigned>(x.exponent - low));
+  };
+  for (std::size_t k = 0; k < count; k += 3)
+    result.points.push_back({wide(numbers[k]), wide(numbers[k + 1]), wide(numbers[k + 2])});
+  return result;
+}
+
+/// The greatest at the corners of a patch: the first corner that has it, and the rate. nullopt if
+/// `points_over` has no integers for some points.
+template <class Integer, class PointsOf>
+std::optional<std::pair<std::size_t, Quotient<Integer>>> greatest_at(const Patch& patch,
+                                                                     const MotionAlong<Integer>& motion,
+                                                                     const PointsOf& points_over) {
+  std::optional<std::pair<std::size_t, Quotient<Integer>>> best;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    std::array<GivenPoint, 4> crossing;
+    const std::optional<PointsOver<Integer>> at = points_over(points_of(patch.corners[k], crossing));
+    if (!at) return std::nullopt;
+    Quotient<Integer> rate = rate_at(motion, at->points, at->denominator);
+    if (best && cmp(Integer(rate.over * best->second.under), Integer(best->second.over * rate.under)) <= 0) continue;
+    best = std::pair(k, std::move(rate));
+  }
+  return best;
 }
 
 /// The greatest at the corners of a patch, whose A moves along its direction.
-Rate greatest(const Patch& patch, std::size_t index, const ScaledTwist& motion) {
+DirectionalDerivative greatest(const Patch& patch, std::size_t index, const RelativeTwist& twist) {
   const Vector& n = patch.direction;
-  const Vector turn = cross(n, motion.w);  // <n, w x p> = <n x w, p>
-  const mpz_class push = dot(n, motion.v);
-  mpz_class above, below = 1;
-  std::size_t best = 0;
-  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
-    const Numerators p = contact_numerators(patch, k);
-    mpz_class rate = push * p.denominator + dot(turn, p.point);
-    if (k > 0 && rate * below <= above * p.denominator) continue;
-    above = std::move(rate), below = p.denominator, best = k;
+  const auto rate = [&](std::size_t corner, const mpz_class& over, const mpz_class& under) {
+    return DirectionalDerivative{over, mpz_class(under * twist.denominator), n, index, corner};
+  };
+  const long bits = 3 * kernels::bit_length(n) + twist.bits;
+  const auto wide = [](const Vector& v) { return Vec3<Wide>{Wide(v.x), Wide(v.y), Wide(v.z)}; };
+  if (bits < wide_bits) {
+    const auto best = greatest_at(patch, MotionAlong(wide(n), wide(twist.v), wide(twist.w)),
+                                  [&](std::span<const GivenPoint> given) { return in_wide(given, bits); });
+    if (best) return rate(best->first, best->second.over.to_mpz(), best->second.under.to_mpz());
   }
-  below *= motion.denominator;
-  return {{}, kernels::ratio(above * abs(above), below * below * dot(n, n)), n, index, best};
-}
-
-/// The same for pieces of unions, which a way out moves along another direction.
-Rate greatest_of_pieces(const Patch& patch, std::size_t index, const Twist& of_a, const Twist& of_b) {
-  Rate best{{}, {}, patch.direction, index, 0};
-  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
-    mpq_class rate = dot(patch.direction, relative_velocity(patch, k, of_a, of_b));
-    if (k == 0 || rate > best.rate) (best.rate = std::move(rate), best.corner = k);
-  }
-  return best;
+  const auto best = greatest_at(patch, MotionAlong(n, twist.v, twist.w), [](std::span<const GivenPoint> given) {
+    Scaled points = scaled(given);
+    return std::optional(PointsOver<mpz_class>{std::move(points.points), std::move(points.denominator)});
+  });
+  return rate(best->first, best->second.over, best->second.under);
 }
 
 /// Of bodies that penetrate or are apart: the least over all directions; of unions that are apart
 /// the greatest over all pairs of pieces.
 DirectionalDerivative by_optima(const ContactGeometry& geometry, const Twist& of_a, const Twist& of_b) {
-  const ScaledTwist motion(of_a, of_b);
-  Rate best = greatest(geometry.patches[0], 0, motion);
+  const RelativeTwist motion(of_a, of_b);
+  DirectionalDerivative best = greatest(geometry.patches[0], 0, motion);
   for (std::size_t i = 1; i < geometry.patches.size(); ++i) {
-    Rate rate = greatest(geometry.patches[i], i, motion);
-    if (geometry.of_unions ? rate.squared > best.squared : rate.squared < best.squared) best = std::move(rate);
+    DirectionalDerivative rate = greatest(geometry.patches[i], i, motion);
+    if (compare(rate, best) * (geometry.of_unions ? -1 : 1) < 0) best = std::move(rate);
   }
-  return derivative_of(best);
+  return best;
 }
 
 // ---- cores that touch ----
@@ -218,22 +314,42 @@ DirectionalDerivative by_cone(const ContactGeometry& geometry, const Twist& of_a
   const Patch& patch = geometry.patches.front();
   Polyhedron m{{}, polar_rays(*geometry.cone)};
   for (std::size_t k = 0; k < patch.corners.size(); ++k) m.corners.push_back(relative_velocity(patch, k, of_a, of_b));
+  const auto rate_along = [&](const Vector& u, const Point& at, std::size_t corner) {
+    const mpq_class rate = dot(u, at);
+    return DirectionalDerivative{rate.get_num(), rate.get_den(), u, 0, corner};
+  };
   if (const std::optional<Point> outside = nearest(m)) {
-    const Point u = -*outside;
-    return {-1, dot(*outside, *outside), primitive_along(u), 0, m.farthest(u)};
+    const Vector u = primitive_along(-*outside);
+    return rate_along(u, *outside, m.farthest(rational(u)));
   }
-  std::optional<Rate> best;
+  std::optional<DirectionalDerivative> best;
   for (const Vector& u : normals(m)) {
     if (std::ranges::any_of(m.rays, [&](const Vector& g) { return dot(g, u) > 0; })) continue;
     const std::size_t corner = m.farthest(rational(u));
-    Rate rate{dot(u, m.corners[corner]), {}, u, 0, corner};
-    rate.squared = signed_square(rate.rate) / dot(u, u);
-    if (!best || rate.squared < best->squared) best = std::move(rate);
+    DirectionalDerivative rate = rate_along(u, m.corners[corner], corner);
+    if (!best || compare(rate, *best) < 0) best = std::move(rate);
   }
-  return derivative_of(best.value());
+  return std::move(best).value();
 }
 
 // ---- unions that overlap ----
+
+/// Of pieces that touch after a way out, times |direction|.
+struct PieceRate {
+  mpq_class rate;
+  Vector direction;
+  std::size_t patch, corner;
+};
+
+/// The greatest at the corners of their patch.
+PieceRate greatest_of_pieces(const Patch& patch, std::size_t index, const Twist& of_a, const Twist& of_b) {
+  PieceRate best{{}, patch.direction, index, 0};
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    mpq_class rate = dot(patch.direction, relative_velocity(patch, k, of_a, of_b));
+    if (k == 0 || rate > best.rate) (best.rate = std::move(rate), best.corner = k);
+  }
+  return best;
+}
 
 /// The share of each vector in t, if t is a sum of multiples >= 0 of these: at most three, which
 /// must be independent.
@@ -263,14 +379,14 @@ std::optional<std::vector<mpq_class>> shares_of(const Point& t, const std::vecto
 /// The greatest sum of l_k g_k over all l >= 0 with sum l_k n_k = t, for the rates g_k at the
 /// patches of one way out: it is reached with at most three l_k > 0, whose n_k are independent. The
 /// patch named is one of these.
-Rate greatest_sum(const std::vector<Rate>& rates, const Point& t) {
-  std::optional<Rate> best;
-  const auto try_these = [&](const std::vector<const Rate*>& chosen) {
+PieceRate greatest_sum(const std::vector<PieceRate>& rates, const Point& t) {
+  std::optional<PieceRate> best;
+  const auto try_these = [&](const std::vector<const PieceRate*>& chosen) {
     std::vector<Point> normals;
-    for (const Rate* rate : chosen) normals.push_back(rational(rate->direction));
+    for (const PieceRate* rate : chosen) normals.push_back(rational(rate->direction));
     const auto shares = shares_of(t, normals);
     if (!shares) return;
-    Rate sum = *chosen.front();
+    PieceRate sum = *chosen.front();
     sum.rate = 0;
     for (std::size_t k = 0; k < chosen.size(); ++k) sum.rate += (*shares)[k] * chosen[k]->rate;
     if (!best || sum.rate > best->rate) best = std::move(sum);
@@ -290,29 +406,36 @@ Rate greatest_sum(const std::vector<Rate>& rates, const Point& t) {
 std::variant<DirectionalDerivative, LeftOut> by_ways(const ContactGeometry& geometry, const Twist& of_a,
                                                      const Twist& of_b) {
   const bool turns = of_a.w != Point{} || of_b.w != Point{};
-  std::optional<Rate> best;
+  std::optional<DirectionalDerivative> best;
   for (std::size_t i = 0; i < geometry.patches.size();) {
     const std::size_t way = geometry.patches[i].way;
     const Point t = geometry.patches[i].translation();
-    std::vector<Rate> rates;
+    std::vector<PieceRate> rates;
     const std::size_t first = i;
     for (; i < geometry.patches.size() && geometry.patches[i].way == way; ++i) {
       if (turns && !geometry.patches[i].one_plane) return LeftOut::many_planes;
       if (turns) rates.push_back(greatest_of_pieces(geometry.patches[i], i, of_a, of_b));
     }
     if (turns && !geometry.clearance[way]) return LeftOut::exact_fit;
-    Rate rate = turns ? greatest_sum(rates, t) : Rate{dot(t, of_b.v - of_a.v), {}, {}, first, 0};
-    rate.squared = signed_square(rate.rate) / dot(t, t);
-    rate.direction = primitive_along(t);
-    if (!best || rate.squared < best->squared) best = std::move(rate);
+    const PieceRate sum = turns ? greatest_sum(rates, t) : PieceRate{dot(t, of_b.v - of_a.v), {}, first, 0};
+    const Vector n = primitive_along(t);
+    const mpq_class along_n = sum.rate * dot(n, n) / dot(rational(n), t);  // t is longer than n by so much
+    DirectionalDerivative rate{along_n.get_num(), along_n.get_den(), n, sum.patch, sum.corner};
+    if (!best || compare(rate, *best) < 0) best = std::move(rate);
   }
-  return derivative_of(best.value());
+  return std::move(best).value();
 }
 
 }  // namespace
 }  // namespace fathom::patch
 
 namespace fathom {
+
+mpq_class DirectionalDerivative::root() const {
+  return kernels::ratio(over * over, under * under * dot(direction, direction));
+}
+
+Surd DirectionalDerivative::value() const { return {0, sign() < 0 ? mpq_class(-root()) : root()}; }
 
 std::variant<DirectionalDerivative, LeftOut> directional_derivative(const ContactGeometry& geometry, const Twist& of_a,
                                                                     const Twist& of_b) {

@@ -17,18 +17,10 @@
 #include "reference/polytope/polygon.hpp"
 
 namespace fathom::patch {
-namespace {
-
-using kernels::Integer127;
-using kernels::Integer255;
 
 // ---- points as integers ----
 
-/// Points over one denominator.
-struct Scaled {
-  std::vector<Vector> points;
-  mpz_class denominator = 1;
-};
+namespace {
 
 /// All coordinates, if the points are in binary64.
 std::optional<std::vector<double>> numbers_of(std::span<const GivenPoint> points) {
@@ -43,7 +35,7 @@ std::optional<std::vector<double>> numbers_of(std::span<const GivenPoint> points
 }
 
 /// Of numbers in binary64, over a power of two.
-Scaled scaled(const std::vector<double>& numbers) {
+Scaled over_power_of_two(const std::vector<double>& numbers) {
   long low = 0;
   std::vector<kernels::Dyadic> all;
   all.reserve(numbers.size());
@@ -63,19 +55,30 @@ Scaled scaled(const std::vector<double>& numbers) {
   return result;
 }
 
+}  // namespace
+
 Scaled scaled(std::span<const GivenPoint> given) {
-  if (const auto numbers = numbers_of(given)) return scaled(*numbers);
+  if (const auto numbers = numbers_of(given)) return over_power_of_two(*numbers);
   Scaled result;
   std::vector<Point> exact;
   for (const GivenPoint& p : given) {
     exact.push_back(p.exact());
     for (const mpq_class* c : {&exact.back().x, &exact.back().y, &exact.back().z})
-      result.denominator = lcm(result.denominator, c->get_den());
+      if (!mpz_divisible_p(result.denominator.get_mpz_t(), c->get_den_mpz_t()))
+        result.denominator = lcm(result.denominator, c->get_den());
   }
-  const auto integer = [&](const mpq_class& c) { return mpz_class(c.get_num() * (result.denominator / c.get_den())); };
+  const auto integer = [&](const mpq_class& c) {
+    if (c.get_den() == result.denominator) return c.get_num();
+    return mpz_class(c.get_num() * (result.denominator / c.get_den()));
+  };
   for (const Point& p : exact) result.points.push_back({integer(p.x), integer(p.y), integer(p.z)});
   return result;
 }
+
+namespace {
+
+using kernels::Integer127;
+using kernels::Integer255;
 
 std::vector<GivenPoint> all_corners(const MeetingFaces& faces) {
   std::vector<GivenPoint> points;
@@ -315,16 +318,40 @@ Overlaid overlaid(const std::vector<Vec3<Integer>>& points, std::size_t of_a, co
   return result;
 }
 
-/// Of points in words, if the integers hold what is computed.
-template <class Integer>
-std::optional<Overlaid> overlaid_in(const polytope::AlignedNumbers& numbers, std::size_t of_a, const Vector& n) {
-  if (!holds<Integer>(numbers.bits, kernels::bit_length(n))) return std::nullopt;
+/// The same by coordinate(i, axis), |c| < 2^bits, of `count` points, if the integers hold what is
+/// computed.
+template <class Integer, class Coordinate>
+std::optional<Overlaid> overlaid_in(std::size_t count, std::size_t of_a, const Vector& n, long bits,
+                                    const Coordinate& coordinate) {
+  if (!holds<Integer>(bits, kernels::bit_length(n))) return std::nullopt;
   std::vector<Vec3<Integer>> points;
-  points.reserve(numbers.integers.size() / 3);
-  for (std::size_t k = 0; k < numbers.integers.size(); k += 3)
-    points.push_back(
-        {Integer(numbers.integers[k]), Integer(numbers.integers[k + 1]), Integer(numbers.integers[k + 2])});
+  points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back({Integer(coordinate(i, 0)), Integer(coordinate(i, 1)), Integer(coordinate(i, 2))});
   return overlaid(points, of_a, n);
+}
+
+template <class Coordinate>
+std::optional<Overlaid> overlaid_in_words(std::size_t count, std::size_t of_a, const Vector& n, long bits,
+                                          const Coordinate& coordinate) {
+  if (auto found = overlaid_in<Integer127>(count, of_a, n, bits, coordinate)) return found;
+  return overlaid_in<Integer255>(count, of_a, n, bits, coordinate);
+}
+
+Overlaid overlaid(const std::vector<GivenPoint>& given, std::size_t of_a, const Vector& n) {
+  const auto numbers = numbers_of(given);
+  if (const auto words = numbers ? polytope::aligned(*numbers) : std::nullopt) {
+    const auto word = [&](std::size_t i, int axis) { return words->integers[3 * i + static_cast<std::size_t>(axis)]; };
+    if (auto found = overlaid_in_words(given.size(), of_a, n, words->bits, word)) return *std::move(found);
+  }
+  const Scaled all = scaled(given);
+  long bits = 0;
+  for (const Vector& p : all.points) bits = std::max(bits, kernels::bit_length(p));
+  const auto integer = [&](std::size_t i, int axis) -> const mpz_class& {
+    return kernels::coordinate(all.points[i], axis);
+  };
+  if (auto found = overlaid_in_words(given.size(), of_a, n, bits, integer)) return *std::move(found);
+  return overlaid(all.points, of_a, n);
 }
 
 /// The ids of the least face that holds a point, ascending.
@@ -377,16 +404,8 @@ Patch patch_along(const Vector& n, const mpq_class& support) {
 
 Patch shared(const MeetingFaces& faces, const mpq_class& support) {
   const Vector& n = faces.direction;
-  const std::vector<GivenPoint> given = all_corners(faces);
   Patch patch = patch_along(n, support);
-  std::optional<Overlaid> found;
-  const auto numbers = numbers_of(given);
-  if (const auto words = numbers ? polytope::aligned(*numbers) : std::nullopt) {
-    found = overlaid_in<Integer127>(*words, faces.of_a.size(), n);
-    if (!found) found = overlaid_in<Integer255>(*words, faces.of_a.size(), n);
-  }
-  if (!found) found = overlaid(scaled(given).points, faces.of_a.size(), n);
-  patch.corners = ordered(faces, *found);
+  patch.corners = ordered(faces, overlaid(all_corners(faces), faces.of_a.size(), n));
   return patch;
 }
 
@@ -441,24 +460,6 @@ Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const st
     else (corner.on_a = {i}, corner.meeting = CornerOfA{body[i]});
   }
   return patch;
-}
-
-Numerators contact_numerators(const Patch& patch, std::size_t corner) {
-  const auto& meeting = patch.corners[corner].meeting;
-  const auto single = [](const GivenPoint& p) {
-    Scaled one = scaled(std::span(&p, 1));
-    return Numerators{std::move(one.points[0]), std::move(one.denominator)};
-  };
-  if (const auto* const a = std::get_if<CornerOfA>(&meeting)) return single(a->point);
-  if (const auto* const b = std::get_if<CornerOfB>(&meeting)) return single(b->point);
-  const CrossingEdges& edges = std::get<CrossingEdges>(meeting);
-  const std::array all{edges.a[0], edges.a[1], edges.b[0], edges.b[1]};
-  const Scaled points = scaled(all);
-  const auto& [p, q, r, s] = std::tie(points.points[0], points.points[1], points.points[2], points.points[3]);
-  const Vector across = cross(s - r, patch.direction);
-  mpz_class over = dot(r - p, across), under = dot(q - p, across);
-  if (under < 0) (under = -under, over = -over);
-  return {under * p + over * (q - p), points.denominator * under};
 }
 
 }  // namespace fathom::patch

@@ -3,6 +3,8 @@
 // Output  the contact patch: the set of points that they then share.              [proofs/patch.md]
 #pragma once
 
+#include <gmpxx.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -51,13 +53,12 @@ std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Po
 /// if p is not in it.
 std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p);
 
-/// A contact point times a denominator: on A, on B or between them along n, wherever it takes
-/// fewest steps.
-struct Numerators {
-  Vector point;
-  mpz_class denominator;  ///< > 0
+/// Points over one denominator.
+struct Scaled {
+  std::vector<Vector> points;
+  mpz_class denominator = 1;  ///< > 0
 };
-Numerators contact_numerators(const Patch& patch, std::size_t corner);
+Scaled scaled(std::span<const GivenPoint> given);
 
 /// The corners on A of what the faces share after the translation t, counter-clockwise from the
 /// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in

@@ -84,7 +84,7 @@ void expect_same(const AnswerHandle& answer, const ContactGeometry& expected) {
   ASSERT_EQ(code, FATHOM_OK) << fathom_last_error();
   EXPECT_EQ(rate, round_binary64(d.value()) + 0.0);
   const std::string exact = taken(text);
-  EXPECT_EQ(exact.front() == '-', d.sign < 0) << exact;
+  EXPECT_EQ(exact.front() == '-', d.sign() < 0) << exact;
 }
 
 TEST(CManifold, EqualsTheCppInterface) {

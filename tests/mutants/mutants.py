@@ -68,9 +68,9 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/patch/patch.cpp", "if (sign < 0) return std::nullopt;", "if (sign <= 0) return std::nullopt;", "patch_tests"),
     ("reference/patch/patch.cpp", "return enters(p) && !enters(q);", "return enters(q) && !enters(p);", "patch_tests"),
     ("reference/patch/patch.cpp", "if (of_a > 1 && of_b > 1 && of_a + of_b > 4) return shared(faces, support);", "", "patch_tests"),
-    ("reference/patch/derivative.cpp", "if (k > 0 && rate * below <= above * p.denominator) continue;", "if (k > 0) continue;",
-     "patch_tests"),
-    ("reference/patch/derivative.cpp", "rate.squared > best.squared : rate.squared < best.squared)", "false : false)", "patch_tests"),
+    ("reference/patch/derivative.cpp", "Integer(best->second.over * rate.under)) <= 0) continue;",
+     "Integer(best->second.over * rate.under)) <= 2) continue;", "patch_tests"),
+    ("reference/patch/derivative.cpp", "(geometry.of_unions ? -1 : 1) < 0)", "(geometry.of_unions ? -1 : 1) < -2)", "patch_tests"),
     ("reference/patch/derivative.cpp", "if (geometry.cone) return patch::by_cone(geometry, of_a, of_b);", "", "patch_tests"),
     ("reference/certificate/patch_certificate.cpp", "add(b, true);", "", "certificate_tests"),
     # unions, curved shapes, what is rounded

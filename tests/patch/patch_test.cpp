@@ -66,7 +66,7 @@ TEST(Patch, OfTwoBoxes) {
 
   const auto derivative = [&](const Twist& twist) {
     const DirectionalDerivative d = std::get<DirectionalDerivative>(directional_derivative(geometry, twist));
-    return mpq_class(d.sign * d.root);
+    return mpq_class(d.sign() * d.root());
   };
   EXPECT_EQ(derivative({{1, 0, 0}, {}}), 1) << "deeper as A moves on into B";
   EXPECT_EQ(derivative({{-1, 0, 0}, {}}), -1);
@@ -380,7 +380,7 @@ TEST(Patch, GradientAndWeights) {
     const auto found = std::get<DirectionalDerivative>(directional_derivative(geometry, twist));
     const Vector n = geometry.gradient()->normal;
     const mpq_class rate = -dot(n, twist.v + cross(twist.w, geometry.gradient()->point));
-    EXPECT_EQ(found.sign * found.root, rate * abs(rate) / dot(n, n)) << made.id;
+    EXPECT_EQ(found.sign() * found.root(), rate * abs(rate) / dot(n, n)) << made.id;
     double in_doubles = 0;
     const SurdPoint by_v = geometry.gradient()->by_translation(), by_w = geometry.gradient()->by_rotation();
     const Point parts[] = {twist.v, twist.w};

@@ -122,8 +122,8 @@ py::dict derivative_in_python(const ToldManifold& told, const py::object& v, con
   const Surd value = rate.value();
   // + 0.0: a zero is no negative one
   return py::dict("value"_a = round_binary64(value) + 0.0, "low"_a = round_binary64(value, Rounding::rd) + 0.0,
-                  "high"_a = round_binary64(value, Rounding::ru) + 0.0, "sign"_a = rate.sign,
-                  "root"_a = fraction(rate.root), "direction"_a = unit(rate.direction),
+                  "high"_a = round_binary64(value, Rounding::ru) + 0.0, "sign"_a = rate.sign(),
+                  "root"_a = fraction(rate.root()), "direction"_a = unit(rate.direction),
                   "normal"_a = integers(rate.direction), "patch"_a = rate.patch, "corner"_a = rate.corner);
 }
 
