@@ -24,7 +24,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The verdicts by their numbers for C, which are in order of rank but for the last two.
+/// The verdicts by their numbers for C.
 constexpr Verdict verdicts[] = {Verdict::crash,
                                 Verdict::time_out,
                                 Verdict::silent,
@@ -45,13 +45,19 @@ constexpr Verdict verdicts[] = {Verdict::crash,
                                 Verdict::touching_by_convention,
                                 Verdict::pass,
                                 Verdict::too_far,
-                                Verdict::too_near};
-static_assert(std::size(verdicts) == FATHOM_VERDICT_TOO_NEAR + 1 &&
+                                Verdict::too_near,
+                                Verdict::contact_outside,
+                                Verdict::contact_too_deep,
+                                Verdict::contact_too_shallow,
+                                Verdict::misses_extent,
+                                Verdict::tips};
+static_assert(std::size(verdicts) == FATHOM_VERDICT_TIPS + 1 &&
               std::size(verdicts) == static_cast<std::size_t>(Verdict::pass) + 1);
 static_assert(verdicts[FATHOM_VERDICT_NAN] == Verdict::nan &&
               verdicts[FATHOM_VERDICT_TOO_SHALLOW] == Verdict::too_shallow);
 static_assert(verdicts[FATHOM_VERDICT_WITNESS_OFF] == Verdict::witness_off &&
               verdicts[FATHOM_VERDICT_PASS] == Verdict::pass);
+static_assert(verdicts[FATHOM_VERDICT_TOO_NEAR] == Verdict::too_near && verdicts[FATHOM_VERDICT_TIPS] == Verdict::tips);
 
 int number_of(Verdict verdict) { return static_cast<int>(std::ranges::find(verdicts, verdict) - std::begin(verdicts)); }
 
@@ -79,11 +85,17 @@ void require_claim(const fathom_claim& claim) {
   demand(is_tolerance(claim.policy_most), "what the policy allows is negative or not finite");
   require_at_most(claim.contact_count, "contacts of a claim");
   demand(claim.contact_count == 0 || claim.contact_positions != nullptr, "contacts without their positions");
+  demand(!claim.has_manifold || is_tolerance(claim.contact_margin), "the contacts' margin is negative or not finite");
 }
 
 std::optional<Triple> triple(int given, const double* p) {
   if (!given) return std::nullopt;
   return Triple{p[0], p[1], p[2]};
+}
+
+std::optional<ContactLimits> manifold_of(const fathom_claim& claim) {
+  if (!claim.has_manifold) return std::nullopt;
+  return ContactLimits{claim.most_contacts ? std::optional(claim.most_contacts) : std::nullopt, claim.contact_margin};
 }
 
 Conventions conventions_of(const fathom_claim& claim) {
@@ -94,7 +106,8 @@ Conventions conventions_of(const fathom_claim& claim) {
           .depth = claim.depth_negative ? Conventions::Sign::negative : Conventions::Sign::positive,
           .moves = claim.moves_b ? Conventions::Body::b : Conventions::Body::a,
           .unit = claim.not_unit == 0,
-          .claims = claim.separating ? Conventions::Claims::separating : Conventions::Claims::minimum};
+          .claims = claim.separating ? Conventions::Claims::separating : Conventions::Claims::minimum,
+          .manifold = manifold_of(claim)};
 }
 
 NumberFormat format_of(const fathom_claim& claim) {
@@ -297,7 +310,8 @@ int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim*
 }
 
 const char* fathom_verdict_name(int verdict) {
-  return verdict < 0 || verdict > FATHOM_VERDICT_TOO_NEAR ? nullptr : fathom::name(verdicts[verdict]).data();
+  return verdict < 0 || verdict >= static_cast<int>(std::size(verdicts)) ? nullptr
+                                                                         : fathom::name(verdicts[verdict]).data();
 }
 
 int fathom_verdict_passes(int verdict) {

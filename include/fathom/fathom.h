@@ -346,8 +346,9 @@ FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, 
 
 /* ---- the judge ---- */
 
-/** Verdicts, in order of rank but for the last two, which stand behind FATHOM_VERDICT_TOO_SHALLOW;
- * their numbers never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and
+/** Verdicts, in order of rank up to FATHOM_VERDICT_PASS; those of distances stand behind
+ * FATHOM_VERDICT_TOO_SHALLOW, those of contacts behind FATHOM_VERDICT_WITNESS_OFF. Their numbers
+ * never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and
  * FATHOM_VERDICT_UNSUPPORTED, come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,
@@ -370,7 +371,12 @@ enum {
   FATHOM_VERDICT_TOUCHING_BY_CONVENTION = 17, /**< a pass */
   FATHOM_VERDICT_PASS = 18,
   FATHOM_VERDICT_TOO_FAR = 19, /**< of a distance */
-  FATHOM_VERDICT_TOO_NEAR = 20
+  FATHOM_VERDICT_TOO_NEAR = 20,
+  FATHOM_VERDICT_CONTACT_OUTSIDE = 21, /**< of contacts */
+  FATHOM_VERDICT_CONTACT_TOO_DEEP = 22,
+  FATHOM_VERDICT_CONTACT_TOO_SHALLOW = 23,
+  FATHOM_VERDICT_MISSES_EXTENT = 24,
+  FATHOM_VERDICT_TIPS = 25 /**< never alone */
 };
 
 /** The best class that a right depth is in. */
@@ -423,6 +429,9 @@ typedef struct fathom_claim {
   size_t contact_count;            /**< 0; at most 2^31: the contacts of a manifold, read beside a depth */
   const double* contact_positions; /**< x, y, z of each: points of both bodies. They are read during the call */
   const double* contact_depths;    /**< of each, or NULL; the largest is the depth of the answer */
+  int has_manifold;      /**< 0: whether the contacts reach as far as the bodies touch, by its own word; what follows is read beside it */
+  size_t most_contacts;  /**< 0, for any number: how many an answer has at most; of 1, no extent is asked */
+  double contact_margin; /**< 0: how much less deep than the answer contacts without a depth may be; not negative */
 } fathom_claim;
 
 /** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond

@@ -8,6 +8,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,6 +47,14 @@ struct NumberFormat {
   friend bool operator==(const NumberFormat&, const NumberFormat&) = default;
 };
 
+/// What an implementation declares of the contacts in one answer.
+struct ContactLimits {
+  std::optional<std::size_t> most = {};  ///< how many there are at most
+  /// how much less deep than the answer contacts without a depth may be: a length in its unit,
+  /// finite, at least 0
+  double margin = 0;
+};
+
 /// What an implementation declares of itself. Judging never guesses these.
 struct Conventions {
   enum class Touching { overlap, separate, either };  ///< what bodies that touch count as
@@ -58,6 +67,9 @@ struct Conventions {
   Body moves = Body::a;                  ///< the body that |depth| * direction moves apart
   bool unit = true;                      ///< whether directions are promised to have length 1
   Claims claims = Claims::minimum;       ///< what a depth with a direction means
+  /// that its contacts reach as far as the bodies touch, unless `most` is 1; else no extent is
+  /// promised
+  std::optional<ContactLimits> manifold = std::nullopt;
 };
 
 /// x, y, z.
@@ -132,9 +144,15 @@ enum class Verdict {
   too_near,          ///< the distance is smaller than that of the bodies
   not_separating,    ///< the bodies still overlap after the translation that it gives
   inconsistent,      ///< the depth, or the distance, is not that of its own direction
-  witness_off,    ///< a witness point is not on its body, or they do not differ by the translation; or a contact is not
-                  ///< in both
-  not_invariant,  ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
+  witness_off,  ///< a witness point is not on its body, or they do not differ by the translation; or a contact is not
+                ///< in both
+  // Of contacts, along the direction of the answer:
+  contact_outside,      ///< no line near one meets both bodies
+  contact_too_deep,     ///< along no line near one they overlap so much
+  contact_too_shallow,  ///< along each line near one that meets both they overlap more
+  misses_extent,        ///< all together they leave out part of each patch
+  tips,                 ///< and so much that the middle of the patch is not between them: beside misses_extent
+  not_invariant,        ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
   // Passes.

@@ -253,18 +253,30 @@ TEST_F(CJudge, Contacts) {
   claim.contact_depths = depths;
   claim.contact_count = 1;
   ASSERT_EQ(run(), FATHOM_OK);
-  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_INCONSISTENT);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_INCONSISTENT | 1U << FATHOM_VERDICT_CONTACT_TOO_SHALLOW);
   EXPECT_EQ(judgement.deepest, 0.125 - 0.6);
   EXPECT_EQ(judgement.contact_a_high, 0);
   claim.contact_count = 2;
   ASSERT_EQ(run(), FATHOM_OK);
-  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WITNESS_OFF);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WITNESS_OFF | 1U << FATHOM_VERDICT_CONTACT_TOO_SHALLOW);
   EXPECT_EQ(judgement.contact_a_low, 0.25);
   EXPECT_EQ(judgement.contact_a_high, 0.25);
   claim.contact_depths = nullptr;
   ASSERT_EQ(run(), FATHOM_OK);
   EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WITNESS_OFF);
   EXPECT_TRUE(std::isnan(judgement.deepest));
+  claim.contact_count = 1;
+  claim.has_manifold = claim.most_contacts = 1;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS) << "one contact promises no extent";
+  claim.most_contacts = 0;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_MISSES_EXTENT);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_MISSES_EXTENT);
+  const double at_an_edge[] = {0.7, 1, 0.5};
+  claim.contact_positions = at_an_edge;
+  ASSERT_EQ(run(), FATHOM_OK);
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_MISSES_EXTENT | 1U << FATHOM_VERDICT_TIPS);
 }
 
 TEST_F(CJudge, Distances) {
@@ -309,6 +321,10 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
   with([&] { claim.policy = -1; });
   with([&] { claim.policy_most = -0.5; });
   with([&] { claim.contact_count = 1; });
+  with([&] {
+    claim.has_manifold = 1;
+    claim.contact_margin = -0.5;
+  });
   with([&] { b = nullptr; });
   EXPECT_EQ(fathom_judge(a.get(), a.get(), nullptr, &judgement, nullptr), FATHOM_BAD_INPUT);
   EXPECT_EQ(fathom_judge(a.get(), a.get(), &good, nullptr, nullptr), FATHOM_BAD_INPUT);
@@ -320,7 +336,7 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
 
 TEST(CJudgeNames, AreThoseOfCpp) {
   std::set<std::string> names;
-  for (int i = 0; i <= FATHOM_VERDICT_TOO_NEAR; ++i) {
+  for (int i = 0; i <= FATHOM_VERDICT_TIPS; ++i) {
     const std::optional<Verdict> verdict = verdict_named(fathom_verdict_name(i));
     ASSERT_TRUE(verdict) << i;
     EXPECT_EQ(fathom_verdict_passes(i) != 0, passes(*verdict));
@@ -330,7 +346,7 @@ TEST(CJudgeNames, AreThoseOfCpp) {
   EXPECT_EQ(fathom_verdict_name(-1), nullptr);
   EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_PASS), "pass");
   EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_TOO_NEAR), "too-near");
-  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_TOO_NEAR + 1), nullptr);
+  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_TIPS + 1), nullptr);
   EXPECT_FALSE(fathom_verdict_passes(-1));
 }
 

@@ -345,7 +345,7 @@ TEST(InUnit, LengthsOfAnswersAreScaledAndDirectionsAreNot) {
 }
 
 // Two cubes that overlap by 1 in a square: its corners are the contacts, but for one.
-TEST(ContactFaults, StandBesideTheVerdictInTheUnitOfTheCase) {
+TEST(ContactFaults, ComeWithTheirProofsInTheUnitOfTheCase) {
   std::vector<Triple> cube, other;
   for (const double x : {0, 4})
     for (const double y : {0, 4})
@@ -362,18 +362,21 @@ TEST(ContactFaults, StandBesideTheVerdictInTheUnitOfTheCase) {
     judge_answer(outcome, seen, {"", reply}, info, {});
     return outcome;
   };
+  EXPECT_EQ(judged().verdict, Verdict::pass) << "no extent is promised";
+  info.conventions.manifold = ContactLimits();
   const Outcome outcome = judged();
-  EXPECT_EQ(outcome.verdict, Verdict::pass);
+  EXPECT_EQ(outcome.verdict, Verdict::misses_extent);
+  EXPECT_EQ(outcome.judgement->findings, std::vector{Verdict::misses_extent});
   ASSERT_EQ(outcome.contact_faults.size(), 1U);
   EXPECT_EQ(outcome.contact_faults[0].sentence, "the contacts miss a corner of the patch by 2.828");
   EXPECT_EQ(outcome.contact_faults[0].missed[0].point, (Point{4, 0, 4}));
   const std::optional<Outcome> read = read_outcome(outcome_line(outcome));
   ASSERT_TRUE(read);
   EXPECT_EQ(outcome_line(*read), outcome_line(outcome));
-  info.most_contacts = 3;
+  info.conventions.manifold->most = 3;
   EXPECT_TRUE(judged().contact_faults.empty());
   reply.contacts[1].position[1] = 3;
-  EXPECT_EQ(judged().contact_faults.at(0).finding, judging::ContactFinding::contact_outside);
+  EXPECT_EQ(judged().contact_faults.at(0).finding, Verdict::contact_outside);
   reply.direction = Triple{1, 0, 0};
   EXPECT_TRUE(judged().contact_faults.empty()) << "the sign is wrong, and is told alone";
 }

@@ -52,7 +52,6 @@ void fill(Triple& value) { value = {0.5, -1, 2}; }
 void fill(Between& value) { value = {0.25, 0.75}; }
 void fill(Point& value) { value = {mpq_class(1, 2), mpq_class(-2, 3), 5}; }
 void fill(Vector& value) { value = {3, -1, 0}; }
-void fill(judging::ContactFinding& value) { value = judging::ContactFinding::misses_extent; }
 void fill(UnionBounds& value) { value = {mpq_class(1, 6), 3, 4, mpq_class(7, 3)}; }
 void fill(std::array<std::uint32_t, 2>& value) { value = {5, 6}; }
 void fill(NumberFormat& value) { value = {Precision::binary32, Precision::binary64}; }
@@ -280,6 +279,7 @@ TEST(Fields, OfTheSummaryAreInTheSchema) {
 TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   auto all = filled<SubjectInfo>();
   all.shapes = {"sphere"};
+  fill(all.conventions.manifold);
   const std::string text = hello_text(all);
   const Json json = Json::parse(text),
              schema = Json::parse(file_of("verify/harness/subject.schema.json"))["$defs"]["hello"];
@@ -290,6 +290,7 @@ TEST(Fields, OfAHelloComeBackAndAreInTheSchema) {
   EXPECT_EQ(keys_of(json["conventions"]), names_in(all.conventions));
   EXPECT_EQ(keys_of(schema["properties"]["conventions"]["properties"]), names_in(all.conventions));
   EXPECT_EQ(keys_of(schema["properties"]["capabilities"]["properties"]), keys_of(json["capabilities"]));
+  EXPECT_EQ(keys_of(schema["properties"]["manifold"]["properties"]), names_in(*all.conventions.manifold));
   EXPECT_EQ(hello_text(read_hello(text)), text) << "law: what was written is read as it was";
   const std::string python = file_of("bindings/python/fathom/_questions.py");
   for (const std::string& name : names_in(all.conventions))  // the sign of a depth, beside the depth itself

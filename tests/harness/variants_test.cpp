@@ -232,6 +232,32 @@ TEST(CompareVariant, ContactsReachEquallyFar) {
   EXPECT_EQ(compared(all, by_order, pair, "scale", {}).verdict, Verdict::not_invariant);
 }
 
+// If A lies to the right the two contacts of an edge are moved inwards: so only exchanged bodies
+// have others. They may differ by twice the tolerance.
+TEST(CompareVariant, ContactsOfExchangedBodies) {
+  const Tolerance tolerance{mpq_class(1, 8), 0, 0};  // 1/16 of a length
+  const auto moved_by = [&](double way) {
+    return judged(
+        [way](const Case& pair, Reply& reply) {
+          add_contacts(pair, reply);
+          const auto is_left = [&](const Point& p, const Point& q) { return p.x < q.x; };
+          const auto least = [&](const Body& body) { return std::ranges::min(body.points.exact(), is_left).x; };
+          if (least(pair.a) < least(pair.b)) return;
+          for (ContactPoint& contact : reply.contacts)
+            if (contact.position[1] == 0) contact.position[1] = way;
+        },
+        tolerance);
+  };
+  const Case pair = cubes(mpq_class(1, 2));
+  const auto verdict = [&](double way, const std::string& name) {
+    return compared(moved_by(way), moved_by(way), pair, name, tolerance).verdict;
+  };
+  for (const std::string& name : all_names)
+    EXPECT_EQ(verdict(0.25, name), name == "swap" ? Verdict::not_invariant : Verdict::pass) << name;
+  EXPECT_EQ(verdict(0.125, "swap"), Verdict::pass);
+  EXPECT_EQ(verdict(std::nextafter(0.125, 1), "swap"), Verdict::not_invariant);
+}
+
 // By the policy both of two translations may be right.
 TEST(CompareVariant, LongerTranslationsMayDiffer) {
   Tolerance any;

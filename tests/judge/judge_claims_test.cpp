@@ -201,9 +201,10 @@ TEST(Judge, ContactsLieInBothBodies) {
   Reply to_come = at(1.25);
   to_come.contacts[0].depth = 0.6;
   to_come.contacts[1].depth = -0.24;
-  EXPECT_EQ(findings(cubes(), to_come), Findings{Verdict::witness_off});
+  EXPECT_EQ(findings(cubes(), to_come), (Findings{Verdict::witness_off, Verdict::contact_too_shallow}));
   to_come.contacts[1].depth = -0.2495;
-  EXPECT_EQ(findings(cubes(), to_come), Findings{}) << "where a gap is claimed it may lie in that";
+  EXPECT_EQ(findings(cubes(), to_come), Findings{Verdict::contact_too_shallow})
+      << "where a gap is claimed it may lie in that; but there is none";
   Reply alone = at(9);
   alone.depth.reset();
   EXPECT_EQ(findings(cubes(), alone), Findings{}) << "without a depth they are not read";
@@ -213,29 +214,33 @@ TEST(Judge, ContactsLieInBothBodies) {
   EXPECT_EQ(findings(touching_cubes(), separate), Findings{}) << "nor beside a distance";
 }
 
-// Of several contacts the deepest one has the depth of the whole.
+// Of several contacts the deepest one has the depth of the whole. These all lie on one line, along
+// which the cubes overlap by 0.6.
 TEST(Judge, ContactsAreAsDeepAsTheAnswer) {
   const auto with = [](double depth, std::vector<std::optional<double>> depths) {
     Reply reply = overlap(depth, left);
     for (const std::optional<double>& each : depths) reply.contacts.push_back({{0.5, 0.5, 0.5}, each});
     return reply;
   };
-  EXPECT_EQ(findings(cubes(), with(0.6, {0.6, 0.1, {}})), Findings{});
+  const Findings shallow{Verdict::contact_too_shallow}, differs{Verdict::inconsistent, Verdict::contact_too_shallow};
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.6, 0.1, {}})), shallow);
   EXPECT_EQ(findings(cubes(), with(0.6, {{}, 0.6005})), Findings{}) << "within the tolerance";
-  EXPECT_EQ(findings(cubes(), with(0.6, {0.1, 0.607})), Findings{Verdict::inconsistent});
-  EXPECT_EQ(findings(cubes(), with(0.6, {0.5, -1})), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.1, 0.607})),
+            (Findings{Verdict::inconsistent, Verdict::contact_too_deep, Verdict::contact_too_shallow}));
+  EXPECT_EQ(findings(cubes(), with(0.6, {0.5, -1})), differs);
   EXPECT_EQ(findings(cubes(), with(0.6, {{}, {}})), Findings{}) << "where none has a depth";
   EXPECT_EQ(findings(cubes(), with(0.6, {0.6, nan})), Findings{Verdict::nan});
   const Judgement result = judge(cubes(), with(0.75, {0.5, 0.25}));
   EXPECT_EQ(result.sentence,
             "too deep by 0.15: 0.75 is claimed, the depth is 0.6; inconsistent: the plane across its direction is at "
             "0.6, not at 0.75, the "
-            "depth of the deepest contact differs by 0.25");
+            "depth of the deepest contact differs by 0.25; contact 0 is too shallow: 0.5 is claimed, along the lines "
+            "near it the bodies overlap by 0.6 at least, and 1 more is so");
   EXPECT_EQ(result.deepest, -0.25);
   Conventions negative;
   negative.depth = Conventions::Sign::negative;
-  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, -0.6}), negative), Findings{});
-  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, 0.6}), negative), Findings{Verdict::inconsistent});
+  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, -0.6}), negative), shallow);
+  EXPECT_EQ(findings(cubes(), with(-0.6, {-0.1, 0.6}), negative), differs);
   EXPECT_EQ(findings(cubes(), with(-0.6, {-0.6})), Findings{Verdict::wrong_sign}) << "one slip, not two";
 }
 

@@ -100,7 +100,7 @@ void add_contacts(Reply& reply, const Truth& truth, const testing::NaiveJudge& n
 // each plus and minus the tolerance.
 TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
   Random random(11);
-  std::size_t compared = 0, failing = 0, off = 0;
+  std::size_t compared = 0, failing = 0, off = 0, of_contacts = 0;
   for (const Precision precision : {Precision::binary64, Precision::binary32}) {
     for (const Truth& truth : truths(1, 6, precision)) {
       for (int i = 0; i < 12; ++i) {
@@ -110,6 +110,7 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
         conventions.depth = static_cast<Conventions::Sign>(random.between(0, 1));
         conventions.moves = static_cast<Conventions::Body>(random.between(0, 1));
         conventions.unit = random.coin();
+        if (random.coin()) conventions.manifold = ContactLimits();
         const testing::NaiveJudge naive(truth, conventions, precision, tolerance);
         Reply reply;
         reply.overlap = random.between(0, 9) != 0;
@@ -134,11 +135,13 @@ TEST(JudgeFamilies, AgreesWithItsNaiveTwinOnTheBorders) {
         EXPECT_EQ(result.findings, naive.findings(reply)) << result.sentence;
         ++compared;
         off += result.contact_a_squared && std::ranges::count(result.findings, Verdict::witness_off) > 0;
+        of_contacts += std::ranges::any_of(result.findings, judging::is_of_contacts);
         failing += fails(result.verdict);
       }
     }
   }
   EXPECT_GT(compared, 1000U);
+  EXPECT_GT(of_contacts, 50U);
   EXPECT_GT(off, 20U);
   EXPECT_GT(failing, compared / 5);
   EXPECT_LT(failing, compared * 19 / 20);

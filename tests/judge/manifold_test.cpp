@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,25 +26,38 @@ namespace {
 
 using families::Random;
 using testing::cubes;
+using testing::Findings;
 using testing::left;
 using testing::overlap;
-using enum ContactFinding;
-using Words = std::vector<ContactFinding>;
+using Verdict::contact_outside;
+using Verdict::contact_too_deep;
+using Verdict::contact_too_shallow;
+using Verdict::misses_extent;
+using Verdict::tips;
 
-Words words(const std::vector<ContactFault>& faults) {
-  Words result;
+Findings words(const std::vector<ContactFault>& faults) {
+  Findings result;
   for (const ContactFault& fault : faults) result.push_back(fault.finding);
   return result;
 }
 
-ContactJudge judge_of(const Truth& truth, const Reply& reply, const ContactLimits& limits = {},
+using Declared = std::optional<ContactLimits>;
+
+Conventions declaring(const Declared& manifold) {
+  Conventions conventions;
+  conventions.manifold = manifold;
+  return conventions;
+}
+
+ContactJudge judge_of(const Truth& truth, const Reply& reply, const Declared& manifold = ContactLimits(),
                       const Tolerance& tolerance = {}) {
-  return ContactJudge(truth, reply, {}, Precision::binary64, tolerance, limits);
+  return ContactJudge(truth, reply, declaring(manifold), Precision::binary64, tolerance);
 }
 
 /// The findings; each is to be proved.
-Words found(const Truth& truth, const Reply& reply, const ContactLimits& limits = {}, const Tolerance& tolerance = {}) {
-  const ContactJudge judge = judge_of(truth, reply, limits, tolerance);
+Findings found(const Truth& truth, const Reply& reply, const Declared& manifold = ContactLimits(),
+               const Tolerance& tolerance = {}) {
+  const ContactJudge judge = judge_of(truth, reply, manifold, tolerance);
   const std::vector<ContactFault> faults = judge.faults();
   for (const ContactFault& fault : faults) {
     EXPECT_TRUE(judge.proves(fault)) << fault.sentence;
@@ -60,29 +75,65 @@ Reply on_square(const std::vector<std::array<double, 2>>& places, std::optional<
 
 TEST(Manifold, OfTwoCubes) {
   const Reply four = on_square({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  EXPECT_EQ(found(cubes(), four), Words{});
+  EXPECT_EQ(found(cubes(), four), Findings{});
   const auto with = [&](std::array<double, 2> place, double depth) {
     Reply reply = four;
     reply.contacts.push_back({{0.7, place[0], place[1]}, depth});
     return reply;
   };
-  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6005)), Words{}) << "within the tolerance";
-  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6007)), Words{contact_too_deep});
-  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5995)), Words{});
-  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5993)), Words{contact_too_shallow});
-  EXPECT_EQ(found(cubes(), with({0, 1.0005}, 0.6)), Words{});
-  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.6)), Words{contact_outside});
-  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.9)), Words{contact_outside}) << "one finding for each contact";
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6005)), Findings{}) << "within the tolerance";
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.6007)), Findings{contact_too_deep});
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5995)), Findings{});
+  EXPECT_EQ(found(cubes(), with({0.5, 0.5}, 0.5993)), Findings{contact_too_shallow});
+  EXPECT_EQ(found(cubes(), with({0, 1.0005}, 0.6)), Findings{});
+  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.6)), Findings{contact_outside});
+  EXPECT_EQ(found(cubes(), with({0, 1.0007}, 0.9)), Findings{contact_outside}) << "one finding for each contact";
 
-  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}})), Words{misses_extent});
-  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}})), (Words{misses_extent, tips}));
-  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}}), {.most = 3}), Words{}) << "three corners miss one";
-  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {0.1, 0}, {0.1, 0.2}}), {.most = 3}), (Words{misses_extent, tips}));
-  EXPECT_EQ(found(cubes(), overlap(0.6, left)), Words{}) << "no contacts are promised";
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}})), Findings{misses_extent});
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}})), (Findings{misses_extent, tips}));
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}, {1, 1}}), ContactLimits{.most = 3}), Findings{})
+      << "three corners miss one";
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {0.1, 0}, {0.1, 0.2}}), ContactLimits{.most = 3}),
+            (Findings{misses_extent, tips}));
+  EXPECT_EQ(found(cubes(), overlap(0.6, left)), Findings{}) << "no contacts are promised";
+  const Reply one = on_square({{0, 0}});
+  EXPECT_EQ(found(cubes(), one, ContactLimits{.most = 1}), Findings{}) << "one contact promises no extent";
+  EXPECT_EQ(found(cubes(), one, std::nullopt), Findings{});
+  EXPECT_EQ(found(cubes(), on_square({{0, 0}, {1, 0}}), std::nullopt), Findings{})
+      << "nor do any that are not declared";
+  EXPECT_EQ(found(cubes(), one), (Findings{misses_extent, tips}));
+  EXPECT_EQ(found(cubes(), one, ContactLimits{.most = 2}), (Findings{misses_extent, tips}))
+      << "two corners miss by half";
   EXPECT_EQ(judge_of(cubes(), on_square({{0, 0}, {1, 0}})).faults()[0].sentence,
             "the contacts miss a corner of the patch by 1");
   EXPECT_EQ(judge_of(cubes(), with({0.5, 0.5}, 0.7)).faults()[0].sentence,
             "contact 4 is too deep: 0.7 is claimed, along the lines near it the bodies overlap by 0.6 at most");
+}
+
+// Contacts among all that may be wrong with an answer: a contact that is outside is told by that
+// alone, where it lies along the direction by witness-off.
+TEST(Manifold, IsJudgedAmongAllFindings) {
+  Reply reply = on_square({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  const Conventions whole = declaring(ContactLimits());
+  const auto judged = [&] { return judge(cubes(), reply, whole); };
+  EXPECT_EQ(judged().verdict, Verdict::pass);
+  reply.contacts[0].position = {0.7, -0.5, 0};
+  EXPECT_EQ(judged().findings, Findings{contact_outside});
+  EXPECT_EQ(judged().contact_a_squared, mpq_class(1, 4)) << "how far away it is";
+  reply.contacts[1].position = {0.7, 1.5, 0};
+  EXPECT_EQ(judged().sentence,
+            "contact 0 is outside: no line near it along the direction meets both bodies, and 1 more is so");
+  reply.contacts[2].position[0] = 2;
+  reply.contacts[3].depth = 0.5;
+  EXPECT_EQ(judged().findings, (Findings{Verdict::witness_off, contact_outside, contact_too_shallow}));
+  EXPECT_EQ(judged().verdict, Verdict::witness_off);
+  reply.direction.reset();
+  EXPECT_EQ(judged().findings, Findings{Verdict::witness_off}) << "without a direction only where they lie";
+  reply = on_square({{0, 0}, {1, 0}});
+  EXPECT_EQ(judged().verdict, misses_extent);
+  EXPECT_EQ(judged().findings, (Findings{misses_extent, tips}));
+  reply.direction = testing::right;
+  EXPECT_EQ(judged().findings, Findings{Verdict::wrong_sign}) << "a sign is told alone";
 }
 
 // Without depths of their own contacts have that of the answer, less a margin that is declared.
@@ -100,14 +151,14 @@ TEST(Manifold, ContactsWithoutDepths) {
   Reply reply = overlap(0.5, testing::up);
   for (const auto& [x, y] : {std::array{0.0, 0.0}, {0.0, 4.0}, {1.0, 4.0}, {1.0, 0.0}})
     reply.contacts.push_back({{x, y, -0.75}, {}});
-  EXPECT_EQ(found(wedge, reply), (Words{contact_too_deep, contact_too_deep})) << "they overlap by 1/4 at x = 1";
-  EXPECT_EQ(found(wedge, reply, {.margin = mpq_class(1, 4)}), Words{});
+  EXPECT_EQ(found(wedge, reply), (Findings{contact_too_deep, contact_too_deep})) << "they overlap by 1/4 at x = 1";
+  EXPECT_EQ(found(wedge, reply, ContactLimits{.margin = 0.25}), Findings{});
   for (ContactPoint& contact : reply.contacts) contact.depth = contact.position[0] == 0 ? 0.5 : 0.25;
-  EXPECT_EQ(found(wedge, reply), Words{});
+  EXPECT_EQ(found(wedge, reply), Findings{});
   reply.contacts[2].position[0] = reply.contacts[3].position[0] = 3;  // apart by 1/4
-  EXPECT_EQ(found(wedge, reply), (Words{contact_too_deep, contact_too_deep}));
+  EXPECT_EQ(found(wedge, reply), (Findings{contact_too_deep, contact_too_deep}));
   reply.contacts[2].depth = reply.contacts[3].depth = -0.25;
-  EXPECT_EQ(found(wedge, reply), Words{}) << "a contact may be one to come";
+  EXPECT_EQ(found(wedge, reply), Findings{}) << "a contact may be one to come";
 }
 
 // ---- the definitions ----
@@ -124,7 +175,7 @@ using LeastAndGreatest = std::optional<std::array<mpq_class, 2>>;
 
 /// What is wrong with one contact of the depth d, from the overlaps near it along a direction of
 /// the length 5.
-Words found_naively(const LeastAndGreatest& overlaps, const mpq_class& d, const mpq_class& tol) {
+Findings found_naively(const LeastAndGreatest& overlaps, const mpq_class& d, const mpq_class& tol) {
   if (!overlaps) return {contact_outside};
   if (d > 5 * (*overlaps)[1] + tol) return {contact_too_deep};
   if (d < 5 * (*overlaps)[0] - tol) return {contact_too_shallow};
@@ -135,7 +186,7 @@ Words found_naively(const LeastAndGreatest& overlaps, const mpq_class& d, const 
 TEST(Manifold, OfOneContactIsWhatTheDefinitionsSay) {
   Random random(5);
   const Vector v{3, 0, 4};
-  std::array<std::size_t, contact_findings> seen{};
+  std::map<Verdict, std::size_t> seen;
   std::size_t right = 0;
   for (int k = 0; k < 24; ++k) {
     const Truth truth = truth_about(random_points(random), random_points(random));
@@ -153,16 +204,15 @@ TEST(Manifold, OfOneContactIsWhatTheDefinitionsSay) {
     for (const double depth : depths) {
       Reply reply = overlap(depth, Triple{3, 0, 4});
       reply.contacts = {{x, depth}};
-      Words words = found(truth, reply, {}, tolerance);
-      std::erase_if(words, [](ContactFinding finding) { return finding >= misses_extent; });
+      Findings words = found(truth, reply, std::nullopt, tolerance);
       EXPECT_EQ(words, found_naively(overlaps, exact_value(depth), tol)) << "pair " << k << ", depth " << depth;
       if (words.empty()) ++right;
-      else ++seen[static_cast<std::size_t>(words[0])];
+      else ++seen[words[0]];
     }
   }
   EXPECT_GT(right, 10U);
-  for (const ContactFinding finding : {contact_outside, contact_too_deep, contact_too_shallow})
-    EXPECT_GT(seen[static_cast<std::size_t>(finding)], 3U) << name(finding);
+  for (const Verdict finding : {contact_outside, contact_too_deep, contact_too_shallow})
+    EXPECT_GT(seen[finding], 3U) << name(finding);
 }
 
 // ---- an engine in doubles ----
@@ -236,8 +286,8 @@ GivenPoints body(const Corners& box) { return GivenPoints(std::vector<Triple>(bo
 
 /// Broken in one way, each is found by this word.
 void expect_broken_found(const Truth& truth, const Reply& right, const std::string& where) {
-  const auto has = [&](const Reply& reply, ContactFinding word) {
-    const Words all = found(truth, reply);
+  const auto has = [&](const Reply& reply, Verdict word) {
+    const Findings all = found(truth, reply);
     return std::ranges::find(all, word) != all.end();
   };
   for (std::size_t k = 0; k < right.contacts.size(); ++k) {
@@ -271,14 +321,14 @@ TEST(Manifold, OfAClippingEngineIsNotBlamedAtAnyTilt) {
       const Reply reply = clipped(a, b);
       ASSERT_GE(reply.contacts.size(), 3U);
       const std::string where = "tilt " + std::to_string(tilt) + ", scene " + std::to_string(k);
-      EXPECT_EQ(found(truth, reply), Words{}) << where;
+      EXPECT_EQ(found(truth, reply), Findings{}) << where;
       expect_broken_found(truth, reply, where);
       if (tilt > 0) continue;
       Reply less = reply;
       less.contacts.pop_back();
       EXPECT_EQ(found(truth, less)[0], misses_extent) << where;
       less.contacts.resize(1);
-      EXPECT_EQ(found(truth, less), (Words{misses_extent, tips})) << where;
+      EXPECT_EQ(found(truth, less), (Findings{misses_extent, tips})) << where;
     }
   }
 }
@@ -291,7 +341,7 @@ TEST(Manifold, ForgedProofsAreRefused) {
   reply.contacts[4].depth = 0.5;
   const ContactJudge judge = judge_of(cubes(), reply);
   std::vector<ContactFault> faults = judge.faults();
-  ASSERT_EQ(words(faults), (Words{contact_outside, contact_too_deep, contact_too_shallow, misses_extent}));
+  ASSERT_EQ(words(faults), (Findings{contact_outside, contact_too_deep, contact_too_shallow, misses_extent}));
   const auto refused = [&](std::size_t k, auto change) {
     ContactFault fault = faults[k];
     EXPECT_TRUE(judge.proves(fault));

@@ -11,6 +11,7 @@
 #include "kernels/vector.hpp"
 #include "tests/approximate/naive_rays.hpp"
 #include "tests/judge/pairs.hpp"
+#include "verify/judge/manifold.hpp"
 
 namespace fathom::testing {
 
@@ -214,15 +215,25 @@ class NaiveJudge {
     return u;
   }
 
-  /// d is the depth, mended; so are those of the contacts.
+  /// d is the depth, mended; so are those of the contacts. What is wrong with them along the
+  /// direction is taken over: manifold_test.cpp holds it to its definitions.
   void judge_contacts(const Reply& reply, const mpf_class& d, std::vector<Verdict>& found) const {
+    std::vector<judging::ContactFault> faults;
+    if (std::ranges::none_of(found, [](Verdict finding) { return finding <= Verdict::wrong_sign; }))
+      faults = judging::ContactJudge(truth_, reply, conventions_, precision_, tolerance_).faults();
+    std::vector<char> outside(reply.contacts.size(), 0);
+    for (const judging::ContactFault& fault : faults) {
+      found.push_back(fault.finding);
+      if (fault.finding == Verdict::contact_outside) outside[*fault.contact] = 1;
+    }
     const bool flipped = (sgn(d) < 0) != (*reply.depth < 0);
     std::optional<mpf_class> deepest;
-    for (const ContactPoint& contact : reply.contacts) {
+    for (std::size_t k = 0; k < reply.contacts.size(); ++k) {
+      const ContactPoint& contact = reply.contacts[k];
       const mpf_class depth = real(exact_value((flipped ? -1 : 1) * contact.depth.value_or(0)));
       const mpf_class allowed = real(depth < 0 ? real(witness_tol_ - depth) : witness_tol_);
       for (const GivenPoints* body : {&truth_.a, &truth_.b})
-        if (more(root(real(squared_distance_naive(exact(contact.position), *body))), allowed))
+        if (outside[k] == 0 && more(root(real(squared_distance_naive(exact(contact.position), *body))), allowed))
           found.push_back(Verdict::witness_off);
       if (!contact.depth) continue;
       if (!deepest || depth > *deepest) deepest = depth;

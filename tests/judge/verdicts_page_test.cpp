@@ -73,6 +73,10 @@ Conventions conventions_of(const Json& json) {
       json.value("depth", "positive") == "negative" ? Conventions::Sign::negative : Conventions::Sign::positive;
   result.moves = json.value("moves", "a") == "b" ? Conventions::Body::b : Conventions::Body::a;
   result.unit = json.value("unit", true);
+  if (json.contains("manifold"))
+    result.manifold = ContactLimits{
+        json["manifold"].value("most", 0U) > 0 ? std::optional<std::size_t>(json["manifold"]["most"]) : std::nullopt,
+        json["manifold"].value("margin", 0.0)};
   result.claims =
       json.value("claims", "minimum") == "separating" ? Conventions::Claims::separating : Conventions::Claims::minimum;
   return result;
@@ -120,7 +124,9 @@ TEST(VerdictsPage, ItsExamplesAreJudgedAsItSays) {
     for (const Json& example : sections[i].examples) {
       const Judgement result = judged(example, usual);
       EXPECT_EQ(name(result.verdict), example.at("verdict").get<std::string>()) << result.sentence;
-      EXPECT_EQ(example.at("verdict").get<std::string>(), sections[i].title);
+      const auto verdict = static_cast<Verdict>(i - 1);
+      const bool is_found = std::ranges::find(result.findings, verdict) != result.findings.end();
+      EXPECT_TRUE(result.verdict == verdict || (verdict == Verdict::tips && is_found)) << "it never stands alone";
       EXPECT_EQ(result.sentence, example.at("says").get<std::string>());
       const std::string accuracy = example.value("accuracy", "");
       EXPECT_EQ(result.accuracy ? name(*result.accuracy) : "", accuracy);

@@ -205,6 +205,16 @@ def test_other_questions():
     assert fathom.judge(box, other, overlap=True, depth=math.nan).verdict == "nan"
 
 
+def test_judgements_of_contacts():
+    def judged(contacts, **declared):
+        return fathom.judge(CUBE, CUBE + [0.5, 0, 0], overlap=True, depth=0.5, direction=(-1, 0, 0), contacts=contacts, **declared)
+    corners = [((0.75, y, z), 0.5) for y in (0, 1) for z in (0, 1)]
+    assert judged(corners, manifold=(4, 0)).passed and judged(corners[:2]).passed
+    assert judged(corners[:2], manifold=(None, 0)).findings == ["misses-extent", "tips"]
+    assert judged(corners + [((0.75, 2, 0), None)]).verdict == "contact-outside"
+    assert judged([((0.75, 0, 0), 0.25)] + corners).verdict == "contact-too-shallow"
+
+
 def test_studies_and_judgements_of_shapes():
     ball, cylinder = fathom.sphere(1), fathom.cylinder(1, 2)
     study = fathom.study(ball, cylinder)

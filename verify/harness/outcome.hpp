@@ -41,9 +41,6 @@ struct SubjectInfo {
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices",
   /// a shape's name, or "" for all.
   std::map<std::string, mpq_class> rounding = {};
-  std::optional<std::size_t> most_contacts = {};  ///< in one reply
-  /// How much less deep than the reply contacts without a depth may be, in its unit.
-  std::optional<double> contact_margin = {};
   std::map<std::string, std::string> settings;  ///< tolerances, iteration limits, margins: shown in reports only
 };
 

@@ -418,15 +418,17 @@ std::map<std::string, mpq_class> rounding_in(const JsonValue& said) {
 }
 
 /// {"most": 4, "margin": 0.01}, both optional.
-void read_manifold(const JsonValue& said, SubjectInfo& info) {
+ContactLimits manifold_in(const JsonValue& said) {
+  ContactLimits limits;
   if (!said.is_object()) refuse("an object for \"manifold\" in the hello", shown_json(said));
   if (const JsonValue* most = said.find("most")) {
     const double count = radius_in(*most, "manifold.most");
     if (count < 1 || count > 1e9 || std::floor(count) != count)
       refuse("a number of contacts for \"manifold.most\"", shown_json(*most));
-    info.most_contacts = static_cast<std::size_t>(count);
+    limits.most = static_cast<std::size_t>(count);
   }
-  if (const JsonValue* margin = said.find("margin")) info.contact_margin = radius_in(*margin, "manifold.margin");
+  if (const JsonValue* margin = said.find("margin")) limits.margin = radius_in(*margin, "manifold.margin");
+  return limits;
 }
 
 /// The same, which must be an object, each with its fields once: readers differ in which of two
@@ -524,7 +526,7 @@ SubjectInfo read_hello(std::string_view line) {
           value->is_string() ? value->text() : value->written(JsonValue::Form::sorted).text();
   if (const JsonValue* promises = hello.find("promises")) info.promises = promises_in(*promises);
   if (const JsonValue* rounding = hello.find("rounding")) info.rounding = rounding_in(*rounding);
-  if (const JsonValue* manifold = hello.find("manifold")) read_manifold(*manifold, info);
+  if (const JsonValue* manifold = hello.find("manifold")) info.conventions.manifold = manifold_in(*manifold);
   return info;
 }
 

@@ -36,9 +36,9 @@ inline constexpr std::tuple hello_fields{
     field("rounding", &SubjectInfo::rounding, "length",
           "Its own bodies are the asked ones grown by a ball of this radius.", "",
           [](const SubjectInfo& it) { return !it.rounding.empty(); }),
-    field("manifold.most", &SubjectInfo::most_contacts, "", "How many contacts it answers at most."),
-    field("manifold.margin", &SubjectInfo::contact_margin, "length",
-          "How much less deep than the reply contacts without a depth may be."),
+    Derived<SubjectInfo, const ContactLimits*>{
+        "manifold", [](const SubjectInfo& it) { return it.conventions.manifold ? &*it.conventions.manifold : nullptr; },
+        "", "That its contacts reach as far as the bodies touch, and their limits."},
     field("settings", &SubjectInfo::settings, "", "Shown in reports only.", "",
           [](const SubjectInfo& it) { return !it.settings.empty(); })};
 static_assert(text::stored_fields(hello_fields) == text::member_count<SubjectInfo>(),
@@ -97,8 +97,8 @@ inline constexpr std::tuple outcome_fields{
     field("pieces", &Outcome::pieces, "",
           "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them."),
     field("contact_faults", &Outcome::contact_faults, "",
-          "What is wrong with the contacts of a reply about polytopes, each with its proof; no part of the verdict.",
-          "", [](const Outcome& outcome) { return !outcome.contact_faults.empty(); })};
+          "What is wrong with the contacts of a reply about polytopes, each with its proof.", "",
+          [](const Outcome& outcome) { return !outcome.contact_faults.empty(); })};
 static_assert(text::stored_fields(outcome_fields) + 1 == text::member_count<Outcome>(),
               "each member of Outcome has its row");
 

@@ -31,7 +31,6 @@ Json json_of(Verdict value) { return name(value); }
 Json json_of(Accuracy value) { return name(value); }
 Json json_of(const mpq_class& value) { return exact_text(value); }
 Json json_of(const std::array<std::uint32_t, 2>& pair) { return Json::array({pair[0], pair[1]}); }
-Json json_of(judging::ContactFinding value) { return name(value); }
 Json json_of(const Point& p) { return Json::array({json_of(p.x), json_of(p.y), json_of(p.z)}); }
 Json json_of(const Vector& v) {
   return Json::array({json_of(mpq_class(v.x)), json_of(mpq_class(v.y)), json_of(mpq_class(v.z))});
@@ -179,11 +178,6 @@ void take(const Read& json, Verdict& value) {
   const std::optional<Verdict> verdict = verdict_named(json.string());
   if (!verdict) throw Unreadable();
   value = *verdict;
-}
-void take(const Read& json, judging::ContactFinding& value) {
-  const std::optional<judging::ContactFinding> finding = judging::contact_finding_named(json.string());
-  if (!finding) throw Unreadable();
-  value = *finding;
 }
 void take(const Read& json, Point& p) {
   take(json.at(0), p.x);

@@ -162,17 +162,6 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// Contacts are judged where neither the classification nor a sign is wrong.
-std::vector<judging::ContactFault> contact_faults(const Truth& truth, const Judgement& judgement, const Reply& reply,
-                                                  const SubjectInfo& info, const NumberFormat& format,
-                                                  const Tolerance& tolerance) {
-  if (reply.contacts.empty()) return {};
-  if (!judgement.findings.empty() && judgement.findings.front() <= Verdict::wrong_sign) return {};
-  const judging::ContactLimits limits{scaled(exact_value(info.contact_margin.value_or(0)), -format.exponent),
-                                      info.most_contacts};
-  return judging::ContactJudge(truth, reply, info.conventions, format, tolerance, limits).faults();
-}
-
 /// `radii`: those that the subject added, which shapes in `seen` have. `faults`: of its contacts,
 /// where that is not null.
 Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
@@ -195,8 +184,7 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
                                : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
     return judged(truth);
   }
-  Judgement judgement = judged(truth);
-  if (faults) *faults = contact_faults(*points, judgement, reply, info, format, judging.tolerance);
+  Judgement judgement = judging::judged(*points, reply, info.conventions, format, judging.tolerance, faults);
   for (const Solver& solver : judging.second) {
     const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {

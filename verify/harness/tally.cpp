@@ -155,19 +155,18 @@ void UnionCount::add(const Outcome& outcome) {
 }
 
 void ContactCount::add(const Outcome& outcome) {
-  std::array<bool, judging::contact_findings> found{};
-  for (const judging::ContactFault& fault : outcome.contact_faults)
-    found[static_cast<std::size_t>(fault.finding)] = true;
-  answers += outcome.contact_faults.empty() ? 0 : 1;
-  for (std::size_t i = 0; i < found.size(); ++i) findings[i] += found[i] ? 1 : 0;
+  if (!outcome.judgement) return;
+  const std::vector<Verdict>& all = outcome.judgement->findings;
+  answers += std::ranges::any_of(all, judging::is_of_contacts) ? 1 : 0;
+  for (const Verdict finding : all)
+    if (judging::is_of_contacts(finding)) ++findings[finding];
 }
 
 std::vector<std::string> contact_entries(const ContactCount& contacts) {
   if (contacts.answers == 0) return {};
   std::vector<std::string> result{fmt::format("wrong in {} answers", contacts.answers)};
-  for (std::size_t i = 0; i < contacts.findings.size(); ++i)
-    if (contacts.findings[i] > 0)
-      result.push_back(fmt::format("{} in {}", name(static_cast<judging::ContactFinding>(i)), contacts.findings[i]));
+  for (const auto& [finding, count] : contacts.findings)
+    result.push_back(fmt::format("{} in {}", name(finding), count));
   return result;
 }
 

@@ -89,10 +89,11 @@ std::vector<std::string> hull_entries(const HullCount& hulls);
 /// most"...; nothing without unions.
 std::vector<std::string> union_entries(const UnionCount& unions);
 
-/// Answers whose contacts are not right, and those that each finding is made of.
+/// Answers whose contacts are not right, and those in which each finding is made, whatever else is
+/// wrong with them.
 struct ContactCount {
   std::size_t answers = 0;
-  std::array<std::size_t, judging::contact_findings> findings{};
+  std::map<Verdict, std::size_t> findings;
   void add(const Outcome& outcome);
 };
 /// "wrong in 3 answers", "misses-extent in 2"; empty if all are right.

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -35,6 +36,7 @@ struct Claim {
   std::optional<Point> witness_a, witness_b;
   std::vector<Point> contacts;                           ///< empty if a number of theirs is not finite
   std::vector<std::optional<mpq_class>> contact_depths;  ///< of each of them
+  std::set<std::size_t> outside;  ///< those that were found to be, and are not asked where they lie besides
 
   /// How far a contact still to come may be from a body: minus its depth, if that is below 0.
   [[nodiscard]] mpq_class gap(std::size_t contact) const {

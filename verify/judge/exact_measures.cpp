@@ -128,7 +128,7 @@ double ExactMeasures::contact_away_b() const { return root(*std::ranges::max_ele
 
 bool ExactMeasures::is_off(const Claim& claim, const std::vector<mpq_class>& squared) const {
   for (std::size_t k = 0; k < squared.size(); ++k)
-    if (!allowed_.witness.negligible(squared[k], claim.gap(k))) return true;
+    if (!claim.outside.contains(k) && !allowed_.witness.negligible(squared[k], claim.gap(k))) return true;
   return false;
 }
 

@@ -64,9 +64,18 @@ inline constexpr std::tuple conventions_fields{
     field("unit", &Conventions::unit, "", "Whether directions are promised to have length 1."),
     field("claims", &Conventions::claims, "", "What a depth with a direction means; minimum if it is not there.", "",
           [](const Conventions& of) { return of.claims != Conventions::Claims::minimum; })};
-static_assert(stored_fields(conventions_fields) == member_count<Conventions>(),
-              "each member of Conventions has its row");
+static_assert(stored_fields(conventions_fields) + 1 == member_count<Conventions>(),
+              "each member of Conventions has its row, but for the manifold, which a hello has beside them");
 constexpr const auto& fields_of(const Conventions*) { return conventions_fields; }
+
+inline constexpr std::tuple contact_limits_fields{
+    field("most", &ContactLimits::most, "", "How many contacts it answers at most."),
+    field("margin", &ContactLimits::margin, "length",
+          "How much less deep than the reply contacts without a depth may be.", "",
+          [](const ContactLimits& of) { return of.margin != 0; })};
+static_assert(stored_fields(contact_limits_fields) == member_count<ContactLimits>(),
+              "each member of ContactLimits has its row");
+constexpr const auto& fields_of(const ContactLimits*) { return contact_limits_fields; }
 
 /// In the order of JSON; "witness.a" is a field of "witness".
 inline constexpr std::tuple reply_fields{

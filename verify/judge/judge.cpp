@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fathom/numbers.hpp"
@@ -18,6 +19,7 @@
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/manifold.hpp"
 #include "verify/judge/measures.hpp"
 
 namespace fathom::judging {
@@ -41,8 +43,14 @@ std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(di
 class Teller {
  public:
   Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended,
-         const NumberFormat& format, const Remarks& remarks)
-      : judgement_(judgement), truth_(truth), reply_(reply), claim_(mended), format_(format), remarks_(remarks) {}
+         const NumberFormat& format, const Remarks& remarks, const std::vector<ContactFault>& faults)
+      : judgement_(judgement),
+        truth_(truth),
+        reply_(reply),
+        claim_(mended),
+        format_(format),
+        remarks_(remarks),
+        faults_(faults) {}
 
   [[nodiscard]] std::string all() const {
     if (judgement_.findings.empty() && judgement_.excess_allowed) return separating();
@@ -90,6 +98,11 @@ class Teller {
       case Verdict::not_separating: return "not separating: " + truth_.left(*claim_.length);
       case Verdict::inconsistent: return inconsistent();
       case Verdict::witness_off: return witness_off();
+      case Verdict::contact_outside:
+      case Verdict::contact_too_deep:
+      case Verdict::contact_too_shallow:
+      case Verdict::misses_extent:
+      case Verdict::tips: return of_contacts(finding);
       default: return std::string(name(finding));
     }
   }
@@ -148,6 +161,13 @@ class Teller {
     return result;
   }
 
+  /// The first of those that are wrong so, and how many others are.
+  [[nodiscard]] std::string of_contacts(Verdict finding) const {
+    const auto others = std::ranges::count(faults_, finding, &ContactFault::finding) - 1;
+    const std::string& first = std::ranges::find(faults_, finding, &ContactFault::finding)->sentence;
+    return others > 0 ? fmt::format("{}, and {} more {} so", first, others, others == 1 ? "is" : "are") : first;
+  }
+
   [[nodiscard]] std::string touching() const {
     return std::string("the bodies touch, and it says that they ") + (reply_.overlap ? "overlap" : "are apart") +
            ", which its conventions allow";
@@ -183,15 +203,18 @@ class Teller {
   const Claim& claim_;
   NumberFormat format_;
   const Remarks& remarks_;
+  const std::vector<ContactFault>& faults_;
 };
 
 // ---- the judge ----
 
 class Judge {
  public:
-  Judge(Measures& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-        const Tolerance& tolerance)
+  /// `polytopes`: what the measures are of, if it is these; else null.
+  Judge(Measures& truth, const Truth* polytopes, const Reply& reply, const Conventions& conventions,
+        const NumberFormat& format, const Tolerance& tolerance)
       : truth_(truth),
+        polytopes_(polytopes),
         reply_(reply),
         conventions_(conventions),
         format_(format),
@@ -214,9 +237,11 @@ class Judge {
     }
     truth_.conclude(result_);
     conclude();
-    result_.sentence = Teller(result_, truth_, reply_, claim_, format_, remarks_).all();
+    result_.sentence = Teller(result_, truth_, reply_, claim_, format_, remarks_, faults_).all();
     return std::move(result_);
   }
+  /// What is wrong with the contacts of polytopes, after a run.
+  std::vector<ContactFault>& faults() { return faults_; }
 
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
@@ -320,12 +345,24 @@ class Judge {
   }
 
   void contacts() {
+    manifold();
     remarks_.contact_a = truth_.is_contact_off_a(claim_);
     remarks_.contact_b = truth_.is_contact_off_b(claim_);
     if (remarks_.contact_a || remarks_.contact_b) found(Verdict::witness_off);
     const std::optional<mpq_class> off = deepest_contact(claim_);
     remarks_.deepest = off && truth_.is_off_length(*off);
     if (remarks_.deepest) found(Verdict::inconsistent);
+  }
+
+  /// Where neither the classification nor a sign is wrong.
+  void manifold() {
+    const auto is_first = [](Verdict finding) { return finding <= Verdict::wrong_sign; };
+    if (!polytopes_ || claim_.contacts.empty() || std::ranges::any_of(result_.findings, is_first)) return;
+    faults_ = ContactJudge(*polytopes_, reply_, conventions_, format_, tolerance_).faults();
+    for (const ContactFault& fault : faults_) {
+      found(fault.finding);
+      if (fault.finding == Verdict::contact_outside) claim_.outside.insert(*fault.contact);
+    }
   }
 
   void conclude() {
@@ -342,6 +379,7 @@ class Judge {
   }
 
   Measures& truth_;
+  const Truth* polytopes_;
   const Reply& reply_;
   const Conventions& conventions_;
   NumberFormat format_;
@@ -349,10 +387,21 @@ class Judge {
   Claim claim_;
   Remarks remarks_;
   bool deep_ = false;
+  std::vector<ContactFault> faults_;
   Judgement result_;
 };
 
 }  // namespace
+
+Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                 const Tolerance& tolerance, std::vector<ContactFault>* faults) {
+  const kernels::DefaultFloatEnvironment environment;
+  const std::unique_ptr<Measures> measures = measures_of(truth, format, tolerance);
+  Judge judge(*measures, &truth, reply, conventions, format, tolerance);
+  Judgement judgement = judge.run();
+  if (faults) *faults = std::move(judge.faults());
+  return judgement;
+}
 
 }  // namespace fathom::judging
 
@@ -360,9 +409,7 @@ namespace fathom {
 
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
                 const Tolerance& tolerance) {
-  const kernels::DefaultFloatEnvironment environment;
-  const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance);
-  return judging::Judge(*measures, reply, conventions, format, tolerance).run();
+  return judging::judged(truth, reply, conventions, format, tolerance, nullptr);
 }
 
 Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
@@ -370,7 +417,7 @@ Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& 
   const kernels::DefaultFloatEnvironment environment;
   for (unsigned bits = judging::usual_bits;; bits *= 2) {
     const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, bits);
-    Judgement judgement = judging::Judge(*measures, reply, conventions, format, tolerance).run();
+    Judgement judgement = judging::Judge(*measures, nullptr, reply, conventions, format, tolerance).run();
     if (!measures->open() || bits >= judging::most_bits) return judgement;
   }
 }
@@ -379,7 +426,7 @@ Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& 
                 const Tolerance& tolerance, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, monitor);
-  return judging::Judge(*measures, reply, conventions, format, tolerance).run();
+  return judging::Judge(*measures, nullptr, reply, conventions, format, tolerance).run();
 }
 
 }  // namespace fathom

@@ -19,9 +19,6 @@
 namespace fathom::judging {
 namespace {
 
-constexpr std::array<std::string_view, contact_findings> finding_names{"contact-outside", "contact-too-deep",
-                                                                       "contact-too-shallow", "misses-extent", "tips"};
-
 constexpr unsigned position_bits = 40;
 /// Corners of a patch of which subsets are tried.
 constexpr std::size_t most_corners = 16;
@@ -74,34 +71,33 @@ std::string length_text(const mpq_class& signed_square) {
 
 }  // namespace
 
-std::string_view name(ContactFinding finding) { return finding_names.at(static_cast<std::size_t>(finding)); }
-
-std::optional<ContactFinding> contact_finding_named(std::string_view name) {
-  const auto* const found = std::ranges::find(finding_names, name);
-  if (found == finding_names.end()) return std::nullopt;
-  return static_cast<ContactFinding>(found - finding_names.begin());
-}
-
 ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions,
-                           const NumberFormat& format, const Tolerance& tolerance, ContactLimits limits)
-    : truth_(truth), claim_(exact_claim(reply, conventions, format.exponent)), limits_(std::move(limits)) {
+                           const NumberFormat& format, const Tolerance& tolerance)
+    : truth_(truth), claim_(exact_claim(reply, conventions, format.exponent)) {
   const kernels::DefaultFloatEnvironment environment;
   const Allowances allowed(sizes_of(truth.a, truth.b), truth.depth.squared(), format, tolerance);
   depth_ = allowed.depth;
   near_ = kernels::enclosed({0, allowed.witness.squared()}, position_bits).high;
-  const Penetration* const penetration = truth.depth.penetration();
-  if (!penetration || penetration->unlisted > 0) return;
+  if (!conventions.manifold) return;
+  margin_ = Allowance(0, 0, scaled(exact_value(conventions.manifold->margin), -format.exponent));
+  find_extents(conventions.manifold->most);
+}
+
+/// One contact has no extent: nothing is asked of a subject that answers no more.
+void ContactJudge::find_extents(const std::optional<std::size_t>& most) {
+  const Penetration* const penetration = truth_.depth.penetration();
+  if (!penetration || penetration->unlisted > 0 || (most && *most <= 1)) return;
   for (const Optimum& optimum : penetration->optima) {
     const Patch patch = patch::shared_inside(
-        {optimum.direction, truth.a, optimum.contact.a, truth.b, optimum.contact.b}, optimum.support);
+        {optimum.direction, truth_.a, optimum.contact.a, truth_.b, optimum.contact.b}, optimum.support);
     Extent& extent = extents_.emplace_back(Extent{optimum.direction, {}, patch.centroid().a.core, 0});
     for (std::size_t k = 0; k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
-    if (!limits_.most || *limits_.most >= extent.corners.size()) continue;
-    if (extent.corners.size() > most_corners || *limits_.most == 0) {
+    if (!most || *most >= extent.corners.size()) continue;
+    if (extent.corners.size() > most_corners) {
       extents_.clear();  // not asked
       return;
     }
-    extent.allowed_squared = least_missed_squared(extent.corners, *limits_.most);
+    extent.allowed_squared = least_missed_squared(extent.corners, *most);
   }
 }
 
@@ -134,7 +130,7 @@ mpq_class ContactJudge::signed_square(const mpq_class& factor) const {
 bool ContactJudge::deeper(std::size_t contact, const mpq_class& factor) const {
   const mpq_class &d = claimed(contact), overlap = signed_square(factor);
   if (!depth_.above(d, overlap)) return false;
-  return claim_.contact_depths[contact] || Allowance(0, 0, limits_.margin).above(d, overlap);
+  return claim_.contact_depths[contact] || margin_.above(d, overlap);
 }
 bool ContactJudge::shallower(std::size_t contact, const mpq_class& factor) const {
   return claim_.contact_depths[contact] && depth_.below(claimed(contact), signed_square(factor));
@@ -150,7 +146,7 @@ void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t con
     const patch::GreatestOverlap greatest = lines.greatest(x, near_);
     if (!greatest.overlap) {
       faults.push_back(
-          {ContactFinding::contact_outside,
+          {Verdict::contact_outside,
            contact,
            greatest.planes,
            {},
@@ -159,7 +155,7 @@ void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t con
       return;
     }
     if (deeper(contact, greatest.overlap->factor)) {
-      faults.push_back({ContactFinding::contact_too_deep,
+      faults.push_back({Verdict::contact_too_deep,
                         contact,
                         greatest.planes,
                         {},
@@ -174,7 +170,7 @@ void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t con
   std::vector<patch::LineOverlap> corners = lines.corners(x, near_);
   const mpq_class least = std::ranges::min_element(corners, {}, &patch::LineOverlap::factor)->factor;
   if (!shallower(contact, least)) return;
-  faults.push_back({ContactFinding::contact_too_shallow,
+  faults.push_back({Verdict::contact_too_shallow,
                     contact,
                     std::nullopt,
                     std::move(corners),
@@ -202,7 +198,7 @@ std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Poin
 
 void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
   if (extents_.empty()) return;
-  ContactFault fault{ContactFinding::misses_extent, std::nullopt, std::nullopt, {}, {}, ""};
+  ContactFault fault{Verdict::misses_extent, std::nullopt, std::nullopt, {}, {}, ""};
   std::optional<mpq_class> least;
   const Extent* best = nullptr;
   for (const Extent& extent : extents_) {
@@ -221,7 +217,7 @@ void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
   faults.push_back(std::move(fault));
   mpq_class squared;
   if (std::optional<MissedPoint> middle = missed(*best, best->centroid, 0, squared))
-    faults.push_back({ContactFinding::tips,
+    faults.push_back({Verdict::tips,
                       std::nullopt,
                       std::nullopt,
                       {},
@@ -243,7 +239,7 @@ mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<c
 bool ContactJudge::proves(const ContactFault& fault) const {
   const kernels::DefaultFloatEnvironment environment;
   if (claim_.contacts.empty() || !claim_.finite) return false;
-  using enum ContactFinding;
+  using enum Verdict;
   if (fault.finding == misses_extent || fault.finding == tips) return proves_missed(fault);
   if (!claim_.direction || !fault.contact || *fault.contact >= claim_.contacts.size()) return false;
   if (fault.finding == contact_too_shallow) return proves_too_shallow(fault);
@@ -288,7 +284,7 @@ bool ContactJudge::is_missed(const MissedPoint& missed, const mpq_class& allowed
 }
 
 bool ContactJudge::proves_missed(const ContactFault& fault) const {
-  if (fault.finding == ContactFinding::tips)
+  if (fault.finding == Verdict::tips)
     return fault.missed.size() == 1 && std::ranges::any_of(extents_, [&](const Extent& extent) {
              const MissedPoint& missed = fault.missed[0];
              return missed.direction == extent.direction && missed.point == extent.centroid && is_missed(missed, 0);

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fathom/judge.hpp"
@@ -19,25 +18,10 @@
 
 namespace fathom::judging {
 
-/// What may be wrong with contacts, in order of rank.
-enum class ContactFinding {
-  contact_outside,      ///< no line along the direction near a contact meets both bodies
-  contact_too_deep,     ///< along no line near it they overlap so much
-  contact_too_shallow,  ///< along each line near it that meets both they overlap more
-  misses_extent,        ///< the contacts leave out part of each patch
-  tips                  ///< and so much that the middle of the patch is not between them
-};
-inline constexpr std::size_t contact_findings = static_cast<std::size_t>(ContactFinding::tips) + 1;
-/// "contact-outside": lower case, hyphens.
-std::string_view name(ContactFinding finding);
-/// The inverse of `name`; nullopt for other words.
-std::optional<ContactFinding> contact_finding_named(std::string_view name);
-
-/// What a subject declares of its contacts.
-struct ContactLimits {
-  mpq_class margin = 0;  ///< how much less deep than the answer contacts without an own depth may be; a length
-  std::optional<std::size_t> most = {};  ///< how many it answers at most
-};
+/// What is wrong with contacts, all of which is told with a proof.
+constexpr bool is_of_contacts(Verdict finding) {
+  return finding >= Verdict::contact_outside && finding <= Verdict::tips;
+}
 
 /// A point of a patch that the contacts do not reach, seen along the patch's direction n.
 struct MissedPoint {
@@ -48,7 +32,7 @@ struct MissedPoint {
 
 /// A finding with its proof.
 struct ContactFault {
-  ContactFinding finding;
+  Verdict finding;                         ///< one of those of contacts
   std::optional<std::size_t> contact;      ///< which of the reply's it is about; none if it is about all
   std::optional<patch::TwoPlanes> planes;  ///< of one that is outside or too deep
   std::vector<patch::LineOverlap> lines;   ///< of one that is too shallow: the corners of all lines near it
@@ -62,7 +46,7 @@ class ContactJudge {
  public:
   /// The truth must outlive it.
   ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-               const Tolerance& tolerance, ContactLimits limits = {});
+               const Tolerance& tolerance);
 
   /// All that is wrong, in order of contacts, those about all of them at last; only the first that
   /// holds of each contact. Positions, depths and the direction are taken as they stand: an answer
@@ -82,6 +66,7 @@ class ContactJudge {
     mpq_class allowed_squared;  ///< beside the tolerance: what as many contacts as it answers must miss
   };
 
+  void find_extents(const std::optional<std::size_t>& most);
   [[nodiscard]] const mpq_class& claimed(std::size_t contact) const;
   [[nodiscard]] mpq_class signed_square(const mpq_class& factor) const;
   [[nodiscard]] bool deeper(std::size_t contact, const mpq_class& factor) const;
@@ -97,11 +82,15 @@ class ContactJudge {
 
   const Truth& truth_;
   Claim claim_;
-  ContactLimits limits_;
-  Allowance depth_;
+  Allowance depth_, margin_;
   mpq_class near_;               ///< by how much a position may be off
-  std::vector<Extent> extents_;  ///< of all optima; empty unless the bodies overlap
+  std::vector<Extent> extents_;  ///< of all optima; empty unless bodies overlap and extent is promised
 };
+
+/// Judges as the function judge of fathom/judge.hpp does. Tells what is wrong with the contacts if
+/// `faults` is not null.
+Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                 const Tolerance& tolerance, std::vector<ContactFault>* faults);
 
 /// How far two sets of contacts reach differently, seen along n: the Hausdorff distance of their
 /// hulls, squared. Neither is empty.

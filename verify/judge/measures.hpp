@@ -58,8 +58,8 @@ class Measures {
   /// points miss the translation by more, which is given by its square.
   virtual bool is_off_a() = 0;
   virtual bool is_off_b() = 0;
-  /// Whether a contact of the claim that was measured, its signs mended, is farther from the body
-  /// than tol, and its gap beside that.
+  /// Whether a contact of the claim that was measured, its signs mended, which is not outside, is
+  /// farther from the body than tol, and its gap beside that.
   virtual bool is_contact_off_a(const Claim& claim) = 0;
   virtual bool is_contact_off_b(const Claim& claim) = 0;
   /// Whether a difference of two claimed lengths is more than tol.

@@ -12,12 +12,32 @@
 namespace fathom {
 namespace {
 
-constexpr std::string_view verdict_names[] = {
-    "crash",        "time-out",         "silent",        "garbage",         "failed",
-    "nan",          "false-separation", "false-overlap", "not-a-direction", "wrong-sign",
-    "too-deep",     "too-shallow",      "too-far",       "too-near",        "not-separating",
-    "inconsistent", "witness-off",      "not-invariant", "unsupported",     "touching-by-convention",
-    "pass"};
+constexpr std::string_view verdict_names[] = {"crash",
+                                              "time-out",
+                                              "silent",
+                                              "garbage",
+                                              "failed",
+                                              "nan",
+                                              "false-separation",
+                                              "false-overlap",
+                                              "not-a-direction",
+                                              "wrong-sign",
+                                              "too-deep",
+                                              "too-shallow",
+                                              "too-far",
+                                              "too-near",
+                                              "not-separating",
+                                              "inconsistent",
+                                              "witness-off",
+                                              "contact-outside",
+                                              "contact-too-deep",
+                                              "contact-too-shallow",
+                                              "misses-extent",
+                                              "tips",
+                                              "not-invariant",
+                                              "unsupported",
+                                              "touching-by-convention",
+                                              "pass"};
 static_assert(std::size(verdict_names) == static_cast<std::size_t>(Verdict::pass) + 1);
 
 }  // namespace

@@ -218,9 +218,9 @@ class Judgement(NamedTuple):
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
-          unit: bool = True, claims: str = "minimum", policy: str = "declared", precision: str = "binary64",
-          answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000", pose_a: PoseLike = None,
-          pose_b: PoseLike = None) -> Judgement:
+          unit: bool = True, claims: str = "minimum", manifold: tuple[int | None, float] | None = None, policy: str = "declared",
+          precision: str = "binary64", answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000",
+          pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
     Bodies may be unions of convex pieces (`fathom.union`): a claimed translation is judged by what it leaves.
@@ -232,6 +232,8 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     sign       of its depths: "positive" or "negative"; `conventions.depth` in the protocol
     moves      which body the direction moves: "a" or "b"
     unit       whether it promises directions of length 1
+    manifold   that its contacts reach as far as the bodies touch: how many there are at most, or None, and how much less deep than the
+               answer those without a depth may be
     claims     "minimum", or "separating": no more than that its translation separates, at the separating distance of its direction
     policy     "declared", as it claims; "minimum", "separating", or "within=5%": or at most so much above the depth
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
@@ -253,6 +255,6 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     """
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
              "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
-             "claims": claims, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute}
+             "claims": claims, "manifold": manifold, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**found)

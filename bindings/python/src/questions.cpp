@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -296,6 +297,25 @@ Reply reply_from(const py::dict& claim) {
   return reply;
 }
 
+/// How many contacts there are at most, or None, and the margin of their depths.
+std::optional<ContactLimits> manifold_from(const py::handle& from) {
+  if (from.is_none()) return std::nullopt;
+  const py::sequence two = two_of(from, "a manifold of two: how many contacts at most, or None, and a margin");
+  ContactLimits limits;
+  limits.margin = float_from(two[1], "manifold");
+  if (!std::isfinite(limits.margin) || limits.margin < 0)
+    throw py::value_error("manifold: expected a margin of at least 0, found " + shown(two[1]));
+  if (two[0].is_none()) return limits;
+  try {
+    limits.most = two[0].cast<std::size_t>();
+  } catch (const py::cast_error&) {
+    limits.most = 0;
+  }
+  if (limits.most == 0U)
+    throw py::value_error("manifold: expected a number of contacts from 1, found " + shown(two[0]));
+  return limits;
+}
+
 JudgeArguments judge_arguments(const py::dict& claim) {
   JudgeArguments result;
   result.reply = reply_from(claim);
@@ -307,6 +327,7 @@ JudgeArguments judge_arguments(const py::dict& claim) {
   take("moves", result.conventions.moves);
   result.conventions.unit = bool_argument(claim, "unit");
   take("claims", result.conventions.claims);
+  result.conventions.manifold = manifold_from(claim["manifold"]);
   const auto precision = [&](const char* of) { return one_of<Precision>(of, text_argument(claim, of)); };
   result.format = precision("precision");
   if (!claim["answers"].is_none()) result.format.answers = precision("answers");

@@ -151,12 +151,11 @@ TEST(Summary, WhatWasJudged) {
   summary.add(manifold);
   EXPECT_NE(summary.table({}).find("contacts in 1\n"), std::string::npos);
   EXPECT_EQ(summary.table({}).find("wrong in"), std::string::npos);
-  using enum judging::ContactFinding;
-  for (const judging::ContactFinding finding : {contact_too_deep, contact_too_deep, tips})
-    manifold.contact_faults.push_back({finding, 0, {}, {}, {}, "a text"});
-  summary.add(manifold);
-  manifold.contact_faults.erase(manifold.contact_faults.begin(), manifold.contact_faults.begin() + 2);
-  summary.add(manifold);
+  using enum Verdict;
+  for (const std::vector<Verdict>& findings : {std::vector{witness_off, contact_too_deep, tips}, {tips}}) {
+    manifold.judgement->findings = findings;
+    summary.add(manifold);
+  }
   EXPECT_NE(summary.table({}).find("\ncontacts     wrong in 2 answers; contact-too-deep in 1; tips in 2\n"),
             std::string::npos);
 }
@@ -239,13 +238,12 @@ TEST(Summary, NeverWiderThanItMay) {
   for (const std::string& line : lines_of(table)) {
     EXPECT_LE(line.size(), 140u) << line;
     for (const char c : line) EXPECT_TRUE(c >= 0x20 && c < 0x7f) << line;
-    if (line.starts_with("family ") && line.ends_with(" in uR"))
-      errors += words(line) == Words{"family", "relative", "relative", "in", "uR", "in", "uR"};
+    if (line.starts_with("family ") && line.ends_with(" in uR")) errors += line.find(" relative") != std::string::npos;
     if (line.starts_with("301 families pass") || line.starts_with("302 families pass")) ++blocks;
   }
   EXPECT_EQ(errors, 1) << table;
   EXPECT_GE(blocks, 2);
-  EXPECT_EQ(lines_of(table).back(), "321 cases: 302 pass, 18 fail, 1 unsupported");
+  EXPECT_EQ(lines_of(table).back(), "326 cases: 302 pass, 23 fail, 1 unsupported");
 }
 
 // Which failures the page shows in full.
