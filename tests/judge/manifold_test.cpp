@@ -134,6 +134,15 @@ TEST(Manifold, IsJudgedAmongAllFindings) {
   EXPECT_EQ(judged().findings, (Findings{misses_extent, tips}));
   reply.direction = testing::right;
   EXPECT_EQ(judged().findings, Findings{Verdict::wrong_sign}) << "a sign is told alone";
+
+  Conventions separating = whole;
+  separating.claims = Conventions::Claims::separating;
+  Reply upwards = overlap(1, testing::up);
+  for (const auto& [x, y] : {std::array{0.4, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.4, 1.0}})
+    upwards.contacts.push_back({{x, y, 0.5}, 1.0});
+  EXPECT_EQ(judge(cubes(), upwards, separating).verdict, Verdict::pass) << "of another way out no extent is asked";
+  upwards.contacts[0].depth = 0.5;
+  EXPECT_EQ(judge(cubes(), upwards, separating).verdict, contact_too_shallow);
 }
 
 // Without depths of their own contacts have that of the answer, less a margin that is declared.

@@ -207,10 +207,16 @@ std::string conventions_text(const Conventions& conventions) {
   const char* touching = conventions.touching == Touching::overlap    ? "bodies that touch overlap"
                          : conventions.touching == Touching::separate ? "bodies that touch are separate"
                                                                       : "bodies that touch are either";
-  return fmt::format("{}; the depth is {}; {} moves; directions {}{}", touching,
+  const auto manifold = [](const ContactLimits& limits) {
+    return fmt::format("; contacts reach as far as bodies touch{}{}",
+                       limits.most ? fmt::format(", at most {}", *limits.most) : "",
+                       limits.margin == 0 ? "" : fmt::format(", less deep by {} at most", limits.margin));
+  };
+  return fmt::format("{}; the depth is {}; {} moves; directions {}{}{}", touching,
                      conventions.depth == Conventions::Sign::positive ? "positive" : "negative",
                      moving_body(conventions), conventions.unit ? "have length 1" : "may have any length",
-                     conventions.claims == Conventions::Claims::separating ? "; claims: separating" : "");
+                     conventions.claims == Conventions::Claims::separating ? "; claims: separating" : "",
+                     conventions.manifold ? manifold(*conventions.manifold) : "");
 }
 
 const char* moving_body(const Conventions& conventions) {

@@ -333,6 +333,12 @@ std::string reply_text(const Outcome& outcome) {
 /// The same; points become fathom::hull(...).
 std::string as_shape_code(const Body& body) { return body.words ? shape_code(*body.words) : hull_text(body.points); }
 
+std::string manifold_text(const std::optional<ContactLimits>& manifold) {
+  if (!manifold) return "";
+  return fmt::format("  conventions.manifold = fathom::ContactLimits{{{}, {}}};\n",
+                     manifold->most ? fmt::format("{}", *manifold->most) : "{}", literal(manifold->margin));
+}
+
 /// For a library without a program here, and for bodies by name.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const bool shapes = has_words(pair);
@@ -366,6 +372,7 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
       {"@claims@", conventions.claims == Conventions::Claims::minimum
                        ? ""
                        : "  conventions.claims = fathom::Conventions::Claims::separating;\n"},
+      {"@manifold@", manifold_text(conventions.manifold)},
       {"@rounded@", rounded},
       {"@judged@", judged},
       {"@format@", points == answers ? points : "{" + points + ", " + answers + "}"}};
