@@ -164,7 +164,8 @@ void ContactCount::add(const Outcome& outcome) {
 
 std::vector<std::string> contact_entries(const ContactCount& contacts) {
   if (contacts.answers == 0) return {};
-  std::vector<std::string> result{fmt::format("wrong in {} answers", contacts.answers)};
+  std::vector<std::string> result{
+      fmt::format("wrong in {} answer{}", contacts.answers, contacts.answers == 1 ? "" : "s")};
   for (const auto& [finding, count] : contacts.findings)
     result.push_back(fmt::format("{} in {}", name(finding), count));
   return result;
