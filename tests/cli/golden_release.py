@@ -96,6 +96,12 @@ class GoldenTest(CliTest):
         self.assertEqual([name for name in ours if ours[name] != theirs[name]], [])
 
 
+def validator(path):
+    schema = json.loads(path.read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
 class LevelTests:
     """What is asked of each level whose records are no point sets; beside GoldenTest."""
 
@@ -114,14 +120,13 @@ class LevelTests:
         records = json.loads((self.release / "dataset.json").read_text())["records"]
         return records
 
+    def validator(self, name):
+        """Of the schema of this name in the release."""
+        return validator(self.release / f"{name}.schema.json")
+
     def validated(self):
         """(the validator of records, a good one): all pages and records obey their schemas, which have teeth."""
-        def validator(path):
-            schema = json.loads(path.read_text())
-            jsonschema.Draft202012Validator.check_schema(schema)
-            return jsonschema.Draft202012Validator(schema)
-
-        dataset, shard, record = (validator(self.release / f"{name}.schema.json") for name in ("dataset", "shard", "golden"))
+        dataset, shard, record = map(self.validator, ("dataset", "shard", "golden"))
         case = validator(ROOT / "reference/files/case.schema.json")
         value = json.loads((self.release / "dataset.json").read_text())
         dataset.validate(value)

@@ -183,7 +183,7 @@ TEST(Plan, FamiliesThatIgnoreTheSeedHaveOneCaseOfASize) {
 }
 
 TEST(Plan, LevelsHaveNames) {
-  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0})
+  for (const Level level : {Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0})
     EXPECT_EQ(find_level(name_of(level)), level);
   EXPECT_FALSE(find_level("L4"));
   EXPECT_FALSE(find_level("P2"));

@@ -63,6 +63,14 @@ INSTANTIATE_TEST_SUITE_P(Golden, EveryKind,
                                                   {Source::union_catalogue, "slot_wider"},
                                                   {Source::union_catalogue, "slot_filled"},
                                                   "source: it has no such form",
+                                                  "the certificate is about other bodies"},
+                                           Sample{Level::C0,
+                                                  3,
+                                                  {Source::shape_family, "capsule_hull", 8, 1, true},
+                                                  {Source::shape_family, "rounded_boxes", 8, 1, true},
+                                                  {Source::shape_family, "rounded_boxes", 8, 2, true},
+                                                  {Source::family, "boxes_aligned", 8, 1, true},
+                                                  "source: it does not yield these points",
                                                   "the certificate is about other bodies"}),
                          [](const auto& info) { return std::string(name_of(info.param.level)); });
 
@@ -113,7 +121,7 @@ TEST_P(EveryKind, ASizeOfFourBillionIsRefused) {
   const Record record = records_of(recipe).front();
   Json line = Json::parse(record.line);
   line["source"]["size"] = 4'000'000'000;
-  line["id"] = recipe.name + "-n4000000000-s1";
+  line["id"] = id_of({recipe.source, recipe.name, 4'000'000'000, 1, recipe.contacts});
   EXPECT_EQ(faults_of(line.dump(), record.certificate), "source.size: it is larger than that of any record");
 }
 
@@ -131,7 +139,9 @@ std::vector<Record> specimens() {
         Recipe{Source::shape_family, "shapes_halfspace", 8, 3},
         Recipe{Source::shape_catalogue, "sphere_centre_on_vertex"},
         Recipe{Source::shape_catalogue, "spheres_concentric"}, Recipe{Source::union_catalogue, "slot_exact_fit"},
-        Recipe{Source::union_catalogue, "gap_of_a_body"}}) {
+        Recipe{Source::union_catalogue, "gap_of_a_body"}, Recipe{Source::catalogue, "contact_facet_facet", 0, 0, true},
+        Recipe{Source::catalogue, "touching_edge_face", 0, 0, true},
+        Recipe{Source::shape_family, "capsule_box", 8, 1, true}}) {
     result.push_back(records_of(recipe).back());
   }
   return result;
@@ -149,6 +159,8 @@ void expect_refused(const Record& record, const Json& forgery, const std::string
 
 /// Other values of the same type, and of another.
 std::vector<Json> other_values(const Json& value) {
+  if (value.is_boolean()) return {!value.get<bool>(), 0};
+  if (value.is_number_float()) return {value.get<double>() + 1, "0"};
   if (value.is_number())
     return {value.get<std::uint64_t>() + 1, value.get<std::uint64_t>() + 0.5,
             std::to_string(value.get<std::uint64_t>())};
@@ -200,7 +212,7 @@ void forge_below(const Record& record, Json& forgery, Json& at, const std::strin
 
 TEST(Prove, EveryFieldThatIsForgedIsRefused) {
   const std::vector<Record> all = specimens();
-  ASSERT_EQ(all.size(), 15u);
+  ASSERT_EQ(all.size(), 18u);
   for (const Record& record : all) {
     Json forgery = Json::parse(record.line);
     ASSERT_EQ(forgery.dump(), record.line) << "what is not changed stays as it was";
@@ -259,6 +271,39 @@ TEST(Prove, TheDistanceMustBeProvedToo) {
            "end 4 4 1 0 0\n";
   EXPECT_EQ(faults_of(line_with(record.line, weaker), weaker),
             "the certificate does not prove how far the bodies are apart");
+}
+
+TEST(Prove, PatchesAndRatesMustBeProvedToo) {
+  const Recipe recipe{Source::family, "faces_parallel", 8, 1, true};
+  const Record record = records_of(recipe).front();
+  EXPECT_TRUE(record.certificate.starts_with("fathom-certificate 4\n"));
+  EXPECT_FALSE(faults_of(record.line, record.certificate));
+  const auto hulls = std::get<HullPair>(base_bodies(recipe));
+  const Answer answer = exact_answer(hulls.a, hulls.b);
+  const std::string plain = certificate_text(hulls.a, hulls.b, answer, record.id);
+  EXPECT_EQ(faults_of(line_with(record.line, plain), plain), "the certificate has format 1, not 4");
+  const ContactGeometry geometry = contact_geometry(hulls.a, hulls.b, answer);
+  const std::string fewer =
+      certificate_text(hulls.a, hulls.b, answer, geometry, recorded_motions().first(2), record.id);
+  EXPECT_EQ(faults_of(line_with(record.line, fewer), fewer),
+            "expected.derivatives: the certificate does not prove them");
+}
+
+TEST(Prove, TheSecondWaysSeeWhatIsWrongWithContacts) {
+  const Pose frame = rigid_pose({1, 2, 3, 4}, {1, 0, mpq_class(1, 2)});
+  const RecordBodies bodies = base_bodies({Source::family, "faces_parallel", 8, 2});
+  const ContactFacts good = contacts_of(bodies, {}).contacts;
+  EXPECT_NO_THROW(insist_on_exchanged(bodies, good, frame, {}));
+  EXPECT_NO_THROW(insist_on_clipped(bodies, good));
+  ContactFacts cut = good;
+  cut.manifold.geometry.patches.front().corners.pop_back();
+  EXPECT_THROW(insist_on_exchanged(bodies, cut, frame, {}), NotProved);
+  EXPECT_THROW(insist_on_clipped(bodies, cut), NotProved);
+  ContactFacts reversed = good;
+  auto& rate = std::get<DirectionalDerivative>(reversed.derivatives.back());
+  ASSERT_NE(rate.sign(), 0);
+  rate.over = -rate.over;
+  EXPECT_THROW(insist_on_exchanged(bodies, reversed, frame, {}), NotProved);
 }
 
 TEST(Prove, AnIdStandsForItsOwnPointsOnly) {

@@ -34,11 +34,16 @@ Dataset dataset_in(const fs::path& folder) {
   const fs::path page = folder / dataset_name;
   std::optional<Dataset> dataset = parse_dataset(read_small_file(page));
   if (!dataset) throw FileError(page.string() + ": this is not the page of a release");
-  if (const Kind kind = kind_of(dataset->level); kind != Kind::polytopes)
+  if (const Level level = dataset->level; !of_polytopes(level) && level != Level::C0)
     throw FolderError(
-        fmt::format("{} holds {}, and a case of an export is two lists of points: export a level of L0 to L3",
-                    folder.string(), kind == Kind::shapes ? "shapes" : "unions"));
+        fmt::format("{} holds {}, and a case of an export is two lists of points: export a level of L0 to L3, or C0",
+                    folder.string(), level == Level::U0 ? "unions" : "shapes"));
   return *std::move(dataset);
+}
+
+/// Of C0 some are. They are neither told nor counted.
+bool is_of_shapes(std::string_view line) {
+  return line.substr(0, line.find(R"("id")")).find("fathom/golden-shapes/") != std::string_view::npos;
 }
 
 /// The records of a release, one after another.
@@ -65,7 +70,7 @@ class ReleaseRecords {
         while (const std::optional<std::string_view> line = lines.line()) {
           kernels::Context(monitor_).check();
           ++number;
-          take(export_case(*line), certificate);
+          if (!is_of_shapes(*line)) take(export_case(*line), certificate);
         }
         expect_content(shard.files[0], lines);
       });

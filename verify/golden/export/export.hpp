@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a release of polytopes, or a file of one's own cases, and which of them are wanted.
+// Input   a release with polytopes, or a file of one's own cases, and which of them are wanted.
 // Output  one file with these, for the tests of other projects, and their certificates. The same
 //         input and request give the same bytes.
 #pragma once
@@ -56,6 +56,12 @@ struct ExportCase {
   std::vector<std::array<double, 3>> a, b;
   /// unit vectors, rounded: of all optima, or the one direction of the record
   std::vector<std::array<double, 3>> directions;
+  /// Of records of contacts, for each direction: the corners on A of all contact points, each
+  /// coordinate correctly rounded.
+  std::vector<std::vector<std::array<double, 3>>> patches = {};
+  /// Of these, where the signed depth is smooth: its gradient by A's translation, and by A's
+  /// rotation about the origin, correctly rounded.
+  std::optional<std::array<std::array<double, 3>, 2>> gradient = std::nullopt;
 };
 
 /// Returns what exports tell of a record of polytopes. Returns nullopt if a coordinate is not

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
 #include "reference/text/json_value.hpp"
 #include "verify/golden/export/export.hpp"
@@ -98,6 +99,32 @@ void read_answer(const JsonValue& expected, ExportCase& result) {
   if (result.directions.empty()) result.directions.push_back(unit(expected));
 }
 
+/// Exact numbers, each rounded to nearest.
+std::array<double, 3> rounded_triple(const JsonValue& value) {
+  if (value.items().size() != 3) throw NotARecord("expected three numbers, found something else");
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ParsedNumber number = parse_number(plain_text(value.at(i), "-0123456789/"), Decimals::exact);
+    if (!number.value) throw NotARecord(number.error);
+    result[i] = round_binary64(*number.value);
+  }
+  return result;
+}
+
+/// Of records of contacts.
+void read_manifold(const JsonValue& manifold, ExportCase& result) {
+  for (const JsonValue& patch : manifold.at("patches").items()) {
+    Triples& corners = result.patches.emplace_back();
+    for (const JsonValue& corner : patch.at("corners").items()) corners.push_back(rounded_triple(corner.at("a")));
+  }
+  if (!manifold.at("gradient_f64").is_object()) return;
+  const auto numbers = [&](std::string_view name) {
+    const JsonValue& of = manifold.at("gradient_f64").at(name);
+    return std::array<double, 3>{of.at(0).number(), of.at(1).number(), of.at(2).number()};
+  };
+  result.gradient = {numbers("v"), numbers("w")};
+}
+
 std::vector<std::string> flags_in(const JsonValue& record) {
   const std::vector<std::string_view> known = flag_names();
   std::vector<std::string> flags;
@@ -115,7 +142,12 @@ std::string group_of(const JsonValue& source) {
 }
 
 bool all_finite(const ExportCase& result) {
-  return std::isfinite(result.signed_depth) && std::isfinite(result.size) && std::isfinite(result.largest);
+  const auto finite = [](const Triples& corners) {
+    return std::ranges::all_of(
+        corners, [](const auto& p) { return std::ranges::all_of(p, [](double x) { return std::isfinite(x); }); });
+  };
+  return std::isfinite(result.signed_depth) && std::isfinite(result.size) && std::isfinite(result.largest) &&
+         std::ranges::all_of(result.patches, finite);
 }
 
 }  // namespace
@@ -139,6 +171,7 @@ std::optional<ExportCase> export_case(std::string_view line) {
     result.size = std::max(longest_side(result.a), longest_side(result.b));
     result.largest = std::max(largest_coordinate(result.a), largest_coordinate(result.b));
     read_answer(record.at("expected"), result);
+    if (const JsonValue* const manifold = record.at("expected").find("manifold")) read_manifold(*manifold, result);
     return all_finite(result) ? std::optional(std::move(result)) : std::nullopt;
   } catch (const text::JsonFault& fault) {
     throw NotARecord(std::string("expected a record, found a fault: ") + fault.what());
@@ -173,6 +206,8 @@ std::string bracketed(const Triples& points) {
   return '[' + listed(points, ", ", [](const auto& point) { return '[' + joined(point, ", ") + ']'; }) + ']';
 }
 
+Triples gradient_of(const ExportCase& entry) { return {entry.gradient->begin(), entry.gradient->end()}; }
+
 std::string quoted(const std::string& plain) { return '"' + plain + '"'; }
 
 std::string quoted_list(const std::vector<std::string>& words) { return '[' + listed(words, ", ", quoted) + ']'; }
@@ -197,8 +232,8 @@ std::string c_points(const Triples& points) {
 }
 
 std::string c_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
-  std::string numbers, table;
-  std::size_t at = 0;
+  std::string numbers, table, sizes;
+  std::size_t at = 0, patches = 0;
   const auto place = [&](const Triples& points) {
     numbers += c_points(points);
     return fmt::format("fathom_golden_numbers + {}, {}", at, points.size());
@@ -214,17 +249,34 @@ std::string c_text(const ExportSource& source, const std::vector<ExportCase>& ca
                          listed(entry.flags, " ", [](const std::string& flag) { return flag; }),
                          decimal_text(entry.size), decimal_text(entry.largest));
     for (const Triples* points : {&entry.a, &entry.b, &entry.directions}) {
-      table += place(*points) + (points == &entry.directions ? "},\n" : ", ");
+      table += place(*points) + ", ";
       at += 3 * points->size();
     }
+    const auto add = [&](const auto& points) {
+      numbers += c_points({points.begin(), points.end()});
+      at += 3 * points.size();
+    };
+    table += entry.patches.empty()
+                 ? "NULL, NULL, "
+                 : fmt::format("fathom_golden_numbers + {}, fathom_golden_corners + {}, ", at, patches);
+    for (const Triples& corners : entry.patches) {
+      add(corners);
+      sizes += fmt::format("  {},\n", corners.size());
+    }
+    patches += entry.patches.size();
+    table += entry.gradient ? fmt::format("fathom_golden_numbers + {}}},\n", at) : "NULL},\n";
+    if (entry.gradient) add(*entry.gradient);
   }
+  if (!sizes.empty())
+    sizes =
+        "/* How many corners each patch has. */\nstatic const size_t fathom_golden_corners[] = {\n" + sizes + "};\n\n";
   return fmt::format(
       "{}\n/*\n{} */\n#ifndef FATHOM_GOLDEN_CASES\n#define FATHOM_GOLDEN_CASES\n\n"
-      "/* The points of A, those of B, and the directions of each case. */\n"
-      "static const double fathom_golden_numbers[] = {{\n{}}};\n\n"
+      "/* The points of A, those of B, and the directions of each case; corners and the gradient, if it has some. */\n"
+      "static const double fathom_golden_numbers[] = {{\n{}}};\n\n{}"
       "static const fathom_golden_case fathom_golden_cases[] = {{\n{}}};\n\n"
       "enum {{ fathom_golden_count = {} }};\n\n#endif\n",
-      kit_in_c(), about(source, cases.size(), " * "), numbers, table, cases.size());
+      kit_in_c(), about(source, cases.size(), " * "), numbers, sizes, table, cases.size());
 }
 
 // ---- Rust ----
@@ -236,10 +288,11 @@ std::string rust_entry(const ExportCase& entry) {
       "    Case {{\n        name: \"{}\",\n        status: Status::{},\n        signed_depth: {},\n        squared: "
       "\"{}\",\n"
       "        flags: &{},\n        size: {},\n        largest: {},\n        a: &{},\n        b: &{},\n        "
-      "directions: &{},\n    }},\n",
+      "directions: &{},\n        patches: &[{}],\n        gradient: {},\n    }},\n",
       entry.name, status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
       decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
-      bracketed(entry.directions));
+      bracketed(entry.directions), listed(entry.patches, ", ", [](const Triples& p) { return '&' + bracketed(p); }),
+      entry.gradient ? "Some(" + bracketed(gradient_of(entry)) + ")" : "None");
 }
 
 std::string rust_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
@@ -251,14 +304,21 @@ std::string rust_text(const ExportSource& source, const std::vector<ExportCase>&
 
 // ---- JSON and CSV ----
 
+std::string manifold_text(const ExportCase& entry) {
+  if (entry.patches.empty()) return "";
+  return fmt::format(R"(, "patches": [{}], "gradient": {})", listed(entry.patches, ", ", bracketed),
+                     entry.gradient ? bracketed(gradient_of(entry)) : "null");
+}
+
 std::string json_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
   const auto entry_text = [](const ExportCase& entry) {
     return fmt::format(
         R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, )"
-        R"("directions": {}, "family": "{}", "formats": {}, "contacts": {}}})",
+        R"("directions": {}, "family": "{}", "formats": {}, "contacts": {}{}}})",
         entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
         decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
-        bracketed(entry.directions), entry.group, quoted_list(entry.formats), quoted_list(entry.contacts));
+        bracketed(entry.directions), entry.group, quoted_list(entry.formats), quoted_list(entry.contacts),
+        manifold_text(entry));
   };
   const bool own = !source.file.empty();  // and not ours to license
   const std::string from =
@@ -275,12 +335,14 @@ std::string csv_text(const std::vector<ExportCase>& cases) {
     return listed(points, " ", [](const auto& point) { return joined(point, " "); });
   };
   const auto words = [](const std::vector<std::string>& list) { return fmt::format("{}", fmt::join(list, " ")); };
-  std::string text = "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts\n";
+  std::string text =
+      "name,status,signed_depth,squared,flags,size,largest,a,b,directions,family,formats,contacts,patches,gradient\n";
   for (const ExportCase& entry : cases)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status,
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", entry.name, entry.status,
                         decimal_text(entry.signed_depth), entry.squared, words(entry.flags), decimal_text(entry.size),
                         decimal_text(entry.largest), numbers(entry.a), numbers(entry.b), numbers(entry.directions),
-                        entry.group, words(entry.formats), words(entry.contacts));
+                        entry.group, words(entry.formats), words(entry.contacts), listed(entry.patches, ";", numbers),
+                        entry.gradient ? numbers(gradient_of(entry)) : "");
   return text;
 }
 

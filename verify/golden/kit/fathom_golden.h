@@ -45,6 +45,14 @@ typedef struct fathom_golden_case {
   const double *directions; /* unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that
                              * are apart that of the distance, from B to A */
   size_t direction_count;
+  /* Of cases of contacts, else NULL. For each direction: the corners, on A, of all points where the
+   * bodies touch once A is moved that way, rounded, one patch behind the other; a point has one, a
+   * segment two. */
+  const double *corners;
+  const size_t *corner_counts; /* of each of these patches */
+  /* Of these, where the signed depth is smooth, else NULL: six numbers, rounded. A moves with v + w
+   * x p at its points p: the first three times v and the others times w are its rate. */
+  const double *gradient;
 } fathom_golden_case;
 
 /* How wrong an answer may be: by the larger of relative * depth (or distance) and absolute * size.

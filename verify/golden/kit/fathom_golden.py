@@ -33,6 +33,12 @@ class Case(NamedTuple):
     family: str = ""  #: where it is from: a family of cases, "catalogue", "real", or "own"
     formats: Sequence[str] = ()  #: that hold the points: "binary64", and "binary32" if that does too
     contacts: Sequence[str] = ()  #: the kinds of contact of the shortest ways out, A's feature first: "edge-edge"
+    #: Of cases of contacts, for each direction: the corners, on A, of all points where the bodies touch once A is moved that way, rounded:
+    #: one of a point, two of a segment.
+    patches: Sequence[List[List[float]]] = ()
+    #: Of these, where the signed depth is smooth, rounded. A moves with v + w x p at its points p: the first times v and the second times w
+    #: are its rate.
+    gradient: Optional[List[List[float]]] = None
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> List[Case]:
@@ -55,7 +61,9 @@ def _from_row(row):
 
     return Case(row["name"], row["status"], float(row["signed_depth"]), Fraction(row["squared"]), row["flags"].split(), float(row["size"]),
                 float(row["largest"]), points(row["a"]), points(row["b"]), points(row["directions"]),
-                row.get("family", ""), row.get("formats", "").split(), row.get("contacts", "").split())
+                row.get("family", ""), row.get("formats", "").split(), row.get("contacts", "").split(),
+                [points(patch) for patch in row["patches"].split(";")] if row.get("patches") else (),
+                points(row["gradient"]) if row.get("gradient") else None)
 
 
 def separating_distance(case: Case, direction: Sequence[float]) -> float:

@@ -34,6 +34,12 @@ pub struct Case {
     /// Unit vectors, rounded: all whose separating distance is the depth. Of bodies that touch one whose is 0; of bodies that are apart
     /// that of the distance, from B to A.
     pub directions: &'static [[f64; 3]],
+    /// Of cases of contacts, for each direction: the corners, on A, of all points where the bodies touch once A is moved that way, rounded:
+    /// one of a point, two of a segment.
+    pub patches: &'static [&'static [[f64; 3]]],
+    /// Of these, where the signed depth is smooth, rounded. A moves with v + w x p at its points p: the first times v and the second times w
+    /// are its rate.
+    pub gradient: Option<[[f64; 3]; 2]>,
 }
 
 /// How wrong an answer may be: by the larger of relative * depth (or distance) and absolute * size.

@@ -490,8 +490,10 @@ UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor) {
 
 // ---- records ----
 
-Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256) {
-  Facts facts{recipe, std::move(made), false, false, std::move(truth), std::move(certificate_sha256)};
+Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256,
+               std::optional<ContactFacts> contacts) {
+  Facts facts{
+      recipe, std::move(made), false, false, std::move(truth), std::move(certificate_sha256), std::move(contacts)};
   if (auto* const hulls = std::get_if<HullPair>(&facts.made.bodies))
     for (Body* body : {&hulls->a, &hulls->b}) body->points = in_simplest_form(body->points);
   facts.in_binary64 = in_format(facts.made.bodies, Form::binary64);

@@ -15,9 +15,11 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
+#include "fathom/patch.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/union.hpp"
 #include "kernels/vector.hpp"
+#include "reference/output/answer_json.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
@@ -102,6 +104,35 @@ SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options)
 /// Interrupted.
 UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor);
 
+// ---- where the bodies touch ----
+
+/// What a record of contacts says beside, as `fathom depth --patch` does.
+struct ContactFacts {
+  output::Manifold manifold;
+  /// along each of recorded_motions()
+  std::vector<std::variant<DirectionalDerivative, LeftOut>> derivatives;
+};
+
+/// Motions of A, B at rest, along which such records tell the derivative of the signed depth.
+std::span<const Twist> recorded_motions();
+
+/// An answer, and all that a record of contacts says by it. Of polytopes that touch the direction
+/// is the one of their cone, which certificates of patches show.
+struct ContactStatement {
+  Answer answer;
+  RecordStatement truth;
+  ContactFacts contacts;
+};
+
+/// Returns what is true of these polytopes, or shapes. Throws as penetration_depth and signed_depth
+/// do.
+ContactStatement contacts_of(const RecordBodies& bodies, const Options& options);
+
+/// Returns its certificate: format 4, with all patches, and the derivatives where it can prove
+/// them. Throws as certificate_text does, std::invalid_argument of curved bodies.
+std::string certificate_of(const RecordBodies& bodies, const ContactStatement& found, const std::string& id,
+                           Monitor* monitor = nullptr);
+
 // ---- records ----
 
 struct Facts {
@@ -110,10 +141,12 @@ struct Facts {
   bool in_binary64 = false, in_binary32 = false;  ///< whether every number of the bodies is one of that format
   RecordStatement truth;
   std::string certificate_sha256;
+  std::optional<ContactFacts> contacts = std::nullopt;  ///< of records of contacts
 };
 
 /// `truth` is of the kind that the bodies are of.
-Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256);
+Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256,
+               std::optional<ContactFacts> contacts = std::nullopt);
 
 /// Returns the record's line, without a line feed.
 std::string line_of(const Facts& facts);

@@ -291,12 +291,23 @@ void write_expected(JsonStream& out, const UnionStatement& truth, const RecordBo
   out.close('}');
 }
 
+void write_contacts(JsonStream& out, const ContactFacts& contacts) {
+  out.key("manifold").value(output::manifold_object(contacts.manifold).text());
+  out.key("derivatives").open('[');
+  for (std::size_t i = 0; i < contacts.derivatives.size(); ++i) {
+    const Twist& motion = recorded_motions()[i];
+    out.open('{').key("v").exact(motion.v).key("w").exact(motion.w);
+    out.key("derivative").value(output::derivative_object(contacts.derivatives[i]).text()).close('}');
+  }
+  out.close(']');
+}
+
 }  // namespace
 
 std::string line_of(const Facts& facts) {
   constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1",
                                                     "fathom/golden-unions/1"};
-  const auto& [recipe, made, in_binary64, in_binary32, truth, sha256] = facts;
+  const auto& [recipe, made, in_binary64, in_binary32, truth, sha256, contacts] = facts;
   JsonStream out;
   out.open('{')
       .key("schema")
@@ -328,6 +339,7 @@ std::string line_of(const Facts& facts) {
   std::visit(write_bodies, made.bodies);
   out.key("expected").open('{');
   std::visit([&out, &facts](const auto& says) { write_expected(out, says, facts.made.bodies); }, truth);
+  if (contacts) write_contacts(out, *contacts);
   out.close('}').key("certificate").open('{').key("sha256").plain(sha256).close('}').close('}');
   return out.take();
 }
@@ -360,7 +372,7 @@ std::string csv_header() {
 
 std::string csv_row(const Facts& facts) {
   const auto* const truth = std::get_if<HullStatement>(&facts.truth);
-  if (!truth || !facts.in_binary64) return "";
+  if (!truth || !facts.in_binary64 || facts.contacts) return "";
   const auto& [a, b] = std::get<HullPair>(facts.made.bodies);
   const std::vector<Optimum>& optima = truth->answer.optima();
   std::string row = facts.made.id + ',';

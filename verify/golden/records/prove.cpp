@@ -115,7 +115,7 @@ struct Proved {
   mpq_class distance_squared;  ///< disjoint
 };
 
-Proved stated(const Certificate& certificate, const HullPair& hulls) {
+Proved stated(const Certificate& certificate, const HullPair& hulls, bool contacts) {
   const auto hull_of = [](const fathom_check::Body& body, const std::vector<Point>& expected) {
     return body.radius.num.sign() == 0 && same(expected, body.points.items);
   };
@@ -133,7 +133,7 @@ Proved stated(const Certificate& certificate, const HullPair& hulls) {
     case Claim::disjoint: throw NotProved("the certificate does not prove how far the bodies are apart");
     case Claim::apart: proved.distance_squared = value_of(certificate.low); break;
   }
-  if (const int format = proved.status == Status::disjoint ? 2 : 1; certificate.format != format)
+  if (const int format = contacts ? 4 : proved.status == Status::disjoint ? 2 : 1; certificate.format != format)
     throw NotProved("the certificate has format " + std::to_string(certificate.format) + ", not " +
                     std::to_string(format));
   proved.common = combined(hulls.a.points, certificate.weights_a.items);
@@ -196,7 +196,7 @@ Distance proved_distance(const Integers& bodies, const Proved& proved, const Wit
 
 HullStatement truth_in(const HullPair& hulls, const FormedCase& made, const std::optional<Witness>& witness,
                        std::string_view certificate, Workspace* workspace) {
-  const Proved proved = stated(accepted(certificate, made.id), hulls);
+  const Proved proved = stated(accepted(certificate, made.id), hulls, made.contacts);
   if (!witness) throw NotProved("expected.witness: there is none");
   const Integers bodies = integers_of(hulls.a.points, hulls.b.points);
   Depth answer;
@@ -345,6 +345,43 @@ UnionStatement truth_in(const Unions& unions, const FormedCase& made, const std:
   return truth;
 }
 
+// ---- contacts ----
+
+std::vector<Point> points_of(const fathom_check::Body& body) {
+  std::vector<Point> points;
+  for (const fathom_check::RationalPoint& p : body.points.items) points.push_back(value_of(p));
+  return points;
+}
+
+/// Whether the patch of this number in the certificate has these corners, in this order. A
+/// half-space has no points, and no weights.
+bool same(const Patch& patch, const Certificate& certificate, std::size_t number) {
+  const fathom_check::PatchParts& proved = certificate.of_patches;
+  const std::vector<Point> a = points_of(certificate.a), b = points_of(certificate.b);
+  const auto end_at = [&](const std::vector<Point>& points, std::size_t begin, std::size_t end, const Point& p) {
+    const auto first = proved.weights.begin();
+    return points.empty() || combined(points, {first + static_cast<std::ptrdiff_t>(begin),
+                                               first + static_cast<std::ptrdiff_t>(end)}) == p;
+  };
+  const std::size_t begin = begin_of(proved.corner_lists, number);
+  if (patch.direction != value_of(certificate.directions.items[number]) ||
+      proved.corner_lists[number].end - begin != patch.corners.size())
+    return false;
+  for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+    const auto& [end_a, end_b] = proved.corners.items[begin + k];
+    if (!end_at(a, proved.begin_of(begin + k), end_a, patch.a(k).core) || !end_at(b, end_a, end_b, patch.b(k).core))
+      return false;
+  }
+  return true;
+}
+
+bool same(const std::variant<DirectionalDerivative, LeftOut>& derivative, const Twist& motion,
+          const fathom_check::PatchParts::Rate& rate) {
+  const auto* const found = std::get_if<DirectionalDerivative>(&derivative);
+  return found && same(motion.v, rate.v) && same(motion.w, rate.w) && found->sign() == rate.sign.sign() &&
+         found->root() == value_of(rate.root);
+}
+
 /// Returns the case of this form. Throws NotProved if there is none.
 const FormedCase& case_in(const std::vector<FormedCase>& cases, Form form) {
   const auto made = std::ranges::find(cases, form, &FormedCase::form);
@@ -359,6 +396,25 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
   return std::visit(
       [&](const auto& bodies) { return RecordStatement(truth_in(bodies, made, witness, certificate, workspace)); },
       made.bodies);
+}
+
+ContactFacts proved_contacts(const FormedCase& made, std::string_view text) {
+  const Certificate certificate = accepted(text, made.id);
+  ContactStatement found = contacts_of(made.bodies, {});
+  const ContactGeometry& geometry = found.contacts.manifold.geometry;
+  const fathom_check::PatchParts& proved = certificate.of_patches;
+  bool patches = !geometry.patches.empty() && proved.corner_lists.size() == geometry.patches.size();
+  for (std::size_t i = 0; patches && i < geometry.patches.size(); ++i)
+    patches = same(geometry.patches[i], certificate, i);
+  if (!patches) throw NotProved("expected.manifold.patches: the certificate proves others");
+  const std::span<const Twist> motions = recorded_motions();
+  const bool rates = !geometry.cone || has_half_space(certificate);
+  if (proved.rates.items.size() != (rates ? motions.size() : 0))
+    throw NotProved("expected.derivatives: the certificate does not prove them");
+  for (std::size_t i = 0; i < proved.rates.items.size(); ++i)
+    if (!same(found.contacts.derivatives[i], motions[i], proved.rates.items[i]))
+      throw NotProved("expected.derivatives: the certificate proves others");
+  return std::move(found.contacts);
 }
 
 // ---- records ----
@@ -389,7 +445,10 @@ std::optional<std::string> Prover::faults(std::string_view line, std::string_vie
   const ReadRecord claimed = read_record(line);
   const FormedCase& made = source_of(claimed);
   RecordStatement truth = proved_truth(made, claimed.witness, certificate, &workspace_);
-  const Facts facts = facts_of(claimed.recipe, made, std::move(truth), digest::digest_of(certificate).sha256);
+  std::optional<ContactFacts> contacts;
+  if (made.contacts) contacts = proved_contacts(made, certificate);
+  const Facts facts =
+      facts_of(claimed.recipe, made, std::move(truth), digest::digest_of(certificate).sha256, std::move(contacts));
   const std::string expected = line_of(facts);
   if (expected != line) return first_difference(expected, line);
   id_ = claimed.id;
@@ -500,12 +559,22 @@ std::optional<RecordStatement> truth_by(Method method, const Unions& unions, std
 /// The line as it is when `method` answers; nullopt if the line as it is was compared.
 std::optional<std::string> line_by(Method method, std::string_view line, Monitor* monitor) {
   const ReadRecord claimed = read_record(line);
-  FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls}
+  FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls, claimed.recipe.contacts}
                                   : case_in(cases_of(claimed.recipe), claimed.form);
   std::optional<RecordStatement> truth =
       std::visit([&](const auto& bodies) { return truth_by(method, bodies, line, monitor); }, made.bodies);
   if (!truth) return std::nullopt;
-  return line_of(facts_of(claimed.recipe, std::move(made), *std::move(truth), claimed.certificate_sha256));
+  std::optional<ContactFacts> contacts;
+  if (made.contacts) {
+    const Options options = options_of(method, monitor);
+    ContactStatement found = contacts_of(made.bodies, options);
+    insist_on_exchanged(made.bodies, found.contacts, other_frame(), options);
+    if (method == Method::naive) insist_on_clipped(made.bodies, found.contacts);
+    truth = std::move(found.truth);
+    contacts = std::move(found.contacts);
+  }
+  return line_of(
+      facts_of(claimed.recipe, std::move(made), *std::move(truth), claimed.certificate_sha256, std::move(contacts)));
 }
 
 }  // namespace

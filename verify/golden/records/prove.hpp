@@ -61,6 +61,11 @@ std::optional<std::string> faults_of(std::string_view line, std::string_view cer
 RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness,
                              std::string_view certificate, Workspace* workspace = nullptr);
 
+/// Returns what a record of contacts says beside that truth: found anew, where each direction, each
+/// corner of a patch and, unless the cores touch, each derivative is one that the certificate
+/// proves. Throws NotProved otherwise.
+ContactFacts proved_contacts(const FormedCase& made, std::string_view certificate);
+
 // ---- recomputation ----
 
 // Compares a record with what is found of its bodies in another way: one that takes nothing from
@@ -77,5 +82,13 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
 /// pieces are nearest, where several pairs may be, the line says, and `method` answers about these
 /// two.                                                                          [proofs/golden.md]
 std::optional<std::string> disagreement_with(Method method, std::string_view line, Monitor* monitor = nullptr);
+
+/// Laws of contacts. Moved by a rigid pose and exchanged, the bodies have the same patches, and the
+/// same derivatives along the same motions. Throws NotProved if not.
+void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contacts, const Pose& frame,
+                         const Options& options);
+
+/// Each patch is what the faces share when one is clipped by the other. Throws NotProved if not.
+void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts);
 
 }  // namespace fathom::golden

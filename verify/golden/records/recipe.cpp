@@ -204,8 +204,9 @@ std::string_view name_of(Source source) {
 
 std::string id_of(const Recipe& recipe, Form form) {
   const std::string suffix = form == Form::binary64 ? ".b64" : form == Form::binary32 ? ".b32" : "";
-  if (!from_family(recipe.source)) return std::string(name_of(recipe.source)) + "-" + recipe.name + suffix;
-  return recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix;
+  const std::string prefix = recipe.contacts ? "contacts-" : "";
+  if (!from_family(recipe.source)) return prefix + std::string(name_of(recipe.source)) + "-" + recipe.name + suffix;
+  return prefix + recipe.name + "-n" + std::to_string(recipe.size) + "-s" + std::to_string(recipe.seed) + suffix;
 }
 
 // ---- base cases ----
@@ -279,11 +280,11 @@ bool in_format(const RecordBodies& bodies, Form format) {
 
 std::vector<FormedCase> cases_of(const Recipe& recipe) {
   std::vector<FormedCase> cases;
-  cases.push_back({Form::given, id_of(recipe), base_bodies(recipe)});
+  cases.push_back({Form::given, id_of(recipe), base_bodies(recipe), recipe.contacts});
   for (const Form form : {Form::binary64, Form::binary32}) {
     if (in_format(cases.back().bodies, form)) continue;  // it holds the very numbers that rounding would give
     if (std::optional<RecordBodies> bodies = rounded(cases.front().bodies, form))
-      cases.push_back({form, id_of(recipe, form), *std::move(bodies)});
+      cases.push_back({form, id_of(recipe, form), *std::move(bodies), recipe.contacts});
   }
   return cases;
 }

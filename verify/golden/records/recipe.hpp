@@ -56,6 +56,7 @@ struct Recipe {
   std::string name;
   unsigned size = 0;       ///< of families
   std::uint64_t seed = 0;  ///< of families
+  bool contacts = false;   ///< whether its records tell where the bodies touch, too
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
@@ -75,7 +76,8 @@ constexpr std::string_view name_of(Form form) {
 }
 
 /// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share
-/// one, and no id is ever given to other bodies. With ".b64" or ".b32" after it for rounded ones.
+/// one, and no id is ever given to other bodies. With "contacts-" before it if its records tell
+/// these; with ".b64" or ".b32" after it for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
 /// Two polytopes, the hulls of points.
@@ -106,6 +108,7 @@ struct FormedCase {
   Form form = Form::given;
   std::string id;  ///< the record's
   RecordBodies bodies;
+  bool contacts = false;  ///< as in the recipe
 };
 
 /// Returns the bodies of the base case. Throws std::invalid_argument if nothing has that name.

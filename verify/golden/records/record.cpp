@@ -25,6 +25,7 @@ namespace {
 struct Answered {
   RecordStatement truth;
   std::string certificate;
+  std::optional<ContactFacts> contacts = std::nullopt;
 };
 
 /// The checker, which shares nothing with the engines, must accept. Of polytopes, most of the
@@ -68,15 +69,26 @@ Answered answered(const Unions& unions, const std::string& id, Monitor* monitor,
   return {truth_of(answer), certificate_text(unions.a, unions.b, answer, id, monitor)};
 }
 
+Answered with_contacts(const RecordBodies& bodies, const std::string& id, Monitor* monitor) {
+  Options options;
+  options.monitor = monitor;
+  ContactStatement found = contacts_of(bodies, options);
+  std::string certificate = certificate_of(bodies, found, id, monitor);
+  return {std::move(found.truth), std::move(certificate), std::move(found.contacts)};
+}
+
 }  // namespace
 
 Record record_of(const Recipe& recipe, FormedCase made, Monitor* monitor, Workspace* workspace) {
   const std::string id = made.id;
-  auto [truth, certificate] =
-      std::visit([&](const auto& bodies) { return answered(bodies, id, monitor, workspace); }, made.bodies);
-  const Facts facts = facts_of(recipe, std::move(made), std::move(truth), digest::digest_of(certificate).sha256);
+  auto [truth, certificate, contacts] =
+      made.contacts
+          ? with_contacts(made.bodies, id, monitor)
+          : std::visit([&](const auto& bodies) { return answered(bodies, id, monitor, workspace); }, made.bodies);
+  const Facts facts =
+      facts_of(recipe, std::move(made), std::move(truth), digest::digest_of(certificate).sha256, std::move(contacts));
   Record record{id, line_of(facts), std::move(certificate), csv_row(facts), facts.in_binary64, facts.in_binary32};
-  if (!std::holds_alternative<HullPair>(facts.made.bodies))
+  if (facts.contacts || !std::holds_alternative<HullPair>(facts.made.bodies))
     if (const auto fault = faults_of(record.line, record.certificate)) throw std::logic_error(id + ": " + *fault);
   return record;
 }
@@ -200,6 +212,7 @@ ReadRecord read_record(std::string_view line) {
     ReadRecord claimed;
     read_source(record.at("source"), claimed);
     claimed.id = record.at("id").string();
+    claimed.recipe.contacts = record.at("expected").find("manifold") != nullptr;
     if (kind_of(claimed.recipe.source) == Kind::polytopes) {
       claimed.hulls = {body(record.at("a")), body(record.at("b"))};
       claimed.witness = read_witness(record.at("expected"));

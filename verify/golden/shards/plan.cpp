@@ -8,6 +8,8 @@
 #include <memory>
 #include <utility>
 
+#include "fathom/signed_depth.hpp"
+#include "reference/shapes/core.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
@@ -29,19 +31,20 @@ struct Habit {
   unsigned usual_size;
   bool sized = true;   ///< whether the size matters
   bool seeded = true;  ///< whether the seed matters
+  bool contacts = false;
 };
 
 using Habits = std::vector<Habit>;
 
 namespace {
 
-constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0};
+constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0};
 
 /// The levels up to this one, in its chain.
 std::vector<Level> chain_to(Level level) {
   std::vector<Level> chain;
   for (const Level other : levels)
-    if (kind_of(other) == kind_of(level) && other <= level) chain.push_back(other);
+    if (name_of(other).front() == name_of(level).front() && other <= level) chain.push_back(other);
   return chain;
 }
 
@@ -61,9 +64,10 @@ constexpr LevelShare share_of(Level level) {
     case Level::L3: return {45'000, 40, 10};
     case Level::P0: return {8, 8, 0};
     case Level::P1: return {80, 30, 0};
-    case Level::U0: break;
+    case Level::U0: return {6, 6, 0};
+    case Level::C0: break;
   }
-  return {6, 6, 0};
+  return {4, 8, 0};
 }
 
 // Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows
@@ -71,6 +75,43 @@ constexpr LevelShare share_of(Level level) {
 constexpr std::array<std::string_view, 5> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties",
                                                  "crossed_vanishing_ties", "crossed_noisy_ties"};
 constexpr unsigned most_if_costly = 60;
+
+// Of contacts: polytopes, and shapes whose cores are some. Each kind of contact, parallel and
+// nearly so; ties; apart and touching; all of doubles as engines have them, or exact.
+constexpr std::array<std::string_view, 34> touching_families{"faces_parallel",
+                                                             "faces_tilted_hair",
+                                                             "faces_tilted_slightly",
+                                                             "faces_tilted",
+                                                             "contact_facet_vertex",
+                                                             "contact_vertex_facet",
+                                                             "contact_facet_edge",
+                                                             "contact_edge_facet",
+                                                             "contact_facet_facet",
+                                                             "contact_edge_edge",
+                                                             "touching_vertex_face",
+                                                             "touching_edge_edge",
+                                                             "touching_edge_face",
+                                                             "touching_face_face",
+                                                             "nearly_touching",
+                                                             "exact_ties",
+                                                             "near_ties",
+                                                             "near_tie_boxes",
+                                                             "boxes_aligned",
+                                                             "boxes_posed",
+                                                             "platonic_aligned",
+                                                             "random_disjoint",
+                                                             "polygon_polygon",
+                                                             "spheres",
+                                                             "capsules",
+                                                             "sphere_capsule",
+                                                             "capsule_box",
+                                                             "capsule_hull",
+                                                             "rounded_boxes",
+                                                             "rounded_hulls",
+                                                             "rounded_triangle_sphere",
+                                                             "inverse_side_side",
+                                                             "inverse_side_face",
+                                                             "inverse_rounded_edges"};
 
 // A few very large cases, in L2.
 constexpr std::array<std::string_view, 7> giants{"random_ball", "random_sphere", "prisms_posed",  "needles",
@@ -96,12 +137,20 @@ Habit habit_of(Source source, const families::Family& family) {
   return habit;
 }
 
-Habits habits(Kind kind) {
+Habits habits(Level level) {
   constexpr std::array sources{Source::family, Source::shape_family, Source::union_family};
+  const Kind kind = level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions;
   Habits result;
+  const auto add = [&](const families::Family& family) {
+    result.push_back(habit_of(sources.at(static_cast<std::size_t>(family.kind())), family));
+    result.back().contacts = level == Level::C0;
+  };
+  if (level == Level::C0) {
+    for (const std::string_view name : touching_families) add(*families::find_family(name));
+    return result;
+  }
   for (const families::Family& family : families::families(kind))
-    if (family.name != "catalogue")  // its entries are all there by name
-      result.push_back(habit_of(sources.at(static_cast<std::size_t>(kind)), family));
+    if (family.name != "catalogue") add(family);  // its entries are all there by name
   return result;
 }
 
@@ -121,7 +170,8 @@ unsigned size_of(const LevelShare& share, std::uint64_t seed) {
 
 /// Case number `index` of a family that has one.
 Recipe recipe(const Habit& habit, const LevelShare& share, std::uint64_t seed, unsigned index) {
-  Recipe result{habit.source, std::string(habit.family), habit.usual_size, seed * seeds_of_a_release + index};
+  Recipe result{habit.source, std::string(habit.family), habit.usual_size, seed * seeds_of_a_release + index,
+                habit.contacts};
   if (!habit.seeded) {
     result.seed = 0;  // whatever the seed of the release
     if (habit.sized) result.size = least_size + index;
@@ -145,6 +195,7 @@ class Additions {
     if (level == Level::L0) add_named();
     if (level == Level::P0) add_named_shapes();
     if (level == Level::U0) add_named_unions();
+    if (level == Level::C0) add_named_contacts();
     starts_.push_back(head_.size());
     for (unsigned i = 0; i < share_.each; ++i) starts_.push_back(starts_.back() + cases_of(i));
     if (level == Level::L2) add_giants();
@@ -175,6 +226,18 @@ class Additions {
   void add_named_unions() {
     for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
       head_.push_back({Source::union_catalogue, entry.pair.id});
+  }
+  /// The catalogue, and its shapes whose cores are polytopes or half-spaces.
+  void add_named_contacts() {
+    for (const families::CatalogueEntry& entry : families::catalogue())
+      head_.push_back({Source::catalogue, std::string(entry.name), 0, 0, true});
+    const auto flat_faced = [](const families::NamedBody& body) {
+      const Shape shape = shapes::simplified(families::shape_of(body));
+      return shapes::is_halfspace(shape) || shapes::polytope_points(shape, most_expanded_points);
+    };
+    for (const families::ShapeCatalogueEntry& entry : families::shape_catalogue())
+      if (flat_faced(entry.shapes.pair.a) && flat_faced(entry.shapes.pair.b))
+        head_.push_back({Source::shape_catalogue, entry.shapes.id, 0, 0, true});
   }
   void add_giants() {
     for (const unsigned size : giant_sizes) {
@@ -216,7 +279,7 @@ std::string shard_name(Level level, std::size_t number) {
 }  // namespace
 
 std::string_view name_of(Level level) {
-  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1", "U0"};
+  constexpr std::array<std::string_view, levels.size()> names{"L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0"};
   return names[static_cast<std::size_t>(level)];
 }
 
@@ -228,7 +291,7 @@ std::optional<Level> find_level(std::string_view name) {
 std::vector<Recipe> ShardPlan::recipes() const { return additions->part(begin, end); }
 
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed) {
-  const auto families = std::make_shared<const Habits>(habits(kind_of(level)));
+  const auto families = std::make_shared<const Habits>(habits(level));
   std::vector<ShardPlan> shards;
   for (const Level part : chain_to(level)) {
     const auto additions = std::make_shared<const Additions>(part, seed, families);

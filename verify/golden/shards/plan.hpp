@@ -14,9 +14,9 @@
 
 namespace fathom::golden {
 
-/// Three chains, of polytopes, of shapes and of unions; in each a level's cases are among those of
-/// the next. Judging a fast library takes about a second for L0 and P0, seconds for U0, ten seconds
-/// for L1 and P1, minutes for L2, two hours for L3.
+/// Four chains, of polytopes, of shapes, of unions and of contacts; in each a level's cases are
+/// among those of the next. Judging a fast library takes about a second for L0 and P0, seconds for
+/// U0, ten seconds for L1 and P1, minutes for L2, two hours for L3.
 enum class Level {
   L0,  ///< hundreds of records, bodies of 4 to 12 points
   L1,  ///< about ten thousand, to 30 points
@@ -24,14 +24,14 @@ enum class Level {
   L3,  ///< about ten million, to 200 points: for clusters
   P0,  ///< primitives: about a thousand records of shapes, hulls of 4 to 8 points among them
   P1,  ///< about ten thousand, hulls to 30 points
-  U0   ///< unions: hundreds of records, bodies of some 2 to 12 pieces
+  U0,  ///< unions: hundreds of records, bodies of some 2 to 12 pieces
+  C0   ///< contacts: hundreds of records of polytopes and of shapes, with all points where they touch
 };
 
-/// "L0", "L1", "L2", "L3", "P0", "P1", "U0".
+/// "L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0".
 std::string_view name_of(Level level);
-constexpr Kind kind_of(Level level) {
-  return level < Level::P0 ? Kind::polytopes : level < Level::U0 ? Kind::shapes : Kind::unions;
-}
+/// Whether its records are of polytopes alone, and have rows of CSV.
+constexpr bool of_polytopes(Level level) { return level < Level::P0; }
 std::optional<Level> find_level(std::string_view name);
 
 class Additions;

@@ -41,7 +41,7 @@ ShardFile file_of(const JsonValue& json) {
 }  // namespace
 
 std::span<const std::string_view> suffixes_of(Level level) {
-  return std::span(shard_suffixes).first(kind_of(level) == Kind::polytopes ? 3 : 2);
+  return std::span(shard_suffixes).first(of_polytopes(level) ? 3 : 2);
 }
 
 Json manifest_json(const Manifest& manifest) {
@@ -126,7 +126,7 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
 
 /// Polytopes alone have one.
 void ShardWriter::write_csv(std::string_view text) {
-  if (kind_of(manifest_.level) == Kind::polytopes) writers_[2]->write(text);
+  if (of_polytopes(manifest_.level)) writers_[2]->write(text);
 }
 
 void ShardWriter::add(const Record& record) {
