@@ -273,6 +273,12 @@ std::vector<std::string> Given::inputs() const {
   return result;
 }
 
+std::optional<Motion> Given::motion() const {
+  if (!has("--twist") && !has("--twist-b")) return std::nullopt;
+  const auto twist = [&](const char* option) { return typed_twist(text(option)).value_or(Twist{}); };
+  return Motion{twist("--twist"), twist("--twist-b")};
+}
+
 ExitCode said(const Arguments& arguments) {
   arguments.code == fine ? print(arguments.text) : talk(arguments.text);
   return arguments.code;

@@ -100,6 +100,8 @@ struct Given {
   template <class Integer>
   [[nodiscard]] std::optional<Integer> integer(std::string_view name) const;
   [[nodiscard]] std::optional<mpq_class> number(std::string_view name) const { return typed_number(text(name)); }
+  /// What --twist and --twist-b say; nullopt without either.
+  [[nodiscard]] std::optional<Motion> motion() const;
 };
 
 template <class Integer>

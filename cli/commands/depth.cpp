@@ -292,7 +292,8 @@ std::string certificate_of(const Body& a, const Body& b, const AnsweredCase& ans
   if (!answered.manifold || !has_patch_certificate(answered.manifold->geometry))
     return certificate_text(a, b, answered.answer, answered.id, monitor);
   std::vector<Twist> motions;
-  if (form.motion) motions.push_back(form.motion->against_b());
+  if (form.motion)  // of A, with B at rest: of convex bodies it has the same derivative
+    motions.push_back({form.motion->of_a.v - form.motion->of_b.v, form.motion->of_a.w - form.motion->of_b.w});
   return certificate_text(a, b, answered.answer, answered.manifold->geometry, motions, answered.id, monitor);
 }
 

@@ -110,16 +110,6 @@ std::string place_text(const RoundedPoint& point, bool exact) {
 
 std::string way_text(const Vector& n, bool exact) { return exact ? in_full(n) : decimals(unit(n)); }
 
-namespace {
-
-std::optional<output::Motion> motion_of(const Given& given) {
-  if (!given.has("--twist") && !given.has("--twist-b")) return std::nullopt;
-  const auto twist = [&](const char* option) { return typed_twist(given.text(option)).value_or(Twist{}); };
-  return output::Motion{twist("--twist"), twist("--twist-b")};
-}
-
-}  // namespace
-
 AnswerForm::AnswerForm(const Given& given)
     : Shown{given.integer<std::size_t>("--optima"),
             given.integer<unsigned>("--digits"),
@@ -127,7 +117,7 @@ AnswerForm::AnswerForm(const Given& given)
             given.flag("--embed-certificate"),
             given.command == "width",
             given.flag("--patch"),
-            motion_of(given)},
+            given.motion()},
       exact(given.flag("--exact")),
       by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")) {}
 

@@ -14,14 +14,16 @@
 #include <vector>
 
 #include "fathom/body.hpp"
+#include "fathom/motion.hpp"
 #include "fathom/numbers.hpp"
 
 namespace fathom {
 
 /// Two bodies about which a question is asked, with a name.
 struct Case {
-  std::string id;  ///< its name; may be empty
-  Body a, b;       ///< with their poses applied
+  std::string id;                     ///< its name; may be empty
+  Body a, b;                          ///< with their poses applied
+  std::optional<Motion> motion = {};  ///< how they begin to move, for questions about the derivative
 };
 
 /// Malformed, missing or unreadable input. what() is one complete sentence for the user:
@@ -66,8 +68,9 @@ Body parse_mesh(std::string_view bytes, const std::string& name, Decimals decima
 // an error. A string is exact: integer, p/q, decimal, C99 hex float. "pose" is applied exactly, as
 // an affine map: a matrix of 3 or 4 rows, a quaternion or angles and a translation, or text as on
 // the command line. "pose_rounding": "binary64", in the case or in one body, then rounds the placed
-// vertices once. Unknown fields are skipped. A known field that is given twice is an error, since
-// readers differ in which one they take. null stands for an optional field that is not given.
+// vertices once. "twist" tells how the bodies begin to move, whose points were placed. Unknown
+// fields are skipped. A known field that is given twice is an error, since readers differ in which
+// one they take. null stands for an optional field that is not given.
 
 /// What may be a slip in a case that can be read: a field that is not read and looks like one that
 /// is ("poze"), or a pose that is no rotation and translation. One sentence for the user.

@@ -22,6 +22,7 @@
 
 #include "fathom/answer.hpp"
 #include "fathom/body.hpp"
+#include "fathom/motion.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/point.hpp"
 #include "fathom/signed_depth.hpp"
@@ -124,12 +125,6 @@ struct ContactGeometry {
 /// std::invalid_argument if the answer cannot be about these bodies, InputError and Interrupted as
 /// exact_answer does.
 ContactGeometry contact_geometry(const Body& a, const Body& b, const Answer& answer, Monitor* monitor = nullptr);
-
-/// A velocity of a body: its point p moves with v + w x p. w is about the origin of the world, in
-/// radians per unit of time.
-struct Twist {
-  Point v, w;  ///< in lowest terms
-};
 
 /// A one-sided derivative, over / (under |direction|). Its square is computed when it is asked for.
 struct DirectionalDerivative {

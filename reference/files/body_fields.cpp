@@ -66,6 +66,7 @@ class Reader {
   std::vector<CaseNote> notes;
 
   Body body(const JsonValue& json, const std::string& path, bool rounded);
+  Twist twist(const JsonValue& json, const std::string& path);
 
  private:
   void report(const std::string& path, const std::string& expected, const std::string& instead) {
@@ -109,6 +110,18 @@ std::vector<mpq_class> Reader::numbers(const JsonValue& value, std::size_t count
   for (std::size_t i = 0; i < count; ++i)
     result.push_back(number(value.items()[i], path + "[" + std::to_string(i) + "]"));
   return result;
+}
+
+// Of a repeated field the last would count.
+Twist Reader::twist(const JsonValue& json, const std::string& path) {
+  if (json.fields().size() < json.items().size()) report(path, "each field once", "one twice");
+  const auto part = [&](const char* name) -> Point {
+    const JsonValue* const value = json.find(name);
+    if (!value) report(path, "a field '" + std::string(name) + "'", "none");
+    const std::vector<mpq_class> x = value ? numbers(*value, 3, path + "." + name) : std::vector<mpq_class>(3);
+    return {x[0], x[1], x[2]};
+  };
+  return {part("v"), part("w")};
 }
 
 std::vector<Point> Reader::points(const JsonValue& value, const std::string& path) {
@@ -374,6 +387,15 @@ std::string read_faces(const JsonValue& faces, const std::string& path, Body& bo
   }
   body.faces = faces_of(std::move(read));
   return "";
+}
+
+std::string read_motion(const JsonValue& twist, Motion& motion) {
+  Reader reader;
+  if (twist.fields().size() < twist.items().size()) return "twist: expected each field once, found one twice";
+  if (!twist.find("a") && !twist.find("b")) return "twist: expected a field 'a' or 'b', found none";
+  if (const JsonValue* const of_a = twist.find("a")) motion.of_a = reader.twist(*of_a, "twist.a");
+  if (const JsonValue* const of_b = twist.find("b")) motion.of_b = reader.twist(*of_b, "twist.b");
+  return reader.fault;
 }
 
 }  // namespace fathom::files

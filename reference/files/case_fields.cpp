@@ -17,8 +17,8 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-constexpr std::array<std::string_view, 8> of_cases = {"schema",        "id",    "a",      "b",
-                                                      "pose_rounding", "flags", "source", "comment"};
+constexpr std::array<std::string_view, 9> of_cases = {"schema", "id",    "a",      "b",      "pose_rounding",
+                                                      "twist",  "flags", "source", "comment"};
 constexpr std::array<std::string_view, 7> of_bodies = {"vertices", "faces",         "pose",  "shape",
                                                        "margin",   "pose_rounding", "pieces"};
 constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat",
@@ -81,6 +81,7 @@ std::string expected_at(CasePlace place) {
     case CasePlace::id: return "text or a number";
     case CasePlace::rounding:
     case CasePlace::body_rounding: return "\"binary64\"";
+    case CasePlace::twist: return "an object with 'a' or 'b'";
     case CasePlace::body: return "an object with 'vertices', 'shape' or 'pieces'";
     case CasePlace::vertices: return "an array of points";
     case CasePlace::vertex: return "three coordinates";
@@ -129,8 +130,9 @@ class CaseWalk {
 
 /// Returns whether null there means the same as no field.
 bool may_be_null(CasePlace place) {
-  return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id || place == CasePlace::pose ||
-         place == CasePlace::faces || place == CasePlace::rounding || place == CasePlace::body_rounding;
+  return place == CasePlace::other || place == CasePlace::shape || place == CasePlace::id ||
+         place == CasePlace::twist || place == CasePlace::pose || place == CasePlace::faces ||
+         place == CasePlace::rounding || place == CasePlace::body_rounding;
 }
 
 void CaseWalk::value(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body) {
@@ -179,9 +181,11 @@ void CaseWalk::string(const JsonValue& value, CasePlace place, const Path& path,
 /// An array or object that is not ours, or not where it stands, or read elsewhere.
 void CaseWalk::skip(const JsonValue& value, CasePlace place, const Path& path, BodyFields* body) {
   if (place == CasePlace::faces) body->has_faces = true;
+  if (place == CasePlace::twist) fields.moves = true;
   if (place == CasePlace::shape) body->is_shape = true;
   const bool elsewhere = place == CasePlace::other || place == CasePlace::shape || place == CasePlace::faces ||
-                         (place == CasePlace::pose && body->is_shape);
+                         (place == CasePlace::pose && body->is_shape) ||
+                         (place == CasePlace::twist && value.is_object());
   if (!elsewhere) wrong(path, place, value.is_object() ? "an object" : "an array");
   find_limits(value, path);
 }
@@ -277,6 +281,7 @@ CasePlace field_of_case(std::string_view key) {
   if (key == "schema") return CasePlace::schema;
   if (key == "id") return CasePlace::id;
   if (key == "pose_rounding") return CasePlace::rounding;
+  if (key == "twist") return CasePlace::twist;
   return key == "a" || key == "b" ? CasePlace::body : CasePlace::other;
 }
 

@@ -25,6 +25,7 @@ enum class CasePlace {
   schema,
   id,
   rounding,
+  twist,  ///< read_motion reads it
   body,
   body_rounding,
   vertices,
@@ -74,6 +75,7 @@ struct CaseFields {
   std::optional<std::string> id;  ///< also of a bad case, if it could be read
   BodyFields a, b;
   bool rounded = false;        ///< of both bodies
+  bool moves = false;          ///< it has a twist: read_motion reads it
   bool misspelt = false;       ///< perhaps: see looks_misspelt
   std::string fault;           ///< empty if the case is good; else what was expected where, and what was found
   std::size_t fault_line = 0;  ///< the number of lines of `text` before a syntax error
@@ -119,5 +121,8 @@ ShapesOfCase read_shapes(const text::JsonValue& document, bool a, bool b, bool r
 /// Reads faces, arrays of indices of points, into `body`, whose points were read. `path` names the
 /// field. Returns a sentence on what went wrong, or "".
 std::string read_faces(const text::JsonValue& faces, const std::string& path, Body& body);
+
+/// Reads the object "twist" of a case. Returns a sentence on what went wrong, or "".
+std::string read_motion(const text::JsonValue& twist, Motion& motion);
 
 }  // namespace fathom::files

@@ -67,9 +67,15 @@ Json body_json(const NamedBody& body, Defaults defaults) {
   return result;
 }
 
+Json motion_json(const Motion& motion) {
+  const auto twist = [](const Twist& of) { return Json{{"v", point_json(of.v)}, {"w", point_json(of.w)}}; };
+  return {{"a", twist(motion.of_a)}, {"b", twist(motion.of_b)}};
+}
+
 std::string case_json(const CaseText& text) {
   Json result{{"schema", case_schema}, {"id", text.id}, {"a", text.a}, {"b", text.b}};
   if (text.pose_rounding) result["pose_rounding"] = "binary64";
+  if (text.motion) result["twist"] = motion_json(*text.motion);
   if (!text.source.empty()) {
     Json source = Json::object();
     for (const auto& [key, value] : text.source) source[key] = value;
@@ -80,7 +86,7 @@ std::string case_json(const CaseText& text) {
 }
 
 std::string case_json(const Case& pair, const std::string& comment) {
-  return case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, comment});
+  return case_json({pair.id, body_json(pair.a), body_json(pair.b), {}, comment, false, pair.motion});
 }
 
 }  // namespace fathom::files

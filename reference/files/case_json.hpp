@@ -28,6 +28,7 @@ text::Json body_json(const Body& body, const std::optional<Pose>& pose = std::nu
 /// By its vertices, with the pose as it was given: a matrix, or a quaternion and a translation.
 text::Json body_json(const Body& body, const GivenPose& pose);
 text::Json body_json(const NamedBody& body, Defaults defaults = Defaults::left_out);
+text::Json motion_json(const Motion& motion);
 
 /// A case to be written. Empty fields are left out.
 struct CaseText {
@@ -36,6 +37,7 @@ struct CaseText {
   std::vector<std::pair<std::string, std::string>> source;  ///< keys, which need no escapes, and texts
   std::string comment;
   bool pose_rounding = false;  ///< whether readers round the placed points once to binary64
+  std::optional<Motion> motion = {};
 };
 
 /// One line of pure ASCII, without its newline.

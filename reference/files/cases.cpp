@@ -115,6 +115,7 @@ std::string place(const text::JsonValue& document, CaseFields& fields, Case& res
     fault = read_faces(*document.find("a")->find("faces"), "a.faces", result.a);
   if (fault.empty() && has_mesh(fields.b, result.b))
     fault = read_faces(*document.find("b")->find("faces"), "b.faces", result.b);
+  if (fault.empty() && fields.moves) fault = read_motion(*document.find("twist"), result.motion.emplace());
   return fault;
 }
 

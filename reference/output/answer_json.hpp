@@ -26,14 +26,6 @@ struct Manifold {
   [[nodiscard]] bool tells_smoothness() const { return !geometry.of_unions && !geometry.no_patches; }
 };
 
-/// A motion by which the derivative is asked for.
-struct Motion {
-  Twist of_a, of_b;
-
-  /// Of A, with B at rest: of convex bodies it has the same derivative.
-  [[nodiscard]] Twist against_b() const { return {of_a.v - of_b.v, of_a.w - of_b.w}; }
-};
-
 /// Of an answer about these bodies; of an incomplete one it says that nothing is told.
 Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
                      Monitor* monitor = nullptr);

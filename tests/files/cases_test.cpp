@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "fathom/files.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/fcl_text.hpp"
 #include "reference/files/file_io.hpp"
 #include "tests/support/case_files.hpp"
@@ -121,6 +122,18 @@ TEST(Case, IdIsTextANumberOrTheLine) {
   EXPECT_EQ(id(R"("id":-17,)"), "-17");
   EXPECT_EQ(id(R"("id":18446744073709551615,)"), "18446744073709551615");
   EXPECT_EQ(id(R"("id":1.50,)"), "1.50");
+}
+
+TEST(Case, ATwistIsHowItsBodiesBeginToMove) {
+  const auto motion = [](const std::string& twist) {
+    return parse_case(R"({"a":{"vertices":[[1,2,3]]},"b":{"vertices":[[1,2,3]]})" + twist + "}", "c").value().motion;
+  };
+  EXPECT_FALSE(motion(""));
+  const Motion both{{{1, mpq_class(1, 3), 0}, {0, 0, exact_value(0.1)}}, {{}, {-1, 0, 0}}};
+  EXPECT_EQ(motion(R"(,"twist":{"b":{"w":[-1,0,0],"v":[0,0,0]},"a":{"v":[1,"1/3",0],"w":[0,0,0.1]}})"), both);
+  EXPECT_EQ(motion(R"(,"twist":{"b":{"v":[0,0,0],"w":[-1,0,0]}})"), (Motion{{}, both.of_b}));
+  const Case pair{"x", {{{1, 2, 3}}}, {{{1, 2, 3}}}, both};
+  EXPECT_EQ(parse_case(files::case_json(pair), "c").value().motion, both) << "law: what is written is read";
 }
 
 TEST(Case, UnknownFieldsArePassedOver) {
