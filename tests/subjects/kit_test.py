@@ -69,7 +69,7 @@ class Kit(unittest.TestCase):
                 yield done
 
     def replies(self, *pairs, **options):
-        lines = [{"type": "run", "id": f"x{i}", "a": a, "b": b} for i, (a, b) in enumerate(pairs)]
+        lines = [{"type": "run", "id": f"x{i}", "a": a, "b": b, **dict(zip(["twist"], twist))} for i, (a, b, *twist) in enumerate(pairs)]
         for done in self.talk([*lines, {"type": "stop"}, "never read"], **options):
             self.assertEqual(done.returncode, 0, done.stderr)
             replies = [json.loads(line) for line in done.stdout.splitlines()]
@@ -99,7 +99,7 @@ class Kit(unittest.TestCase):
                               "precision": {"points": "binary32", "answers": "binary64"},
                               "conventions": {"touching": "overlap", "depth": "negative", "moves": "b", "unit": False,
                                               "claims": "separating"},
-                              "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"]}, "promises": ["depth"],
+                              "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"], "twist": True}, "promises": ["depth"],
                               "rounding": {"vertices": 0.1, "box": 0.25}, "manifold": {"most": 4, "margin": 0.125},
                               "settings": {"limit": "3"}})
 
@@ -198,6 +198,14 @@ class Kit(unittest.TestCase):
         for [reply], _ in self.replies((marked(8), POINTS)):
             del reply["microseconds"]
             self.assertEqual(reply, {"overlap": False, "distance": "inf"})
+
+    def test_twists(self):
+        twist = {"a": {"v": [0.5, 2, 3], "w": [4, 5, 6]}, "b": {"v": [7, 8, 9], "w": [10, 11, 0.25]}}
+        for [reply], _ in self.replies((marked(15), POINTS, twist)):
+            del reply["microseconds"]
+            self.assertEqual(reply, {"overlap": True, "derivative": 0.75})
+        for [reply], _ in self.replies((marked(15), POINTS)):
+            self.assertEqual(list(reply), ["failed"], "bodies at rest have no twist")
 
     def test_what_is_no_message_ends_it(self):
         for done in self.talk(['{"type":"run","id":"1","a":']):

@@ -82,6 +82,10 @@ Reply solve(const Body& a, const Body& b) {
     reply.microseconds = 12.5;
     return reply;
   }
+  if (what == 15) {
+    reply.derivative = a.twist.value().v[0] + b.twist.value().w[2];
+    return reply;
+  }
   if (what == 14) {
     reply.witness = {a.vertices[1], b.vertices[1]};
     return reply;
@@ -102,6 +106,7 @@ int main() {
   subject.moves = "b";
   subject.unit = false;
   subject.faces = true;
+  subject.twist = true;
   subject.shapes = {"capsule", "box", "margin"};
   subject.promises = {"depth"};
   subject.settings = {{"limit", "3"}};

@@ -30,8 +30,9 @@ run((a, b) => {
   if (what === 12) return { overlap: true, depth: 1, direction: [1, 0] };
   if (what === 13) return { overlap: true, microseconds: 12.5 };
   if (what === 14) return { overlap: true, witness: { a: a.vertices[1], b: b.vertices[1] } };
+  if (what === 15) return { overlap: true, derivative: a.twist.v[0] + b.twist.w[2] };
   return what === 5 ? { overlap: false } : Promise.resolve({ overlap: true, depth: 1 / 3 + a.faces.length });
-}, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true,
+}, { name: 'trial', version: '7', precision: { points: 'binary32', answers: 'binary64' }, touching: 'overlap', depth: 'negative', moves: 'b', unit: false, faces: true, twist: true,
      shapes: ['capsule', 'box', 'margin'], promises: ['depth'], settings: { limit: '3' }, rounding: { vertices: 0.1, box: 0.25 },
      manifold: { most: 4, margin: 0.125 },
      claims: 'separating', axis: process.env.FATHOM_KIT_AXIS });

@@ -49,10 +49,12 @@ def solve(a, b):
         return Reply(True, microseconds=12.5)
     if what == 14:
         return Reply(True, witness=(a.vertices[1], b.vertices[1]))
+    if what == 15:
+        return Reply(True, derivative=a.twist[0][0] + b.twist[1][2])
     return Reply(False) if what == 5 else Reply(True, 1 / 3 + len(a.faces))
 
 
 fathom_subject.run(solve, name="trial", version="7", precision={"points": "binary32", "answers": "binary64"}, touching="overlap",
-                   depth="negative", moves="b", unit=False, faces=True, shapes=["capsule", "box", "margin"], promises=["depth"],
+                   depth="negative", moves="b", unit=False, faces=True, twist=True, shapes=["capsule", "box", "margin"], promises=["depth"],
                    settings={"limit": "3"}, rounding={"vertices": 0.1, "box": 0.25}, manifold={"most": 4, "margin": 0.125},
                    claims="separating", axis=os.environ.get("FATHOM_KIT_AXIS"))

@@ -18,6 +18,7 @@ fn solve(a: &Body, b: &Body) -> Result<Reply, String> {
         11 => std::panic::panic_any(11),
         13 => return Ok(Reply { microseconds: Some(12.5), ..reply }),
         14 => return Ok(Reply { witness: Some([a.vertices[1], b.vertices[1]]), ..reply }),
+        15 => return Ok(Reply { derivative: Some(a.twist.unwrap()[0][0] + b.twist.unwrap()[1][2]), ..reply }),
         _ => {}
     }
     let faces = a.fields.get("faces").map_or(0, |faces| faces.items().len());
@@ -27,7 +28,7 @@ fn solve(a: &Body, b: &Body) -> Result<Reply, String> {
 fn main() {
     let said = r#""name":"trial","version":"7","precision":{"points":"binary32","answers":"binary64"},"settings":{"limit":"3"},
 "conventions":{"touching":"overlap","depth":"negative","moves":"b","unit":false,"claims":"separating"},
-"capabilities":{"faces":true,"shapes":["capsule","box","margin"]},"promises":["depth"],"rounding":{"vertices":0.1,"box":0.25},
+"capabilities":{"faces":true,"shapes":["capsule","box","margin"],"twist":true},"promises":["depth"],"rounding":{"vertices":0.1,"box":0.25},
 "manifold":{"most":4,"margin":0.125}"#;
     run(&said.replace('\n', ""), solve);
 }

@@ -41,6 +41,11 @@ namespace fathom_subject {
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;  ///< rows
 
+/// A velocity: the body's point p moves with v + w x p. w is about the origin of the world.
+struct Twist {
+  Vector v, w;
+};
+
 /// One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some.
 /// docs/shapes.md says what its fields mean.
 struct Body {
@@ -57,6 +62,7 @@ struct Body {
   std::optional<std::array<double, 4>> quaternion;
   Matrix rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< a shape's point p is at rotation p + translation
   Vector translation{};
+  std::optional<Twist> twist = {};  ///< how it begins to move, if the subject declared "twist" and the case says so
 };
 
 /// One point of a contact manifold, in both bodies, and maybe how deep they overlap there along the
@@ -77,6 +83,9 @@ struct Reply {
   /// points
   std::optional<double> distance = {};
   std::vector<Contact> contacts = {};  ///< of a depth, which is the largest of theirs
+  /// of bodies with a twist: how fast the signed depth grows as they begin to move, from then on.
+  /// Deeper is positive, whatever sign depths have; minus the distance counts of bodies apart
+  std::optional<double> derivative = {};
   /// the vertices of A's and B's hull that were really used, if they may be others; or none
   std::array<std::vector<Vector>, 2> hull = {};
   std::optional<double> microseconds = {};  ///< how long it took, if you timed a part of your function yourself
@@ -104,7 +113,8 @@ struct Subject {
   bool faces = false;              ///< whether bodies of vertices need faces
   /// that it takes, "margin" if they may have one, "pieces" for unions; others come as vertices
   std::vector<std::string> shapes = {};
-  /// of "depth", "direction", "witness", "contacts": what answers with overlap hold; and "distance"
+  /// of "depth", "direction", "witness", "contacts": what answers with overlap hold; "distance",
+  /// what others do; "derivative", what answers about bodies with a twist do
   std::vector<std::string> promises = {};
   std::map<std::string, std::string> settings = {};  ///< shown beside the verdicts
   std::string library = {};                          ///< "libccd", "fcl", "bullet" or "ode", if it is one of them
@@ -118,7 +128,8 @@ struct Subject {
   std::string claims = "minimum";
   char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as
                   ///< the case has them
-  bool timed = true;  ///< whether answers say how many microseconds they took
+  bool timed = true;   ///< whether answers say how many microseconds they took
+  bool twist = false;  ///< whether bodies come with their twists, to be asked for the derivative
 };
 
 namespace details {
@@ -403,6 +414,8 @@ inline Body body_of(const Json& from, char axis = 0) {
   return body;
 }
 
+inline Twist twist_of(const Json& from) { return {numbers<3>(from.at("v")), numbers<3>(from.at("w"))}; }
+
 inline std::string precision(const Subject& subject) {
   if (subject.answers.empty()) return quoted(subject.precision);
   return "{\"points\":" + quoted(subject.precision) + ",\"answers\":" + quoted(subject.answers) + '}';
@@ -425,7 +438,8 @@ inline std::string hello(const Subject& subject) {
          ",\"moves\":" + quoted(subject.moves) + ",\"unit\":" + (subject.unit ? "true" : "false") +
          ",\"claims\":" + quoted(subject.claims) +
          "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) +
-         '}' + (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
+         ",\"twist\":" + (subject.twist ? "true" : "false") + '}' +
+         (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
          ",\"promises\":" + list(subject.promises) + numbers("rounding", subject.rounding) +
          numbers("manifold", subject.manifold) + ",\"settings\":{" + settings + "}}";
 }
@@ -443,6 +457,7 @@ inline std::string answer(const Reply& reply) {
     result += ",\"witness\":{\"a\":" + vector((*reply.witness)[0]) + ",\"b\":" + vector((*reply.witness)[1]) + '}';
   if (reply.distance) result += ",\"distance\":" + number(*reply.distance);
   if (!reply.contacts.empty()) result += ",\"contacts\":[" + joined(reply.contacts, contact) + ']';
+  if (reply.derivative) result += ",\"derivative\":" + number(*reply.derivative);
   std::string hulls;
   for (const std::size_t i : {0U, 1U})
     if (!reply.hull[i].empty())
@@ -452,7 +467,12 @@ inline std::string answer(const Reply& reply) {
 }
 
 inline std::string reply_to(const Json& message, const Subject& subject, const Solve& solve) {
-  const Body a = body_of(message.at("a"), subject.axis), b = body_of(message.at("b"), subject.axis);
+  Body a = body_of(message.at("a"), subject.axis), b = body_of(message.at("b"), subject.axis);
+  for (const auto& [name, twist] : message.members) {
+    if (name != "twist") continue;
+    a.twist = twist_of(twist.at("a"));
+    b.twist = twist_of(twist.at("b"));
+  }
   std::string said;
   try {
     const auto start = std::chrono::steady_clock::now();

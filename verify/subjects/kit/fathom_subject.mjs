@@ -35,11 +35,12 @@ export function rotationOf(quaternion) {
  * One body of a case: the convex hull of `vertices`; or a shape, if the subject declared some. `faces` are the hull's facets,
  * counter-clockwise from outside, if they were asked for. A shape has its fields as docs/shapes.md names them (radius, half_length, ...),
  * `axis`, `margin` (0 if there is none), and lies at rotation p + translation; `quaternion` is there unless the case gave a matrix. `axis` is
- * the declared one, if one was declared: a cyclic exchange of axes goes before the rotation then.
+ * the declared one, if one was declared: a cyclic exchange of axes goes before the rotation then. `twist: { v, w }` says that its point p
+ * begins to move with the velocity v + w x p, w about the origin of the world; it is null unless the subject declared it and the case has one.
  */
-function bodyOf(message, axis) {
+function bodyOf(message, axis, twist = null) {
   const { pose, ...fields } = message;
-  const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], ...fields };
+  const body = { vertices: [], faces: [], pieces: [], shape: null, margin: 0, rotation: rotationOf([1, 0, 0, 0]), translation: [0, 0, 0], twist, ...fields };
   if (Array.isArray(pose)) {
     body.rotation = pose.map((row) => row.slice(0, 3));
     body.translation = pose.map((row) => row[3]);
@@ -85,6 +86,7 @@ function replyOf(answer) {
   if (isGiven(answer.witness)) reply.witness = { a: vector(answer.witness.a), b: vector(answer.witness.b) };
   if (isGiven(answer.distance)) reply.distance = number(answer.distance);
   if (answer.contacts?.length) reply.contacts = answer.contacts.map(contact);
+  if (isGiven(answer.derivative)) reply.derivative = number(answer.derivative);
   if (isGiven(answer.hull))
     reply.hull = Object.fromEntries(['a', 'b'].filter((name) => isGiven(answer.hull[name]))
                                         .map((name) => [name, Array.from(answer.hull[name], vector)]));
@@ -102,7 +104,7 @@ function said(text) {
 }
 
 async function answerTo(solve, message, axis) {
-  const a = bodyOf(message.a, axis), b = bodyOf(message.b, axis);
+  const a = bodyOf(message.a, axis, message.twist?.a), b = bodyOf(message.b, axis, message.twist?.b);
   const start = process.hrtime.bigint();
   try {
     const answer = await solve(a, b);
@@ -134,7 +136,8 @@ console.log = console.info = console.debug = console.error;
  * `overlap` may be left out, and what is there is judged. Of bodies that are apart `distance` says how far, `witness` nearest points, and
  * `direction` leads farther apart. `contacts: [{ position, depth }]` are points of both bodies; the largest of their depths, which may be left
  * out, is the depth. `hull: { a, b }`, or one of them, tells the vertices of the hulls that were really
- * used, where they may be others than the asked ones. `microseconds` says how long the answer took, where solve measured a part of its
+ * used, where they may be others than the asked ones. `derivative`, of bodies with a twist, says how fast the signed depth grows as they begin
+ * to move, from then on: deeper is positive, whatever sign depths have, and minus the distance counts of bodies apart. `microseconds` says how long the answer took, where solve measured a part of its
  * time itself. What the subject declares:
  *
  * name, version   of what is tested
@@ -147,18 +150,20 @@ console.log = console.info = console.debug = console.error;
  * faces           whether bodies of vertices need faces
  * shapes          names of the shapes that it takes, 'margin' if they may have one, 'pieces' if it takes unions; others come as vertices,
  *                 unions in pairs of pieces, or not at all
- * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; and 'distance' of the others
+ * promises        which of 'depth', 'direction', 'witness', 'contacts' each answer holds that says 'overlap'; 'distance' of the others; and 'derivative' of
+ *                 all about bodies with a twist
  * settings        { iterations: 100, ... }: shown beside the verdicts
  * rounding        a radius by which it rounds all bodies, or { vertices: 0.01, box: ... }, by the names of shapes
  * manifold        { most: 4, margin: 0.01 }: how many contacts an answer has at most, how much less deep those without a depth may be
  * claims          'minimum': no translation is shorter than depth * direction; or 'separating': no more than that this one separates
  * axis            'x', 'y' or 'z': along which the engine's own shapes lie. Bodies then come turned to it; left out: as the case has them
+ * twist           whether bodies come with their twists, to be asked for the derivative
  */
 export async function run(solve, declared) {
   const { name, version, precision = 'binary64', touching = 'either', depth = 'positive', moves = 'a', unit = true, faces = false,
-          shapes = [], promises = [], settings = {}, rounding, manifold, claims = 'minimum', axis } = declared;
+          shapes = [], promises = [], settings = {}, rounding, manifold, claims = 'minimum', axis, twist = false } = declared;
   const hello = { type: 'hello', protocol, name, version, precision, conventions: { touching, depth, moves, unit, claims },
-                  capabilities: { faces, shapes }, promises, settings, rounding, manifold };
+                  capabilities: { faces, shapes, twist }, promises, settings, rounding, manifold };
   for await (const line of createInterface({ input: process.stdin, crlfDelay: Infinity })) {
     const message = JSON.parse(line);
     if (message.type === 'hello') write(JSON.stringify(hello));

@@ -37,14 +37,17 @@ class Body:
     margin       the radius of the ball that is added around a shape; 0 if there is none
     rotation     3 x 3, rows; a shape's point p is at rotation p + translation. Exactly what the case says, up to rounding
     translation  [x, y, z]
+    twist        (v, w): its point p begins to move with the velocity v + w x p, w about the origin of the world; None unless your subject
+                 declared "twist" and the case has one
 
     The other fields of a shape, `radius`, `half_length`, `half`, `radii`, `normal`, `offset` and so on, are attributes too.
     docs/shapes.md says what they mean.
     """
 
-    def __init__(self, message, axis=None):
+    def __init__(self, message, axis=None, twist=None):
         self.vertices, self.faces, self.pieces, self.shape, self.margin = [], [], [], None, 0
         self.rotation, self.translation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], [0, 0, 0]
+        self.twist = (twist["v"], twist["w"]) if twist else None
         for field, value in message.items():
             if field != "pose":
                 setattr(self, field, value)
@@ -77,14 +80,17 @@ class Reply:
     witness       a point of A and one of B, which differ by that translation of A
     distance      how far apart; direction then leads the declared body farther away, and witness is a pair of nearest points
     contacts      of a manifold: pairs of a point of both bodies and the depth there, or None; the largest is the depth
+    derivative    of bodies with a twist: how fast the signed depth grows as they begin to move, from then on. Deeper is positive, whatever
+                  sign depths have; minus the distance counts of bodies apart
     hull          the vertices of A's and of B's hull that your code really used, where they may be others than the asked ones; None for
                   either whose are not known
     microseconds  how long it took, if you timed a part of your function yourself
     """
 
-    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None, distance=None, contacts=(), microseconds=None):
+    def __init__(self, overlap, depth=None, direction=None, witness=None, hull=None, distance=None, contacts=(), microseconds=None,
+                 derivative=None):
         self.overlap, self.depth, self.direction, self.witness, self.hull = overlap, depth, direction, witness, hull
-        self.distance, self.contacts, self.microseconds = distance, contacts, microseconds
+        self.distance, self.contacts, self.microseconds, self.derivative = distance, contacts, microseconds, derivative
 
     def fields(self):
         found = {"overlap": bool(self.overlap)}
@@ -100,6 +106,8 @@ class Reply:
         if self.contacts:
             found["contacts"] = [{"position": _vector(p), **({} if depth is None else {"depth": _number(depth)})} for p,
                                  depth in self.contacts]
+        if self.derivative is not None:
+            found["derivative"] = _number(self.derivative)
         if self.hull is not None:
             found["hull"] = {name: [_vector(v) for v in hull] for name, hull in zip("ab", self.hull) if hull is not None}
         if self.microseconds is not None:
@@ -137,7 +145,8 @@ def _said(why):
 
 
 def _answer(solve, message, axis):
-    a, b = Body(message["a"], axis), Body(message["b"], axis)
+    twists = message.get("twist", {})
+    a, b = (Body(message[name], axis, twists.get(name)) for name in "ab")
     start = time.perf_counter_ns()
     try:
         reply = solve(a, b)
@@ -150,7 +159,8 @@ def _answer(solve, message, axis):
 
 
 def run(solve, *, name, version, precision="binary64", touching="either", depth="positive", moves="a", unit=True,
-        faces=False, shapes=(), promises=(), settings=None, rounding=None, manifold=None, claims="minimum", axis=None):
+        faces=False, shapes=(), promises=(), settings=None, rounding=None, manifold=None, claims="minimum", axis=None,
+        twist=False):
     """Answers cases until there are no more: solve(a, b) returns a Reply for two Body values.
 
     name, version   of what is tested
@@ -163,16 +173,19 @@ def run(solve, *, name, version, precision="binary64", touching="either", depth=
     faces           whether bodies of vertices need faces
     shapes          names of the shapes that it takes, "margin" if they may have one, "pieces" if it takes unions; others come as vertices,
                     unions in pairs of pieces, or not at all
-    promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; and "distance" of the others
+    promises        which of "depth", "direction", "witness", "contacts" each answer holds that says "overlap"; "distance" of the
+                    others; and "derivative" of all about bodies with a twist
     settings        {"iterations": 100, ...}: shown beside the verdicts
     rounding        a radius by which it rounds all bodies, or {"vertices": 0.01, "box": ...}, by the names of shapes
     manifold        {"most": 4, "margin": 0.01}: how many contacts an answer has at most, how much less deep those without a depth may be
     claims          "minimum": no translation is shorter than depth * direction; or "separating": no more than that this one separates
     axis            "x", "y" or "z": along which the library's own shapes lie. Bodies then come turned to it; None: as the case has them
+    twist           whether bodies come with their twists, to be asked for the derivative
     """
     hello = {"type": "hello", "protocol": PROTOCOL, "name": name, "version": version, "precision": precision,
              "conventions": {"touching": touching, "depth": depth, "moves": moves, "unit": unit, "claims": claims},
-             "capabilities": {"faces": faces, "shapes": list(shapes)}, "promises": list(promises), "settings": settings or {}}
+             "capabilities": {"faces": faces, "shapes": list(shapes), "twist": twist}, "promises": list(promises),
+             "settings": settings or {}}
     if rounding is not None:
         hello["rounding"] = rounding
     if manifold is not None:

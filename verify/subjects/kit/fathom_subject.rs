@@ -11,10 +11,13 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 pub struct Body<'a> {
     pub vertices: Vec<[f64; 3]>,
     pub fields: &'a Json,
+    /// v and w: its point p begins to move with the velocity v + w x p, w about the origin of the world; if you declared "twist".
+    pub twist: Option<[[f64; 3]; 2]>,
 }
 
 /// What your code answers. Only `overlap` is needed, and what is there is judged: the depth with the sign that is declared, the direction in
-/// which the declared body moves out (or farther away), points of A and B, and the distance of bodies that are apart.
+/// which the declared body moves out (or farther away), points of A and B, and the distance of bodies that are apart. And of bodies with a
+/// twist how fast the signed depth grows from then on: deeper is positive, whatever sign depths have.
 #[derive(Default)]
 pub struct Reply {
     pub overlap: bool,
@@ -22,6 +25,7 @@ pub struct Reply {
     pub distance: Option<f64>,
     pub direction: Option<[f64; 3]>,
     pub witness: Option<[[f64; 3]; 2]>,
+    pub derivative: Option<f64>,
     pub microseconds: Option<f64>, // if you timed a part of your function yourself
 }
 
@@ -86,9 +90,10 @@ fn quoted(text: &str) -> String {
 
 fn body<'a>(message: &'a Json, name: &str) -> Option<Body<'a>> {
     let fields = message.get(name)?;
-    let point = |v: &Json| v.items().iter().filter_map(Json::number).collect::<Vec<_>>().try_into().ok();
+    let point = |v: &Json| -> Option<[f64; 3]> { v.items().iter().filter_map(Json::number).collect::<Vec<_>>().try_into().ok() };
+    let twist = message.get("twist").and_then(|of| of.get(name)).and_then(|of| Some([point(of.get("v")?)?, point(of.get("w")?)?]));
     let vertices = fields.get("vertices").map_or(Some(vec![]), |list| list.items().iter().map(point).collect())?;
-    Some(Body { vertices, fields })
+    Some(Body { vertices, fields, twist })
 }
 
 fn answer(solve: &dyn Fn(&Body, &Body) -> Result<Reply, String>, a: Body, b: Body) -> String {
@@ -105,8 +110,8 @@ fn answer(solve: &dyn Fn(&Body, &Body) -> Result<Reply, String>, a: Body, b: Bod
     };
     let mut said = format!("\"overlap\":{},\"microseconds\":{}", reply.overlap, number(reply.microseconds.unwrap_or(spent)));
     let witness = reply.witness.map(|[p, q]| format!("{{\"a\":{},\"b\":{}}}", vector(p), vector(q)));
-    let values = [reply.depth.map(number), reply.distance.map(number), reply.direction.map(vector), witness];
-    for (name, value) in ["depth", "distance", "direction", "witness"].iter().zip(values) {
+    let values = [reply.depth.map(number), reply.distance.map(number), reply.direction.map(vector), witness, reply.derivative.map(number)];
+    for (name, value) in ["depth", "distance", "direction", "witness", "derivative"].iter().zip(values) {
         said += &value.map_or(String::new(), |value| format!(",\"{}\":{}", name, value));
     }
     said
