@@ -50,8 +50,9 @@ constexpr Verdict verdicts[] = {Verdict::crash,
                                 Verdict::contact_too_deep,
                                 Verdict::contact_too_shallow,
                                 Verdict::misses_extent,
-                                Verdict::tips};
-static_assert(std::size(verdicts) == FATHOM_VERDICT_TIPS + 1 &&
+                                Verdict::tips,
+                                Verdict::wrong_derivative};
+static_assert(std::size(verdicts) == FATHOM_VERDICT_WRONG_DERIVATIVE + 1 &&
               std::size(verdicts) == static_cast<std::size_t>(Verdict::pass) + 1);
 static_assert(verdicts[FATHOM_VERDICT_NAN] == Verdict::nan &&
               verdicts[FATHOM_VERDICT_TOO_SHALLOW] == Verdict::too_shallow);

@@ -243,6 +243,13 @@ std::vector<Option> make_table() {
        "put each case to the subject scaled by a power of two, so that the longest side of its bodies is less than N "
        "and at least N/2",
        {wrong_fit}},
+      {"certify",
+       "--twist",
+       "VX,VY,VZ,WX,WY,WZ",
+       "ask subjects that tell it for the derivative of the signed depth while A begins to move, its point p with the "
+       "velocity V + W x p, in cases without a twist of their own",
+       {wrong_twist}},
+      {"certify", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       {"certify", "--policy", "POLICY",
        "which depths pass that are the separating distance of their own direction, though a shorter way out exists: as "
        "the subject's "

@@ -240,6 +240,8 @@ class Certify {
   void examine() {
     if (replay_)
       for (const InputError& fault : replay_->faults()) tell("bad replies", fault.what());
+    if (certify_.motion && !info().wants_twist)
+      tell("notes on the subject", "it does not declare \"twist\", and is asked for no derivative");
     harness::RunPlan plan;
     plan.jobs = elsewhere_.count > 0 ? elsewhere_.count
                                      : certify_.jobs.value_or(std::max(std::thread::hardware_concurrency(), 1U));
@@ -273,7 +275,10 @@ class Certify {
     while (true) {
       if (interrupt_requested()) throw Interrupted();
       try {
-        return cases_->next();
+        std::optional<Case> pair = cases_->next();
+        if (pair && !info().wants_twist) pair->motion.reset();
+        else if (pair && !pair->motion) pair->motion = certify_.motion;
+        return pair;
       } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
         ++faults_;
         tell("faults", cases_->place() + ": " + fault_text(error));
@@ -391,6 +396,7 @@ CertifyRequest::CertifyRequest(const Given& given)
       json(given.flag("--json")),
       jobs(given.integer<unsigned>("--jobs")),
       fit(given.number("--fit")),
+      motion(given.motion()),
       methods(typed_methods(given.words("--method"))),
       report(given.text("--report")),
       resume(given.flag("--resume")),

@@ -36,6 +36,7 @@ struct CertifyRequest {
   double time_out = 10;          ///< seconds
   Tolerance tolerance;
   std::optional<mpq_class> fit;  ///< the size that each case is brought to
+  std::optional<Motion> motion;  ///< of cases that have none
   std::vector<Method> methods;   ///< find every truth and judgement again by these
   std::string report;
   bool resume = false, overwrite = false;  ///< of the report that is there

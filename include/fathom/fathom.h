@@ -347,9 +347,10 @@ FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, 
 /* ---- the judge ---- */
 
 /** Verdicts, in order of rank up to FATHOM_VERDICT_PASS; those of distances stand behind
- * FATHOM_VERDICT_TOO_SHALLOW, those of contacts behind FATHOM_VERDICT_WITNESS_OFF. Their numbers
- * never change. The first five, and FATHOM_VERDICT_NOT_INVARIANT and
- * FATHOM_VERDICT_UNSUPPORTED, come from harnesses only. VERDICTS.md defines them. */
+ * FATHOM_VERDICT_TOO_SHALLOW, those of contacts behind FATHOM_VERDICT_WITNESS_OFF, and that of a
+ * derivative behind these. Their numbers never change. The first five, and
+ * FATHOM_VERDICT_WRONG_DERIVATIVE, FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
+ * come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,
   FATHOM_VERDICT_TIME_OUT = 1,
@@ -376,7 +377,8 @@ enum {
   FATHOM_VERDICT_CONTACT_TOO_DEEP = 22,
   FATHOM_VERDICT_CONTACT_TOO_SHALLOW = 23,
   FATHOM_VERDICT_MISSES_EXTENT = 24,
-  FATHOM_VERDICT_TIPS = 25 /**< never alone */
+  FATHOM_VERDICT_TIPS = 25, /**< never alone */
+  FATHOM_VERDICT_WRONG_DERIVATIVE = 26
 };
 
 /** The best class that a right depth is in. */

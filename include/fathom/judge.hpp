@@ -152,7 +152,9 @@ enum class Verdict {
   contact_too_shallow,  ///< along each line near one that meets both they overlap more
   misses_extent,        ///< all together they leave out part of each patch
   tips,                 ///< and so much that the middle of the patch is not between them: beside misses_extent
-  not_invariant,        ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
+  // Along the twists that were asked for; `judge` never returns it:
+  wrong_derivative,  ///< the derivative is not that of the signed depth
+  not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
   unsupported,  ///< the program declined the case; `judge` never returns it
   // Passes.

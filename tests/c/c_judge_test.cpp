@@ -336,7 +336,7 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
 
 TEST(CJudgeNames, AreThoseOfCpp) {
   std::set<std::string> names;
-  for (int i = 0; i <= FATHOM_VERDICT_TIPS; ++i) {
+  for (int i = 0; i <= FATHOM_VERDICT_WRONG_DERIVATIVE; ++i) {
     const std::optional<Verdict> verdict = verdict_named(fathom_verdict_name(i));
     ASSERT_TRUE(verdict) << i;
     EXPECT_EQ(fathom_verdict_passes(i) != 0, passes(*verdict));
@@ -346,7 +346,8 @@ TEST(CJudgeNames, AreThoseOfCpp) {
   EXPECT_EQ(fathom_verdict_name(-1), nullptr);
   EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_PASS), "pass");
   EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_TOO_NEAR), "too-near");
-  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_TIPS + 1), nullptr);
+  EXPECT_STREQ(fathom_verdict_name(FATHOM_VERDICT_WRONG_DERIVATIVE), "wrong-derivative");
+  EXPECT_EQ(fathom_verdict_name(FATHOM_VERDICT_WRONG_DERIVATIVE + 1), nullptr);
   EXPECT_FALSE(fathom_verdict_passes(-1));
 }
 

@@ -381,6 +381,73 @@ TEST(ContactFaults, ComeWithTheirProofsInTheUnitOfTheCase) {
   EXPECT_TRUE(judged().contact_faults.empty()) << "the sign is wrong, and is told alone";
 }
 
+// Cubes of side 4, one 3 along x; A goes on into B at 2, in a unit twice as long at 1.
+TEST(Twists, AreAskedForAndJudgedInTheUnitOfTheCase) {
+  std::vector<Triple> cube, other;
+  for (const double x : {0, 4})
+    for (const double y : {0, 4})
+      for (const double z : {0, 4}) cube.push_back({x, y, z}), other.push_back({x + 3, y, z});
+  const Case asked{"c", Body{GivenPoints(cube)}, Body{GivenPoints(other)}, Motion{{{2, 0, 0}, {}}, {}}};
+  const auto subject = [&](const std::string& derivative) {
+    std::string said = hello;
+    said.insert(said.size() - 1, R"(,"capabilities":{"twist":true},"promises":["derivative"])");
+    return SubjectCommand{
+        "read x; echo '" + said +
+        R"('; while read -r x; do id=${x#*id\":\"}; id=${id%%\"*}; case $x in *stop*) exit 0;; *'"twist":{"a":{"v":[1,0,0],"w":[0,0,0]},"b":{"v":[0,0,0],"w":[0,0,0]}}}') ;; *) exit 7;; esac; )" +
+        R"(echo "{\"type\":\"reply\",\"id\":\"$id\",\"overlap\":true)" + derivative + R"(}"; done)"};
+  };
+  Settings settings;
+  settings.fit = 4;  // so that all lengths are halves
+  const auto outcome = [&](const std::string& derivative) {
+    return Examiner(subject(derivative), settings).examine(asked);
+  };
+  const Outcome right = outcome(R"(,\"derivative\":1)"), wrong = outcome(R"(,\"derivative\":-1)"), none = outcome("");
+  EXPECT_EQ(right.verdict, Verdict::pass) << right.detail;
+  EXPECT_EQ(right.derivative.value().squared, 4);
+  EXPECT_EQ(right.derivative->kinks, std::vector<std::string>{"extended"});
+  EXPECT_EQ(wrong.verdict, Verdict::wrong_derivative);
+  EXPECT_EQ(wrong.judgement.value().sentence,
+            "the derivative is wrong by 4: -2 is claimed, 2 is right; it is the right rate with the other sign");
+  EXPECT_EQ(none.verdict, Verdict::inconsistent) << "law: what is promised is there";
+  EXPECT_FALSE(none.derivative);
+  EXPECT_EQ(outcome(R"(,\"derivative\":nan)").verdict, Verdict::nan);
+  for (const Outcome& each : {right, wrong}) {
+    const std::optional<Outcome> read = read_outcome(outcome_line(each));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(outcome_line(*read), outcome_line(each)) << "law: what was written is read as it was";
+  }
+  Case still = asked;
+  still.motion.reset();
+  EXPECT_NE(digest_of(asked), digest_of(still)) << "law: to go on with a report the motion must be the same";
+}
+
+TEST(Twists, OfUnionsAreThoseOfTheChosenPair) {
+  const auto box = [](double low, double high) {
+    std::vector<Triple> points;
+    for (const double x : {low, high})
+      for (const double y : {0, 4})
+        for (const double z : {0, 4}) points.push_back({x, y, z});
+    return GivenPoints(points).exact();
+  };
+  Body both;
+  both.pieces = std::make_shared<const Pieces>(Pieces{box(0, 2), box(2, 4)});
+  const Case pair{"u", both, Body{box(3, 9)}, Motion{{{2, 0, 0}, {}}, {}}};
+  SubjectInfo info;
+  info.promises = {"derivative"};
+  const Outcome outcome = examine_pairs(pair, 0, info, {}, [](const Case& one, std::optional<SubjectAnswer>& answer) {
+    EXPECT_TRUE(one.motion);
+    Reply reply;
+    reply.overlap = one.id == "u[1,0]";
+    if (reply.overlap) reply.depth = 1;
+    answer = SubjectAnswer{"", reply};
+    answer->derivative = reply.overlap ? 2 : 7;
+    return outcome_for(one);
+  });
+  EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.judgement.value().sentence;
+  EXPECT_EQ(outcome.derivative.value().claimed, 2);
+  EXPECT_EQ(outcome.derivative->squared, 4);
+}
+
 TEST(JudgedBodies, AreGrownByTheRadiusOfTheirWord) {
   const Case seen{"c", Body{{{0, 0, 0}, {1, 0, 0}}}, files::body_of(files::named("sphere", {{"radius", {2}}}))};
   SubjectInfo info;

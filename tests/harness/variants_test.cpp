@@ -15,6 +15,7 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/judge/derivative.hpp"
 #include "verify/judge/words.hpp"
 
 namespace fathom::harness {
@@ -43,6 +44,25 @@ bool same_points(std::vector<Point> p, std::vector<Point> q) {
 
 class OfEachPrecision : public ::testing::TestWithParam<Precision> {};
 INSTANTIATE_TEST_SUITE_P(Both, OfEachPrecision, ::testing::Values(Precision::binary32, Precision::binary64));
+
+TEST_P(OfEachPrecision, TheDerivativeIsThatOfTheCase) {
+  std::size_t seen = 0;
+  const auto squared = [](const Case& of) -> std::optional<mpq_class> {
+    const judging::AnyTruth truth = judging::truth_of(of.a, of.b);
+    return judging::judged_derivative(of.a, of.b, truth, *of.motion, 0, {}, {}, {}, {}).squared;
+  };
+  for (Case pair : pairs(GetParam())) {
+    pair.motion = Motion{{{1, -2, 0.5}, {0, 4, -1}}, {{0, 0, 3}, {-2, 0, 1}}};
+    const std::optional<mpq_class> right = squared(pair);
+    for (const Variant& variant : variants(pair, GetParam(), all_names)) {
+      if (!right || !variant.seen.motion) continue;
+      EXPECT_EQ(squared(variant.seen), depth_squared_of(variant, *right)) << pair.id << ' ' << variant.name;
+      EXPECT_EQ(rounded(*variant.seen.motion, GetParam()), variant.seen.motion) << "law: the subject sees it";
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 400U);
+}
 
 TEST_P(OfEachPrecision, TheLawHoldsWhenEachVariantIsSolvedAnew) {
   std::size_t seen = 0;

@@ -82,10 +82,26 @@ std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberForm
   return fits ? std::optional(std::move(words)) : std::nullopt;
 }
 
+std::optional<Motion> rounded(Motion motion, const NumberFormat& format) {
+  bool fits = true;
+  const auto round = [&fits](Point& p, const NumberFormat& to) {
+    for (const auto axis : axes) {
+      const std::optional<mpq_class> nearest = rounded(p.*axis, to);
+      fits = fits && nearest;
+      if (nearest) p.*axis = *nearest;
+    }
+  };
+  for (Twist* twist : {&motion.of_a, &motion.of_b}) round(twist->v, format), round(twist->w, format.points);
+  return fits ? std::optional(std::move(motion)) : std::nullopt;
+}
+
 bool representable(const mpq_class& value, const NumberFormat& format) { return rounded(value, format) == value; }
 
 Case in_unit(Case pair, long exponent) {
   if (exponent == 0) return pair;
+  if (pair.motion)
+    for (Twist* twist : {&pair.motion->of_a, &pair.motion->of_b})
+      for (const auto axis : axes) twist->v.*axis = scaled(twist->v.*axis, exponent);
   for (Body* body : {&pair.a, &pair.b}) {
     if (body->pieces) {
       for_each_hull(*body,

@@ -35,6 +35,9 @@ long lowest_bit(const mpq_class& value);
 /// nullopt if it overflows.
 std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& format);
 
+/// The motion with each number rounded: velocities are lengths. Returns nullopt if one overflows.
+std::optional<Motion> rounded(Motion motion, const NumberFormat& format);
+
 /// Whether a length is a finite number of the format's points in its unit.
 bool representable(const mpq_class& value, const NumberFormat& format);
 

@@ -14,6 +14,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
+#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 
 namespace fathom::harness {
@@ -35,8 +36,9 @@ struct SubjectInfo {
   /// vertices, by pairs of pieces, or not at all.
   std::set<std::string> shapes = {};
   bool wants_faces = false;  ///< each case comes with the facets of the hulls, as polygons of point indices
+  bool wants_twist = false;  ///< cases that have one come with how the bodies begin to move
   /// Fields that each reply that claims an overlap holds: "depth", "direction", "witness",
-  /// "contacts"; and "distance", each other reply.
+  /// "contacts"; "distance", each other reply; and "derivative", each to a case with a twist.
   std::set<std::string> promises;
   /// Its own bodies are the asked ones and all points so near: lengths in its unit, by "vertices",
   /// a shape's name, or "" for all.
@@ -75,9 +77,10 @@ struct Outcome {
   /// by which the subject rounds the two bodies itself, in sum, in the unit of the case; 0 if not
   /// judged
   mpq_class radii = 0;
-  std::optional<Judgement> judgement;  ///< if the reply was judged
-  std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
-  std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs
+  std::optional<Judgement> judgement;                      ///< if the reply was judged
+  std::optional<AboutHulls> hulls;                         ///< if the reply told its hulls
+  std::optional<judging::DerivativeJudgement> derivative;  ///< if the reply told one, to a case with a twist
+  std::optional<AboutPieces> pieces;  ///< if the case is one of unions, and the subject was asked about pairs
   std::vector<judging::ContactFault> contact_faults;  ///< of a judged reply about polytopes
   double seconds = 0;                                 ///< wall time until the answer, or all answers
   std::optional<double> microseconds;                 ///< the same without the protocol, as the subject measured it

@@ -164,7 +164,7 @@ std::string id_in(const JsonValue& reply) {
 /// The reason in the place of an answer.
 std::string reason_in(const JsonValue& reply, const char* name) {
   std::vector<std::string_view> others = text::names_of(judging::reply_fields);
-  others.insert(others.end(), {"hull", "unsupported", "failed"});
+  others.insert(others.end(), {"derivative", "hull", "unsupported", "failed"});
   for (const std::string_view other : others)
     if (other != name && reply.find(other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
@@ -220,7 +220,10 @@ std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* 
 }
 
 /// What is beside an answer.
-void read_rest(const JsonValue& object, Precision points, SubjectAnswer& answer) {
+void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswer& answer) {
+  const Precision points = format.points;
+  if (const JsonValue* rate = object.find("derivative"))
+    answer.derivative = number_of(*rate, "derivative", format.answers);
   if (const JsonValue* hull = object.find("hull")) {
     if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
     answer.hull_a = hull_in(*hull, "a", "hull.a", points);
@@ -299,7 +302,7 @@ std::string misspelt(const JsonValue& reply) {
   const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
   std::vector<std::string_view> known = text::names_of(judging::reply_fields);
   known.insert(known.begin(), {"type", "id"});
-  known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
+  known.insert(known.end(), {"derivative", "hull", "microseconds", "unsupported", "failed"});
   const auto fields = [](const JsonValue& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.fields()) names.emplace_back(name);
@@ -357,10 +360,11 @@ Conventions conventions_in(const JsonValue& hello) {
 std::set<std::string> promises_in(const JsonValue& list) {
   std::set<std::string> promises;
   if (!list.is_array()) refuse("a list for \"promises\" in the hello", shown_json(list));
-  constexpr std::array<std::string_view, 5> known = {"depth", "direction", "witness", "contacts", "distance"};
+  constexpr std::array<std::string_view, 6> known = {"depth",    "direction", "witness",
+                                                     "contacts", "distance",  "derivative"};
   for (const JsonValue& promise : list.items()) {
     if (!promise.is_string() || std::ranges::find(known, promise.string()) == known.end())
-      refuse("depth, direction, witness, contacts, distance in \"promises\" in the hello", shown_json(promise));
+      refuse(fmt::format("{} in \"promises\" in the hello", fmt::join(known, ", ")), shown_json(promise));
     promises.insert(promise.string());
   }
   return promises;
@@ -383,6 +387,7 @@ std::set<std::string> shapes_in(const JsonValue& list) {
 
 void read_capabilities(const JsonValue& capabilities, SubjectInfo& info) {
   info.wants_faces = flag_in(capabilities, "faces", "its capabilities", false);
+  info.wants_twist = flag_in(capabilities, "twist", "its capabilities", false);
   if (const JsonValue* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
 }
 
@@ -481,6 +486,7 @@ std::string run_message(const std::string& ticket, const Case& seen, Precision p
   add_body(out, seen.a, precision, with_faces);
   out.key("b");
   add_body(out, seen.b, precision, with_faces);
+  if (seen.motion) out.key("twist").value(files::motion_json(*seen.motion).text());
   return out.close('}').take();
 }
 
@@ -501,7 +507,7 @@ SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
   else {
     answer.said = read_answer(object, format.answers);
     answer.remark = misspelt(object);
-    read_rest(object, format.points, answer);
+    read_rest(object, format, answer);
   }
   return answer;
 }

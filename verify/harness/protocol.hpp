@@ -31,8 +31,9 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 Faces faces_of(const std::vector<Point>& points);
 
 /// What fathom sends, without the newline. A body that has words is sent by them, a union by its
-/// pieces, any other by its vertices. Numbers are the shortest decimals that read back as the same
-/// number of the precision; `seen` must hold such numbers only.
+/// pieces, any other by its vertices. How they begin to move is sent if the case knows: who puts it
+/// to a subject that does not want that leaves it out. Numbers are the shortest decimals that read
+/// back as the same number of the precision; `seen` must hold such numbers only.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
@@ -57,7 +58,8 @@ struct SubjectAnswer {
   std::optional<double> microseconds = std::nullopt;  ///< how long the answer took, as it says
   /// the vertices of the hulls that it used
   std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;
-  std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
+  std::optional<double> derivative = std::nullopt;  ///< of the signed depth, in its unit
+  std::string remark = {};                          ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
 /// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf

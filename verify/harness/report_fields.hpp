@@ -31,6 +31,8 @@ inline constexpr std::tuple hello_fields{
     field("capabilities.faces", &SubjectInfo::wants_faces, "", "Whether cases come with the facets of hulls."),
     field("capabilities.shapes", &SubjectInfo::shapes, "", "The names that it takes bodies by.", "",
           [](const SubjectInfo& it) { return !it.shapes.empty(); }),
+    field("capabilities.twist", &SubjectInfo::wants_twist, "", "Whether cases come with how the bodies begin to move.",
+          "", [](const SubjectInfo& it) { return it.wants_twist; }),
     field("promises", &SubjectInfo::promises, "", "Fields that each reply holds.", "",
           [](const SubjectInfo& it) { return !it.promises.empty(); }),
     field("rounding", &SubjectInfo::rounding, "length",
@@ -96,6 +98,7 @@ inline constexpr std::tuple outcome_fields{
           "The same answer by the hulls that the subject says it used; how far they are from the asked bodies."),
     field("pieces", &Outcome::pieces, "",
           "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them."),
+    field("derivative", &Outcome::derivative, "", "The derivative that the subject told, beside the true one."),
     field("contact_faults", &Outcome::contact_faults, "",
           "What is wrong with the contacts of a reply about polytopes, each with its proof.", "",
           [](const Outcome& outcome) { return !outcome.contact_faults.empty(); })};
@@ -122,7 +125,9 @@ inline constexpr std::tuple coverage_fields{
     field("direction", &Coverage::direction, "", "Beside a depth."),
     field("witness", &Coverage::witness, "", "Beside a depth."),
     field("contacts", &Coverage::contacts, "", "Beside a depth."),
-    field("distance", &Coverage::distance, "", "Of answers that say that the bodies are apart.")};
+    field("distance", &Coverage::distance, "", "Of answers that say that the bodies are apart."),
+    field("derivative", &Coverage::derivative, "", "Of all answers; not there if none was judged.", "",
+          [](const Coverage& of) { return of.derivative > 0; })};
 static_assert(text::stored_fields(coverage_fields) + 2 == text::member_count<Coverage>());
 
 inline constexpr std::tuple times_fields{

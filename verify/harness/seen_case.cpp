@@ -134,12 +134,14 @@ struct SubjectView {
   }
 };
 
-/// Field by field; a witness is two points.
-std::vector<std::string> missing(const Reply& reply, const std::set<std::string>& promises) {
+/// Field by field; a witness is two points. `moves`: it was asked for a derivative.
+std::vector<std::string> missing(const SubjectAnswer& answer, bool moves, const std::set<std::string>& promises) {
   std::vector<std::string> result;
   const auto check = [&](const char* name, bool is_there) {
     if (!is_there && promises.contains(name)) result.emplace_back(name);
   };
+  const Reply& reply = std::get<Reply>(answer.said);
+  if (moves) check("derivative", answer.derivative.has_value());
   if (!reply.overlap) {
     check("distance", reply.distance.has_value());
     return result;
@@ -162,11 +164,16 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// `radii`: those that the subject added, which shapes in `seen` have. `faults`: of its contacts,
-/// where that is not null.
+/// What is judged beside a reply, on the asked bodies alone.
+struct Beside {
+  std::optional<double> rate;  ///< the claimed derivative
+  std::vector<judging::ContactFault> faults = {};
+  std::optional<judging::DerivativeJudgement> derivative = {};
+};
+
+/// `radii`: those that the subject added, which shapes in `seen` have. `beside` may be null.
 Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
-                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging,
-                          std::vector<judging::ContactFault>* faults) {
+                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging, Beside* beside) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
@@ -176,6 +183,12 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
   const auto judged = [&](const judging::AnyTruth& by) {
     return judging::judged(by, reply, info.conventions, format, judging.tolerance, &stopping);
   };
+  const auto derivative = [&](const judging::AnyTruth& by) {
+    return judging::judged_derivative(seen.a, seen.b, by, *seen.motion, *beside->rate, reply, info.conventions, format,
+                                      judging.tolerance, &stopping);
+  };
+  const bool moves = seen.motion && beside && beside->rate;
+  if (moves) beside->derivative = derivative(truth);
   const Truth* const points = std::get_if<Truth>(&truth);
   if (!points) {
     const auto* const shapes = std::get_if<ShapeTruth>(&truth);
@@ -184,7 +197,8 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
                                : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
     return judged(truth);
   }
-  Judgement judgement = judging::judged(*points, reply, info.conventions, format, judging.tolerance, faults);
+  Judgement judgement =
+      judging::judged(*points, reply, info.conventions, format, judging.tolerance, beside ? &beside->faults : nullptr);
   for (const Solver& solver : judging.second) {
     const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {
@@ -193,6 +207,7 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
     };
     if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
     if (const auto where = difference(judgement, judged(again))) refuse(*where);
+    if (moves && derivative(again).squared != beside->derivative->squared) refuse("the derivative");
   }
   return judgement;
 }
@@ -250,39 +265,47 @@ std::optional<double> microseconds_of(const std::vector<Told>& all) {
   return sum;
 }
 
-/// Adds to the judgement that the reply lacks what the hello promises, if it does.
-void hold_to_promises(Judgement& judgement, const Reply& reply, const std::set<std::string>& promises) {
-  const std::vector<std::string> lacking = missing(reply, promises);
-  if (lacking.empty()) return;
-  const std::string sentence =
-      fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", "));
+/// Adds what else is wrong with an answer.
+void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence) {
   judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
   judgement.accuracy.reset();
   std::vector<Verdict>& all = judgement.findings;
-  const auto place = std::ranges::lower_bound(all, Verdict::inconsistent);
-  if (place == all.end() || *place != Verdict::inconsistent) all.insert(place, Verdict::inconsistent);
+  const auto place = std::ranges::lower_bound(all, finding);
+  if (place == all.end() || *place != finding) all.insert(place, finding);
   judgement.verdict = all.front();
+}
+
+/// Adds to the judgement that the reply lacks what the hello promises, if it does.
+void hold_to_promises(Judgement& judgement, const SubjectAnswer& answer, bool moves,
+                      const std::set<std::string>& promises) {
+  const std::vector<std::string> lacking = missing(answer, moves, promises);
+  if (lacking.empty()) return;
+  add_finding(judgement, Verdict::inconsistent,
+              fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", ")));
 }
 
 void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info,
                  const Judging& judging) {
   const Told& chosen = deepest(all, info.conventions);
   SubjectAnswer whole{{}, chosen.reply(), microseconds_of(all)};
+  whole.derivative = chosen.answer.derivative;
   for (const Told& told : all)
     if (whole.remark.empty()) whole.remark = told.answer.remark;
   Reply& reply = std::get<Reply>(whole.said);
   const bool bare = !reply.overlap && !all_have_distances(all);
-  if (bare) reply = Reply{};
+  if (bare) reply = Reply{}, whole.derivative.reset();
   SubjectInfo lenient = info;  // each reply is held to its promises
   lenient.promises.clear();
   judge_answer(outcome, seen, whole, lenient, judging);
   Outcome query = outcome_for(chosen.pair, outcome.fit);
-  judge_answer(query, chosen.pair, {{}, chosen.reply()}, info, judging);
+  SubjectAnswer of_pair{{}, chosen.reply()};
+  of_pair.derivative = chosen.answer.derivative;
+  judge_answer(query, chosen.pair, of_pair, info, judging);
   outcome.pieces = {all.size(), {chosen.a, chosen.b}, std::move(*query.judgement)};
   for (const Told& told : all) {
     const bool is_held =
         std::ranges::find(outcome.judgement->findings, Verdict::inconsistent) != outcome.judgement->findings.end();
-    if (!is_held) hold_to_promises(*outcome.judgement, told.reply(), info.promises);
+    if (!is_held) hold_to_promises(*outcome.judgement, told.answer, seen.motion.has_value(), info.promises);
   }
   outcome.verdict = outcome.judgement->verdict;
 }
@@ -319,7 +342,7 @@ mpq_class rounding_radius(const Body& body, const SubjectInfo& info) {
 Case judged_bodies(const Case& seen, const SubjectInfo& info, long exponent) {
   if (info.rounding.empty() || seen.a.pieces) return seen;
   const auto [of_a, of_b] = rounding_radii(seen, info, exponent);
-  return {seen.id, grown(seen.a, of_a), grown(seen.b, of_b)};
+  return {seen.id, grown(seen.a, of_a), grown(seen.b, of_b), seen.motion};
 }
 
 void demand_sent_as_vertices(const Case& seen, const SubjectAnswer& answer) {
@@ -353,7 +376,12 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
     view.why = "both bodies are half-spaces, which have no depth";
     return std::nullopt;
   }
-  return Case{pair.id, *std::move(a), *std::move(b)};
+  Case seen{pair.id, *std::move(a), *std::move(b), pair.motion};
+  if (seen.motion && !(seen.motion = rounded(*seen.motion, format))) {
+    view.why = fmt::format("a velocity overflows {}, the precision of the subject", name(format.points));
+    return std::nullopt;
+  }
+  return seen;
 }
 
 std::string digest_of(const Case& pair) {
@@ -367,6 +395,7 @@ std::string digest_of(const Case& pair) {
       });
     hash.take("\n");
   }
+  if (pair.motion) hash.take(files::motion_json(*pair.motion).text());
   return fmt::format("{:016x}", hash.value());
 }
 
@@ -418,16 +447,22 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   const NumberFormat format = in_unit(info.format, outcome.fit);
   const auto radii = rounding_radii(seen, info, outcome.fit);
   if (!has_union(seen)) outcome.radii = radii.first + radii.second;
-  const auto judged = [&](const Case& asked, std::vector<judging::ContactFault>* faults = nullptr) {
+  const auto judged = [&](const Case& asked, Beside* beside = nullptr) {
     return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging,
-                           faults);
+                           beside);
   };
-  outcome.judgement = judged(seen, &outcome.contact_faults);
+  Beside beside{answer.derivative};
+  outcome.judgement = judged(seen, &beside);
+  outcome.contact_faults = std::move(beside.faults);
+  outcome.derivative = std::move(beside.derivative);
   if (answer.hull_a || answer.hull_b) {
     const Case used = used_hulls(seen, answer, outcome.fit);
     outcome.hulls = {judged(used), squared_way(seen, used, answer), squared_way(used, seen, answer)};
   }
-  hold_to_promises(*outcome.judgement, *outcome.reply, info.promises);
+  if (outcome.derivative && !outcome.derivative->sentence.empty())
+    add_finding(*outcome.judgement, std::isfinite(*answer.derivative) ? Verdict::wrong_derivative : Verdict::nan,
+                outcome.derivative->sentence);
+  hold_to_promises(*outcome.judgement, answer, seen.motion.has_value(), info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;
 }
@@ -472,7 +507,7 @@ Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, 
   std::string declined_why;
   for (std::uint32_t i = 0; i < a.size(); ++i) {
     for (std::uint32_t j = 0; j < b.size(); ++j) {
-      const Case pair{pair_id(seen.id, i, j), Body{a[i]}, Body{b[j]}};
+      const Case pair{pair_id(seen.id, i, j), Body{a[i]}, Body{b[j]}, seen.motion};
       std::optional<SubjectAnswer> answer;
       const Outcome asked = ask(pair, answer);
       outcome.seconds += asked.seconds;

@@ -64,6 +64,7 @@ void Coverage::add(const Outcome& outcome) {
   ++cases;
   if (!outcome.reply || !outcome.judgement) return;
   ++overlap;
+  derivative += outcome.derivative && outcome.derivative->left_out.empty() ? 1 : 0;
   const Reply& reply = *outcome.reply;
   if (!reply.overlap) {
     distance += reply.distance ? 1 : 0;
@@ -90,6 +91,7 @@ void Coverage::add(const Coverage& other) {
   witness += other.witness;
   contacts += other.contacts;
   distance += other.distance;
+  derivative += other.derivative;
   without_depth += other.without_depth;
 }
 
@@ -98,6 +100,7 @@ std::vector<std::string> coverage_entries(const Coverage& coverage) {
   if (coverage.distance > 0)
     result.push_back(fmt::format("distance in {} of {} said to be apart", coverage.distance,
                                  coverage.overlap - coverage.overlapping));
+  if (coverage.derivative > 0) result.push_back(fmt::format("derivative in {}", coverage.derivative));
   if (coverage.overlapping == 0) return result;
   result.push_back(fmt::format("depth in {} of {} said to overlap", coverage.depth, coverage.overlapping));
   result.push_back(fmt::format("direction in {}", coverage.direction));

@@ -30,6 +30,7 @@ struct Coverage {
   std::size_t depth = 0, direction = 0, witness = 0;
   std::size_t contacts = 0;       ///< the same
   std::size_t distance = 0;       ///< answers that say that they are apart, with a distance
+  std::size_t derivative = 0;     ///< answers whose derivative was judged
   std::size_t without_depth = 0;  ///< answers whose direction, witness points or contacts came without one
 
   void add(const Outcome& outcome);

@@ -69,6 +69,7 @@ std::optional<mpq_class> shift(const Case& pair, std::size_t axis, const NumberF
 
 std::optional<Variant> swapped(Variant variant) {
   std::swap(variant.seen.a, variant.seen.b);
+  if (variant.seen.motion) std::swap(variant.seen.motion->of_a, variant.seen.motion->of_b);
   variant.swapped = true;
   return variant;
 }
@@ -92,6 +93,10 @@ std::optional<Variant> translated(Variant variant) {
         }
       }
     }
+  if (std::optional<Motion>& motion = variant.seen.motion) {  // whose w are about the origin
+    for (Twist* twist : {&motion->of_a, &motion->of_b}) twist->v = twist->v - cross(twist->w, variant.step);
+    if (rounded(*motion, variant.format) != motion) motion.reset();
+  }
   return moved ? std::optional(variant) : std::nullopt;
 }
 
@@ -132,7 +137,9 @@ std::optional<Variant> rescaled(Variant variant) {
       exact = exact && representable(scaled(value, exponent), variant.format);
     });
     if (!exact) continue;
-    for_each_coordinate(variant.seen, [&](mpq_class& value) { value = scaled(value, exponent); });
+    variant.seen = in_unit(std::move(variant.seen), exponent);
+    if (variant.seen.motion && rounded(*variant.seen.motion, variant.format) != variant.seen.motion)
+      variant.seen.motion.reset();
     variant.exponent = exponent;
     return variant;
   }

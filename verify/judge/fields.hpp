@@ -15,6 +15,7 @@
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "reference/text/fields.hpp"
+#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 
 namespace fathom::judging {
@@ -192,6 +193,25 @@ inline constexpr std::tuple judgement_fields{
 
 static_assert(stored_fields(judgement_fields) == member_count<Judgement>(), "each member of Judgement has its row");
 constexpr const auto& fields_of(const Judgement*) { return judgement_fields; }
+
+// ---- the derivative ----
+
+/// In the order of JSON.
+inline constexpr std::tuple derivative_fields{
+    field("claimed", &DerivativeJudgement::claimed, "length/time", "As it was understood."),
+    field("squared", &DerivativeJudgement::squared, "length^2/time^2",
+          "The square of the true rate, negative if that is; not there if it is left out."),
+    field("left_out", &DerivativeJudgement::left_out, "", "Why it is not judged.", "",
+          [](const DerivativeJudgement& of) { return !of.left_out.empty(); }),
+    field("kinks", &DerivativeJudgement::kinks, "",
+          "Why the depth has no gradient by the poses; not there if it has one, and of unions.", "",
+          [](const DerivativeJudgement& of) { return !of.kinks.empty(); }),
+    field("error", &DerivativeJudgement::error, "length/time", "The claimed rate less the true one."),
+    field("sentence", &DerivativeJudgement::sentence, "", "What is wrong, for people.", "",
+          [](const DerivativeJudgement& of) { return !of.sentence.empty(); })};
+static_assert(stored_fields(derivative_fields) == member_count<DerivativeJudgement>(),
+              "each member of DerivativeJudgement has its row");
+constexpr const auto& fields_of(const DerivativeJudgement*) { return derivative_fields; }
 
 // ---- contacts ----
 

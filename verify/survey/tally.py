@@ -20,13 +20,14 @@ CLASSES = ("correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance")
 GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shallow",),
           "wrong status": ("false-separation", "false-overlap"),
           "other wrong": ("not-a-direction", "wrong-sign", "too-far", "too-near", "not-separating", "inconsistent", "witness-off",
-                          "contact-outside", "contact-too-deep", "contact-too-shallow", "misses-extent", "tips", "not-invariant", "nan"),
+                          "contact-outside", "contact-too-deep", "contact-too-shallow", "misses-extent", "tips", "wrong-derivative",
+                          "not-invariant", "nan"),
           "no answer": ("crash", "time-out", "silent", "garbage", "failed"), "declined": ("unsupported",)}
 GROUP_OF = {verdict: group for group, verdicts in GROUPS.items() for verdict in verdicts}
 LETTERS = {"right": ".", "too deep": "D", "too shallow": "S", "wrong status": "X", "other wrong": "W", "no answer": "N", "declined": "-"}
 # What can be wrong with an answer whose status and depth are right: its direction, its points, the distance of bodies that are apart.
 BEYOND_DEPTH = {"not-a-direction", "not-separating", "inconsistent", "witness-off", "contact-outside", "contact-too-deep",
-                "contact-too-shallow", "misses-extent", "tips", "too-far", "too-near"}
+                "contact-too-shallow", "misses-extent", "tips", "wrong-derivative", "too-far", "too-near"}
 BADNESS = ("wrong status", "too shallow", "too deep", "other wrong", "no answer")  # of equal errors, and where there is none
 SUBSETS = ("solid", "metre_sized")  # fields of a report's line that are true or false
 LONGEST = 160  # characters of a sentence

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Claimed derivatives: on the border and a number to either side, what wrong ones are instead, and
+// the nearest number to the exact rate of every family, which passes with no tolerance.
+#include "verify/judge/derivative.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fathom/patch.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
+#include "tests/judge/pairs.hpp"
+#include "verify/families/families.hpp"
+#include "verify/families/random.hpp"
+
+namespace fathom::judging {
+namespace {
+
+using testing::cube;
+using testing::overlap;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Question {
+  Body a, b;
+  Motion motion;
+  Tolerance tolerance = {};
+  NumberFormat format = {};
+
+  [[nodiscard]] DerivativeJudgement judged(double claimed, const Reply& reply = overlap(1)) const {
+    return judged_derivative(a, b, truth_of(a, b), motion, claimed, reply, {}, format, tolerance);
+  }
+  [[nodiscard]] bool passes(double claimed) const { return judged(claimed).sentence.empty(); }
+};
+
+Twist going(const Point& v) { return {v, {}}; }
+Twist turning(const Point& w) { return {{}, w}; }
+
+TEST(Derivative, PassesOnTheBorderAndFailsBeyond) {
+  Question cubes{{cube(0)}, {cube(mpq_class(2, 5))}, {going({2, 0, 0}), {}}};  // two fast, and A enters B
+  cubes.tolerance.relative = mpq_class(1, 1024);
+  const double border = 1.0 / 512;
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_TRUE(cubes.passes(2 + sign * border));
+    EXPECT_FALSE(cubes.passes(std::nextafter(2 + sign * border, sign * infinity)));
+  }
+  cubes.tolerance = {0, mpq_class(1, 1024)};
+  EXPECT_TRUE(cubes.passes(2 + border)) << "the larger one of both tolerances";
+  cubes.tolerance = {0, 0, 3};
+  EXPECT_TRUE(cubes.passes(2 + 3 * 0x1p-51));
+  EXPECT_FALSE(cubes.passes(2 + 4 * 0x1p-51));
+  EXPECT_EQ(cubes.judged(2).squared, 4);
+  EXPECT_EQ(*cubes.judged(1.5).error, -0.5);
+}
+
+TEST(Derivative, IsReadInTheUnitOfTheSubject) {
+  Question cubes{{cube(0)}, {cube(mpq_class(2, 5))}, {going({2, 0, 0}), {}}, {}, {{}, {}, -1}};
+  EXPECT_TRUE(cubes.passes(1));
+  EXPECT_EQ(cubes.judged(1.5).sentence, "the derivative is wrong by 1: 3 is claimed, 2 is right");
+  EXPECT_EQ(cubes.judged(1.5).claimed, 3);
+}
+
+TEST(Derivative, SaysWhatAWrongClaimIsInstead) {
+  const auto instead = [](const Question& question, double claimed, const Reply& reply = overlap(1)) {
+    const std::string sentence = question.judged(claimed, reply).sentence, before = " is right; it is ";
+    const std::size_t at = sentence.find(before);
+    return at == sentence.npos ? sentence : sentence.substr(at + before.size());
+  };
+  // Two shortest ways out, -x and -y, of which a push along x lengthens one.
+  const Question tie{{cube(0)}, {cube(mpq_class(1, 2), mpq_class(1, 2))}, {going({1, 0, 0}), {}}};
+  EXPECT_TRUE(tie.passes(0));
+  EXPECT_EQ(tie.judged(0).kinks, (std::vector<std::string>{"ties", "extended"}));
+  EXPECT_EQ(instead(tie, 0.5), "the mean of the rates from now on, 0, and until now, 1: that of a central difference");
+  EXPECT_EQ(instead(tie, 1), "the rate until now: that of a difference backwards");
+  EXPECT_EQ(instead(tie, 0.25), "the derivative is wrong by 0.25: 0.25 is claimed, 0 is right");
+  const Question longer{tie.a, tie.b, {going({1, 2, 0}), {}}};
+  EXPECT_EQ(instead(longer, -1), "the right rate with the other sign");
+  EXPECT_EQ(instead({tie.a, tie.b, {{{1, 2, -3}, {0, 0, 1}}, {}}}, 3),
+            "the rate along (0, -1, 0) alone, where each shortest way out counts as well, and (-1, 0, 0) decides");
+  // One cube lies on another and tilts: the corner that goes in decides.
+  const Question tilt{{cube(0)}, {cube(0, 0, mpq_class(-3, 4))}, {turning({0, 1, 0}), {}}};
+  EXPECT_TRUE(tilt.passes(1));
+  EXPECT_EQ(tilt.judged(1).kinks, std::vector<std::string>{"extended"});
+  EXPECT_EQ(instead(tilt, 0), "the rate until now: that of a difference backwards");
+  const Question far{tilt.a, tilt.b, {{{0, 0, 3}, {0, 1, 0}}, {}}};
+  EXPECT_EQ(instead(far, -2.5),
+            "the mean of the rates from now on, -2, and until now, -3: that of a central difference");
+  Reply reply = overlap(0.25, Triple{0, 0, 1});
+  reply.witness_a = Triple{0.25, 0.5, 0};
+  reply.witness_b = Triple{0.25, 0.5, 0.25};
+  EXPECT_EQ(instead(far, -2.75, reply).substr(0, 33), "the rate at its own witness point");
+  const Question slanted{tilt.a, tilt.b, {turning({0.5, 1, 0}), turning({-1, 0, 0})}};
+  EXPECT_TRUE(slanted.passes(1));
+  EXPECT_EQ(instead(slanted, -0.5),
+            "the rate at the contact point (1, 1, 0) alone, where each counts, and (1, 0, 0) decides");
+}
+
+TEST(Derivative, OfNoNumberAndOfWhatIsLeftOut) {
+  const Question cubes{{cube(0)}, {cube(mpq_class(2, 5))}, {going({1, 0, 0}), {}}};
+  EXPECT_EQ(cubes.judged(infinity).sentence, "the derivative is inf");
+  Question curved{{}, {cube(0)}, {going({1, 0, 0}), {}}};
+  curved.a.shape = fathom::cylinder(1, 1);
+  EXPECT_EQ(curved.judged(7).left_out, "curved");
+  EXPECT_TRUE(curved.passes(7));
+  EXPECT_FALSE(curved.judged(7).squared);
+}
+
+TEST(Derivative, LargestSpeed) {
+  const Motion motion{{{3, 0, 0}, {0, 0, 1}}, going({0, 4, 0})};
+  const auto speed = [&](const Body& a, const Body& b) { return largest_speed(a, b, motion); };
+  EXPECT_EQ(speed({{{0, 0, 0}}}, {{{9, 9, 9}}}), 4);
+  EXPECT_EQ(speed({{{4, 0, 0}, {0, 0, 0}}}, {{{9, 9, 9}}}), 5) << "(3, 4, 0)";
+  Body ball, floor;
+  ball.shape = fathom::sphere(2);
+  EXPECT_EQ(speed(ball, {{{9, 9, 9}}}), 5) << "3, and 2 around its axis";
+  floor.shape = fathom::halfspace({0, 0, 1}, 0);
+  EXPECT_EQ(speed(floor, {{{4, 0, 0}}}), 5) << "as if it had the point of the other";
+  const mpq_class root = speed({{{1, 0, 0}}}, {{{0, 0, 0}}}), square = speed({{{0, 1, 0}}}, {{{0, 0, 0}}});
+  EXPECT_EQ(square, 4) << "of (2, 0, 0) and (0, 4, 0)";
+  EXPECT_EQ(root, 4);
+  const mpq_class irrational = largest_speed({{{0, 0, 0}}}, {{{0, 0, 0}}}, {going({1, 1, 0}), {}});
+  EXPECT_GE(irrational * irrational, 2);
+  EXPECT_LE(irrational, mpq_class(14142135623730951, 10000000000000000) * (1 + mpq_class(1, 1UL << 39)));
+}
+
+std::vector<families::Family> every_family() {
+  std::vector<families::Family> all;
+  for (const auto kind : {families::Kind::polytopes, families::Kind::shapes, families::Kind::unions})
+    for (const families::Family& family : families::families(kind)) all.push_back(family);
+  return all;
+}
+
+class EveryFamilyDerivative : public ::testing::TestWithParam<families::Family> {};
+
+TEST_P(EveryFamilyDerivative, TheNearestNumberPassesAndTheNextButOneFails) {
+  families::Random random(GetParam().usual_size);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const Case pair = GetParam().make(seed, std::min(GetParam().usual_size, 12U));
+    const auto number = [&] { return mpq_class(random.between(-8, 8)); };
+    const auto twist = [&] { return Twist{{number(), number(), number()}, {number(), number(), number()}}; };
+    const Question question{pair.a, pair.b, {twist(), twist()}, {0, 0, 0}};
+    const DerivativeJudgement judged = question.judged(0);
+    if (!judged.squared) continue;
+    const double right = kernels::nearest_binary64({0, *judged.squared});
+    EXPECT_TRUE(question.passes(right)) << pair.id;
+    for (const double end : {infinity, -infinity})
+      EXPECT_FALSE(question.passes(std::nextafter(std::nextafter(right, end), end))) << pair.id;
+    if (right != 0) EXPECT_NE(question.judged(-right).sentence, "") << pair.id;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Families, EveryFamilyDerivative, ::testing::ValuesIn(every_family()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace fathom::judging
