@@ -191,6 +191,8 @@ constexpr Example explain_examples[] = {
     {"fathom explain cases.jsonl --case deep -o page.html", "of one case of a file"},
     {"fathom explain --pieces a.obj b.obj -o page.html",
      "of bodies that are not convex, as unions of the groups in their files"},
+    {"fathom explain --twist 0,0,0,0,0,1 a.off b.stl -o page.html",
+     "with the depth as A is moved and turned, beside its tangent"},
     {"fathom explain --times a.off b.stl -o page.html", "with the seconds that each stage took"},
 };
 

@@ -158,11 +158,11 @@ std::vector<Option> make_table() {
       {"depth", "--optima", "N", "count all ties, and list the first N; without it all are listed", {wrong_optima}},
       {"depth",
        "--along",
-       "X,Y,Z",
-       "the signed depth along a path instead: A is moved by s X,Y,Z for s from 0 to 1. It is positive while the "
-       "bodies penetrate, 0 when "
+       "X,Y,Z[,WX,WY,WZ]",
+       "the signed depth along a path instead: A is moved by s X,Y,Z for s from 0 to 1, and before that turned about "
+       "the origin by the quaternion (1, s W/2), if there is a W. It is positive while the bodies penetrate, 0 when "
        "they touch, and minus the distance when they are apart: one continuous curve, exact at each step",
-       {wrong_vector}},
+       {wrong_motion}},
       {"depth",
        "--steps",
        "N",
@@ -173,7 +173,7 @@ std::vector<Option> make_table() {
           "depth", "--patch",
           "add where the bodies touch after each shortest way out: all contact points, with the features that they are "
           "on; and whether the depth is smooth there, with its gradient by the pose"),
-      {"depth",
+      {"depth,explain",
        "--twist",
        "VX,VY,VZ,WX,WY,WZ",
        "add how fast the signed depth changes while A begins to move, its point p with the velocity V + W x p: exact, "

@@ -89,6 +89,11 @@ std::optional<Twist> typed_twist(std::string_view text) {
   return Twist{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
 }
 
+std::optional<Twist> typed_motion(std::string_view text) {
+  const std::optional<Point> v = typed_vector(text);
+  return v ? std::optional(Twist{*v, {}}) : typed_twist(text);
+}
+
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
   if (const std::size_t dots = text.find(".."); dots != text.npos)
     return typed_range(text.substr(0, dots), text.substr(dots + 2));
@@ -179,6 +184,10 @@ std::string wrong_point(const std::string& text) {
 
 std::string wrong_vector(const std::string& text) {
   return unless(typed_vector(text).has_value(), "three numbers such as 1,0,-1/2, not all zero", text);
+}
+
+std::string wrong_motion(const std::string& text) {
+  return unless(typed_motion(text).has_value(), "three numbers such as 1,0,-1/2, or six, not all zero", text);
 }
 
 std::string wrong_twist(const std::string& text) {

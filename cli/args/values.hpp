@@ -33,6 +33,8 @@ std::optional<Point> typed_point(std::string_view text);
 std::optional<Point> typed_vector(std::string_view text);
 /// Six numbers with commas between them, not all zero: v, and w.
 std::optional<Twist> typed_twist(std::string_view text);
+/// Six numbers as those, or three: v alone.
+std::optional<Twist> typed_motion(std::string_view text);
 /// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
 /// ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
@@ -67,6 +69,7 @@ std::string wrong_bits(const std::string& text);
 std::string wrong_delta(const std::string& text);
 std::string wrong_point(const std::string& text);
 std::string wrong_vector(const std::string& text);
+std::string wrong_motion(const std::string& text);
 std::string wrong_sizes(const std::string& text);
 std::string wrong_time(const std::string& text);
 std::string wrong_tolerance(const std::string& text);

@@ -13,22 +13,15 @@
 #include <vector>
 
 #include "cli/commands/command.hpp"
-#include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
-#include "cli/io/progress.hpp"
-#include "cli/output/answer_output.hpp"
 #include "cli/output/study_output.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/signed_depth.hpp"
 #include "kernels/messages.hpp"
-#include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
-#include "view/page/page.hpp"
-#include "view/picture/markup.hpp"
-#include "view/picture/scene.hpp"
 #include "view/stages/charts_picture.hpp"
 
 namespace fathom::cli {
@@ -154,37 +147,6 @@ std::string picture_of(const Case& pair, const stages::Stages& stages) {
   return stages::charts_file(stages);
 }
 
-struct ExplainRequest {
-  DepthRequest depth;  ///< the page has what `fathom depth --json` prints
-  std::string page;    ///< the file
-  bool times;          ///< with the seconds that each stage took
-};
-
-std::vector<std::string> notes_on(const AboutBodies& bodies) {
-  std::vector<std::string> notes;
-  if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
-  if (const std::optional<std::string> sizes = shapes::sizes_note(bodies.sizes)) notes.push_back(*sizes);
-  return notes;
-}
-
-std::string page_of(const Case& single, const ExplainRequest& request, Monitor& monitor) {
-  Workspace workspace;
-  const AskedCase asked = looked_at(single, request.depth);
-  const AnsweredCase answered = answered_by(asked, request.depth, question_of(request.depth, monitor, workspace));
-  const Answer& answer = answered.answer;
-  if (!answer.complete()) throw Interrupted();
-  const std::string picture =
-      picture::scene_panels(answer_scene(single, answer), "still", "A and B, and the way out of A");
-  const auto page = [&](auto stages) {
-    stages.id = single.id;
-    return page::html_page({FATHOM_VERSION, output::answer_json(answered, request.depth.form), stages,
-                            files::case_json(single), notes_on(asked.bodies), picture});
-  };
-  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found))
-    return page(stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor));
-  return page(stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor}));
-}
-
 }  // namespace
 
 ExitCode run_stages(const Given& given) {
@@ -210,24 +172,6 @@ ExitCode run_stages(const Given& given) {
     };
   }
   return reply_to_inputs(request, replies);
-}
-
-// fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
-
-ExitCode run_explain(const Given& given) {
-  const ExplainRequest request{DepthRequest(given), given.text("--output"), given.flag("--times")};
-  CertificateFile file(request.page, "page");  // an unwritable path fails early
-  Case single = asked_case(request.depth);
-  if (request.depth.inputs.size() == 2)
-    single.id = picture::without_folders(single.id);  // names of files; a case has its own
-  std::string page;
-  {
-    const InterruptGuard interrupt_guard;
-    Progress progress;
-    page = page_of(single, request, progress);
-  }
-  file.write(page);
-  return fine;
 }
 
 }  // namespace fathom::cli

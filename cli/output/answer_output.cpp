@@ -436,18 +436,22 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
   return case_line(answered.id, parts);
 }
 
-picture::PairScene answer_scene(const Case& bodies, const Answer& answer) {
-  if (const Depth* const depth = polytopes(answer))
-    return picture::scene_of({bodies.a.points, bodies.b.points, *depth});
-  if (const SignedDepth* const depth = shapes_of(answer))
-    return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth);
-  return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answer));
+picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
+  const auto scene_of = [&] {
+    if (const Depth* const depth = polytopes(answered.answer))
+      return picture::scene_of({bodies.a.points, bodies.b.points, *depth});
+    if (const SignedDepth* const depth = shapes_of(answered.answer))
+      return picture::scene_of(files::shape_of(bodies.a), files::shape_of(bodies.b), *depth);
+    return picture::scene_of(pieces_of(bodies.a), pieces_of(bodies.b), *unions(answered.answer));
+  };
+  picture::PairScene scene = scene_of();
+  if (answered.manifold && form.patch) scene.patches = drawn_patches(answered.manifold->geometry);
+  return scene;
 }
 
 std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form) {
   const Answer& answer = answered.answer;
-  picture::PairScene scene = answer_scene(bodies, answer);
-  if (answered.manifold && form.patch) scene.patches = drawn_patches(answered.manifold->geometry);
+  const picture::PairScene scene = answer_scene(bodies, answered, form);
   const Length length = lengths_of(answer, {}).back();
   Parts caption{fmt::format("{}: {} {}", answer.status_name(), length.what, length.value)};
   if (scene.moves() && answer.translation()) caption.push_back(way_caption(answer, form));

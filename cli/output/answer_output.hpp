@@ -25,8 +25,9 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form);
 /// One line, which begins with the id, without its newline.
 std::string answer_line(const AnsweredCase& answered, const AnswerForm& form);
 
-/// What a picture of two bodies and their answer, which is complete, shows.
-picture::PairScene answer_scene(const Case& bodies, const Answer& answer);
+/// What a picture of two bodies and their answer, which is complete, shows: their patches too, if
+/// they are asked for.
+picture::PairScene answer_scene(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form);
 
 /// An SVG file of the case and its answer, which is complete, with the numbers of the text below.
 std::string answer_picture(const Case& bodies, const AnsweredCase& answered, const AnswerForm& form);

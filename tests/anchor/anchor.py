@@ -90,6 +90,7 @@ depth --along 1,0,0 --steps 8 a.off b.off
 depth --along 1,0,0 --steps 8 --exact a.off b.off
 depth --along 1,0,0 --steps 8 --json --svg OUT/curve.svg a.off b.off
 depth --along 1,0,0 --steps 8 --csv a.off b.off
+depth --along 1,0,0,0,1,1/2 --steps 4 --json a.off b.off
 depth --along 3,1,1 --steps 4 sphere:r=1 capsule:r=1/2,h=2
 depth --along 3,1,1 --steps 4 --json sphere:r=1 capsule:r=1/2,h=2
 depth --along 3,1,1 --steps 4 --csv sphere:r=1 ellipsoid:1,2,3
@@ -119,7 +120,8 @@ study --sweep random_sphere --sizes 10..50 --csv --svg OUT/chart.svg
 stages a.off b.stl
 stages --svg OUT/charts.svg a.off b.stl
 explain a.off b.stl -o OUT/page.html
-explain sphere:r=1 box:1,2,3 -o OUT/page.html
+explain --twist 0,0,1,0,1/2,0 a.off b.stl -o OUT/page.html
+explain sphere:r=1 box:half=1:2:3 -o OUT/page.html
 explain --pieces data/comb.obj data/key.obj -o OUT/page.html
 cases --list
 cases --list --shapes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every number on the page of `fathom explain` is one of `depth --json`, or of the data of the pictures; with scripts and without.
+// Every number on the page of `fathom explain` is one of `depth --patch --json`, or of the data of the pictures; with scripts and without.
 import assert from 'node:assert/strict';
-import { drawn, explained, meshes, stored } from './explained.mjs';
+import { drawn, explained, meshes, numbersOfPatches, stored } from './explained.mjs';
 import { cases, onPage, withoutWebGl } from './lib.mjs';
 import { nearestRoot } from '../../view/page/web/numbers.js';
 
@@ -58,13 +58,13 @@ for (const [name, line] of Object.entries(lines))
         assert.deepEqual(numbers(shown).map(Number), flat(value), `law: ${field} is that of depth --json`);
       }
       const answers = new Set([...numbers(JSON.stringify(depth)), ...flat(depth.sizes ? [depth.sizes.a, depth.sizes.b] : []).map(String)]);
-      const values = new Set([...answers].map(Number));
+      const values = new Set([...answers, ...numbersOfPatches(depth)].map(Number));
       const optima = stages.contact?.optima?.length ?? 0;
       for (let i = 0; i <= optima; ++i) values.add(i); // "1 of 6"
       for (const part of ['#answer', '#facts']) {
         const text = await page.locator(part).evaluate((e) => [...e.querySelectorAll('*'), e].filter((x) => !x.children.length).map((x) => x.textContent).join(' ') || e.textContent);
         const foreign = numbers(text.replaceAll(/\.\.\. \(\d+ characters\)/g, '')).filter((each) => !answers.has(each) && !values.has(Number(each)) && !values.has(-Number(each)));
-        assert.deepEqual(foreign, [], `law: every number in ${part} is one of depth --json`);
+        assert.deepEqual(foreign, [], `law: every number in ${part} is one of depth --patch --json`);
       }
       const ranked = await page.locator('#ranked tr[data-facet] td:nth-child(2)').allTextContents();
       for (const [i, text] of ranked.entries()) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of `fathom explain --pieces`, of unions: it shows, turns, moves A until pieces touch, steps through optima, lights pieces, fits, prints,
-// can be read by all, and every number is one of `depth --pieces --json`.
+// can be read by all, and every number is one of `depth --pieces --patch --json`.
 import assert from 'node:assert/strict';
+import { numbersOfPatches } from './explained.mjs';
 import { accessible, colours, fathom, fits, inBothLooks, made, onPage, prints, withoutWebGl } from './lib.mjs';
 
 const faces = [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
@@ -18,7 +19,7 @@ function explained(name, a, b) {
     const file = (text, end) => (text.includes('\n') ? made(`${name}-${end}.obj`, text) : text);
     const [of_a, of_b] = [file(a, 'a'), file(b, 'b')], page = made(`${name}.html`);
     fathom(['explain', '--pieces', of_a, of_b, '-o', page]);
-    known.set(name, { page, depth: JSON.parse(fathom(['depth', '--pieces', '--json', of_a, of_b])) });
+    known.set(name, { page, depth: JSON.parse(fathom(['depth', '--pieces', '--patch', '--json', of_a, of_b])) });
   }
   return known.get(name);
 }
@@ -123,11 +124,11 @@ for (const [name, make] of Object.entries(all))
       const { depth } = make(), answers = new Set(numbers(JSON.stringify(depth)).map(Number)), value = (x) => x.split('/').reduce((p, q) => p / q);
       for (const text of JSON.stringify(depth).match(/"-?\d+(\/\d+)?"/g) ?? []) answers.add(Number(value(JSON.parse(text))));
       const { pieces } = await page.evaluate(() => ({ pieces: JSON.parse(document.getElementById('stages').textContent) })).then(({ pieces: s }) => ({ pieces: [s.a.length, s.b.length] }));
-      for (const each of [...pieces, depth.optima.length, ...depth.optima.keys(), ...depth.optima.map((o) => o.contacts.length)]) answers.add(each);
+      for (const each of [...pieces, depth.optima.length, ...depth.optima.keys(), ...depth.optima.map((o) => o.contacts.length), ...numbersOfPatches(depth)]) answers.add(each);
       for (const part of ['#answer', '#facts', '#contacts']) {
         const text = await page.locator(part).evaluate((e) => [...e.querySelectorAll('*'), e].filter((x) => !x.children.length).map((x) => x.textContent).join(' ') || e.textContent);
         const foreign = numbers(text).filter((each) => !answers.has(Number(each)) && !answers.has(-Number(each)));
-        assert.deepEqual(foreign, [], `law: every number in ${part} is one of depth --pieces --json`);
+        assert.deepEqual(foreign, [], `law: every number in ${part} is one of depth --pieces --patch --json`);
       }
       if (depth.status !== 'penetrating') return;
       for (const [field, length] of [['depth', depth.depth], ['deepest_pair', depth.deepest_pair.depth], ['hulls', depth.hulls]])

@@ -15,6 +15,9 @@ NAME = "{http://www.w3.org/2000/svg}"
 # Bodies, and a path that leads through touching: exactly at a step, or between two.
 PATHS = [(CUBE, CUBE, "2,0,0", 32), (CUBE, ICOSAHEDRON, "3,1/3,-0.1", 16), (ICOSAHEDRON, CUBE, "-5,-5,-5", 7),
          ("sphere:r=1", "sphere:r=1/2,at=1/2:0:0", "3,0,0", 12), ("capsule:r=1/3,half_length=1", CUBE, "0,0,4", 9)]
+# Paths on which A is turned too.
+TURNS = [(CUBE, ICOSAHEDRON, "3,1/3,-0.1,1,-1/2,2/3", 9), ("capsule:r=1/3,half_length=1", CUBE, "0,0,0,1,0,0", 5),
+         (CUBE, "halfspace:normal=1:2:3,offset=0", "0,0,1,0,0.3,0", 4)]
 CURVED = ("cylinder:r=1,half_length=1", "cone:r=1,half_length=1", "3,0,1", 8)
 
 
@@ -36,18 +39,19 @@ class Along(CliTest):
 
     def placed(self, a, b, path, share):
         """What `depth` says of A where it is then."""
-        shift = ",".join(str(part * share) for part in vector(path))
-        return self.result("depth", "--optima", 1, f"--pose-a=xyz={shift}", a, b)
+        move = [part * share for part in vector(path)]
+        turn = ",".join(str(part / 2) for part in move[3:] or [0, 0, 0])
+        return self.result("depth", "--optima", 1, f"--pose-a=xyz={','.join(map(str, move[:3]))} quat=1,{turn}", a, b)
 
     def test_obeys_its_schema(self):
-        for a, b, path, steps in PATHS + [CURVED]:
+        for a, b, path, steps in PATHS + TURNS + [CURVED]:
             found = self.curve(a, b, path, steps)
             self.assertEqual(([value["step"] for value in found["values"]], found["id"]), (list(range(steps + 1)), f"{a} {b}"))
             self.assertEqual([Fraction(value["s"]) for value in found["values"]], [Fraction(i, steps) for i in range(steps + 1)])
-            self.assertEqual([Fraction(part) for part in found["along"]], vector(path))
+            self.assertEqual([Fraction(part) for part in found["along"] + found.get("turn", [])], vector(path))
 
     def test_each_step_is_the_answer_of_depth(self):
-        for a, b, path, steps in PATHS + [CURVED]:
+        for a, b, path, steps in PATHS + TURNS + [CURVED]:
             for value in self.curve(a, b, path, steps)["values"]:
                 with self.subTest(a=a, b=b, s=value["s"]):
                     single = self.placed(a, b, path, Fraction(value["s"]))
@@ -66,6 +70,13 @@ class Along(CliTest):
                 self.assertEqual(value["value"], float(exact))
                 self.assertLessEqual(value["signed_depth"]["low"], value["value"])
                 self.assertGreaterEqual(value["signed_depth"]["high"], value["value"])
+
+    def test_sets_out_with_the_velocity_of_the_twist(self):
+        for a, b, path, _ in TURNS:
+            rate = number(self.result("depth", f"--twist={path}", a, b)["derivative"]["rate"]["exact"])
+            tiny = [part / 10 ** 12 for part in vector(path)]
+            start, end = [number(value["signed_depth"]["exact"]) for value in self.curve(a, b, ",".join(map(str, tiny)), 1)["values"]]
+            self.assertLess(abs((end - start) * 10 ** 12 - rate), Decimal("1e-9"), path)
 
     def test_through_touching(self):
         values = self.curve(*PATHS[0])["values"]
@@ -103,7 +114,7 @@ class Forms(CliTest):
         return self.result(*arguments), rows, self.answer(*arguments).splitlines(), xml.fromstring(picture.read_bytes())
 
     def test_agree(self):
-        for a, b, path, steps in PATHS + [CURVED]:
+        for a, b, path, steps in PATHS + TURNS + [CURVED]:
             found, rows, lines, chart = self.forms(a, b, path, steps)
             values = found["values"]
             titles = [title.text for title in chart.iter(NAME + "title")][1:]

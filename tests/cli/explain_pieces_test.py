@@ -41,7 +41,7 @@ class ExplainPieces(CliTest):
     def check(self, a, b):
         """The page is about what these files are about for `depth --pieces`."""
         page = self.page(a, b)
-        text = self.answer("depth", "--pieces", "--json", a, b)
+        text = self.answer("depth", "--pieces", "--patch", "--json", a, b)
         text = text.replace(f"{self.folder}/", "").replace(f"{DATA}/", "")  # the page names no folder
         self.assertEqual(page.block("depth") + "\n", text.replace("<", "\\u003c"))
         depth, stages = json.loads(text), json.loads(page.block("stages"))

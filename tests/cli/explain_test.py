@@ -4,8 +4,10 @@ import base64
 import hashlib
 import html.parser
 import json
+import math
 import re
 import unittest
+from fractions import Fraction
 
 from harness import DATA, UNIT, VERSION, CliTest, box, case
 from schemas import validator
@@ -125,13 +127,13 @@ class Content(ExplainTest):
     def check_page(self, page, words, stdin=""):
         """The page is about what these words are about for `depth` and `stages`."""
         of_files = lambda text: text.replace(f"{DATA}/", "")  # the page names no folder
-        depth = of_files(self.answer("depth", "--json", *words, stdin=stdin))
+        depth = of_files(self.answer("depth", "--patch", "--json", *words, stdin=stdin))
         self.assertEqual(page.block("depth") + "\n", depth.replace("<", "\\u003c"))
         self.check_numbers(page, json.loads(depth))
         stages = json.loads(page.block("stages"))
         VALIDATOR.validate(stages)
         self.assertEqual(stages, json.loads(of_files(self.answer("stages", "--json", *words, stdin=stdin))))
-        again = self.result("depth", "-", stdin=page.block("case") + "\n")
+        again = self.result("depth", "--patch", "-", stdin=page.block("case") + "\n")
         self.assertEqual({**again, "hull": None}, {**json.loads(depth), "hull": None})
         sections = [attributes["id"] for tag, attributes in page.elements if tag == "section"]
         self.assertEqual(sections[:5], SECTIONS)
@@ -219,6 +221,68 @@ class Content(ExplainTest):
         self.assertNotIn("is not convex", self.page_text(CUBE, CUBE))
         self.assertIn("not convex", self.refused("explain", path, CUBE, "--require-convex", "-o", self.folder / "none.html"))
         self.assertFalse((self.folder / "none.html").exists())
+
+
+class Touching(ExplainTest):
+    def test_corners_are_those_of_the_answer(self):
+        for words in (["box:half=1:1:1", "box:half=1:1:1,at=1.5:0.5:0.25"], [CUBE, ICOSAHEDRON], ["capsule:r=1/4,h=2", "box:half=1:1:1,at=0.5:0.2:1.8"],
+                      ["sphere:r=1", "sphere:r=1/2,at=1/2:1/3:1/7"], ["--pieces", DATA / "key.obj", DATA / "comb.obj"]):
+            with self.subTest(words):
+                text = self.page_text(*words)
+                manifold = self.result("depth", "--patch", *words)["manifold"]
+                tables = re.findall(r'<div data-patch="(\d+)"[^>]*>(.*?)</table>', text, re.DOTALL)
+                self.assertEqual(len(tables), len(manifold["patches"]))
+                for (_, table), patch in zip(tables, manifold["patches"]):
+                    rows = re.findall(r"<tr>(<th scope=\"row\">.*?)</tr>", table, re.DOTALL)
+                    self.assertEqual(len(rows), len(patch["corners"]))
+                    for row, corner in zip(rows, patch["corners"]):
+                        cells = re.findall(r"<t[dh][^>]*>(.*?)</t[dh]>", row)
+                        self.assertEqual([cells[2], cells[4]], [", ".join(map(str, corner[on] or ["-"])) for on in ("on_a", "on_b")])
+                        for cell, place in ((cells[1], corner["a"]), (cells[3], corner["b"])):
+                            if isinstance(place, list):
+                                self.assertEqual(numbers(cell), [float(Fraction(x)) for x in place])
+                            else:  # core + distance n/|n|
+                                n = [int(x) for x in place["normal"]]
+                                length = math.sqrt(sum(x * x for x in n))
+                                far = float(Fraction(place["distance"])) / length
+                                near = [float(Fraction(c)) + far * x for c, x in zip(place["core"], n)]
+                                for shown, true in zip(numbers(cell), near):
+                                    self.assertAlmostEqual(shown, true, 14)
+
+    def test_what_is_not_told_is_said(self):
+        page = self.page("cylinder:r=1,h=2", "cone:r=1,h=1,at=0.5:0.25:1")
+        self.assertEqual((page.fields["patch"], json.loads(page.block("motions"))), ("not told: curved", []))
+        self.assertIn("Not told: curved.", page.texts["motion"])
+
+    def test_motions_are_curves_of_depth(self):
+        """Of each, the block is what `depth` prints of the path, and of the twist."""
+        for words, options, steps in (([CUBE, ICOSAHEDRON], [], [10] * 4), ([CUBE, ICOSAHEDRON], ["--twist=1,0,1/3,0,0.5,1"], [40]),
+                                      (["sphere:r=1", "box:half=1:1:1,at=3:1:0"], [], [10] * 4), ([CUBE, CUBE], [], [10] * 4),
+                                      (["box:half=1:1:1", "box:half=1:1:1,at=2:0:0"], [], [10] * 4)):
+            with self.subTest(words=words, options=options):
+                page = self.page(*options, *words)
+                motions = json.loads(page.block("motions"))
+                self.assertEqual([motion["path"]["steps"] for motion in motions], steps)
+                for motion in motions:
+                    path, zero = motion["path"], ["0"] * 3
+                    twist = ",".join(path["along"] + path.get("turn", []))
+                    along = self.result("depth", f"--along={twist}", "--steps", path["steps"], *words)
+                    self.assertEqual({**path, "id": None}, {**along, "id": None})
+                    whole = ",".join(path["along"] + path.get("turn", zero))
+                    self.assertEqual(motion["derivative"], self.result("depth", f"--twist={whole}", *words)["derivative"])
+                if options:
+                    self.assertEqual(json.loads(page.block("depth"))["derivative"], motions[0]["derivative"])
+                    self.assertEqual(numbers(page.fields["derivative"]), [motions[0]["derivative"]["value"]])
+
+    def test_a_turn_about_a_point_contact_does_not_change_the_depth_at_first(self):
+        motions = json.loads(self.page("-", stdin=POLYTOPES["point"]).block("motions"))
+        self.assertEqual([motion["derivative"]["value"] for motion in motions[1:]], [0, 0, 0])
+
+    def test_large_bodies_are_followed_only_if_asked(self):
+        grid = [[x / 16, y / 16, 0] for x in range(33) for y in range(33)]
+        line = case(grid, [[x, y, 1 - z] for x, y, z in grid], id="large")
+        self.assertEqual(json.loads(self.page("-", stdin=line).block("motions")), [])
+        self.assertEqual(len(json.loads(self.page("-", "--twist=0,0,1,0,0,0", stdin=line).block("motions"))), 1)
 
 
 class Safety(ExplainTest):

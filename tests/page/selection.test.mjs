@@ -5,7 +5,7 @@ import test from "node:test";
 import { createSelection, hashOf, stateOf } from "../../view/page/web/selection.js";
 
 const coincidence = (name) => (/^[01]\.[0-3]$/.test(name) ? {} : null);
-const data = { optima: [0, 1, 2, 3, 4, 5], pairs: new Array(20), facets: new Array(9), coincidence };
+const data = { optima: [0, 1, 2, 3, 4, 5], pairs: new Array(20), facets: new Array(9), motions: [{ path: { steps: 4 } }, { path: { steps: 10 } }], coincidence };
 
 function address(hash) {
   const listeners = {};
@@ -18,7 +18,7 @@ function address(hash) {
 test("every field that differs from the first selection stands in the address and comes back", () => {
   const states = [
     {}, { optimum: 5 }, { pair: 0 }, { pair: 19, facet: 8 }, { coincidence: "1.3" }, { hemisphere: "lower", plane: true }, { moved: 1 },
-    { moved: 0.125, section: 3 },
+    { moved: 0.125, section: 3 }, { motion: 1, step: 10 },
     { optimum: 1, pair: 2, facet: 3, coincidence: "0.0", hemisphere: "upper", plane: true, moved: 0.5, section: 5 },
   ];
   for (const state of states) {
@@ -41,7 +41,7 @@ test("the address of the first selection is empty", () => {
 });
 
 test("values that the data does not have are dropped, one by one", () => {
-  const text = "#pair=20&facet=-1&optimum=2&coincidence=7.7&moved=2&section=6&hemisphere=left&%E0=1&=&a";
+  const text = "#pair=20&facet=-1&optimum=2&coincidence=7.7&moved=2&motion=2&step=11&section=6&hemisphere=left&%E0=1&=&a";
   const selection = createSelection(data, address(text));
   assert.deepEqual(selection.get(), createSelection(data, address("#optimum=2")).get());
   selection.set({ pair: 1.5, facet: 4, unknown: 1 });
@@ -63,7 +63,7 @@ test("links to sections keep the rest", () => {
 test("listeners hear what changed, and nothing if nothing did", () => {
   const selection = createSelection(data), heard = [];
   const end = selection.subscribe((state, changed) => heard.push([...changed]));
-  assert.equal(heard[0].length, 8);
+  assert.equal(heard[0].length, 10);
   selection.set({ pair: 4, moved: 0.5 });
   selection.set({ pair: 4 });
   assert.deepEqual(heard.slice(1), [["pair", "moved"]]);

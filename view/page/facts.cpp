@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fathom/numbers.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "view/page/page.hpp"
 #include "view/picture/markup.hpp"
 
@@ -58,6 +59,28 @@ std::string point_list(const Data& ids) {
 
 bool is_word(const Data& value, std::string_view word) { return value.is_string() && value.string() == word; }
 bool is(const Data& depth, std::string_view status) { return is_word(at(depth, "status"), status); }
+
+std::string decimal(double value, const std::string& beyond) {
+  return std::isfinite(value) ? fmt::format("{}", value + 0.0) : beyond;
+}
+
+mpq_class rational(const Data& value) { return mpq_class(value.string()); }
+
+/// An exact point, each coordinate rounded once: three rationals; or, of round bodies, a point of
+/// the core and the way from there along a normal. What binary64 does not hold stands as it is.
+std::string decimals(const Data& place) {
+  if (place.is_array())
+    return shown_text(bracketed(place.items(), [](const Data& coordinate) {
+      return decimal(round_binary64(rational(coordinate)), coordinate.string());
+    }));
+  const Data &core = at(place, "core"), &normal = at(place, "normal");
+  const auto integer = [&](std::size_t i) { return mpz_class(normal.at(i).string()); };
+  const auto [x, y, z] =
+      rounded::nearest_binary64(RoundedPoint{{rational(core.at(0)), rational(core.at(1)), rational(core.at(2))},
+                                             {integer(0), integer(1), integer(2)},
+                                             rational(at(place, "distance"))});
+  return fmt::format("({}, {}, {})", decimal(x, "-"), decimal(y, "-"), decimal(z, "-"));
+}
 
 // ---- of convex bodies ----
 
@@ -177,18 +200,73 @@ std::string optima_table(const Data& depth) {
   return table.text() + more;
 }
 
+// ---- where they touch ----
+
+constexpr std::size_t most_patches = 50, most_patch_corners = 40;
+
+/// "a polygon of 4 corners, area 0.25".
+std::string patch_text(const Data& patch) {
+  const std::size_t corners = at(patch, "corners").items().size();
+  if (corners == 1) return "a point";
+  const std::string size = decimal_length(at(patch, "size"));
+  return corners == 2 ? "a segment of length " + size : fmt::format("a polygon of {} corners, area {}", corners, size);
+}
+
+/// A table of the corners, and of the points that span the faces on which they are.
+std::string patch_table(const Data& patch) {
+  const Data& pieces = at(patch, "pieces");
+  const std::string where = pieces.is_array() ? fmt::format("Where piece {} of A touches piece {} of B",
+                                                            pieces.at(0).text(), pieces.at(1).text())
+                                              : "Where they touch";
+  Table table(fmt::format("{}: {}", where, patch_text(patch)), {"#", "'on A", "'A's points", "'on B", "'B's points"});
+  const std::vector<Data>& corners = at(patch, "corners").items();
+  for (std::size_t k = 0; k < std::min(corners.size(), most_patch_corners); ++k)
+    table.add({std::to_string(k + 1), decimals(at(corners[k], "a")), point_list(at(corners[k], "on_a")),
+               decimals(at(corners[k], "b")), point_list(at(corners[k], "on_b"))});
+  const std::string more = corners.size() > most_patch_corners
+                               ? fmt::format("<p class=\"soft\">{} more corners are not listed here.</p>\n",
+                                             corners.size() - most_patch_corners)
+                               : "";
+  return table.text() + more + (corners.size() > 1 ? exact_length(at(patch, "size")) : "");
+}
+
+/// What follows from the patches; or why there are none.
+void add_first_order(FactList& rows, const Data& depth) {
+  const Data& manifold = at(depth, "manifold");
+  if (const Data& reason = at(manifold, "left_out"); !reason.is_null())
+    rows.add("patch", "where they touch", "not told: " + shown(reason));
+  if (const Data& smooth = at(manifold, "smooth"); smooth.is_boolean()) {
+    std::string kinks;
+    for (const Data& kink : at(manifold, "kinks").items()) kinks += (kinks.empty() ? "no: " : ", ") + shown(kink);
+    rows.add("smooth", "smooth by pose", smooth.boolean() ? "yes" : kinks);
+  }
+  if (const Data& gradient = at(manifold, "gradient_f64"); gradient.is_object())
+    rows.add("gradient", "gradient",
+             fmt::format("{} by v, {} by w", shown(at(gradient, "v")), shown(at(gradient, "w"))),
+             exact_place(at(manifold, "gradient")));
+  if (const Data& derivative = at(depth, "derivative"); derivative.is_object())
+    rows.add("derivative", "along the twist",
+             at(derivative, "left_out").is_null() ? shown(at(derivative, "value"))
+                                                  : "not told: " + shown(at(derivative, "left_out")));
+}
+
+/// The patches: those of another optimum than the first are seen when it is chosen.
+std::string patch_tables(const Data& depth) {
+  std::string tables;
+  const std::vector<Data>& patches = at(at(depth, "manifold"), "patches").items();
+  for (std::size_t i = 0; i < std::min(patches.size(), most_patches); ++i) {
+    const Data& optimum = at(patches[i], "optimum");
+    const std::uint64_t way = optimum.is_natural() ? optimum.natural() : i;
+    tables +=
+        fmt::format("<div data-patch=\"{}\"{}>{}</div>\n", way, way == 0 ? "" : " hidden", patch_table(patches[i]));
+  }
+  return tables;
+}
+
 // ---- of unions ----
 
 const Data& distance_of(const Data& depth) { return at(at(depth, "apart"), "distance"); }
 const std::vector<Data>& optima_of(const Data& depth) { return at(depth, "optima").items(); }
-
-/// An exact place, each coordinate rounded once; a number that binary64 does not hold as it is.
-std::string decimals(const Data& place) {
-  return shown_text(bracketed(place.items(), [](const Data& coordinate) {
-    const double value = round_binary64(mpq_class(coordinate.string())) + 0.0;
-    return std::isfinite(value) ? fmt::format("{}", value) : coordinate.string();
-  }));
-}
 
 /// "piece 1 of A, piece 2 of B".
 std::string pieces_text(const Data& pieces) {
@@ -272,7 +350,8 @@ std::string facts(const Data& depth) {
   }
   if (const std::string count = count_of_ways(depth); overlap && !count.empty()) rows.add("optima", "optima", count);
   add_about(rows, depth);
-  return rows.list() + optima_table(depth);
+  add_first_order(rows, depth);
+  return rows.list() + patch_tables(depth) + optima_table(depth);
 }
 
 // ---- unions ----
@@ -297,7 +376,8 @@ std::string union_facts(const Data& depth, const stages::UnionStages& stages) {
   else if (is(depth, "disjoint")) add_distance(rows, depth);
   else rows.add("depth", "depth", decimal_length(at(depth, "depth")));
   rows.add("pieces", "pieces", fmt::format("{} of A, {} of B", stages.a.size(), stages.b.size()));
-  return rows.list();
+  add_first_order(rows, depth);
+  return rows.list() + patch_tables(depth);
 }
 
 std::string union_optima(const Data& depth) {

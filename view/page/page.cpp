@@ -13,6 +13,7 @@
 #include "fathom/numbers.hpp"
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
+#include "view/plot/plot.hpp"
 
 namespace fathom::page {
 namespace {
@@ -116,7 +117,7 @@ std::string block(std::string_view id, const std::string& json) {
 
 /// The colours and pictures of all pages, and the layout of this one.
 const std::string& whole_style() {
-  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() +
+  static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + plot::chart_style() +
                                   std::string(picture::scroll_style()) + std::string(style());
   return text;
 }
@@ -124,6 +125,19 @@ const std::string& whole_style() {
 /// A still picture with a caption, which is markup; empty if there is no picture.
 std::string figure(const std::string& svg, std::string_view caption) {
   return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
+}
+
+constexpr std::string_view lead_motion =
+    "<p class=\"lead\">A is turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets out with "
+    "the velocity v + w x p at its points p. Each mark is the signed depth where A stands then, as <code>fathom depth "
+    "--along</code> finds it; the slope of the dashed line is the derivative at s = 0, from this side.</p>\n";
+
+/// The charts, of which the script shows one at a time; or why there are none.
+std::string motion_part(const Motions& motions) {
+  std::string charts;
+  for (const std::string& chart : motions.charts)
+    charts += fmt::format("<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"Chart\">{}</div>\n", chart);
+  return charts.empty() ? fmt::format("<p class=\"soft\">{}</p>\n", picture::markup(motions.why_none)) : charts;
 }
 
 /// Sentences as a section of its own; empty if there are none.
@@ -201,14 +215,17 @@ std::string html_page(const Sheet& sheet) {
   const stages::Stages& stages = sheet.stages;
   const std::string main = filled(
       pair_sections(),
-      {{"picture_what",
-        figure(sheet.picture, "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n.")},
+      {{"picture_what", figure(sheet.picture,
+                               "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n; "
+                               "<span class=\"key-patch\">green</span>: the arrow, and where they touch.")},
        {"facts", facts(depth)},
+       {"lead_motion", sheet.motions.charts.empty() ? "" : std::string(lead_motion)},
+       {"motions", motion_part(sheet.motions)},
        {"lead_why", lead_why(stages)},
        {"lead_where", lead_where(stages)},
        {"lead_coincided", lead_coincided(stages)},
        {"lead_cost", lead_cost(stages)}});
-  return assembled(sheet, "fathom depth --json", picture::markup(answer_sentence(depth)), subtitle(depth),
+  return assembled(sheet, "fathom depth --patch --json", picture::markup(answer_sentence(depth)), subtitle(depth),
                    {{"what", "What happens"},
                     {"why", "Why no shorter way"},
                     {"where", "Where it comes from"},
@@ -218,6 +235,7 @@ std::string html_page(const Sheet& sheet) {
                    {{"depth", sheet.depth},
                     {"stages", stages::to_json(stages)},
                     {"squares", squares(stages)},
+                    {"motions", sheet.motions.json},
                     {"case", sheet.pair}});
 }
 
@@ -230,8 +248,8 @@ std::string html_page(const UnionSheet& sheet) {
                                                      {"facts", union_facts(depth, sheet.stages)},
                                                      {"optima", union_optima(depth)},
                                                      {"lead_why", lead_of_sums(sheet.stages)}});
-  return assembled(sheet, "fathom depth --pieces --json", picture::markup(union_sentence(depth)), union_subtitle(depth),
-                   {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
+  return assembled(sheet, "fathom depth --pieces --patch --json", picture::markup(union_sentence(depth)),
+                   union_subtitle(depth), {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
                    {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"case", sheet.pair}});
 }
 

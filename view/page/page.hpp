@@ -17,10 +17,19 @@
 
 namespace fathom::page {
 
+/// How the depth changes while A moves.
+struct Motions {
+  /// An array: of each motion its "name"; "derivative", as in the answer; and "path", what `fathom
+  /// depth --along --json` prints.
+  std::string json = "[]";
+  std::vector<std::string> charts;  ///< of each, as SVG
+  std::string why_none;             ///< a sentence, if there are none
+};
+
 /// What a page is made of.
 struct Sheet {
   std::string version;           ///< of fathom
-  std::string depth;             ///< a line of `fathom depth --json`
+  std::string depth;             ///< a line of `fathom depth --patch --json`
   const stages::Stages& stages;  ///< of the same pair
   std::string pair;              ///< a line of fathom/case/1
   /// what a reader must know before any number: bodies that are not convex, sizes that look wrong
@@ -28,6 +37,7 @@ struct Sheet {
   /// both bodies as SVG, ready to stand in HTML with the style of picture_style; empty: there is
   /// none
   std::string picture;
+  Motions motions = {};
 };
 
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON
@@ -41,7 +51,7 @@ std::string html_page(const Sheet& sheet);
 /// What a page about unions is made of.
 struct UnionSheet {
   std::string version;                ///< of fathom
-  std::string depth;                  ///< the line of `fathom depth --pieces --json`
+  std::string depth;                  ///< the line of `fathom depth --pieces --patch --json`
   const stages::UnionStages& stages;  ///< of the same bodies
   std::string pair;                   ///< a line of fathom/case/1
   std::vector<std::string> notes;     ///< as in Sheet

@@ -86,7 +86,8 @@ Field field_of(const CurvePanel& panel) {
     for (const Datum& place : series.places) add(place.x, place.y);
   if (panel.band)
     for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
-  if (panel.y.scale == Scale::linear) up.push_back(0);  // what lies above 0 and what below is seen in any case
+  if (panel.y.scale == Scale::linear && panel.from_zero)
+    up.push_back(0);  // what lies above 0 and what below is seen in any case
   Field field{ticks_for(panel.x.scale, across, most_x_labels, panel.x.tight),
               ticks_for(panel.y.scale, up, most_y_labels, panel.y.tight)};
   std::size_t longest = 0;
@@ -290,6 +291,18 @@ Drawn drawn(const Figure& figure) {
   return {content, y - panel_gap};
 }
 
+/// `style`: an element of a file; empty of what stands in a page.
+std::string figure_svg(const Figure& figure, const std::string& style) {
+  const Drawn picture = drawn(figure);
+  const double height = std::ceil(picture.height);
+  const std::string ground = fmt::format(
+      "<rect class=\"ground\" width=\"{}\" height=\"{}\"/>\n<text class=\"title\" x=\"{}\" y=\"22\">{}</text>\n",
+      panel_width, height, panel_margin, fitting(figure.title));
+  return picture::svg_element({"plot", panel_width, height, picture::markup(figure.prefix),
+                               picture::markup(figure.title), picture::markup(figure.description), !style.empty()},
+                              style + ground + picture.content);
+}
+
 constexpr double smallest_plain = 1e-4, largest_plain = 1e6;  // shown without a power of ten
 constexpr int digits = 6;
 constexpr double least_span = 1e-9;  // of an axis, as a share of its values: below it doubles are too coarse for ticks
@@ -414,18 +427,14 @@ Ticks logarithmic_ticks(double low, double high, unsigned most, bool tight) {
 
 }  // namespace
 
+std::string figure_element(const Figure& figure) { return figure_svg(figure, ""); }
+
 std::string figure_file(const Figure& figure) {
-  const Drawn picture = drawn(figure);
-  const double height = std::ceil(picture.height);
-  const std::string style =
-      fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true));
-  const std::string ground = fmt::format(
-      "<rect class=\"ground\" width=\"{}\" height=\"{}\"/>\n<text class=\"title\" x=\"{}\" y=\"22\">{}</text>\n",
-      panel_width, height, panel_margin, fitting(figure.title));
-  return picture::svg_element({"plot", panel_width, height, picture::markup(figure.prefix),
-                               picture::markup(figure.title), picture::markup(figure.description), true},
-                              style + ground + picture.content);
+  return figure_svg(figure,
+                    fmt::format("\n<style>\n{}{}</style>\n", picture::colour_style(), picture::coloured(rules, true)));
 }
+
+std::string chart_style() { return picture::coloured(rules, false); }
 
 std::optional<double> growth_exponent(std::span<const Datum> places) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;

@@ -75,6 +75,7 @@ struct CurvePanel {
   ChartAxis x, y;
   std::vector<Series> series;
   std::optional<Band> band = std::nullopt;
+  bool from_zero = true;               ///< whether a linear y axis shows 0 wherever the values are
   std::string above = {}, below = {};  ///< what it means to be above 0 and below it, on a linear axis; may be empty
 };
 
@@ -88,9 +89,14 @@ struct Figure {
 /// How many series have a look of their own; those after them begin again.
 inline constexpr unsigned distinct_looks = 6;
 
-/// An SVG file with its style. Texts of others are escaped. Values without a place on an axis are
-/// left out, lines are broken there, and a sentence below the panel counts them.
+/// An SVG element that stands in a page with chart_style. Texts of others are escaped. Values
+/// without a place on an axis are left out, lines are broken there, and a sentence below the panel
+/// counts them.
+std::string figure_element(const Figure& figure);
+/// The same as a file with its style.
 std::string figure_file(const Figure& figure);
+/// The rules of charts in pages, which have the colours of view/picture/style.hpp.
+std::string chart_style();
 
 /// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms.
 /// Returns nullopt unless there are two different x with positive values.

@@ -3,20 +3,20 @@
 import { nearest } from "./numbers.js";
 import { dot, meetingPoint, minus, norm, plus, times, unit } from "./geometry.js";
 
-/** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null}; null where there is nothing to show. */
+/** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null, patches: of data.patches}; null where there is nothing to show. */
 export function wayOf(data, state) {
   const facet = state.facet === null ? null : data.facets[state.facet];
   if (facet)
     return {
       direction: facet.normal, translation: times(facet.normal, facet.distance), kind: facet.kind, facet: state.facet,
-      a: data.verticesOf("a", facet.a), b: data.verticesOf("b", facet.b),
+      a: data.verticesOf("a", facet.a), b: data.verticesOf("b", facet.b), patches: [],
     };
-  const optimum = data.optima[state.optimum];
-  if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0 };
+  const optimum = data.optima[state.optimum], patches = data.patches.filter(({ way }) => way === (optimum ? state.optimum : 0));
+  if (optimum) return { ...optimum, facet: null, isFirst: state.optimum === 0, patches };
   const contact = data.stages.contact;
-  if (!contact) return data.way ? { ...data.way, facet: null, isFirst: true } : null;
+  if (!contact) return data.way ? { ...data.way, facet: null, isFirst: true, patches } : null;
   const translation = contact.translation ?? [0, 0, 0], direction = norm(translation) > 0 ? unit(translation) : contact.direction;
-  const way = { direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true };
+  const way = { direction, translation, kind: contact.kind ?? null, facet: null, isFirst: true, patches };
   return { ...way, a: data.verticesOf("a", contact.features?.a), b: data.verticesOf("b", contact.features?.b) };
 }
 

@@ -6,6 +6,8 @@
 //   data.status                 "penetrating", "touching", "disjoint", "undecided"
 //   data.bodies.a, .b           {name, vertices, edges, facets, nodes, arcs, ids}; all of them arrays, empty where there is nothing
 //   data.optima                 [{direction: unit vector, translation, kind, a: [vertex], b: [vertex]}], as stages.contact.optima
+//   data.patches                where they touch after a way out: see patches.js
+//   data.motions                of A, with the depth at their steps: see motions.js
 //   data.pairs                  stages.pairs, each with its exact distance_squared; data.charts; data.cutting; data.coincidences
 //   data.facets                 stages.sum.facets, ascending by distance; [] where P is not listed
 //   data.edgesOf("a", vertices) the edges of A whose two ends are among the vertices: of a facet its boundary, of an edge itself
@@ -14,6 +16,8 @@
 //   data.order                  the pairs' indices by |A_i| |B_i|, greatest first: the order in which they are listed and stepped through
 //   data.coincidence("i.j")     {kind, count, a: [[vertex]..], b: [[vertex]..], decided_by}, or null
 
+import { motionsOf } from "./motions.js";
+import { patchesOf } from "./patches.js";
 import { makeUnionData } from "./uniondata.js";
 
 /** Reads the blocks of the page. */
@@ -22,11 +26,11 @@ export function readData(page = document) {
   const stages = JSON.parse(text("stages")), squares = JSON.parse(text("squares") || "[]");
   if (stages.schema?.startsWith("fathom/union_stages/")) return makeUnionData(JSON.parse(text("depth")), stages, text("case"));
   squares.forEach((square, i) => { if (square !== null) stages.pairs[i].closest.distance_squared ??= square; });
-  return makeData(JSON.parse(text("depth")), stages, text("case"));
+  return makeData(JSON.parse(text("depth")), stages, text("case"), JSON.parse(text("motions") || "[]"));
 }
 
-/** The data of two parsed objects and the text of the case. */
-export function makeData(depth, stages, caseText = "") {
+/** The data of two parsed objects, the text of the case, and the motions. */
+export function makeData(depth, stages, caseText = "", motions = []) {
   const bodies = { a: indexedBody("A", stages.a), b: indexedBody("B", stages.b) };
   const pairs = stages.pairs ?? [], facets = stages.sum?.facets ?? [], coincidences = stages.coincidences ?? [];
   const verticesOf = (body, ids) => (ids ?? []).map((id) => bodies[body].vertexOfId.get(id)).filter((v) => v !== undefined);
@@ -38,6 +42,8 @@ export function makeData(depth, stages, caseText = "") {
     charts: stages.charts ?? [],
     cutting: stages.cutting ?? null,
     optima: optimaOf(stages, verticesOf),
+    patches: patchesOf(depth, stages),
+    motions: motionsOf(motions),
     order: pairs.map((_, i) => i).sort((i, j) => size(pairs[j]) - size(pairs[i]) || i - j),
     edgesOf: (body, vertices) => edgesAmong(bodies[body], vertices),
     facetsOfPair: (i) => facetsOfPairs[i] ?? [],

@@ -56,6 +56,7 @@ function showOptimum(root, data, index, written) {
     const row = field(name)?.closest("dd");
     if (row) row.hidden = row.previousElementSibling.hidden = !first;
   }
+  for (const part of root.querySelectorAll("[data-patch]")) part.hidden = Number(part.dataset.patch) !== index;
   for (const row of root.querySelectorAll("[data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
 }
 

@@ -43,6 +43,7 @@ export function frameOf(points) {
     center, scale, apart,
     place: (p) => p.map((x, i) => (x - center[i]) * scale[i]),
     move: (t) => t.map((x, i) => x * scale[i]),
+    back: (p) => p.map((x, i) => x / scale[i] + center[i]),
     normal: (n) => unit(n.map((x, i) => x * (least / scale[i]))),  // of a plane, which stays a plane where axes are scaled apart
   };
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Starts the page: reads the data, makes the selection, mounts each section, and lets none of them take the others down.
 //
-// A section module NAME.js exports mountNAME(root, data, selection), root its place in the page (see `sections`). Of these only #facts and
-// the scene of the bodies hold anything before it is called: what is seen without scripts. It returns a handle, each member of which may
+// A section module NAME.js exports mountNAME(root, data, selection), root its place in the page (see `sections`). Of these only #facts, #motion
+// and the scene of the bodies hold anything before it is called: what is seen without scripts. It returns a handle, each member of which may
 // be absent:
 //   lit()        what is lit there, for tests: part of {sphere: [[colour, edge]..], chart: [..], bodies: [..], blocks: n}
 //   drawCalls()  how many draw calls its last frame took
@@ -13,6 +13,7 @@ import { element } from "./look.js";
 import { listenToKeys } from "./keys.js";
 import { mountFacts } from "./facts.js";
 import { mountWhat } from "./what.js";
+import { mountMotions } from "./motions.js";
 import { mountWhy } from "./why.js";
 import { mountRanked } from "./ranked.js";
 import { mountSphere } from "./sphere.js";
@@ -28,6 +29,7 @@ import { mountUnionSums } from "./unionsums.js";
 const sections = [
   ["#facts", () => mountFacts],
   ["#what .scene", () => mountWhat],
+  ["#motion", () => mountMotions],
   ["#why .scene", () => mountWhy],
   ["#ranked", () => mountRanked],
   ["#where .sphere", () => mountSphere],

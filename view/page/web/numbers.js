@@ -39,6 +39,12 @@ export function nearest(text) {
   return p < 0n ? -x : x;
 }
 
+/** The binary64 nearest to the difference of two such numbers. */
+export function differenceOf(first, second) {
+  const [p, q] = fractionOf(first), [r, s] = fractionOf(second);
+  return nearest(`${p * s - r * q}/${q * s}`);
+}
+
 /** The binary64 nearest to the square root of "p/q" >= 0. */
 export function nearestRoot(text) {
   const [n, q] = fractionOf(text);

@@ -9,6 +9,8 @@
 //   hemisphere   "both", "upper", "lower"
 //   plane        boolean           the charts in the paper's plane z = 1, not as longitude and latitude
 //   moved        number in [0, 1]  how far A has moved out along the translation
+//   motion       number            an index into data.motions
+//   step         number            of that motion: where A stands on it; 0 where it is
 //   section      number or null    1 to 5: the section that was gone to by key or link
 //
 //   selection.get()                the selection, frozen; what the pointer is over (see preview) in place of what is chosen
@@ -20,7 +22,8 @@
 //                                  chosen otherwise, and once now with all names; returns the function that ends it
 //   selection.hash()               as it stands in the address, without '#': "optimum=1&pair=12"
 
-const unselected = { optimum: 0, pair: null, facet: null, coincidence: null, hemisphere: "both", plane: false, moved: 0, section: null };
+const unselected = { optimum: 0, pair: null, facet: null, coincidence: null, hemisphere: "both", plane: false, moved: 0, motion: 0,
+  step: 0, section: null };
 const selectionFields = Object.keys(unselected);
 
 /** The ids of the sections, in their order on the page. */
@@ -37,6 +40,8 @@ function isSelectable(data, field, value) {
     case "hemisphere": return value === "both" || value === "upper" || value === "lower";
     case "plane": return typeof value === "boolean";
     case "moved": return typeof value === "number" && value >= 0 && value <= 1;
+    case "motion": return isBelow(Math.max(1, data.motions.length));
+    case "step": return value === 0 || isBelow(1 + Math.max(0, ...data.motions.map(({ path }) => path.steps)));
     case "section": return value === null || (Number.isInteger(value) && value >= 1 && value <= sectionIds.length);
     default: return false;
   }

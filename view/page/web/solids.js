@@ -106,6 +106,14 @@ export function recolour(root) {
   });
 }
 
+/** Stands a group where an affine map carries it. */
+export function carry(group, map) {
+  const at = map([0, 0, 0]), [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => minus(map(axis), at));
+  group.matrixAutoUpdate = false;
+  group.matrix.set(x[0], y[0], z[0], at[0], x[1], y[1], z[1], at[1], x[2], y[2], z[2], at[2], 0, 0, 0, 1);
+  group.matrixWorldNeedsUpdate = true;
+}
+
 /** Frees what a group holds of the graphics memory, and empties it. */
 export function emptied(group) {
   group.traverse((object) => {

@@ -8,6 +8,7 @@
 //   data.optima                 as data.js, with clearance and contacts: [{pieces: [i, j], direction, kind, a: [vertex], b: [vertex]}]
 //   data.way                    of bodies that do not overlap: an optimum's fields, to the contact
 //   data.pairs                  [{pieces, a: [edge], b: [edge], sum}], sum as `sums` of the stages
+import { patchesOf } from "./patches.js";
 import { middle, minus, norm, unit } from "./geometry.js";
 
 /** The data of two parsed objects, fathom/union/1 and fathom/union_stages/1, and the text of the case. */
@@ -21,6 +22,7 @@ export function makeUnionData(depth, stages, caseText = "") {
   return {
     isUnion: true, depth, stages, caseText, bodies, pairs, status: stages.status,
     optima: overlap ? ways : [], way: overlap ? null : (ways[0] ?? null),
+    patches: patchesOf(depth, stages), motions: [],
     facets: [], coincidences: [], charts: [], cutting: null,
     order: pairs.map((_, i) => i),
     verticesOf: () => [], edgesOf: () => [], facetsOfPair: (i) => (pairs[i].sum.facets.length ? [i] : []), coincidence: () => null,

@@ -22,6 +22,7 @@ export function mountUnionFacts(root, data, selection) {
 function showWay(root, data, index, written) {
   for (const [place, nodes] of written.splice(0)) place.replaceChildren(...nodes);
   for (const row of document.querySelectorAll("#what [data-optimum]")) row.classList.toggle("chosen", Number(row.dataset.optimum) === index);
+  for (const part of root.querySelectorAll("[data-patch]")) part.hidden = Number(part.dataset.patch) !== index;
   const optimum = data.depth.optima[index];
   if (index === 0 || !optimum) return;
   const write = (place, ...nodes) => {

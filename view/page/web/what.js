@@ -4,9 +4,10 @@ import { bodyParts, ghostOf, isFaint } from "./bodies.js";
 import { arrowOf, contactText, meetingOf, wayOf } from "./contact.js";
 import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
+import { carrierOf } from "./motions.js";
 import { onViewLook, withView } from "./scene.js";
 import { secondNormal } from "./uniondata.js";
-import { arrow, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
+import { arrow, carry, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
 
 const mostContactsDrawn = 60;
 const unseen = 0.012;  // of the picture: a shorter arrow is not seen
@@ -24,7 +25,7 @@ function whatLabel(data) {
 
 /** The way that is shown before anything is chosen; nothing to move where there is none. */
 function firstWay(data) {
-  return wayOf(data, { facet: null, optimum: 0 }) ?? { translation: [0, 0, 0], direction: [0, 0, 1], a: [], b: [], facet: null };
+  return wayOf(data, { facet: null, optimum: 0 }) ?? { translation: [0, 0, 0], direction: [0, 0, 1], a: [], b: [], facet: null, patches: [] };
 }
 
 /** What touches once A has moved: of convex bodies one pair of features, of unions one for each pair of pieces. */
@@ -41,7 +42,7 @@ function whatPicture(root, view, data, selection) {
   selection.subscribe((state, changed) => {
     if (changed.has("optimum") || changed.has("facet")) moving.setWay(wayOf(data, state) ?? first);
     if (changed.has("pair") || changed.has("coincidence")) moving.setLit(litEdges(data, state));
-    moving.moveTo(state.moved);
+    moving.moveTo(state.moved, carrierOf(data, state));
     view.render();
   });
   letters(view, bodies, moving, frame);
@@ -59,7 +60,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
   const movingA = group(), start = ghostOf(a, frame), out = ghostOf(a, frame), plane = group(), shaft = arrow(view, "--true");
   const contact = { a: group(), b: group() }, litGroup = { a: group(), b: group() };
   const half = Math.min(1.1, Math.max(0.25, 1.05 * Math.max(bodyA.size, bodyB.size)));  // of the plane's side
-  let way = firstWay(data), ends = arrowOf(data, way), lit = [], share = 0;
+  let way = firstWay(data), ends = arrowOf(data, way), lit = [], share = 0, motion = null;
   movingA.add(bodyA.group, contact.a, litGroup.a);
   view.scene.add(movingA, start, out, contact.b, litGroup.b, plane, shaft.group);
   const self = {
@@ -67,6 +68,9 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
     way: () => way,
     ends: () => ends,
     lit: () => lit,
+    share: () => share,
+    /** Where a place of A in the frame is now. */
+    carried: (p) => (motion ? frame.place(motion(frame.back(p))) : plus(p, frame.move(times(way.translation, share)))),
     setWay(next) {
       way = next;
       ends = arrowOf(data, way);
@@ -78,16 +82,21 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
         contact.b.add(feature(placed(b, each.b), "--b", normal));
         plane.add(planeSquare(at, normal, contacts.length > 1 ? half / 3 : half, "--true"));
       }
+      for (const patch of way.patches) {
+        contact.a.add(feature(patch.a.map(frame.place), "--true", frame.normal(patch.direction)));
+        contact.b.add(feature(patch.b.map(frame.place), "--true", frame.normal(patch.direction)));
+      }
       shaft.place(frame.place(ends.from), frame.place(ends.to));
       out.position.set(...frame.move(way.translation));
-      self.moveTo(share);
+      self.moveTo(share, motion);
     },
-    moveTo(next) {
-      share = next;
+    /** A share of the way out; or where a motion carries A, if it does. */
+    moveTo(next, carrier) {
+      [share, motion] = [next, carrier];
       const far = norm(frame.move(way.translation)) > 0;
-      movingA.position.set(...frame.move(times(way.translation, share)));
-      start.visible = far && share > 0.02;
-      out.visible = far && share < 0.98;
+      carry(movingA, self.carried);
+      start.visible = motion !== null || (far && share > 0.02);
+      out.visible = motion === null && far && share < 0.98;
     },
     setLit(edges) {
       lit = edges;
@@ -108,13 +117,14 @@ function letters(view, [bodyA, bodyB], moving, frame) {
     const shift = length > 0 ? times(way, (by * body.stand) / length) : [0, 0, by * body.stand];
     return body.middle && plus(body.middle, shift);
   };
-  view.label("A", "of-a", () => { const at = aside(bodyA, 0.35); return at && plus(at, moving.group.position.toArray()); });
+  view.label("A", "of-a", () => { const at = aside(bodyA, 0.35); return at && moving.carried(at); });
   view.label("B", "of-b", () => aside(bodyB, -0.35));
 }
 
 function viewsOf(view, data, frame, moving) {
   const { a, b } = data.bodies;
-  const all = () => [...b.vertices, ...a.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place);
+  const places = a.vertices.map(frame.place);
+  const all = () => [...[...b.vertices, ...a.vertices.map((p) => plus(p, moving.way().translation))].map(frame.place), ...places, ...places.map(moving.carried)];
   const side = () => sideView(frame.move(moving.way().translation), secondNormal(moving.way()));
   return {
     fit: () => view.fit(all(), side()),
@@ -145,7 +155,7 @@ function lookAtContact(view, frame, data, moving) {
 
 /** What tests ask: the features in places of the data, A's where it is drawn, and how far A's is before B's along n, in input's units. */
 function contactDrawn(data, frame, moving) {
-  const way = moving.way(), by = moving.group.position.toArray().map((x, i) => x / frame.scale[i]), moved = (p) => plus(p, by);
+  const way = moving.way(), moved = (p) => plus(p, times(way.translation, moving.share()));
   const drawn = { a: way.a.map((v) => moved(data.bodies.a.vertices[v])), b: way.b.map((v) => data.bodies.b.vertices[v]) };
   const witness = { a: moved(moving.ends().from), b: moving.ends().to };
   const height = (points, other) => dot(points.length ? middle(points) : other, way.direction);
@@ -178,14 +188,14 @@ function sliderOf(selection, status) {
   let playing = 0;
   range.addEventListener("input", () => {
     cancelAnimationFrame(playing);
-    selection.set({ moved: Number(range.value) });
+    selection.set({ moved: Number(range.value), step: 0 });
   });
   const play = (to) => () => {
     cancelAnimationFrame(playing);
     const from = selection.get().moved, began = performance.now(), time = calm() ? 1 : 900 * Math.abs(to - from);
     const step = (now) => {
       const share = Math.min(1, Math.max(0, (now - began) / Math.max(1, time))), eased = share * share * (3 - 2 * share);
-      selection.set({ moved: share === 1 ? to : from + (to - from) * eased });
+      selection.set({ moved: share === 1 ? to : from + (to - from) * eased, step: 0 });
       if (share < 1) playing = requestAnimationFrame(step);
     };
     playing = requestAnimationFrame(step);
@@ -204,7 +214,8 @@ function legend(data, frame, bodies, way) {
   const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : "Plane: it separates them.";
   const result = element("p", { class: "soft legend" },
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
-    way.a.length ? "; where they meet is thick. " : ". ",
+    way.a.length ? "; faces that meet are thick. " : ". ",
+    way.patches.length ? element("span", { class: "of-true" }, "Green: all points where they touch. ") : null,
     element("span", { class: "of-true" }, arrowText),
     overlap ? `, ending ${way.contacts ? "where pieces touch; squares: planes between those" : "at the plane that then separates both"}; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));

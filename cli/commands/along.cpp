@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom depth A B --along X,Y,Z[,WX,WY,WZ] --steps N | CASES.jsonl --case ID --along X,Y,Z
+// The signed depth along a path: for people (a table), for programs (JSON, along.schema.json), for
+// spreadsheets (CSV), and as a chart.
+#include "cli/commands/along.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "cli/args/values.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/output/text_rows.hpp"
+#include "fathom/signed_depth.hpp"
+#include "reference/files/pose.hpp"
+#include "reference/files/shape_names.hpp"
+#include "reference/output/json_values.hpp"
+#include "view/picture/markup.hpp"
+
+namespace fathom::cli {
+namespace {
+
+struct AlongRequest : DepthRequest {
+  explicit AlongRequest(const Given& given)
+      : DepthRequest(given),
+        motion(typed_motion(given.text("--along")).value()),
+        steps(given.integer<std::uint32_t>("--steps").value_or(32)),
+        csv(given.flag("--csv")) {}
+
+  Twist motion;
+  std::uint32_t steps;
+  bool csv;
+};
+
+constexpr std::string_view open_status = "undecided";
+
+std::string_view status_text(const AlongStep& step) { return step.status ? name(*step.status) : open_status; }
+
+/// "0.25", or "[0.24, 0.26]" if there are bounds only.
+std::string value_text(const AlongStep& step) {
+  if (const Surd* exact = std::get_if<Surd>(&step.value)) return surd_text(*exact);
+  return fmt::format("[{}, {}]", step.low, step.high);
+}
+
+/// Where a mark is drawn.
+double height(const AlongStep& step) {
+  if (const Surd* exact = std::get_if<Surd>(&step.value)) return round_binary64(*exact);
+  return step.low / 2 + step.high / 2;
+}
+
+bool turns(const Twist& motion) { return motion.w != Point{}; }
+
+/// "(2, 0, 0)", or "(2, 0, 0), turned by (0, 0, 1)".
+std::string motion_text(const Twist& motion) {
+  const std::string translation = place_text(motion.v, true);
+  return turns(motion) ? fmt::format("{}, turned by {}", translation, place_text(motion.w, true)) : translation;
+}
+
+std::size_t share_columns(const Path& path) {
+  return std::max<std::size_t>(1, 2 * std::to_string(path.steps).size() + 1);
+}
+
+/// "penetrating for s from 0 to 7/16, touching at 1/2, disjoint for s from 9/16 to 1"
+std::string course(const std::vector<AlongStep>& steps) {
+  std::string result;
+  for (std::size_t begin = 0, end = 0; begin < steps.size(); begin = end) {
+    while (end < steps.size() && steps[end].status == steps[begin].status) ++end;
+    const std::string first = exact_text(steps[begin].share), last = exact_text(steps[end - 1].share);
+    if (!result.empty()) result += ", ";
+    result += end - begin == 1 ? fmt::format("{} at s = {}", status_text(steps[begin]), first)
+                               : fmt::format("{} from s = {} to {}", status_text(steps[begin]), first, last);
+  }
+  return result;
+}
+
+/// One series of marks for each status, in the order of Status, so that a status has the same look
+/// in all charts; those without places are not shown.
+std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
+  std::vector<plot::Series> series{{"signed depth", {}, true, false}};
+  for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
+    series.push_back({std::string(name(status)), {}, false});
+  series.push_back({std::string(open_status), {}, false});
+  for (const AlongStep& step : steps) {
+    const double x = step.share.get_d(), y = height(step);
+    std::string what = fmt::format("s = {}: {}, {}", exact_text(step.share), value_text(step), status_text(step));
+    if (step.contact) what += fmt::format(", {}", name(step.contact->kind));
+    series[0].places.push_back({x, y});
+    series[step.status ? 1 + static_cast<std::size_t>(*step.status) : 4].places.push_back({x, y, what});
+  }
+  return series;
+}
+
+AlongStep along_step(std::uint32_t number, const mpq_class& share, const Depth& depth) {
+  const Surd value{0, signed_square(depth)};
+  const Contact* const contact = depth.contact();
+  // + 0.0: a zero is no negative one
+  return {number,
+          share,
+          depth.status(),
+          value,
+          round_binary64(value, Rounding::rd) + 0.0,
+          round_binary64(value, Rounding::ru) + 0.0,
+          depth.direction(),
+          contact ? std::optional(*contact) : std::nullopt};
+}
+
+AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedDepth& depth) {
+  const Contact* const contact = depth.contact();
+  return {number,
+          share,
+          depth.status(),
+          depth.value,
+          depth.low_binary64(),
+          depth.high_binary64(),
+          depth.direction(),
+          contact ? std::optional(*contact) : std::nullopt};
+}
+
+/// The lines of a table of which `path` says how wide it is.
+std::string along_text_header(const Path& path) {
+  return fmt::format("along {}\n{:<{}}  {:<11}  {:<23}  contact", motion_text(path.motion), "s", share_columns(path),
+                     "status", "signed depth");
+}
+
+std::string along_text_row(const Path& path, const AlongStep& step) {
+  std::string row = fmt::format("{:<{}}  {:<11}  {:<23}", exact_text(step.share), share_columns(path),
+                                status_text(step), value_text(step));
+  if (step.contact) return row + fmt::format("  {}", name(step.contact->kind));
+  row.resize(row.find_last_not_of(' ') + 1);
+  return row;
+}
+
+std::string along_csv_header() { return "step,s,status,value,low,high,sign,root,plus,contact"; }
+
+std::string along_csv_row(const AlongStep& step) {
+  const Surd* const exact = std::get_if<Surd>(&step.value);
+  std::string row = fmt::format("{},{},{},{},{},{},", step.number, exact_text(step.share), status_text(step),
+                                exact ? surd_text(*exact) : "", step.low, step.high);
+  row += exact ? fmt::format("{},{},{}", sgn(exact->root), exact_text(abs(exact->root)), exact_text(exact->rational))
+               : ",,";
+  return row + fmt::format(",{}", step.contact ? name(step.contact->kind) : "");
+}
+
+/// From s = 0 on; cut where it is farther from the curve's values than these are from one another.
+plot::Series tangent_of(const std::vector<plot::Datum>& curve, double slope) {
+  const auto [low, high] = std::ranges::minmax(curve, {}, &plot::Datum::y);
+  const double room = high.y - low.y, start = curve.front().y;
+  const double above = high.y + room / 2 - start, below = start - low.y + room / 2, reach = slope > 0 ? above : below;
+  const double end = room > 0 && std::abs(slope) > reach ? reach / std::abs(slope) : 1;
+  return {"tangent at s = 0", {{0, start}, {end, start + end * slope}}, true, false};
+}
+
+constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow terminal
+
+/// Answers for A at each place of the path.
+class Walk {
+ public:
+  Walk(const Case& pair, const Path& path, const DepthRequest& request, Monitor& monitor)
+      : pair_(pair), path_(path), request_(request), monitor_(monitor) {
+    if (!has_shape(pair)) return;
+    a_ = files::shape_of(pair.a);
+    b_ = files::shape_of(pair.b);
+    require_depth(pair.id, *a_, *b_);
+  }
+
+  AlongStep at(std::uint32_t number) {
+    const mpq_class share = quotient(number, path_.steps);
+    const Point half_turn = mpq_class(share / 2) * path_.motion.w;
+    const files::GivenPose pose{.turn = {1, half_turn.x, half_turn.y, half_turn.z}, .place = share * path_.motion.v};
+    Question question = question_of(request_, monitor_, workspace_);
+    question.options.optima = 1;  // ties are not shown
+    if (a_)
+      return along_step(
+          number, share,
+          signed_depth(moved(*a_, files::exact_pose(pose)), *b_, {.cores = question.options, .bits = question.bits}));
+    Body a = pair_.a;
+    files::place(a, pose);
+    return along_step(number, share, penetration_depth(a, pair_.b, question.options));
+  }
+
+ private:
+  static mpq_class quotient(std::uint32_t number, std::uint32_t of) {
+    mpq_class result(number, of);
+    result.canonicalize();
+    return result;
+  }
+
+  const Case& pair_;
+  const Path& path_;
+  const DepthRequest& request_;
+  Monitor& monitor_;
+  std::optional<Shape> a_, b_;  // unless both are polytopes
+  Workspace workspace_;
+};
+
+void print_header(const Path& path, const AlongRequest& request) {
+  if (!request.json) print(request.csv ? along_csv_header() : fitted(along_text_header(path), indent));
+}
+
+/// Prints rows as soon as they are known; JSON, which is one object, in the end.
+void print_row(const Path& path, const AlongStep& step, const AlongRequest& request) {
+  if (request.csv) print(along_csv_row(step));
+  else if (!request.json) print(fitted(along_text_row(path, step), indent));
+}
+
+}  // namespace
+
+Json along_object(const Path& path, const std::vector<AlongStep>& steps) {
+  Json values = Json::array();
+  for (const AlongStep& step : steps) {
+    const Surd* const exact_value = std::get_if<Surd>(&step.value);
+    const auto bound = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+    Json depth{{"low", bound(step.low)}, {"high", bound(step.high)}};
+    if (exact_value) depth["exact"] = output::exact_object(*exact_value);
+    const double nearest = exact_value ? round_binary64(*exact_value) : 0;
+    const bool told = exact_value && std::isfinite(nearest) && (nearest != 0 || sign(*exact_value) == 0);
+    values.push_back({{"step", step.number},
+                      {"s", Json::plain(exact_text(step.share))},
+                      {"status", status_text(step)},
+                      {"value", told ? Json(nearest) : Json()},
+                      {"signed_depth", depth},
+                      {"direction", output::exact(step.direction)},
+                      {"contact", step.contact ? output::contact_object(*step.contact) : Json()}});
+  }
+  Json result{{"schema", "fathom/along/1"},
+              {"fathom", FATHOM_VERSION},
+              {"id", path.id},
+              {"along", output::exact(path.motion.v)}};
+  if (turns(path.motion)) result["turn"] = output::exact(path.motion.w);
+  result["steps"] = path.steps;
+  result["values"] = values;
+  return result;
+}
+
+plot::Figure along_figure(const std::vector<AlongStep>& steps, const std::string& prefix, const std::string& title,
+                          const std::string& motion, std::optional<double> slope) {
+  plot::CurvePanel panel;
+  panel.x = {"s: " + motion, plot::Scale::linear, true};
+  panel.y = {"signed depth"};
+  panel.series = series_of(steps);
+  panel.from_zero = !slope;
+  if (slope) panel.series.push_back(tangent_of(panel.series[0].places, *slope));
+  panel.above = "penetrating", panel.below = "apart";
+  plot::Band band{"proved bounds", {}};
+  for (const AlongStep& step : steps)
+    if (std::holds_alternative<Bounds>(step.value)) band.slices.push_back({step.share.get_d(), step.low, step.high});
+  if (!band.slices.empty()) panel.band = std::move(band);
+  return {title,
+          fmt::format("{} for s from 0 to 1, in {} steps. {}.", motion, steps.size() - 1, course(steps)),
+          prefix,
+          {panel}};
+}
+
+std::vector<AlongStep> walked(const Case& pair, const Path& path, const DepthRequest& request, Monitor& monitor,
+                              const std::function<void(const AlongStep&)>& known) {
+  Walk walk(pair, path, request, monitor);
+  std::vector<AlongStep> steps;
+  for (std::uint32_t i = 0; i <= path.steps; ++i) {
+    steps.push_back(walk.at(i));
+    if (known) known(steps.back());
+  }
+  return steps;
+}
+
+ExitCode run_along(const Given& given) {
+  const AlongRequest request(given);
+  const auto picture = wanted_file(request.svg, "picture");  // an unwritable path fails early
+  const Case pair = asked_case(request, "--along answers about convex bodies; without it depth takes unions");
+  const InterruptGuard interrupt_guard;
+  Progress progress("steps");
+  const AskedCase asked = looked_at(pair, request);
+  const Path path{pair.id, request.motion, request.steps};
+  const std::vector<AlongStep> steps = walked(pair, path, request, progress, [&](const AlongStep& step) {
+    if (step.number == 0) print_header(path, request);
+    progress.answered();
+    print_row(path, step, request);
+    progress.count({step.number + 1, std::size_t{path.steps} + 1});
+  });
+  progress.clear();
+  if (request.json) print(along_object(path, steps).text());
+  if (picture)
+    picture->write(plot::figure_file(
+        along_figure(steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
+                     "A is moved by s " + motion_text(path.motion))));
+  if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty()) talk(dents);
+  return fine;
+}
+
+}  // namespace fathom::cli

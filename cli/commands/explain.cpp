@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
+// One page: the answer with its patches, the stages, and how the depth changes along motions of A.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cli/commands/along.hpp"
+#include "cli/commands/command.hpp"
+#include "cli/commands/depth.hpp"
+#include "cli/commands/replies.hpp"
+#include "cli/io/certificate_file.hpp"
+#include "cli/io/output.hpp"
+#include "cli/io/progress.hpp"
+#include "cli/output/answer_output.hpp"
+#include "kernels/number/rational.hpp"
+#include "kernels/vector.hpp"
+#include "reference/files/case_json.hpp"
+#include "view/page/page.hpp"
+#include "view/picture/markup.hpp"
+#include "view/picture/scene.hpp"
+
+namespace fathom::cli {
+namespace {
+
+struct ExplainRequest {
+  DepthRequest depth;  ///< the page has what `fathom depth --patch --json` prints
+  std::string page;    ///< the file
+  bool times;          ///< with the seconds that each stage took
+};
+
+std::vector<std::string> notes_on(const AboutBodies& bodies) {
+  std::vector<std::string> notes;
+  if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
+  if (const std::optional<std::string> sizes = shapes::sizes_note(bodies.sizes)) notes.push_back(*sizes);
+  return notes;
+}
+
+// ---- motions of A ----
+
+constexpr std::uint32_t steps_of_twist = 40, steps_of_usual = 10;
+constexpr std::size_t most_points = 2000;  // of both bodies, for motions that nobody asked for
+
+struct NamedMotion {
+  std::string name;
+  Twist twist;
+  std::uint32_t steps;
+};
+
+/// The greatest power of two that is not above a positive number.
+mpq_class power_below(double value) { return kernels::times_power_of_two(mpq_class(1), std::ilogb(value)); }
+
+bool is_length(double value) { return std::isfinite(value) && value > 0; }
+
+/// The longest side of both bodies; 0 if there is none.
+double longest_side(const AnsweredCase& answered) {
+  double longest = 0;
+  for (const auto& sides : {answered.bodies.sizes.a, answered.bodies.sizes.b})
+    if (sides) longest = std::max(longest, *std::ranges::max_element(*sides));
+  return longest;
+}
+
+/// Of A: along the direction, across the contact; and about the axes, through the middle of the
+/// first patch, by half a radian where that is not far from O. These are only to be looked at.
+std::vector<NamedMotion> usual_motions(const AnsweredCase& answered) {
+  const double side = longest_side(answered), depth = std::abs(answered.answer.low_binary64());
+  if (!is_length(side)) return {};
+  const double way = is_length(depth) ? std::min(2 * depth, 4 * side) : side / 4;
+  const mpq_class length = power_below(way) * (answered.answer.status() == Status::disjoint ? -1 : 1);
+  const std::array<double, 3> n = rounded::nearest_unit(*answered.answer.direction());
+  std::vector<NamedMotion> motions{{"along n", {length * Point{n[0], n[1], n[2]}, {}}, steps_of_usual}};
+  const Point middle = answered.manifold->geometry.patches.front().centroid().a.core;
+  const double far = std::max(side, picture::largest(middle).get_d());
+  const mpq_class turn = power_below(side / far / 2);
+  const Point x{turn, 0, 0}, y{0, turn, 0}, z{0, 0, turn};
+  for (const auto& [name, w] : {std::pair("about x", x), std::pair("about y", y), std::pair("about z", z)})
+    motions.push_back({name, {cross(middle, w), w}, steps_of_usual});
+  return motions;
+}
+
+/// What the page shows of the depth while A moves.
+page::Motions motions_of(const Case& single, const AnsweredCase& answered, const DepthRequest& request,
+                         Monitor& monitor) {
+  const ContactGeometry& geometry = answered.manifold->geometry;
+  const auto none = [](const std::string& why) { return page::Motions{"[]", {}, why}; };
+  if (geometry.no_patches) return none(fmt::format("Not told: {}.", name(*geometry.no_patches)));
+  if (!request.form.motion && single.a.points.size() + single.b.points.size() > most_points)
+    return none(fmt::format("Bodies of more than {} points are followed along a motion only if --twist names it.",
+                            most_points));
+  const std::vector<NamedMotion> motions =
+      request.form.motion ? std::vector{NamedMotion{"by the twist", request.form.motion->of_a, steps_of_twist}}
+                          : usual_motions(answered);
+  page::Motions result;
+  Json data = Json::array();
+  for (const NamedMotion& motion : motions) {
+    const Path path{single.id, motion.twist, motion.steps};
+    const std::vector<AlongStep> steps = walked(single, path, request, monitor);
+    const auto derivative = directional_derivative(geometry, motion.twist);
+    const auto* const told = std::get_if<DirectionalDerivative>(&derivative);
+    const std::optional<double> slope = told ? std::optional(round_binary64(told->value()) + 0.0) : std::nullopt;
+    const std::string title = motion.name + (slope ? fmt::format(": derivative {}", *slope) : "");
+    data.push_back({{"name", motion.name},
+                    {"derivative", output::derivative_object(derivative)},
+                    {"path", along_object(path, steps)}});
+    result.charts.push_back(plot::figure_element(
+        along_figure(steps, fmt::format("motion{}", result.charts.size()), title, "A moves " + motion.name, slope)));
+  }
+  result.json = data.text();
+  return result;
+}
+
+std::string page_of(const Case& single, const ExplainRequest& request, Monitor& monitor) {
+  Workspace workspace;
+  const AskedCase asked = looked_at(single, request.depth);
+  AnsweredCase answered = answered_by(asked, request.depth, question_of(request.depth, monitor, workspace));
+  const Answer& answer = answered.answer;
+  if (!answer.complete()) throw Interrupted();
+  const AnswerForm& form = request.depth.form;
+  answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
+  const std::string picture = picture::scene_panels(answer_scene(single, answered, form), "still",
+                                                    "A and B, the way out of A, and where they touch");
+  const std::string depth = output::answer_json(answered, form), pair = files::case_json(single);
+  const std::vector<std::string> notes = notes_on(asked.bodies);
+  if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found)) {
+    stages::UnionStages stages = stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor);
+    stages.id = single.id;
+    return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture});
+  }
+  stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
+  stages.id = single.id;
+  const page::Motions motions = motions_of(single, answered, request.depth, monitor);
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, motions});
+}
+
+}  // namespace
+
+ExitCode run_explain(const Given& given) {
+  ExplainRequest request{DepthRequest(given), given.text("--output"), given.flag("--times")};
+  request.depth.form.patch = true;
+  CertificateFile file(request.page, "page");  // an unwritable path fails early
+  Case single = asked_case(request.depth);
+  if (request.depth.inputs.size() == 2)
+    single.id = picture::without_folders(single.id);  // names of files; a case has its own
+  std::string page;
+  {
+    const InterruptGuard interrupt_guard;
+    Progress progress;
+    page = page_of(single, request, progress);
+  }
+  file.write(page);
+  return fine;
+}
+
+}  // namespace fathom::cli

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Motions of A as fathom has them, and patches in places of the pictures.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { minus, norm } from "../../view/page/web/geometry.js";
+import { carrier, carrierOf, motionsOf } from "../../view/page/web/motions.js";
+import { patchesOf } from "../../view/page/web/patches.js";
+
+const told = [{ name: "by the twist", path: { along: ["1", "0", "-1/2"], turn: ["0", "0", "2"], steps: 2, values: [] } }];
+const near = (p, q, law) => assert.ok(norm(minus(p, q)) < 1e-12, `${law}: ${p}, ${q}`);
+
+test("A is turned by the quaternion (1, s w / 2), and then moved by s v", () => {
+  const [motion] = motionsOf(told), at = carrier(motion, 2, null);  // s = 1: a quarter turn about z
+  near(at([0, 0, 0]), [1, 0, -0.5], "law: the origin is moved by v");
+  near(at([1, 0, 3]), [1, 1, 2.5], "law: what is beside it is turned first");
+  const half = carrier(motion, 1, null);  // s = 1/2: the quaternion (1, 0, 0, 1/2)
+  near(half([1, 0, 0]), [0.5 + 0.6, 0.8, -0.25], "law: the turn is that of a rational rotation");
+});
+
+test("places of the pictures are moved and scaled as bodies are", () => {
+  const [motion] = motionsOf(told), scale = { center: ["4", "-1", "1/2"], exponent: 3 };
+  const staged = (p) => p.map((x, i) => (x - [4, -1, 0.5][i]) * 8);
+  for (const p of [[0, 0, 0], [4, -1, 0.5], [5, 2, -3]])
+    near(carrier(motion, 1, scale)(staged(p)), staged(carrier(motion, 1, null)(p)), "law: in other places, the same motion");
+});
+
+test("where nothing is chosen A stands", () => {
+  const data = { motions: motionsOf(told), stages: {} };
+  assert.equal(carrierOf(data, { motion: 0, step: 0 }), null);
+  assert.equal(carrierOf({ motions: [], stages: {} }, { motion: 0, step: 0 }), null);
+  near(carrierOf(data, { motion: 0, step: 9 })([0, 0, 0]), [1, 0, -0.5], "law: no step is beyond the last");
+});
+
+test("patches have their way, and exact places beyond binary64 are drawn where they are", () => {
+  const far = (x) => `${10n ** 20n + BigInt(x)}`, round = { core: ["1", "0", "0"], normal: ["0", "3", "4"], distance: "-5" };
+  const at = (x) => ({ a: [far(x), "0", "1/2"], b: round }), stages = { scale: { center: [far(0), "0", "0"], exponent: -1 } };
+  const [first, second] = patchesOf({ manifold: { patches: [{ direction: ["0", "0", "2"], corners: [at(1), at(2)] },
+    { optimum: 0, direction: ["1", "0", "0"], corners: [at(3)] }] } }, stages);
+  assert.deepEqual([first.way, first.direction, first.a], [0, [0, 0, 1], [[0.5, 0, 0.25], [1, 0, 0.25]]]);
+  assert.deepEqual([second.way, second.a], [0, [[1.5, 0, 0.25]]], "law: of unions a patch names its way");
+  near(patchesOf({ manifold: { patches: [{ direction: ["0", "3", "4"], corners: [at(1)] }] } }, {})[0].b[0], [1, -3, -4], "law: round bodies reach beyond their cores");
+  assert.deepEqual(patchesOf({ manifold: { patches: null } }, stages), [], "law: where none are told there are none");
+});

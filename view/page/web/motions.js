@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the depth changes as A moves: one chart at a time of those that stand in the page, and a slider that puts A where a mark is.
+import { cross, dot, plus, times } from "./geometry.js";
+import { element, svg } from "./look.js";
+import { nearest, textOf } from "./numbers.js";
+
+/** The data of the page's motions: [{name, v, w, path}], v and w the twist in binary64. */
+export function motionsOf(told) {
+  return told.map(({ name, path }) => ({ name, path, v: path.along.map(nearest), w: (path.turn ?? ["0", "0", "0"]).map(nearest) }));
+}
+
+/** Where a place is carried by a motion after its step k, as fathom has it: turned by the quaternion (1, s w / 2), and then moved by s v. */
+export function carrier({ v, w, path }, k, scale) {
+  const s = k / path.steps, half = times(w, s / 2), factor = 2 / (1 + dot(half, half));
+  const turn = (p) => times(plus(cross(half, p), cross(half, cross(half, p))), factor);
+  const unit = 2 ** (scale?.exponent ?? 0), center = (scale?.center ?? ["0", "0", "0"]).map(nearest);
+  const offset = times(plus(times(v, s), turn(center)), unit);
+  return (p) => plus(plus(p, turn(p)), offset);
+}
+
+/** What carries A as chosen; null where it stands. */
+export function carrierOf(data, { motion, step }) {
+  const chosen = data.motions[motion];
+  return chosen && step > 0 ? carrier(chosen, Math.min(step, chosen.path.steps), data.stages.scale) : null;
+}
+
+/** "s = 3/20: penetrating, signed depth 0.25". */
+export function stepText({ path }, step) {
+  const { s, status, value, signed_depth: { exact, low, high } } = path.values[step];
+  return `s = ${s}: ${status}, signed depth ${exact ? textOf(value) : `from ${textOf(low)} to ${textOf(high)}`}`;
+}
+
+export function mountMotions(root, data, selection) {
+  if (data.motions.length === 0) return {};
+  const charts = [...root.children], cursors = charts.map(cursorOf), told = element("output", { class: "step" });
+  const range = element("input", { type: "range", min: 0, step: 1, "aria-label": "How far A has gone along the motion" });
+  range.addEventListener("input", () => selection.set({ step: Number(range.value), moved: 0 }));
+  const choose = (motion) => () => selection.set({ motion, step: 0 });
+  const buttons = data.motions.map(({ name }, i) => element("button", { type: "button", onclick: choose(i) }, name));
+  const choice = buttons.length > 1 ? element("div", { class: "choice", role: "group", "aria-label": "Motions of A" }, ...buttons) : null;
+  root.prepend(element("div", { class: "controls" }, choice, element("div", { class: "slider" }, range)), told);
+  selection.subscribe((state, changed) => {
+    if (!changed.has("motion") && !changed.has("step")) return;
+    const motion = data.motions[state.motion], step = Math.min(state.step, motion.path.steps);
+    range.max = String(motion.path.steps);
+    range.value = String(step);
+    range.setAttribute("aria-valuetext", stepText(motion, step));
+    told.textContent = stepText(motion, step);
+    buttons.forEach((button, i) => button.setAttribute("aria-pressed", String(i === state.motion)));
+    charts.forEach((chart, i) => { chart.hidden = i !== state.motion; });
+    cursors[state.motion](step);
+  });
+  return {};
+}
+
+/** Puts a ring around the mark of a step; its place is that of the curve's corner. */
+function cursorOf(chart) {
+  const curve = chart.querySelector("path.look-0"), ring = svg("circle", { class: "cursor", r: 8 });
+  const corners = [...(curve?.getAttribute("d") ?? "").matchAll(/[ML]([-\d.]+) ([-\d.]+)/g)];
+  curve?.parentNode.append(ring);
+  return (step) => {
+    const corner = corners[step];
+    ring.toggleAttribute("hidden", !corner);
+    if (!corner) return;
+    ring.setAttribute("cx", corner[1]);
+    ring.setAttribute("cy", corner[2]);
+  };
+}
