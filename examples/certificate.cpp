@@ -25,7 +25,7 @@ int main() {
   const fathom::Answer answer{depth};
   const fathom::ContactGeometry touching = contact_geometry(body_a, body_b, answer);
   const std::vector<fathom::Twist> sinking{{{0, 0, -1}, {}}};
-  if (has_patch_certificate(touching)) {
+  if (touching.tells_smoothness()) {  // not of unions, nor of curved bodies
     const std::string proof = certificate_text(body_a, body_b, answer, touching, sinking, "patches");
     std::cout << fathom_check::verdict_line(fathom_check::verify(proof), "") << "\n";
   }

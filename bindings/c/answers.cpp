@@ -155,7 +155,8 @@ std::string exact_of(const Answer& answer, int quantity) {
 std::string certificate_of(const fathom_answer& asked, const std::string& id, const fathom_options& options) {
   CallersMonitor monitor(options);
   if (!asked.answer.complete()) throw Absence(std::string(asked.answer.exact().why_not));
-  std::string text = certificate_text(*asked.a, *asked.b, asked.answer, id, &monitor);
+  const output::Manifold* const manifold = options.patches ? &asked.manifold->of(asked) : nullptr;
+  std::string text = output::certificate_of(*asked.a, *asked.b, asked.answer, manifold, {}, id, &monitor);
   try {
     fathom_check::require_readable(text);
   } catch (const fathom_check::Unreadable& refusal) {
@@ -243,7 +244,7 @@ fathom_options options_from(const fathom_options* options) {
 using namespace fathom::c;
 
 void fathom_options_init(fathom_options* options) {
-  if (options) *options = {sizeof(fathom_options), 0, fathom::SignedDepthOptions{}.bits, nullptr, nullptr};
+  if (options) *options = {sizeof(fathom_options), 0, fathom::SignedDepthOptions{}.bits, nullptr, nullptr, 0};
 }
 
 int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer) {

@@ -55,7 +55,7 @@ const Patch& patch_in(const fathom_answer* answer, std::size_t index) {
 const output::Manifold& smoothness_in(const fathom_answer* answer) {
   const output::Manifold& manifold = manifold_in(answer);
   if (manifold.geometry.no_patches) refuse_left_out(*manifold.geometry.no_patches);
-  if (!manifold.tells_smoothness()) throw Absence("of unions it is not told whether the depth is smooth");
+  if (!manifold.geometry.tells_smoothness()) throw Absence("of unions it is not told whether the depth is smooth");
   return manifold;
 }
 

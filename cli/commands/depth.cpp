@@ -44,17 +44,6 @@ struct Files {
         pictures(request, request.svg, "picture", ".svg") {}
 };
 
-/// Of the answer, and of its patches and the derivative if these are asked for and have one.
-std::string certificate_of(const Body& a, const Body& b, const AnsweredCase& answered, const AnswerForm& form,
-                           Monitor* monitor) {
-  if (!answered.manifold || !has_patch_certificate(answered.manifold->geometry))
-    return certificate_text(a, b, answered.answer, answered.id, monitor);
-  std::vector<Twist> motions;
-  if (form.motion)  // of A, with B at rest: of convex bodies it has the same derivative
-    motions.push_back({form.motion->of_a.v - form.motion->of_b.v, form.motion->of_a.w - form.motion->of_b.w});
-  return certificate_text(a, b, answered.answer, answered.manifold->geometry, motions, answered.id, monitor);
-}
-
 std::string text_of(const AnsweredCase& answered, const DepthRequest& request) {
   if (request.json) return output::answer_json(answered, request.form);
   return is_stream(request) ? answer_line(answered, request.form) : answer_block(answered, request.form);
@@ -132,7 +121,12 @@ Replies exact_replies(const DepthRequest& request) {
     if (request.form.manifold())
       answered.manifold = output::manifold_of(single.a, b, answered.answer, request.form.motion, &monitor);
     if (!request.certificate.empty() || request.form.certificate) {
-      answered.certificate = certificate_of(single.a, b, answered, request.form, &monitor);
+      std::vector<Twist> motions;
+      if (const auto& m = request.form.motion)  // of A, with B at rest: of convex bodies it has the same derivative
+        motions.push_back({m->of_a.v - m->of_b.v, m->of_a.w - m->of_b.w});
+      answered.certificate =
+          output::certificate_of(single.a, b, answered.answer, answered.manifold ? &*answered.manifold : nullptr,
+                                 motions, answered.id, &monitor);
       require_readable(single.id, answered.certificate);
     }
     CaseReply reply{text_of(answered, request)};

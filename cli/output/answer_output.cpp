@@ -238,7 +238,7 @@ void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& fo
     rows.emplace_back("patch", patch_text(patch, g.of_unions));
     add_patch(rows, patch, form);
   }
-  if (form.patch && !g.no_patches && !g.of_unions) {
+  if (form.patch && g.tells_smoothness()) {
     Parts kinks;
     for (const Kink kink : g.kinks) kinks.emplace_back(name(kink));
     rows.emplace_back("smooth", g.smooth() ? "yes" : fmt::format("no: {}", fmt::join(kinks, ", ")));

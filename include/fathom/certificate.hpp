@@ -157,14 +157,10 @@ std::string certificate_text(const Shape& a, const Shape& b, const SignedDepth& 
 
 // ---- with contact patches: format 4 ----
 
-/// Whether an answer with these patches has a certificate of format 4: not of unions, nor of curved
-/// bodies.
-bool has_patch_certificate(const ContactGeometry& geometry);
-
 /// The text of a certificate of the answer, of its patches, and of the derivatives along these
 /// motions of A, where all optimal directions can be proved: not of cores that touch, nor if optima
 /// are unlisted. `geometry` is that of the answer. Throws as the functions above do, and
-/// std::invalid_argument if there is none.
+/// std::invalid_argument unless it tells smoothness: patches of unions have no certificate.
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, const ContactGeometry& geometry,
                              std::span<const Twist> motions = {}, std::string_view id = {}, Monitor* monitor = nullptr);
 

@@ -142,6 +142,7 @@ typedef struct fathom_options {
   unsigned bits;     /**< 40: bounds are found to 2^-bits of the value or of the bodies' extent; at most 1000 */
   fathom_stop* stop; /**< NULL: nobody is asked */
   void* caller;      /**< what `stop` gets */
+  int patches;       /**< 0; else a certificate proves contact patches too, where these can be proved */
 } fathom_options;
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_options_init(fathom_options* options);
@@ -321,9 +322,10 @@ FATHOM_API int fathom_answer_exact(const fathom_answer* answer, int quantity, ch
 FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, char** text);
 
 /** Makes a certificate: a text that proves the answer, for fathom_check_certificate and other
- * checkers. `id` and `options` may be NULL; of the options it reads `stop`. FATHOM_ABSENT of a text
- * beyond the limits of FORMAT.md, as with numbers of more than 100,000 digits, which every checker
- * would refuse to read. */
+ * checkers. `id` and `options` may be NULL; of the options it reads `stop`, `caller` and `patches`.
+ * Patches of unions are not proved, and curved shapes have none: then it is as without them.
+ * FATHOM_ABSENT of a text beyond the limits of FORMAT.md, as with numbers of more than 100,000
+ * digits, which every checker would refuse to read. */
 FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options, char** text);
 
 /* ---- certificates ---- */

@@ -113,8 +113,11 @@ struct ContactGeometry {
   std::vector<bool> clearance;      ///< of unions, for each way out: see UnionOptimum
   Status cores = Status::disjoint;  ///< where the cores, or the unions, stand
 
+  /// Whether there are patches, and of two convex bodies: then it is told if the depth is smooth,
+  /// and a certificate can prove them.
+  [[nodiscard]] bool tells_smoothness() const { return !of_unions && !no_patches; }
   /// Whether the signed depth is differentiable by the poses: then strictly so.
-  [[nodiscard]] bool smooth() const { return kinks.empty() && !of_unions && !no_patches; }
+  [[nodiscard]] bool smooth() const { return tells_smoothness() && kinks.empty(); }
   /// If it is, its derivative.
   [[nodiscard]] std::optional<Gradient> gradient() const;
 };

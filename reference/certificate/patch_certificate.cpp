@@ -156,12 +156,10 @@ void validate_patches(kernels::Report& report, const ShapeCertificate& certifica
 
 namespace fathom {
 
-bool has_patch_certificate(const ContactGeometry& geometry) { return !geometry.of_unions && !geometry.no_patches; }
-
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, const ContactGeometry& geometry,
                              std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
-  if (!has_patch_certificate(geometry))
+  if (!geometry.tells_smoothness())
     throw std::invalid_argument("patches of unions and of curved bodies have no certificate");
   ShapeCertificate proof =
       make_certificate(files::shape_of(a), files::shape_of(b), certificate::as_shapes(answer, geometry), monitor);

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/infinitesimal.hpp"
@@ -301,10 +302,16 @@ Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const s
   return manifold;
 }
 
+std::string certificate_of(const Body& a, const Body& b, const Answer& answer, const Manifold* manifold,
+                           std::span<const Twist> motions, std::string_view id, Monitor* monitor) {
+  if (!manifold || !manifold->geometry.tells_smoothness()) return certificate_text(a, b, answer, id, monitor);
+  return certificate_text(a, b, answer, manifold->geometry, motions, id, monitor);
+}
+
 Json manifold_object(const Manifold& manifold) {
   const ContactGeometry& g = manifold.geometry;
   const std::optional<Gradient> gradient = g.gradient();
-  const bool smoothness = manifold.tells_smoothness();
+  const bool smoothness = g.tells_smoothness();
   Json result{{"patches", g.no_patches ? Json() : Json::array_of(g.patches, [&](const Patch& patch) {
                  return patch_object(patch, g.of_unions);
                })}};

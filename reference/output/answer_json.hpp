@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -21,14 +22,17 @@ struct Manifold {
   ContactGeometry geometry;
   std::optional<VertexWeights> weights;
   std::optional<std::variant<DirectionalDerivative, LeftOut>> derivative = {};  ///< along the motion asked for
-
-  /// Whether it is told if the depth is smooth, and why it is not.
-  [[nodiscard]] bool tells_smoothness() const { return !geometry.of_unions && !geometry.no_patches; }
 };
 
 /// Of an answer about these bodies; of an incomplete one it says that nothing is told.
 Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
                      Monitor* monitor = nullptr);
+
+/// The text of a certificate of the answer: with the patches of its manifold, if there is one, and
+/// the derivatives along these motions of A, as far as these have a proof. Throws as
+/// certificate_text does.
+std::string certificate_of(const Body& a, const Body& b, const Answer& answer, const Manifold* manifold,
+                           std::span<const Twist> motions, std::string_view id, Monitor* monitor = nullptr);
 
 /// A case and its answer; for `width` it is about the body against itself.
 struct AnsweredCase {

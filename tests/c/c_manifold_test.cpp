@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fathom/answer.hpp"
+#include "fathom/certificate.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/patch.hpp"
 #include "reference/rounded/coordinates.hpp"
@@ -169,6 +170,34 @@ TEST(CManifold, WhatIsRefused) {
             absent("left out: curved"));
   EXPECT_NE(manifold_line(curved, nullptr, nullptr).find("\"left_out\":\"curved\""), std::string::npos);
   EXPECT_TRUE(count == 7 && smooth == 7 && rate == 7 && v[0] == 7 && text == nullptr);
+}
+
+TEST(CManifold, ProvedIfAskedFor) {
+  fathom_options options;
+  fathom_options_init(&options);
+  EXPECT_EQ(options.patches, 0);
+  options.patches = 1;
+  const auto proof = [&](const AnswerHandle& answer, const fathom_options* how) {
+    char* text = nullptr;
+    EXPECT_EQ(fathom_answer_certificate(answer.get(), "one", how, &text), FATHOM_OK) << fathom_last_error();
+    return taken(text);
+  };
+  for (const families::Family& family : families::families()) {
+    const Case made = family.make(1, 6);
+    const Answer expected = exact_answer(made.a, made.b);
+    const AnswerHandle answer =
+        answer_about(exact_body_of(made.a.points.exact()), exact_body_of(made.b.points.exact()));
+    const std::string text = proof(answer, &options);
+    EXPECT_EQ(text, certificate_text(made.a, made.b, expected, contact_geometry(made.a, made.b, expected), {}, "one"));
+    int outcome = -1;
+    EXPECT_EQ(fathom_check_certificate(text.data(), text.size(), nullptr, nullptr, &outcome, nullptr), FATHOM_OK);
+    EXPECT_EQ(outcome, FATHOM_VERIFIED) << family.name;
+    EXPECT_EQ(proof(answer, nullptr), certificate_text(made.a, made.b, expected, "one"));
+  }
+  const AnswerHandle unions = answer_about(bar(), block()),
+                     curved = answer_about(shape_of("cone:r=1,h=1"), shape_of("box:half=1:1:1"));
+  for (const AnswerHandle* const answer : {&unions, &curved})
+    EXPECT_EQ(proof(*answer, &options), proof(*answer, nullptr));
 }
 
 TEST(CManifold, OfASearchThatWasStopped) {

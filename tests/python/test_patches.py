@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import pathlib
 import pickle
 import subprocess
 import sys
@@ -15,6 +16,7 @@ import fathom
 from fathom import _fathom
 
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+CHECK = pathlib.Path(__file__).parents[2] / "verify/check/check.py"
 FATHOM = os.environ.get("FATHOM_EXECUTABLE")
 TWIST, TWIST_B = ["1", "-1/2", "3"], ["1/3", "2", "-1"]
 TURN, TURN_B = ["0", "1/7", "-2"], ["1", "0", "5/2"]
@@ -125,6 +127,32 @@ def test_the_program_says_the_same(kind, count, tmp_path):
         seen |= {(hit.status, patch.rank) for patch in hit.patches} | {hit.smooth, hit.left_out} | set(hit.kinks or ())
     expected = {(status, rank) for status in ("penetrating", "touching", "disjoint") for rank in (0, 1, 2)}
     assert (expected | ({None} if kind == ["--unions"] else {True, False, "ties", "extended", "cone"})) - seen == set()
+
+
+@pytest.mark.parametrize("kind", [[], ["--shapes"], ["--unions"]], ids=["polytopes", "shapes", "unions"])
+def test_certificates_with_patches_are_those_of_the_program(kind, tmp_path):
+    if not FATHOM:
+        pytest.skip("FATHOM_EXECUTABLE is not set")
+    cases = tmp_path / "cases.jsonl"
+    cases.write_text(subprocess.run([FATHOM, "cases", "--catalogue", *kind], capture_output=True, text=True, check=True).stdout)
+    command = [FATHOM, "depth", "--json", "--embed-certificate", "--patch", str(cases)]
+    lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    said = [json.loads(line)["certificate"] for line in lines]
+    proofs = []
+    for case, text in zip(fathom.cases(cases), said, strict=True):
+        hit = (fathom.union_depth if kind == ["--unions"] else fathom.depth)(case.a, case.b)
+        if hit.left_out or kind == ["--unions"]:  # bounds of the program are others, with fewer bits
+            assert hit.certificate(case.id, patches=True) == hit.certificate(case.id), case.id
+            continue
+        assert hit.certificate(case.id, patches=True) == text, case.id
+        if len(proofs) < 40:
+            proofs.append(tmp_path / f"{len(proofs)}.cert")
+            proofs[-1].write_text(text)
+    again = pickle.loads(pickle.dumps(hit))
+    assert again.certificate(case.id, patches=True) == hit.certificate(case.id, patches=True)
+    if kind != ["--unions"]:
+        checked = subprocess.run([sys.executable, str(CHECK), *map(str, proofs)], capture_output=True, text=True)
+        assert (checked.returncode, checked.stdout.count("patches=")) == (0, len(proofs)), checked.stdout
 
 
 def test_boxes():

@@ -42,9 +42,9 @@ class _Kept(types.SimpleNamespace):
 
     __slots__ = ("_asked",)  # what pickle does not keep
 
-    def certificate(self, id: str) -> str:
+    def certificate(self, id: str, patches: bool) -> str:
         """Asks again."""
-        return self._again().certificate(id)
+        return self._again().certificate(id, patches)
 
     def manifold(self) -> _fathom.Manifold | None:
         """Asks again; None of a search that was stopped."""
@@ -220,12 +220,12 @@ class PairAnswer(_Answer, ContactAnswer):
         nodes, nearest_points, pairs, pairs_touched."""
         return self._answer.counters
 
-    def certificate(self, id: str = "") -> str:
-        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). Raises ValueError if the
-        search was stopped."""
+    def certificate(self, id: str = "", patches: bool = False) -> str:
+        """A proof of the answer as text, which `check` and two other checkers read (verify/check/FORMAT.md). With `patches` it proves these
+        too, unless they are of unions, or `left_out` says why there are none. Raises ValueError if the search was stopped."""
         if not self._answer.complete:
             raise ValueError("there is no certificate of a search that was stopped")
-        return self._answer.certificate(id)
+        return self._answer.certificate(id, patches)
 
     def __repr__(self) -> str:
         name, value = type(self).__name__, self._answer.nearest

@@ -154,9 +154,11 @@ py::object union_bounds(const PairAnswer& answer) {
                   "deepest_pair_squared"_a = fraction(bounds.deepest_pair), "hulls_squared"_a = fraction(bounds.hulls));
 }
 
-std::string certificate(const PairAnswer& answer, const std::string& id) {
+std::string certificate(PairAnswer& answer, const std::string& id, bool patches) {
+  const std::shared_ptr<ToldManifold> told = patches ? manifold_told(answer) : nullptr;
   return watched([&](Monitor& monitor) {
-    std::string text = certificate_text(answer.a, answer.b, answer.answer, id, &monitor);
+    std::string text =
+        output::certificate_of(answer.a, answer.b, answer.answer, told ? &told->manifold : nullptr, {}, id, &monitor);
     fathom_check::require_readable(text);
     return text;
   });
@@ -332,7 +334,7 @@ void bind_answers(py::module_& module) {
       .def_readonly("dents", &PairAnswer::dents)
       .def_property_readonly("question", question_of)
       .def("manifold", manifold_told)
-      .def("certificate", certificate, arg("id"));
+      .def("certificate", certificate, arg("id"), arg("patches"));
   module.def(
       "depth",
       [](const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,

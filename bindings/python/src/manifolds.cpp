@@ -65,12 +65,12 @@ py::list patches_in_python(const ToldManifold& told) {
 }
 
 py::object smooth_in_python(const ToldManifold& told) {
-  if (!told.manifold.tells_smoothness()) return py::none();
+  if (!told.manifold.geometry.tells_smoothness()) return py::none();
   return py::bool_(told.manifold.geometry.smooth());
 }
 
 py::object kinks_in_python(const ToldManifold& told) {
-  if (!told.manifold.tells_smoothness()) return py::none();
+  if (!told.manifold.geometry.tells_smoothness()) return py::none();
   std::vector<std::string> words;
   for (const Kink kink : told.manifold.geometry.kinks) words.emplace_back(name(kink));
   return py::tuple(py::cast(words));
