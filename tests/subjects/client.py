@@ -17,7 +17,7 @@ HELLO = {"type": "hello", "protocol": "fathom/subject/1"}
 
 # Every adapter's program, mode and name.
 MODES = [("libccd", "epa"), ("libccd", "mpr"), ("fcl", "signed"), ("fcl", "collide"), ("fcl", "indep"), ("bullet", "epa"),
-         ("bullet", "pair"), ("bullet64", "epa"), ("bullet64", "pair"), ("ode", "collide")]
+         ("bullet", "pair"), ("bullet", "world"), ("bullet64", "epa"), ("bullet64", "pair"), ("bullet64", "world"), ("ode", "collide")]
 
 
 @functools.lru_cache(maxsize=None)

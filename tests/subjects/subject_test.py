@@ -28,7 +28,10 @@ PENETRATING = [
 APART = [("apart by a quarter, along x", CUBE, box([1.25, -0.5, -0.25], [2, 0.5, 1.5]), 0.25),
          ("apart across a corner", CUBE, box([1.5, 1.25, -3], [2.5, 3, -0.5]), 0.75)]
 TELL_DISTANCES = ["fcl-signed", "bullet-pair", "bullet64-pair"]
-TELL_POSITIONS = ["libccd-epa", "libccd-mpr", "fcl-collide", "fcl-indep", "ode-collide"]
+TELL_POSITIONS = ["libccd-epa", "libccd-mpr", "fcl-collide", "fcl-indep", "ode-collide", "bullet-world", "bullet64-world"]
+# Of two of the library's own boxes; of hulls these answer one contact.
+MANIFOLDS = {"fcl-collide": ["num_max_contacts=4"], "fcl-indep": ["num_max_contacts=4"], "ode-collide": [], "bullet-world": [],
+             "bullet64-world": []}
 TRIANGLE = [[0.25, 0.25, 0.75], [0.5, 1, 3], [1, 0.5, 3]]
 
 # FCL and libccd stop within 1e-6 of these; Bullet in binary32, whose bodies are round by their margin, within 1e-4 of its own.
@@ -59,6 +62,24 @@ def check_contacts(test, a, b, reply, tolerance):
                 test.assertGreaterEqual(x, min(axis) - tolerance)
                 test.assertLessEqual(x, max(axis) + tolerance)
     test.assertEqual(max(abs(contact["depth"]) for contact in reply["contacts"]), abs(reply["depth"]))
+
+
+def brick(low, high):
+    return {"shape": "box", "half": [(y - x) / 2 for x, y in zip(low, high)],
+            "pose": {"quaternion": [1, 0, 0, 0], "translation": [(x + y) / 2 for x, y in zip(low, high)]}}
+
+
+def check_manifold(test, ask, tolerance):
+    """Four contacts, one at each corner of the rectangle that two faces share, half as deep in as the bodies overlap or less, and as deep
+    as they overlap; in either order of the bodies."""
+    below, above, depth = ([-1, -1, -1], [1, 1, 1]), ([0.25, -3, 0.875], [3, 0.5, 2]), 0.125
+    for a, b in ((below, above), (above, below)):
+        reply = ask(brick(*a), brick(*b))
+        corners = sorted((round(c["position"][0], 3), round(c["position"][1], 3)) for c in reply["contacts"])
+        test.assertEqual(corners, [(0.25, -1), (0.25, 0.5), (1, -1), (1, 0.5)])
+        for contact in reply["contacts"]:
+            test.assertAlmostEqual(abs(contact["depth"]), depth, delta=tolerance)
+            test.assertAlmostEqual(contact["position"][2], 1 - depth / 2, delta=depth / 2 + tolerance)
 
 
 class Conversation(unittest.TestCase):
@@ -93,12 +114,13 @@ class Hello(Conversation):
 
     def test_margins_are_told(self):
         for mode, subject in self.each_mode():
-            margin = {"epa": "0", "pair": "0.04"}[mode] if PROGRAM.startswith("bullet") else None
+            margin = {"epa": "0", "pair": "0.04", "world": "0.04"}[mode] if PROGRAM.startswith("bullet") else None
             self.assertEqual(subject.hello["settings"].get("margin"), margin)
 
     def test_settings_from_the_command_line(self):
         key = {"libccd-epa": "epa_tolerance", "libccd-mpr": "mpr_tolerance", "fcl-signed": "distance_tolerance",
                "fcl-collide": "gjk_tolerance", "fcl-indep": "gjk_tolerance", "bullet-pair": "margin", "bullet64-pair": "margin",
+               "bullet-world": "margin", "bullet64-world": "margin",
                "ode-collide": "contacts", "bullet-epa": "guess", "bullet64-epa": "guess"}
         for mode in OWN:
             name = key[f"{PROGRAM}-{mode}"]
@@ -190,6 +212,14 @@ class Answers(Conversation):
                 with Client(PROGRAM, mode, "positions=1") as subject:
                     check_contacts(self, a, b, subject.ask(a, b), TOLERANCE)
                     check_contacts(self, b, a, subject.ask(b, a), TOLERANCE)
+
+    def test_manifold(self):
+        for mode in OWN:
+            name = f"{PROGRAM}-{mode}"
+            if name in MANIFOLDS:
+                with Client(PROGRAM, mode, "positions=1", *MANIFOLDS[name]) as subject:
+                    self.assertGreaterEqual(subject.hello["manifold"]["most"], 4)
+                    check_manifold(self, subject.ask, TOLERANCE)
 
     def test_margin_is_undone(self):
         """Any margin gives the depth of the bodies themselves, to that margin's rounding."""

@@ -14,14 +14,14 @@ from itertools import islice
 
 import shapes_test as shapes
 from client import HELLO, ROOT, Client
-from subject_test import APART, CUBE, PENETRATING, TRIANGLE, check_apart, check_contacts, dot
+from subject_test import APART, CUBE, PENETRATING, TRIANGLE, check_apart, check_contacts, check_manifold, dot
 
 ENGINE = os.environ["FATHOM_SUBJECT"]
 WEB = ROOT / "verify" / "subjects" / "web"
 README = WEB / "README.md"
 SKIPPED = 77
 OFFLINE = re.compile("ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENETUNREACH|EHOSTUNREACH|ERR_SOCKET_TIMEOUT|network")
-MODES = {"jolt": ["radius0", "radius"], "rapier": ["contact", "world"], "physx": ["gjk", "sweep", "scene"], "havok": ["proximity"],
+MODES = {"jolt": ["radius0", "radius", "world"], "rapier": ["contact", "world"], "physx": ["gjk", "sweep", "scene"], "havok": ["proximity"],
          "mujoco": ["native", "single", "libccd", "distance"], "cannon": ["sat", "contact"]}[ENGINE]
 PRECISION = {"cannon": "binary64", "mujoco": {"points": "binary32", "answers": "binary64"}}.get(ENGINE, "binary32")
 ROUND = ["sphere", "box", "capsule"]
@@ -33,8 +33,8 @@ TOLERANCES = {"jolt-radius": 0.05, "havok-proximity": 2e-2, "rapier-world": 5e-3
 # Which share of the simple pairs of shapes a mode must know the depth of, to a quarter. What is below 1 was measured, and is rounded down.
 SHARES = {"rapier-contact": 0.98, "rapier-world": 0.98, "mujoco-libccd": 0.98}
 TELL_DISTANCES = ["rapier-contact", "physx-gjk", "havok-proximity", "mujoco-distance"]
-TELL_HULLS = ["jolt-radius0", *(f"physx-{mode}" for mode in MODES), *(f"mujoco-{mode}" for mode in MODES)]
-TELL_POSITIONS = ["physx-scene", "mujoco-native", "mujoco-single", "mujoco-libccd", "cannon-contact"]
+TELL_HULLS = ["jolt-radius0", "jolt-world", *(f"physx-{mode}" for mode in MODES), *(f"mujoco-{mode}" for mode in MODES)]
+TELL_POSITIONS = ["jolt-world", "rapier-world", "physx-scene", "mujoco-native", "mujoco-single", "cannon-contact"]
 # A step's contact report is a manifold and no minimum translation: it misses the way out across two edges.
 NO_EDGES = ["physx-scene"]
 EVERY = 3  # of the pairs of shapes, so that the test ends soon; both orders and all bodies are among them
@@ -141,6 +141,8 @@ class Web(unittest.TestCase):
                 with subject(mode, "positions=1") as client:
                     check_contacts(self, a, b, client.ask(a, b), 1e-4)
                     check_contacts(self, b, a, client.ask(b, a), 1e-4)
+                    check_manifold(self, client.ask, 1e-4)
+                    self.assertIn("manifold", client.hello)
 
     @in_each_mode
     def test_hulls(self, mode, client):

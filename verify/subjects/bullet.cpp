@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom-subject-bullet and fathom-subject-bullet64, epa|pair: btGjkEpaSolver2 without margins, and
-// btGjkPairDetector, the path of two convex bodies in a world. Margins that are not of the case are
-// undone: where A and B grow by them, they are taken off the depth.
+// fathom-subject-bullet and fathom-subject-bullet64, epa|pair|world: btGjkEpaSolver2 without
+// margins; btGjkPairDetector, the path of two convex bodies in a world; and the manifold of a world
+// of two bodies. Margins that are not of the case are undone: where A and B grow by them, they are
+// taken off the depth.
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btConeShape.h>
@@ -14,6 +20,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -73,6 +80,7 @@ struct Placed {
     auto made = std::make_unique<btConvexHullShape>();
     for (const Vector& v : vertices)
       made->addPoint(vector({v[0] - centre[0], v[1] - centre[1], v[2] - centre[2]}), false);
+    made->recalcLocalAabb();
     return made;
   }
 
@@ -181,6 +189,75 @@ subject::Solver pair(Settings& settings) {
   };
 }
 
+/// A world of two bodies, asked once as its manual says: all points of its manifold, each with a
+/// distance and a point on both bodies.
+class World {
+ public:
+  struct Point {
+    double distance;
+    Vector normal, on_a, on_b;  ///< the normal points to A
+  };
+  std::vector<Point> ask(Placed& a, Placed& b) {
+    btCollisionObject one, two;
+    one.setCollisionShape(a.shape.get());
+    one.setWorldTransform(a.at);
+    two.setCollisionShape(b.shape.get());
+    two.setWorldTransform(b.at);
+    world_.addCollisionObject(&one);
+    world_.addCollisionObject(&two);
+    world_.performDiscreteCollisionDetection();
+    std::vector<Point> points;
+    for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+      const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+      const bool turned = manifold.getBody0() != &one;
+      for (int k = 0; k < manifold.getNumContacts(); ++k) {
+        const btManifoldPoint& point = manifold.getContactPoint(k);
+        const btVector3 normal = turned ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
+        Vector on_a = plain(point.getPositionWorldOnA()), on_b = plain(point.getPositionWorldOnB());
+        if (turned) std::swap(on_a, on_b);
+        points.push_back({point.getDistance(), plain(normal), on_a, on_b});
+      }
+    }
+    world_.removeCollisionObject(&one);
+    world_.removeCollisionObject(&two);
+    return points;
+  }
+
+ private:
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase pairs_;
+  btCollisionWorld world_{&dispatcher_, &pairs_, &configuration_};
+};
+
+subject::Solver world(Settings& settings) {
+  constexpr double usual_margin = 0.04;
+  Making bodies = making(settings, settings.number("margin", usual_margin));
+  bodies.inside = true;
+  const bool tells_positions = settings.count("positions", 0) != 0;
+  if (tells_positions) settings.most_contacts(MANIFOLD_CACHE_SIZE);
+  return [bodies, tells_positions](const Body& a, const Body& b) {
+    Placed one(a, bodies), two(b, bodies);
+    const std::vector<World::Point> points = World().ask(one, two);
+    subject::Reply reply;
+    if (points.empty()) return reply;
+    const auto distance = [&](const World::Point& point) { return point.distance + (one.grown + two.grown); };
+    const World::Point& deepest = *std::ranges::min_element(points, {}, distance);
+    reply.overlap = !(distance(deepest) > 0);
+    if (!reply.overlap) return reply;
+    reply.depth = distance(deepest);
+    reply.direction = deepest.normal;
+    for (const World::Point& point : points) {
+      if (!tells_positions) continue;
+      Vector middle;
+      for (int i = 0; i < 3; ++i)
+        middle[i] = (point.on_a[i] + point.on_b[i] + (one.grown - two.grown) * point.normal[i]) / 2;
+      reply.contacts.push_back({middle, distance(point)});
+    }
+    return reply;
+  };
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -188,6 +265,12 @@ int main(int argc, char** argv) {
   const std::vector<std::string> shapes{"sphere", "capsule", "box", "cylinder", "cone", "hull", "margin"};
   const subject::Mode modes[] = {
       {.argument = "epa", .name = name + "-epa", .depth = "negative", .shapes = shapes, .make = epa},
-      {.argument = "pair", .name = name + "-pair", .depth = "negative", .shapes = shapes, .make = pair}};
+      {.argument = "pair", .name = name + "-pair", .depth = "negative", .shapes = shapes, .make = pair},
+      {.argument = "world",
+       .name = name + "-world",
+       .depth = "negative",
+       .claims = "separating",
+       .shapes = shapes,
+       .make = world}};
   return subject::run({"bullet", SUBJECT_VERSION, precision, {std::begin(modes), std::end(modes)}}, argc, argv);
 }

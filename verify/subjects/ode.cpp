@@ -96,6 +96,7 @@ subject::Solver collide(subject::Settings& settings) {
   constexpr unsigned long usual = 32, most = 0xffff;
   const unsigned long contacts = std::clamp(settings.count("contacts", usual), 1ul, most);
   const bool tells_positions = settings.count("positions", 0) != 0;
+  if (tells_positions) settings.most_contacts(contacts);
   settings.note("centre", "mean of the vertices");
   return [contacts, tells_positions](const Body& a, const Body& b) {
     if (subject::is(a, "halfspace") && subject::is(b, "halfspace"))

@@ -121,6 +121,10 @@ class Settings {
     return v;
   }
 
+  /// Declares that an answer has no more contacts.
+  void most_contacts(unsigned long count) { manifold_ = {{"most", static_cast<double>(count)}}; }
+  [[nodiscard]] const std::map<std::string, double>& manifold() const { return manifold_; }
+
   /// Lists what cannot be changed.
   void note(const std::string& key, const std::string& text) { told_[key] = text; }
 
@@ -167,6 +171,7 @@ class Settings {
   }
 
   std::map<std::string, std::string> given_, told_;
+  std::map<std::string, double> manifold_;
 };
 
 // ---- programs ----
@@ -178,6 +183,7 @@ struct Mode {
   std::string depth = "positive";     ///< the sign of the depth of bodies that overlap: "positive" or "negative"
   std::string moves = "a";            ///< the body that |depth| * direction moves apart
   bool faces = false;                 ///< whether it needs faces
+  std::string claims = "minimum";     ///< what a depth with a direction means
   std::vector<std::string> shapes{};  ///< that it takes by name, and "margin" if any of them may have one
   std::function<Solver(Settings&)> make;
 };
@@ -230,8 +236,10 @@ inline int run(const Program& program, int argc, char** argv) {
     subject.depth = mode->depth;
     subject.moves = mode->moves;
     subject.faces = mode->faces;
+    subject.claims = mode->claims;
     subject.shapes = mode->shapes;
     subject.settings = settings.in_force();
+    subject.manifold = settings.manifold();
     subject.library = program.library;
     subject.axis = 'z';
     subject.timed = false;

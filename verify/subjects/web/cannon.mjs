@@ -38,7 +38,8 @@ function contact(a, b) {
   const axis = axisOf(a, b), points = [];
   if (!axis) return { overlap: false };
   a.hull.clipAgainstHull(a.at, a.turn, b.hull, b.at, b.turn, axis, -100, 100, points);
-  const contacts = points.map((p) => ({ position: p.point.toArray(), depth: p.depth * p.normal.dot(axis) })).filter(({ depth }) => depth >= 0);
+  const contacts = points.map((p) => ({ position: p.point.vsub(p.normal.scale(p.depth)).toArray(), depth: p.depth * p.normal.dot(axis) }))
+    .filter(({ depth }) => depth >= 0);
   if (contacts.length === 0) return { overlap: false };
   return { overlap: true, depth: Math.max(...contacts.map(({ depth }) => depth)), direction: axis.toArray(),
            ...(tellsPositions ? { contacts } : {}) };
@@ -50,7 +51,8 @@ await serve({
   name: 'cannon', version: versionOf('cannon-es'), precision: 'binary64',
   modes: {
     sat: { ...conventions, call: 'ConvexPolyhedron.findSeparatingAxis, testSepAxis', ask: sat },
-    contact: { ...conventions, claims: 'separating', call: 'ConvexPolyhedron.findSeparatingAxis, clipAgainstHull', ask: contact },
+    contact: { ...conventions, claims: 'separating', call: 'ConvexPolyhedron.findSeparatingAxis, clipAgainstHull', ask: contact,
+               manifold: tellsPositions && {} },
   },
   make(body) {
     const hull = body.shape ? new C.Box(new C.Vec3(...body.half)).convexPolyhedronRepresentation : polyhedron(body);

@@ -86,6 +86,12 @@ export function quaternionOf([[a, b, c], [d, e, f], [g, h, i]]) {
   return unit(q);
 }
 
+/** The vector that a unit quaternion [w, x, y, z] turns v to. */
+export function turned([w, x, y, z], v) {
+  const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
+  return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
+}
+
 function unit(q) {
   const largest = Math.max(...q.map(Math.abs));
   const scaled = q.map((x) => x / largest), length = Math.hypot(...scaled);
@@ -125,8 +131,8 @@ export const turnFrom = (body, axis) => product(body.turn, turnOfAxis(axis, body
  * Answers cases with one mode of an engine.
  *
  * name, version, precision  as in the hello
- * modes                     for each mode { call, depth, moves, unit, claims, shapes, ask(a, b) }: the conventions, and what it answers for
- *                           two made bodies
+ * modes                     for each mode { call, depth, moves, unit, claims, shapes, manifold, ask(a, b) }: the conventions, and what it
+ *                           answers for two made bodies
  * make(body)                what the engine makes of a placed body. Throws Refused where it makes no hull of the points
  * free(made)                gives it back
  * hulls(a, b)               { a, b }: the vertices of the hulls that the engine uses of two made bodies, in the world; undefined of a shape
@@ -139,7 +145,7 @@ export async function serve({ name, version, precision, modes, make, free = () =
   if (given.size) refuse(`${[...given.keys()].join(', ')}: no such setting (there are ${Object.keys(inForce).join(', ')})`);
   note('call', own.call);
   note('centre', 'mean of the vertices');
-  const { depth, moves, unit: isUnit = true, claims, shapes = [] } = own;
+  const { depth, moves, unit: isUnit = true, claims, shapes = [], manifold: limits } = own;
   const round = (precision.points ?? precision) === 'binary32' ? Math.fround : (x) => x;
 
   const solve = (a, b) => {
@@ -164,7 +170,8 @@ export async function serve({ name, version, precision, modes, make, free = () =
       for (const body of made) free(body);
     }
   };
-  await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce });
+  await run(solve, { name: `${name}-${mode}`, version, precision, depth, moves, unit: isUnit, claims, faces: true, shapes, settings: inForce,
+                     manifold: limits || undefined });
 }
 
 const hullMember = (hull) => (hull.a || hull.b ? { hull } : {});
@@ -188,14 +195,16 @@ export function nearest(separations) {
 }
 
 /**
- * What a manifold answers: its deepest point, { depth, direction, position } with depths below 0; if it is to tell positions, also all that
- * overlap along the same direction; or that there is no overlap.
+ * What a manifold answers: its deepest point, { depth, direction, position } with depths below 0; if it is to tell positions, also all
+ * others, those that are still to come among them; or that there is no overlap. Answers have one direction: normals that differ by rounding
+ * alone count as the deepest's, and a manifold with others is not told.
  */
 export function manifold(points, tellsPositions = false) {
-  const found = points.filter(({ depth }) => depth <= 0);
-  if (found.length === 0) return { overlap: false };
-  const { depth, direction } = found.reduce((best, each) => (best.depth <= each.depth ? best : each));
-  const isAlong = (each) => each.direction.every((x, k) => x === direction[k]);
-  const contacts = found.filter(isAlong).map((each) => ({ position: each.position, depth: each.depth }));
-  return { overlap: true, depth, direction, ...(tellsPositions ? { contacts } : {}) };
+  const rounding = 1e-5;
+  if (!points.some(({ depth }) => depth <= 0)) return { overlap: false };
+  const { depth, direction } = points.reduce((best, each) => (best.depth <= each.depth ? best : each));
+  if (!tellsPositions) return { overlap: true, depth, direction };
+  const isAlong = (each) => each.direction.every((x, k) => Math.abs(x - direction[k]) <= rounding);
+  if (!points.every(isAlong)) throw new Unsupported('contacts along several normals');
+  return { overlap: true, depth, direction, contacts: points.map((each) => ({ position: each.position, depth: each.depth })) };
 }

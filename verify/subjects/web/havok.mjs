@@ -4,7 +4,7 @@
 import HavokPhysics from '@babylonjs/havok';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { nearest, note, quiet, Refused, serve, setting } from './engine.mjs';
+import { nearest, note, quiet, Refused, serve, setting, turned } from './engine.mjs';
 
 const binary = createRequire(import.meta.url).resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm');
 const H = await HavokPhysics({ ...quiet, wasmBinary: readFileSync(binary) });  // it would fetch a file: address, which node cannot
@@ -42,12 +42,6 @@ function primitive({ shape, axis, radius: r, half_length: h, half }) {
   }
 }
 
-// Points on A come in the frame of A.
-function turned([w, x, y, z], v) {
-  const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])];
-  return [v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2], v[2] + w * t[2] + x * t[1] - y * t[0]];
-}
-
 function ask(a, b) {
   ok(H.HP_World_AddBody(world, b.body, false), 'HP_World_AddBody');
   b.isAdded = true;
@@ -56,7 +50,7 @@ function ask(a, b) {
   const contacts = [];
   for (let i = 0; i < ok(H.HP_QueryCollector_GetNumHits(collector), 'HP_QueryCollector_GetNumHits'); ++i) {
     const [depth, onA, onB] = ok(H.HP_QueryCollector_GetShapeProximityResult(collector, i), 'HP_QueryCollector_GetShapeProximityResult');
-    const [x, y, z, w] = a.turn;
+    const [x, y, z, w] = a.turn;  // points on A come in its frame
     contacts.push({ depth, direction: onB[4], witness: { a: turned([w, x, y, z], onA[3]).map((c, k) => c + a.at[k]), b: onB[3] } });
   }
   return nearest(contacts);

@@ -13,6 +13,7 @@ const tolerance = setting('ccd_tolerance', 1e-6);
 const iterations = setting('ccd_iterations', 35);
 const farthest = mode === 'distance' ? setting('distmax', 1e9) : 0;
 const tellsPositions = mode !== 'distance' && setting('positions', 0) !== 0;
+const limits = tellsPositions && { most: setting('most', 50) };  // mjMAXCONPAIR; of meshes it keeps four
 note('multiccd', mode === 'single' ? 'disable' : 'default');
 note('nativeccd', mode === 'libccd' ? 'disable' : 'enable');
 const flags = `nativeccd="${mode === 'libccd' ? 'disable' : 'enable'}"${mode === 'single' ? ' multiccd="disable"' : ''}`;
@@ -112,9 +113,9 @@ let first = null;
 await serve({
   name: 'mujoco', version: M.mj_versionString(), precision: { points: 'binary32', answers: 'binary64' },
   modes: {
-    native: { ...conventions, claims: 'separating', call: 'mj_collision', ask: (a, b) => contacts(b) },
-    single: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
-    libccd: { ...conventions, call: 'mj_collision', ask: (a, b) => contacts(b) },
+    native: { ...conventions, claims: 'separating', call: 'mj_collision', manifold: limits, ask: (a, b) => contacts(b) },
+    single: { ...conventions, call: 'mj_collision', manifold: limits, ask: (a, b) => contacts(b) },
+    libccd: { ...conventions, call: 'mj_collision', manifold: limits, ask: (a, b) => contacts(b) },
     distance: { ...conventions, call: 'mj_geomDistance', ask: (a, b) => distance(b) },
   },
   make(body) {

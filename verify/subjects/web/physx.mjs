@@ -151,7 +151,8 @@ function scene() {
     }
     return manifold(found, tellsPositions);
   };
-  return { ...conventions, claims: 'separating', call: 'PxScene.simulate, PxContactPair.extractContacts', ask };
+  return { ...conventions, claims: 'separating', call: 'PxScene.simulate, PxContactPair.extractContacts', ask,
+           manifold: tellsPositions && { most: 4 } };
 }
 
 const modes = { gjk, sweep, scene };
