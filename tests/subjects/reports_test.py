@@ -18,7 +18,7 @@ from client import ROOT
 REPORTS = ROOT / "verify" / "reports"
 FATHOM = os.environ["FATHOM_EXECUTABLE"]
 BUILT = pathlib.Path(os.environ["FATHOM_SUBJECTS"])
-ROW = re.compile(r"^\| \[([\w-]+)\]\(\1/README\.md\) \| (\S+) (\S+) \| ([\w-]+) \| ([\w-]+) \|$", re.MULTILINE)
+ROW = re.compile(r"^\| \[([\w-]+)\]\(\1/README\.md\) \| (\S+) (\S+) \| ([\w,=-]+) \| ([\w-]+) \|$", re.MULTILINE)
 TABLE = {name: (library, version, adapter, verdict)
          for name, library, version, adapter, verdict in ROW.findall((REPORTS / "README.md").read_text(encoding="utf-8"))}
 PACKAGES = {"libccd": ("ccd", "libccd-dev"), "Bullet": ("bullet", "libbullet-dev"), "FCL": ("fcl", "libfcl-dev")}
@@ -54,7 +54,7 @@ def missing(name):
 class Proofs(unittest.TestCase):
     def test_folders(self):
         self.assertEqual(sorted(TABLE), sorted(path.name for path in REPORTS.iterdir() if path.is_dir()))
-        self.assertEqual(len(TABLE), 10)
+        self.assertEqual(len(TABLE), 11)
         for name in TABLE:
             with self.subTest(name):
                 files = sorted(path.name for path in (REPORTS / name).iterdir())
