@@ -16,11 +16,13 @@ SURVEY = ROOT / "verify" / "survey"
 FATHOM = os.environ["FATHOM_EXECUTABLE"]
 PATIENCE = 600  # seconds until a hung run is given up
 sys.path.insert(0, str(SURVEY))
+import contacts  # noqa: E402
 import sets  # noqa: E402
 
 LIBRARIES = ("libccd", "fcl", "bullet", "bullet64", "ode")
 COUNT, PRIMITIVES = 92, 70
 CASES = {"real": 63, "shapes": 63, "20": COUNT, "primitives": PRIMITIVES}
+CONTACTS = {"boxes": 100, "real-boxes": 47}
 
 
 def run(program, *arguments):
@@ -59,7 +61,7 @@ class Survey(unittest.TestCase):
         listed = subprocess.run([FATHOM, "certify", "--list-adapters"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
         there = [line.split()[0] for line in listed if not line.endswith("; not built")]
         chosen = [name for name in there if name.split("-")[0] in LIBRARIES] + [name for name in there if name == "jolt"]
-        cls.words = ["--adapters", ",".join(chosen), "--sets", ",".join(CASES), "--count", f"20={COUNT}", "--count",
+        cls.words = ["--adapters", ",".join(chosen), "--sets", ",".join([*CASES, *CONTACTS]), "--count", f"20={COUNT}", "--count",
                      f"primitives={PRIMITIVES}", "--as-by-default", "--work", cls.folder / "work", "--out", cls.out]
         done = run("survey.py", *cls.words)
         cls.talk, cls.adapters = done.stderr, chosen
@@ -74,7 +76,8 @@ class Survey(unittest.TestCase):
                 counted = sum(count for cell in found["cells"].values() for count in cell["n"].values())
                 self.assertEqual((found["cases"], sum(found["groups"].values()), counted, len(found["outcomes"])), (cases,) * 4)
                 self.assertGreaterEqual(found["alone"], found["groups"]["right"], subject["adapter"])
-        runs = len(CASES) * len(self.adapters)
+        manifolds = [adapter for adapter in sets.OF_BOXES if adapter in self.adapters]
+        runs = len(CASES) * len(self.adapters) + len(CONTACTS) * len(sets.TOLERANCES) * len(manifolds)
         self.assertIn(f"survey: {runs} of {runs}: ", self.talk)
 
     def test_committed(self):
@@ -98,6 +101,28 @@ class Survey(unittest.TestCase):
                     self.assertEqual(now, {case: then[case] for case in now}, f"{subject['adapter']} on {name}")
                     compared += len(now)
         self.assertGreater(compared, 0)
+
+    def test_committed_contacts(self):
+        """The same of contacts, count by count: of boxes each library that is here answers several, at both tolerances."""
+        committed, compared = json.loads((SURVEY / "results.json").read_text())["contacts"], 0
+        for name, cases in CONTACTS.items():
+            found, known = self.results["contacts"][name], committed[name]
+            self.assertEqual((found["cases"], found["digest"], found["command"]), (cases, known["digest"], known["command"]))
+            for adapter, subject in found["subjects"].items():
+                self.assertGreater(subject["told"], cases * 3 / 4)
+                if subject["version"] == known["subjects"][adapter]["version"]:
+                    compared += 1
+                    for field in ("manifold", "told", "found", "first"):
+                        self.assertEqual(subject[field], known["subjects"][adapter][field], f"{adapter} on {name}")
+        self.assertGreater(compared, 0)
+
+    def test_along(self):
+        """Extent is counted of answers along a shortest way out, whichever body moves."""
+        fault = {"finding": "misses-extent", "sentence": "", "missed": [{"direction": ["3", "0", "4"]}, {"direction": ["0", "2", "0"]}]}
+        for direction, moves, counted in (([0.6, 0, 0.8], "a", True), ([0, -2, 0.01], "b", True), ([0, -1, 0], "a", False),
+                                          ([1, 0, 0], "a", False)):
+            outcome = {"reply": {"direction": direction}, "contact_faults": [fault]}
+            self.assertEqual(bool(contacts.findings_of(outcome, moves)), counted, direction)
 
     def all_cases(self, name):
         """The ids of the cases that the committed results are about."""

@@ -6,6 +6,7 @@ import hashlib
 import json
 import pathlib
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PRIMITIVES = ("spheres", "capsules", "capsule_box", "rounded_boxes", "cylinders", "cones", "ellipsoids")
@@ -19,6 +20,8 @@ class Set:
     size: int = 20         # points a body
     families: tuple = ()   # generated one after another; empty: all in turn
     file: str = ""         # of cases that are there
+    program: str = ""      # of this folder, with its words, that prints the cases
+    manifolds: dict = dataclasses.field(default_factory=dict)  # {adapter: KEY=VALUE,...} of those whose contacts are asked for
 
     @property
     def by_case(self):
@@ -29,6 +32,8 @@ class Set:
         """The command lines that print the cases."""
         if self.file:
             return [["cat", self.file]]
+        if self.program:
+            return [self.program.split()]
         each = self.count // len(self.families) if self.families else self.count
         return [["fathom", "cases", "--family", family, "--count", str(each), *self.of_points(), "--seed", "1"]
                 for family in self.families or ("all",)]
@@ -57,6 +62,24 @@ SETS = {
     "primitives": Set("Primitives", "Spheres, capsules, boxes, cylinders, cones and ellipsoids by name, to subjects that have them; many "
                       "pairs are shallow, touching or special by intent.", count=1400, families=PRIMITIVES),
 }
+
+# What is asked for whole manifolds: engines about hulls, and all about their own boxes, of which FCL, ODE and Bullet make several contacts.
+OF_HULLS = {"jolt-world": "positions=1", "rapier-world": "positions=1", "physx-scene": "positions=1", "mujoco-native": "positions=1,most=4",
+            "cannon-contact": "positions=1"}
+OF_BOXES = {"fcl-collide": "positions=1,num_max_contacts=4", "bullet-world": "positions=1", "bullet64-world": "positions=1",
+            "ode-collide": "positions=1", **OF_HULLS, "mujoco-native": "positions=1"}
+FACES = ("faces_parallel", "faces_tilted_hair", "faces_tilted_slightly", "faces_tilted")
+CONTACTS = {
+    "faces": Set("Faces on faces, hulls", "Boxes, prisms and hulls of which a face lies in part in a face of the other, exactly parallel or "
+                 "tilted by 1e-9, 1e-4 and 0.01.", count=400, families=FACES, manifolds=OF_HULLS),
+    "boxes": Set("Faces on faces, boxes", "A box on a box, as the libraries' own boxes, at the same tilts.",
+                 program="verify/survey/boxes.py tilted", manifolds=OF_BOXES),
+    "real-boxes": Set("Real cases of boxes", "The 47 real cases of two boxes, as the libraries' own.",
+                      program="verify/survey/boxes.py real", manifolds=OF_BOXES),
+}
+ALL = {**SETS, **CONTACTS}
+# Of contacts: as usual, and so that only what is wrong by a thousandth of the body counts.
+TOLERANCES = ("1/1000000", "1/1000")
 
 # The sets that are put to subjects with other settings too, and the sizes that bodies then get: as given, or as `certify --fit` makes them.
 TRIED_SETS = ("real", "shapes")
@@ -107,8 +130,10 @@ def make(chosen, fathom, path):
         for words in chosen.commands():
             if words[0] == "fathom":
                 subprocess.run([fathom, *words[1:]], stdout=file, check=True)
-            else:
+            elif words[0] == "cat":
                 file.write((ROOT / words[1]).read_bytes())
+            else:
+                subprocess.run([sys.executable, "-B", ROOT / words[0], *words[1:]], stdout=file, check=True)
 
 
 def read_cases(path):

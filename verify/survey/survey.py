@@ -17,6 +17,7 @@ import subprocess
 import sys
 import time
 
+import contacts
 import sets
 import tally
 
@@ -60,15 +61,17 @@ class Task:
     settings: str = ""   # KEY=VALUE,... of the adapter
     fit: str = ""        # of certify, as its policy is
     policy: str = ""
+    tolerance: str = ""  # --tol-abs
 
     @property
     def report(self):
-        other = "".join(f".{text}" for text in (self.settings, self.fit and f"fit{self.fit}", self.policy) if text)
-        return f"{self.name}.{self.adapter}{other.replace(':', '_')}.jsonl"
+        other = "".join(f".{text}" for text in (self.settings, self.fit and f"fit{self.fit}", self.policy, self.tolerance) if text)
+        return f"{self.name}.{self.adapter}{other.replace(':', '_').replace('/', '_')}.jsonl"
 
     def words(self):
         found = ["--adapter", ",".join([self.adapter, *filter(None, [self.settings])])]
-        return found + ["--fit", self.fit] * bool(self.fit) + ["--policy", self.policy] * bool(self.policy)
+        return found + ["--fit", self.fit] * bool(self.fit) + ["--policy", self.policy] * bool(self.policy) + \
+            ["--tol-abs", self.tolerance] * bool(self.tolerance)
 
 
 class Progress:
@@ -145,13 +148,36 @@ def tried(options, chosen, counts):
             for settings in ["", *sets.TRIED.get(adapter, [])] for fit in sets.FITS if settings or fit]
 
 
+def of_contacts(options, chosen, counts):
+    """Whole manifolds, at each tolerance."""
+    return [Task(name, adapter, counts[name], words, tolerance=tolerance) for name in options.sets if name in sets.CONTACTS
+            for adapter, words in sets.CONTACTS[name].manifolds.items() if adapter in chosen for tolerance in sets.TOLERANCES]
+
+
+def counted_contacts(options, manifolds, version, old):
+    """The sets of contacts, those that were not asked again as they were."""
+    found = {name: old[name] for name in sets.CONTACTS if name in old}
+    for name in sets.CONTACTS:
+        asked = [task for task in manifolds if task.name == name]
+        if not asked:
+            continue
+        told = contacts.set_of(name, options.work / f"{name}.jsonl")
+        subjects = found.get(name, {}).get("subjects", {})
+        for adapter in dict.fromkeys(task.adapter for task in asked):
+            reports = {task.tolerance: options.work / task.report for task in asked if task.adapter == adapter}
+            made = {"date": datetime.date.today().isoformat(), "fathom": version, "cases": told["digest"]}
+            subjects[adapter] = contacts.answers_of(reports, made)
+        found[name] = {**told, "subjects": {adapter: subjects[adapter] for adapter in sets.CONTACTS[name].manifolds if adapter in subjects}}
+    return {name: found[name] for name in sets.CONTACTS if name in found}
+
+
 def before(path):
     """The results that are there; parts that are not run again stay as they are."""
     if path.exists():
         found = json.loads(path.read_text(encoding="utf-8"))
         if found.get("schema") == SCHEMA:
             return found
-    return {"sets": {}, "subjects": []}
+    return {"sets": {}, "contacts": {}, "subjects": []}
 
 
 def passed_of(report):
@@ -159,13 +185,14 @@ def passed_of(report):
     return summary["passed"]
 
 
-def results(options, there, tasks, others):
+def results(options, there, tasks, others, manifolds):
     """What the reports say, and of what was not run what was there before."""
     version = subprocess.run([options.fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()[0].strip()
     old, today = before(options.out / "results.json"), datetime.date.today().isoformat()
     found = {"schema": SCHEMA, "time_out": options.time_out, "groups": list(tally.GROUPS), "tolerance": old.get("tolerance"),
              "sets": {name: tally.set_of(name, options.work / f"{name}.jsonl") if name in options.sets else old["sets"][name]
-                      for name in sets.SETS if name in options.sets or name in old["sets"]}}
+                      for name in sets.SETS if name in options.sets or name in old["sets"]},
+             "contacts": counted_contacts(options, manifolds, version, old.get("contacts", {}))}
     subjects = {subject["adapter"]: subject for subject in old["subjects"]}
     for task in tasks:
         subject = subjects.setdefault(task.adapter, {"adapter": task.adapter, "tried": [], "sets": {}})
@@ -193,7 +220,7 @@ def parsed(words):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--fathom", default=str(sets.ROOT / "fathom"), help="the program; this project's launcher unless given")
     parser.add_argument("--adapters", type=lambda text: text.split(","), help="these alone, with commas")
-    parser.add_argument("--sets", type=lambda text: text.split(","), default=list(sets.SETS), help="of " + ", ".join(sets.SETS))
+    parser.add_argument("--sets", type=lambda text: text.split(","), default=list(sets.ALL), help="of " + ", ".join(sets.ALL))
     parser.add_argument("--count", action="append", default=[], metavar="SET=N", help="so many cases of a set that is generated")
     parser.add_argument("--time-out", type=float, default=30, help="seconds for each case; generous, as engines compile when they start")
     parser.add_argument("--work", type=pathlib.Path, default=sets.ROOT / "build" / "survey", help="keeps cases and reports")
@@ -203,12 +230,12 @@ def parsed(words):
     options = parser.parse_args(words)
     for text in options.count:
         name, _, count = text.partition("=")
-        if name not in sets.SETS or sets.SETS[name].file or not count.isdecimal():
+        if name not in sets.ALL or not sets.ALL[name].count or not count.isdecimal():
             parser.error(f"--count expects SET=N with a set that is generated, found {text}")
-        sets.SETS[name].count = int(count)
+        sets.ALL[name].count = int(count)
     for name in options.sets:
-        if name not in sets.SETS:
-            parser.error(f"there is no set {name} (expected {', '.join(sets.SETS)})")
+        if name not in sets.ALL:
+            parser.error(f"there is no set {name} (expected {', '.join(sets.ALL)})")
     return parser, options
 
 
@@ -223,18 +250,19 @@ def main(words=None):
     for folder in (options.work, options.out):
         folder.mkdir(parents=True, exist_ok=True)
     for name in options.sets:
-        sets.make(sets.SETS[name], options.fathom, options.work / f"{name}.jsonl")
+        sets.make(sets.ALL[name], options.fathom, options.work / f"{name}.jsonl")
     counts = {name: len(sets.read_cases(options.work / f"{name}.jsonl")) for name in options.sets}
-    tasks = [Task(name, adapter, counts[name]) for name in options.sets for adapter in chosen]
+    tasks = [Task(name, adapter, counts[name]) for name in options.sets if name in sets.SETS for adapter in chosen]
+    manifolds = of_contacts(options, chosen, counts)
     others = [] if options.as_by_default else tried(options, chosen, counts)
-    faults = run_all(options, [*tasks, *others])
+    faults = run_all(options, [*tasks, *others, *manifolds])
     if not faults:
         faults = run_all(options, [held for task in tasks if (held := as_minimum(task, options)) != task])
     for fault in faults:
         say(fault)
     if faults:
         return 3
-    found = results(options, there, tasks, others)
+    found = results(options, there, tasks, others, manifolds)
     (options.out / "results.json").write_text(tally.text(found), encoding="utf-8")
     return 0
 

@@ -13,6 +13,7 @@ import sys
 import tempfile
 import textwrap
 
+import contacts
 import sets
 import tally
 
@@ -39,7 +40,8 @@ that it lacks. Each case had {time_out:g} s.
 {best_legend}
 
 {best}
-{sections}"""
+{sections}
+{contacts}"""
 
 SECTION = """## {title}
 
@@ -51,6 +53,30 @@ worst are in parts of the largest coordinate. Times are those of the query alone
 
 {groups}
 {errors}"""
+
+CONTACTS = """## Contacts
+
+Whole manifolds, each contact by itself and all together, as [VERDICTS.md](../judge/VERDICTS.md#contacts) says: a contact is outside \
+where no
+line along the answer's normal near it meets both bodies, too deep or too shallow where along all of them the bodies overlap less, or more;
+together they are to reach as far as the bodies touch after the shortest way out. How many answers have such a finding: with the usual
+tolerance, and where positions and depths may be wrong by a thousandth of the longer side. `most`: so many contacts an answer has at most,
+as the subject declares; it may then leave out what the best choice of so many leaves out. Answers along a normal that is no shortest way
+out are not asked how far they reach. [README.md](README.md#contacts) says what follows from these numbers, and what does not.
+
+{made}
+
+{sections}"""
+CONTACTS_SECTION = """### {title}
+
+    {command}
+
+{about} {cases} cases.
+
+{counts}
+The first case of each, with the sentence; at a thousandth of the longer side, where there is one:
+
+{firsts}"""
 
 LEGEND = ("`bits`: of the numbers, 32 or 64 (32/64: of points and answers); `settings`: what decides, as by default. `judged`: what the "
           "answers hold besides the status, and are judged by: d the depth, n the direction, p points on both bodies, g the distance of "
@@ -100,18 +126,26 @@ def judged(subject, name):
 
 def made(results, names, today):
     """When the answers of these sets were given, and whether they are about the cases of today."""
-    of_date, older = {}, []
-    for name in names:
-        for subject in results["subjects"]:
-            if found := subject["sets"].get(name):
-                who = of_date.setdefault((found["made"]["date"], found["made"]["fathom"]), {}).setdefault(name, [])
-                who.append(subject["adapter"])
-                if found["made"]["cases"] != today[name] and name not in older:
-                    older.append(name)
-    parts = []
+    return dates({name: {subject["adapter"]: found["made"] for subject in results["subjects"] if (found := subject["sets"].get(name))}
+                  for name in names}, today)
+
+
+def dates(answered, today):
+    """The same of {set: {subject: made}}, the newest first."""
+    of_date, older = {}, [name for name, who in answered.items() if any(each["cases"] != today[name] for each in who.values())]
+    for name, subjects in answered.items():
+        for subject, each in subjects.items():
+            of_date.setdefault((each["date"], each["fathom"]), {}).setdefault(name, []).append(subject)
+    parts, told = [], set()
     for (date, fathom), found in sorted(of_date.items(), reverse=True):
-        named = [name if len(who) == sum(name in s["sets"] for s in results["subjects"]) else f"{name} of {', '.join(who)}"
-                 for name, who in found.items()]
+        of_subjects = {}
+        for name, who in found.items():
+            some = ", ".join(who) if len(who) < len(answered[name]) else ""
+            if some and name in told and sum(name in other for other in of_date.values()) == 2:
+                some = "the others"
+            of_subjects.setdefault(some, []).append(name)
+            told.add(name)
+        named = [", ".join(names) + f" of {some}" if some else "; ".join(names) for some, names in of_subjects.items()]
         parts.append(f"{date}, by {fathom}: {'; '.join(named)}.")
     note = f" The commands make other cases by now than were answered in: {', '.join(older)}." if older else ""
     return "Answered on " + " Answered on ".join(parts) + note
@@ -252,12 +286,20 @@ def errors_table(results, name):
                   "worst us"], rows)
 
 
+def contacts_page(results, today):
+    found = results["contacts"]
+    answered = {name: {adapter: subject["made"] for adapter, subject in each["subjects"].items()} for name, each in found.items()}
+    return CONTACTS.format(made=dates(answered, today), sections="\n".join(CONTACTS_SECTION.format(
+        **each, counts=table(*contacts.rows_of(each)), firsts=table(["subject", "finding", "case", "what is wrong"], contacts.firsts(each)))
+        for each in found.values()))
+
+
 def page(results, today):
     sections = [SECTION.format(**found, groups=groups_table(results, name), errors=errors_table(results, name))
                 for name, found in results["sets"].items()]
     return PAGE.format(made=made(results, results["sets"], today), time_out=results["time_out"], legend=LEGEND, best_legend=BEST_LEGEND,
                        subjects=subjects_table(results["subjects"]), real=table(*real_table(results)), best=table(*best_table(results)),
-                       sections="\n".join(sections))
+                       sections="\n".join(sections), contacts=contacts_page(results, today))
 
 
 def blocks(results, today):
@@ -294,7 +336,7 @@ def digests(fathom, names):
     with tempfile.TemporaryDirectory() as folder:
         path, found = pathlib.Path(folder) / "cases.jsonl", {}
         for name in names:
-            sets.make(sets.SETS[name], fathom, path)
+            sets.make(sets.ALL[name], fathom, path)
             found[name] = sets.digest(path)
     return found
 
@@ -305,7 +347,7 @@ def main(words=None):
     parser.add_argument("--check", action="store_true", help="write nothing; name the pages that are older than the results")
     options = parser.parse_args(words)
     results = json.loads(pathlib.Path(__file__).with_name("results.json").read_text(encoding="utf-8"))
-    old = [(path, text) for path, text in pages(results, digests(options.fathom, results["sets"])).items()
+    old = [(path, text) for path, text in pages(results, digests(options.fathom, [*results["sets"], *results["contacts"]])).items()
            if text != path.read_text(encoding="utf-8")]
     for path, text in old:
         print(f"tables: {path.relative_to(sets.ROOT)}" + (" is older than the results" if options.check else ""), file=sys.stderr)

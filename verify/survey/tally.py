@@ -155,7 +155,7 @@ def summary(lines, unit_roundoff, by_case, as_minimum):
 
 def set_of(name, path):
     """A set as the results hold it: its command, its cases, and how many a row of its tables has."""
-    chosen, cases = sets.SETS[name], sets.read_cases(path)
+    chosen, cases = sets.ALL[name], sets.read_cases(path)
     rows = collections.Counter(case if chosen.by_case else family_of(case) for case in cases)
     return {"title": chosen.title, "about": chosen.about, "command": chosen.command(), "cases": len(cases), "digest": sets.digest(path),
             "by_case": chosen.by_case, "rows": dict(sorted(rows.items()) if not chosen.by_case else rows)}
@@ -169,12 +169,17 @@ def answers_of(report, as_minimum, made, by_case):
     return hello, lines[0]["tolerance"], {"made": made, **summary(lines, unit_roundoff, by_case, read(as_minimum))}
 
 
+def compact(values):
+    """An object of JSON with a line for each of its values."""
+    return "{\n  " + ",\n  ".join(f"{json.dumps(name)}:{json.dumps(found, separators=(',', ':'))}" for name, found in values.items()) + "}"
+
+
 def text(results_):
     """JSON with a line for each set of each subject: compact, and a change is a few lines of a difference."""
-    subjects = []
-    for subject in results_["subjects"]:
-        head = json.dumps({key: value for key, value in subject.items() if key != "sets"})[:-1]
-        each = ",\n  ".join(f"{json.dumps(name)}:{json.dumps(found, separators=(',', ':'))}" for name, found in subject["sets"].items())
-        subjects.append(f'{head}, "sets": {{\n  {each}}}}}')
-    head = json.dumps({key: value for key, value in results_.items() if key != "subjects"}, indent=1)[:-2]
-    return f'{head},\n "subjects": [\n' + ",\n".join(subjects) + "\n]}\n"
+    def with_lines(values, key):
+        head = json.dumps({name: value for name, value in values.items() if name != key})[:-1]
+        return f'{head}, "{key}": {compact(values[key])}}}'
+    subjects = [with_lines(subject, "sets") for subject in results_["subjects"]]
+    contacts = [f"{json.dumps(name)}: {with_lines(found, 'subjects')}" for name, found in results_["contacts"].items()]
+    head = json.dumps({key: value for key, value in results_.items() if key not in ("subjects", "contacts")}, indent=1)[:-2]
+    return f'{head},\n "contacts": {{\n' + ",\n".join(contacts) + '},\n "subjects": [\n' + ",\n".join(subjects) + "\n]}\n"

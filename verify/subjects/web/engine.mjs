@@ -201,8 +201,9 @@ export function nearest(separations) {
  */
 export function manifold(points, tellsPositions = false) {
   const rounding = 1e-5;
-  if (!points.some(({ depth }) => depth <= 0)) return { overlap: false };
-  const { depth, direction } = points.reduce((best, each) => (best.depth <= each.depth ? best : each));
+  const found = points.filter(({ depth }) => depth <= 0);
+  if (found.length === 0) return { overlap: false };
+  const { depth, direction } = found.reduce((best, each) => (best.depth <= each.depth ? best : each));
   if (!tellsPositions) return { overlap: true, depth, direction };
   const isAlong = (each) => each.direction.every((x, k) => Math.abs(x - direction[k]) <= rounding);
   if (!points.every(isAlong)) throw new Unsupported('contacts along several normals');

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The contacts that subjects answer, counted: "contacts" of results.json, and its tables.
+
+Of each set, a subject has `found`: for each tolerance and each family how many answers have a finding of VERDICTS.md, and `first`, for each
+finding the first case that has it at the wider tolerance, or else at the usual one, with the sentence. An answer may have several. Whether
+contacts reach as far as the bodies touch is counted of answers along a shortest way out: about others the patch says nothing.
+"""
+import collections
+import math
+
+import sets
+import tally
+
+FINDINGS = ("contact-outside", "contact-too-deep", "contact-too-shallow", "misses-extent", "tips")
+WHOLE = ("misses-extent", "tips")  # about all contacts of an answer
+NEARLY = math.cos(math.radians(1))
+USUAL, WIDE = sets.TOLERANCES
+TILTS = {"parallel": "0", "tilted_hair": "1e-9", "tilted_slightly": "1e-4", "tilted": "0.01"}
+
+
+def along(outcome, fault, moves):
+    """Whether the answer's direction is that of a patch that was missed, to a degree."""
+    sign = {"a": 1, "b": -1}[moves]
+    v = [sign * float(x) for x in outcome["reply"]["direction"]]
+    for missed in fault["missed"]:
+        n = [float(int(x)) for x in missed["direction"]]
+        if sum(x * y for x, y in zip(v, n)) >= NEARLY * math.hypot(*v) * math.hypot(*n):
+            return True
+    return False
+
+
+def findings_of(outcome, moves):
+    """{finding: the sentence of the first} of an outcome."""
+    found = {}
+    for fault in outcome.get("contact_faults", []):
+        if fault["finding"] not in WHOLE or along(outcome, fault, moves):
+            found.setdefault(fault["finding"], fault["sentence"])
+    return found
+
+
+def summary(lines):
+    """(how many answers had contacts, {family: {finding: count}}, {finding: [case, sentence]}) of a report."""
+    moves, told, counts, first = lines[0]["subject"]["conventions"]["moves"], 0, {}, {}
+    for outcome in tally.outcomes_of(lines):
+        told += bool(outcome.get("reply", {}).get("contacts"))
+        for finding, sentence in findings_of(outcome, moves).items():
+            counts.setdefault(tally.family_of(outcome["id"]), collections.Counter())[finding] += 1
+            first.setdefault(finding, [outcome["id"], sentence])
+    return told, {family: dict(each) for family, each in counts.items()}, first
+
+
+def answers_of(reports, made):
+    """A subject of a set, by its report at each tolerance."""
+    found, first = {}, {}
+    for tolerance in (USUAL, WIDE):
+        lines = tally.read(reports[tolerance])
+        told, found[tolerance], cases = summary(lines)
+        first.update(cases)
+    hello = lines[0]["subject"]
+    return {"made": made, "version": hello["version"], "manifold": hello.get("manifold", {}), "told": told, "found": found, "first": first}
+
+
+def set_of(name, path):
+    return {key: value for key, value in tally.set_of(name, path).items() if key != "by_case"}
+
+
+# ---- tables ----
+
+def count(found, finding, families=None):
+    return sum(each.get(finding, 0) for family, each in found.items() if families is None or family in families)
+
+
+def both(subject, finding, families=None):
+    """As usual, and of these what is left at the wider tolerance."""
+    usual, wide = (count(subject["found"][tolerance], finding, families) for tolerance in (USUAL, WIDE))
+    return f"{usual}, {wide}" if usual or wide else ""
+
+
+def rows_of(found):
+    """(head, rows) of a set: of faces with a column for each tilt, where contacts are to reach as far as the bodies touch."""
+    of_tilt = {family.partition("_")[2]: family for family in found["rows"]}
+    columns = [(f"misses extent, tilt {told}", [of_tilt[tilt]]) for tilt, told in TILTS.items() if tilt in of_tilt]
+    columns = columns or [("misses extent", None)]
+    head = ["subject", "most", "answers", "outside", "too deep", "too shallow", *(name for name, _ in columns), "tips"]
+    rows = []
+    for adapter, subject in found["subjects"].items():
+        rows.append([adapter, f"{most:g}" if (most := subject["manifold"].get("most")) else "", subject["told"],
+                     *(both(subject, finding) for finding in FINDINGS[:3]),
+                     *(both(subject, "misses-extent", families) for _, families in columns), both(subject, "tips")])
+    return head, rows
+
+
+def firsts(found):
+    return [[adapter, finding, case, sentence] for adapter, subject in found["subjects"].items()
+            for finding, (case, sentence) in sorted(subject["first"].items(), key=lambda each: FINDINGS.index(each[0]))]
