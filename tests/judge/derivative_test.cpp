@@ -24,7 +24,7 @@ namespace {
 using testing::cube;
 using testing::overlap;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double beyond = std::numeric_limits<double>::infinity();
 
 struct Question {
   Body a, b;
@@ -47,7 +47,7 @@ TEST(Derivative, PassesOnTheBorderAndFailsBeyond) {
   const double border = 1.0 / 512;
   for (const double sign : {1.0, -1.0}) {
     EXPECT_TRUE(cubes.passes(2 + sign * border));
-    EXPECT_FALSE(cubes.passes(std::nextafter(2 + sign * border, sign * infinity)));
+    EXPECT_FALSE(cubes.passes(std::nextafter(2 + sign * border, sign * beyond)));
   }
   cubes.tolerance = {0, mpq_class(1, 1024)};
   EXPECT_TRUE(cubes.passes(2 + border)) << "the larger one of both tolerances";
@@ -102,7 +102,7 @@ TEST(Derivative, SaysWhatAWrongClaimIsInstead) {
 
 TEST(Derivative, OfNoNumberAndOfWhatIsLeftOut) {
   const Question cubes{{cube(0)}, {cube(mpq_class(2, 5))}, {going({1, 0, 0}), {}}};
-  EXPECT_EQ(cubes.judged(infinity).sentence, "the derivative is inf");
+  EXPECT_EQ(cubes.judged(beyond).sentence, "the derivative is inf");
   Question curved{{}, {cube(0)}, {going({1, 0, 0}), {}}};
   curved.a.shape = fathom::cylinder(1, 1);
   EXPECT_EQ(curved.judged(7).left_out, "curved");
@@ -148,7 +148,7 @@ TEST_P(EveryFamilyDerivative, TheNearestNumberPassesAndTheNextButOneFails) {
     if (!judged.squared) continue;
     const double right = kernels::nearest_binary64({0, *judged.squared});
     EXPECT_TRUE(question.passes(right)) << pair.id;
-    for (const double end : {infinity, -infinity})
+    for (const double end : {beyond, -beyond})
       EXPECT_FALSE(question.passes(std::nextafter(std::nextafter(right, end), end))) << pair.id;
     if (right != 0) EXPECT_NE(question.judged(-right).sentence, "") << pair.id;
   }

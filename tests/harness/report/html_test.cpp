@@ -394,7 +394,7 @@ TEST(Junit, EachVerdictInItsPlace) {
     EXPECT_EQ(child(root, verdict), "error") << verdict;
   for (const std::string verdict : {"pass", "touching-by-convention"}) EXPECT_EQ(child(root, verdict), "") << verdict;
   EXPECT_EQ(child(root, "unsupported"), "skipped");
-  EXPECT_EQ(root.all("failure").size(), 18u);
+  EXPECT_EQ(root.all("failure").size(), 19u);
   for (const Element* failure : root.all("failure"))
     EXPECT_EQ((*failure)["type"], (*failure)["message"]) << "no sentence: the verdict";
 }
