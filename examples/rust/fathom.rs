@@ -47,6 +47,9 @@ struct FathomClaim {
     contact_count: usize,
     contact_positions: *const c_double,
     contact_depths: *const c_double,
+    has_manifold: c_int,
+    most_contacts: usize,
+    contact_margin: c_double,
 }
 
 #[repr(C)]

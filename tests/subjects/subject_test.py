@@ -107,7 +107,7 @@ class Hello(Conversation):
             self.assertRegex(hello["version"], r"\d\.\d")
             self.assertEqual(hello["precision"], "binary32" if PROGRAM == "bullet" else "binary64")
             self.assertEqual(set(hello["conventions"]), {"touching", "depth", "moves", "unit", "claims"})
-            self.assertEqual(set(hello["capabilities"]), {"faces", "shapes"})
+            self.assertEqual(set(hello["capabilities"]), {"faces", "shapes", "twist"})
             self.assertIs(hello["capabilities"]["faces"], PROGRAM in ("fcl", "ode"))
             self.assertTrue(hello["settings"])
             self.assertEqual({str}, {type(text) for text in hello["settings"].values()})
