@@ -17,8 +17,8 @@ namespace {
 
 // ---- a linear program ----
 
-/// Two for "a point of A is one of B", two for "a point of A is one of the box", and one for each
-/// of the three that weights sum to 1.
+/// Two for "a point of A is one of B", two for what else is asked of it, and one for each of the
+/// three that weights sum to 1.
 constexpr std::size_t equations = 7;
 using Coefficients = std::array<mpq_class, equations>;
 using IntegerColumn = std::array<mpz_class, equations>;
@@ -146,11 +146,14 @@ class WeightProgram {
 
 using SeenAlong = LinesAlong::SeenAlong;
 
-/// The points of the plane that are common to A, B and the box.
+/// The points of the plane that are common to A and B, and to a box, or where B's height above A is
+/// not too small.
 class Region {
  public:
   Region(const std::vector<SeenAlong>& a, const std::vector<SeenAlong>& b, const std::vector<SeenAlong>& box)
-      : a_(a), b_(b), box_(box), unit_(unit_of_plane()), program_(columns()), empty_(!program_.feasible()) {}
+      : a_(a), b_(b), unit_(unit_of_plane({&a, &b, &box})), program_(in_box(box)), empty_(!program_.feasible()) {}
+  Region(const std::vector<SeenAlong>& a, const std::vector<SeenAlong>& b, const mpq_class& least)
+      : a_(a), b_(b), unit_(unit_of_plane({&a, &b})), program_(above(least)), empty_(!program_.feasible()) {}
 
   [[nodiscard]] bool empty() const { return empty_; }
 
@@ -164,7 +167,7 @@ class Region {
   /// Moves to a point that is farthest to one side.
   void farthest(const mpq_class& x, const mpq_class& y) {
     std::vector<mpq_class> costs = no_costs();
-    for (std::size_t k = 0; k < box_.size(); ++k) costs[a_.size() + b_.size() + k] = x * box_[k].x + y * box_[k].y;
+    for (std::size_t i = 0; i < a_.size(); ++i) costs[i] = x * a_[i].x + y * a_[i].y;
     maximize(costs);
   }
 
@@ -188,27 +191,50 @@ class Region {
   }
 
  private:
-  [[nodiscard]] mpz_class unit_of_plane() const {
+  [[nodiscard]] static mpz_class unit_of_plane(const std::vector<const std::vector<SeenAlong>*>& sets) {
     std::vector<mpq_class> all;
-    for (const auto* points : {&a_, &b_, &box_})
+    for (const auto* points : sets)
       for (const SeenAlong& p : *points) all.insert(all.end(), {p.x, p.y});
     return unit_of(all);
   }
-  [[nodiscard]] std::vector<IntegerColumn> columns() const {
+  /// Of a point in the plane: two that are for the first equations, and two for the next.
+  [[nodiscard]] IntegerColumn column(const SeenAlong& p, int first, int second, std::array<int, 3> sums) const {
+    const mpz_class x = in_units(p.x, unit_), y = in_units(p.y, unit_);
+    return {first * x, first * y, second * x, second * y, sums[0], sums[1], sums[2]};
+  }
+  /// A point of A is one of the box.
+  [[nodiscard]] std::vector<IntegerColumn> in_box(const std::vector<SeenAlong>& box) {
     std::vector<IntegerColumn> result;
-    result.reserve(a_.size() + b_.size() + box_.size());
-    const auto add = [&](const SeenAlong& p, int first, int second, std::array<int, 3> sums) {
-      const mpz_class x = in_units(p.x, unit_), y = in_units(p.y, unit_);
-      result.push_back({first * x, first * y, second * x, second * y, sums[0], sums[1], sums[2]});
-    };
-    for (const SeenAlong& p : a_) add(p, 1, 1, {1, 0, 0});
-    for (const SeenAlong& p : b_) add(p, -1, 0, {0, 1, 0});
-    for (const SeenAlong& p : box_) add(p, 0, -1, {0, 0, 1});
+    for (const SeenAlong& p : a_) result.push_back(column(p, 1, 1, {1, 0, 0}));
+    for (const SeenAlong& p : b_) result.push_back(column(p, -1, 0, {0, 1, 0}));
+    for (const SeenAlong& p : box) result.push_back(column(p, 0, -1, {0, 0, 1}));
+    columns_ = result.size();
     return result;
   }
-  [[nodiscard]] std::vector<mpq_class> no_costs() const {
-    return std::vector<mpq_class>(a_.size() + b_.size() + box_.size() + equations);
+  /// B's height less A's and `least` is between 0 and what it is at most.
+  [[nodiscard]] std::vector<IntegerColumn> above(const mpq_class& least) {
+    const auto higher = [](const SeenAlong& p, const SeenAlong& q) { return p.height < q.height; };
+    const mpq_class most = std::max(mpq_class(0), mpq_class(std::ranges::max_element(b_, higher)->height -
+                                                            std::ranges::min_element(a_, higher)->height - least));
+    std::vector<mpq_class> heights{most, least};
+    for (const auto* points : {&a_, &b_})
+      for (const SeenAlong& p : *points) heights.push_back(p.height);
+    const mpz_class unit = unit_of(heights);
+    std::vector<IntegerColumn> result;
+    for (const SeenAlong& p : a_) {
+      result.push_back(column(p, 1, 0, {1, 0, 0}));
+      result.back()[2] = -in_units(p.height, unit);
+    }
+    for (const SeenAlong& p : b_) {
+      result.push_back(column(p, -1, 0, {0, 1, 0}));
+      result.back()[2] = in_units(p.height - least, unit);
+    }
+    result.push_back({0, 0, 0, 0, 0, 0, 1});
+    result.push_back({0, 0, -in_units(most, unit), 0, 0, 0, 1});
+    columns_ = result.size();
+    return result;
   }
+  [[nodiscard]] std::vector<mpq_class> no_costs() const { return std::vector<mpq_class>(columns_ + equations); }
   void maximize(const std::vector<mpq_class>& costs) {
     unit_of_costs_ = unit_of(costs);
     std::vector<mpz_class> integers;
@@ -217,8 +243,9 @@ class Region {
     program_.maximize(integers);
   }
 
-  const std::vector<SeenAlong>&a_, &b_, &box_;
+  const std::vector<SeenAlong>&a_, &b_;
   mpz_class unit_, unit_of_costs_ = 1;
+  std::size_t columns_ = 0;
   WeightProgram program_;
   bool empty_;
 };
@@ -299,9 +326,17 @@ GreatestOverlap LinesAlong::greatest(const Point& x, const mpq_class& within) co
 std::vector<LineOverlap> LinesAlong::corners(const Point& x, const mpq_class& within) const {
   const std::vector<SeenAlong> near = box(x, within);
   Region region(a_, b_, near);
+  return region.empty() ? std::vector<LineOverlap>() : lines_at(corners_of(region));
+}
+
+std::vector<LineOverlap> LinesAlong::at_least(const mpq_class& least) const {
+  Region region(a_, b_, least);
+  return region.empty() ? std::vector<LineOverlap>() : lines_at(corners_of(region));
+}
+
+std::vector<LineOverlap> LinesAlong::lines_at(const std::vector<SeenAlong>& corners) const {
   std::vector<LineOverlap> result;
-  if (region.empty()) return result;
-  for (const SeenAlong& corner : corners_of(region)) result.push_back(*at(lifted(corner.x, corner.y, 0)));
+  for (const SeenAlong& corner : corners) result.push_back(*at(lifted(corner.x, corner.y, 0)));
   return result;
 }
 

@@ -53,6 +53,11 @@ class LinesAlong {
   /// the least factor near x is among theirs. Empty if there are none.
   [[nodiscard]] std::vector<LineOverlap> corners(const Point& x, const mpq_class& within) const;
 
+  /// On the lines that are corners of the set of those whose factor is at least `least`, each once:
+  /// where v is an optimal direction n, the patch with slack, of all pairs of points one over the
+  /// other that are no more than (sigma - least |n|) short of the depth. Empty if there are none.
+  [[nodiscard]] std::vector<LineOverlap> at_least(const mpq_class& least) const;
+
   /// Along v into a plane, and how far, in multiples of v.
   struct SeenAlong {
     mpq_class x, y, height;
@@ -61,6 +66,7 @@ class LinesAlong {
  private:
   [[nodiscard]] SeenAlong seen(const Point& p) const;
   [[nodiscard]] Point lifted(const mpq_class& x, const mpq_class& y, const mpq_class& height) const;
+  [[nodiscard]] std::vector<LineOverlap> lines_at(const std::vector<SeenAlong>& corners) const;
   [[nodiscard]] std::vector<SeenAlong> box(const Point& x, const mpq_class& within) const;
 
   Vector v_;
@@ -80,5 +86,10 @@ mpq_class bound(const TwoPlanes& planes, std::span<const Point> a, std::span<con
 std::optional<std::array<mpq_class, 2>> overlaps_naive(const Vector& v, std::span<const Point> a,
                                                        std::span<const Point> b, const Point& x,
                                                        const mpq_class& within);
+
+/// A point of each of some lines whose factor is at least `least`, all corners of their set among
+/// them: the naive twin of `at_least`. O(n^8) for n points.
+std::vector<Point> at_least_naive(const Vector& v, std::span<const Point> a, std::span<const Point> b,
+                                  const mpq_class& least);
 
 }  // namespace fathom::patch

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Local depths from the definition: on each line the least and the greatest height of a body are
-// those of a triangle of its points, and near x the extremes are where segments cross.
+// those of a triangle of its points, and near x the extremes are where segments cross. As the
+// overlap is linear between crossings that are next to each other, so is where it falls below a
+// level.
 #include <algorithm>
 #include <utility>
 
@@ -92,6 +94,30 @@ bool is_near(const Vector& v, const Point& p, const Point& x, const mpq_class& w
 }
 
 }  // namespace
+
+std::vector<Point> at_least_naive(const Vector& v, std::span<const Point> a, std::span<const Point> b,
+                                  const mpq_class& least) {
+  const Across plane(v);
+  std::vector<Point> lines, met, found;
+  std::vector<mpq_class> factors;
+  add_crossings(plane, a, b, lines);
+  lines.insert(lines.end(), b.begin(), b.end());
+  for (const Point& p : lines) {
+    const auto of_a = heights(plane, a, p);
+    const auto of_b = of_a ? heights(plane, b, p) : std::nullopt;
+    if (of_b) (met.push_back(p), factors.push_back((*of_b)[1] - (*of_a)[0]));
+  }
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (factors[i] < least) continue;
+    found.push_back(met[i]);
+    for (std::size_t j = 0; j < met.size(); ++j)
+      if (factors[j] < least) {
+        const mpq_class share = (factors[i] - least) / (factors[i] - factors[j]);
+        found.push_back(met[i] + share * (met[j] - met[i]));
+      }
+  }
+  return found;
+}
 
 std::optional<std::array<mpq_class, 2>> overlaps_naive(const Vector& v, std::span<const Point> a,
                                                        std::span<const Point> b, const Point& x,

@@ -102,6 +102,44 @@ TEST(LocalDepth, IsThatOfTheTwin) {
   EXPECT_GT(flat, 5);
 }
 
+/// Corners are lines of the twin's, in order around all of them.
+void expect_set_of_twin(const Vector& v, const std::vector<Point>& a, const std::vector<Point>& b,
+                        const mpq_class& least) {
+  const std::vector<LineOverlap> corners = LinesAlong(v, a, b).at_least(least);
+  const std::vector<Point> twin = at_least_naive(v, a, b, least);
+  ASSERT_EQ(corners.empty(), twin.empty());
+  const auto same_line = [&](const Point& p, const Point& q) { return cross(rational(v), p - q) == Point{}; };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point &p = corners[k].a, &q = corners[(k + 1) % corners.size()].a;
+    EXPECT_GE(corners[k].factor, least);
+    EXPECT_TRUE(std::ranges::any_of(twin, [&](const Point& x) { return same_line(x, p); }));
+    const auto side = [&](const Point& x) { return mpq_class(dot(v, cross(q - p, x - p))); };
+    const auto [low, high] = std::ranges::minmax(twin, {}, side);
+    EXPECT_TRUE(side(low) >= 0 || side(high) <= 0) << "law: all lines are to one side of an edge";
+    if (corners.size() == 1) EXPECT_TRUE(std::ranges::all_of(twin, [&](const Point& x) { return same_line(x, p); }));
+  }
+}
+
+TEST(LocalDepth, ThatIsNotTooSmallIsThatOfTheTwin) {
+  Random random(12);
+  std::size_t polygons = 0, empty = 0;
+  for (int k = 0; k < 60; ++k) {
+    const std::vector<Point> a = random_body(random, static_cast<std::size_t>(random.between(1, 5))),
+                             b = random_body(random, static_cast<std::size_t>(random.between(2, 5)));
+    Vector v{random.between(-2, 2), random.between(-2, 2), random.between(-2, 2)};
+    if (is_zero(v)) v = {0, 0, 1};
+    const auto greatest = LinesAlong(v, a, b).greatest(a[0], 100).overlap;
+    for (const mpq_class& slack : {mpq_class(0), mpq_class(1, 7), mpq_class(3), mpq_class(-1, 5)}) {
+      const mpq_class least = greatest ? mpq_class(greatest->factor - slack) : slack;
+      expect_set_of_twin(v, a, b, least);
+      const std::size_t corners = LinesAlong(v, a, b).at_least(least).size();
+      polygons += corners > 2 ? 1 : 0, empty += corners == 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(polygons, 20U);
+  EXPECT_GT(empty, 20U);
+}
+
 // Lemma D of proofs/judge.md: along an optimal direction the local depth is nowhere more than the
 // depth, and it is the depth just on the patch.
 TEST(LocalDepth, IsTheDepthOnThePatchAlone) {
