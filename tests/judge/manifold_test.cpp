@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -340,6 +341,60 @@ TEST(Manifold, OfAClippingEngineIsNotBlamedAtAnyTilt) {
       EXPECT_EQ(found(truth, less), (Findings{misses_extent, tips})) << where;
     }
   }
+}
+
+/// How far p is from the nearest side of a polygon, seen from above.
+double away_from(const Triple& p, const std::vector<ContactPoint>& polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Triple &from = polygon[k].position, edge = minus(polygon[(k + 1) % polygon.size()].position, from);
+    const double share = std::clamp(times(edge, minus(p, from)) / times(edge, edge), 0.0, 1.0);
+    const Triple apart = minus(p, along(from, share, edge));
+    least = std::min(least, std::sqrt(times(apart, apart)));
+  }
+  return least;
+}
+
+/// The four contacts of an answer that leave out least.
+Reply best_four(const Reply& reply) {
+  std::vector<char> chosen(reply.contacts.size(), 0);
+  std::fill(chosen.begin(), chosen.begin() + 4, 1);
+  Reply best = reply;
+  double least = std::numeric_limits<double>::infinity();
+  do {
+    std::vector<ContactPoint> kept;
+    double missed = 0;
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      if (chosen[k] != 0) kept.push_back(reply.contacts[k]);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      if (chosen[k] == 0) missed = std::max(missed, away_from(reply.contacts[k].position, kept));
+    if (missed < least) (least = missed, best.contacts = kept);
+  } while (std::ranges::prev_permutation(chosen).found);
+  return best;
+}
+
+TEST(Manifold, TheBestFourOfMoreAreNotBlamedForTheDeepestByAHair) {
+  const Tolerance tolerance{.absolute = mpq_class(1, 1000)};
+  std::size_t left_out = 0;
+  for (int k = 0; k < 12; ++k) {
+    const double turn = 0.3 + static_cast<double>(k) / 12;
+    for (const double tilt : {1e-9, 1e-4}) {
+      const Corners a = posed({1, 1, 1}, {0.1, -0.05, 1.95}, turn, tilt), b = posed({1, 1, 1}, {0, 0, 0}, 0, 0);
+      const Reply all = clipped(a, b);
+      if (all.contacts.size() < 6) continue;
+      const auto deepest = std::ranges::max_element(all.contacts, {}, &ContactPoint::depth);
+      const Reply four = best_four(all);
+      if (std::ranges::any_of(four.contacts, [&](const ContactPoint& c) { return c.position == deepest->position; }))
+        continue;
+      ++left_out;
+      const Truth truth = truth_about(body(a), body(b));
+      EXPECT_EQ(found(truth, four, ContactLimits{.most = 4}, tolerance), Findings{}) << turn << " " << tilt;
+      Reply corner = four;
+      corner.contacts.resize(2);
+      EXPECT_EQ(found(truth, corner, ContactLimits{.most = 4}, tolerance)[0], misses_extent) << turn << " " << tilt;
+    }
+  }
+  EXPECT_GT(left_out, 5U);
 }
 
 // ---- forgeries ----

@@ -20,8 +20,8 @@ namespace fathom::judging {
 namespace {
 
 constexpr unsigned position_bits = 40;
-/// Corners of a patch of which subsets are tried.
-constexpr std::size_t most_corners = 16;
+/// Corners of which subsets are tried.
+constexpr std::size_t most_tried = 10;
 
 /// Moved along n into the plane of O.
 Point shadow(const Vector& n, const Point& p) { return p - mpq_class(dot(n, p) / mpq_class(dot(n, n))) * n; }
@@ -32,18 +32,22 @@ std::vector<Point> shadows(const Vector& n, std::span<const Point> points) {
   return result;
 }
 
-/// The farthest of the corners from the hull of some of them, which are as few and as near as can
-/// be, squared.
+/// The farthest of the corners of a polygon, in order, from the hull of `count` of them, which are
+/// as near as can be, squared; of more than most_tried as near as some can be.
 mpq_class least_missed_squared(const std::vector<Point>& corners, std::size_t count) {
-  std::vector<char> chosen(corners.size(), 0);
+  if (corners.size() <= count) return 0;
+  const std::size_t tried = std::min(corners.size(), std::max(count, most_tried));
+  std::vector<char> chosen(tried, 0);
   std::fill(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(count), 1);
   std::optional<mpq_class> least;
   do {
     std::vector<Point> some;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-      if (chosen[k] != 0) some.push_back(corners[k]);
+    for (std::size_t k = 0; k < tried; ++k)
+      if (chosen[k] != 0) some.push_back(corners[k * corners.size() / tried]);
     mpq_class farthest = 0;
-    for (const Point& corner : corners) farthest = std::max(farthest, squared_distance(corner, some));
+    for (const Point& corner : corners)
+      if ((!least || farthest < *least) && std::ranges::find(some, corner) == some.end())
+        farthest = std::max(farthest, squared_distance(corner, some));
     if (!least || farthest < *least) least = std::move(farthest);
   } while (std::ranges::prev_permutation(chosen).found);
   return *least;
@@ -83,21 +87,26 @@ ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Convent
   find_extents(conventions.manifold->most);
 }
 
-/// One contact has no extent: nothing is asked of a subject that answers no more.
+/// One contact has no extent: nothing is asked of a subject that answers no more. One that answers
+/// at most so many chooses among the corners where the bodies overlap as deep, within the tolerance
+/// of a depth: what the best choice must miss is allowed.
 void ContactJudge::find_extents(const std::optional<std::size_t>& most) {
   const Penetration* const penetration = truth_.depth.penetration();
   if (!penetration || penetration->unlisted > 0 || (most && *most <= 1)) return;
   for (const Optimum& optimum : penetration->optima) {
-    const Patch patch = patch::shared_inside(
-        {optimum.direction, truth_.a, optimum.contact.a, truth_.b, optimum.contact.b}, optimum.support);
-    Extent& extent = extents_.emplace_back(Extent{optimum.direction, {}, patch.centroid().a.core, 0});
+    const Vector& n = optimum.direction;
+    const Patch patch =
+        patch::shared_inside({n, truth_.a, optimum.contact.a, truth_.b, optimum.contact.b}, optimum.support);
+    Extent& extent = extents_.emplace_back(Extent{n, {}, patch.centroid().a.core, 0});
     for (std::size_t k = 0; k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
-    if (!most || *most >= extent.corners.size()) continue;
-    if (extent.corners.size() > most_corners) {
-      extents_.clear();  // not asked
-      return;
-    }
-    extent.allowed_squared = least_missed_squared(extent.corners, *most);
+    if (!most) continue;
+    const mpq_class length_squared = dot(n, n),
+                    slack = kernels::enclosed({0, depth_.squared() / length_squared}, position_bits).high;
+    std::vector<Point> as_deep;
+    for (const patch::LineOverlap& line :
+         patch::LinesAlong(n, truth_.a.exact(), truth_.b.exact()).at_least(optimum.support / length_squared - slack))
+      as_deep.push_back(shadow(n, line.a));
+    extent.allowed_squared = least_missed_squared(as_deep, *most);
   }
 }
 
