@@ -111,7 +111,7 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
       request.cached_gjk_guess = fcl::Vector3d(guess->data());
     }
   const bool tells_positions = settings.count("positions", 0) != 0;
-  if (tells_positions) settings.most_contacts(request.num_max_contacts);
+  if (tells_positions) settings.most_contacts(std::min(request.num_max_contacts, std::size_t{4}));  // boxBox2
   return [request, tells_positions](const Body& a, const Body& b) {
     if (is_halfspace(a) && is_halfspace(b)) throw subject::Unsupported("two half-spaces: FCL gives no depth");
     const Placed one(a), two(b);

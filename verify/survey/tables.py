@@ -21,7 +21,7 @@ COLUMNS = 100
 PAGE = """# What they answer
 
 Made by `verify/survey/survey.py` and `verify/survey/tables.py`; every number is in `results.json`, and `verify/survey/page.py` makes a
-page of it. {made}
+page of it, but for contacts. {made}
 
 Right: the classification is, and the depth and all that comes with it are within the larger of 1e-3 of the depth and 1e-6 of the bodies'
 longer side. A binary32 subject is judged on the binary32 numbers that it sees. Each answer has one verdict, the first in the order of
