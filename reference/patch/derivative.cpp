@@ -111,13 +111,14 @@ struct PointsOver {
   Integer denominator;
 };
 
-/// For points of P bits, a direction of N, a twist of T and a denominator of D bits, what two rates
-/// are compared by has at most 4 P + 3 N + T + D + max(P, D) + 16 bits.
-constexpr unsigned wide_bits = 1408;
-using Wide = kernels::FixedInteger<wide_bits>;
+/// For points of P bits, a direction of N, a twist of T and a denominator of D bits, a rate has at
+/// most 2 P + 2 N + T + max(P, D) + 10 bits over 2 P + N + D + 5. Two are compared by products of
+/// these, whose points may differ in size.
+constexpr long over_bits = 1152, under_bits = 768;
+using Wide = kernels::FixedInteger<over_bits + under_bits>;
 
 /// Of points in binary64, if that is wide enough.
-std::optional<PointsOver<Wide>> in_wide(std::span<const GivenPoint> given, long bits_of_motion) {
+std::optional<PointsOver<Wide>> in_wide(std::span<const GivenPoint> given, long direction_bits, long twist_bits) {
   std::array<kernels::Dyadic, 12> numbers;  // of at most four points
   std::size_t count = 0;
   long low = 0, high = 0;
@@ -131,7 +132,9 @@ std::optional<PointsOver<Wide>> in_wide(std::span<const GivenPoint> given, long 
     }
   }
   const long bits = high - low;
-  if (4 * bits + bits_of_motion - low + std::max(bits, -low) + 16 > wide_bits) return std::nullopt;
+  if (2 * (bits + direction_bits) + twist_bits + std::max(bits, -low) + 10 > over_bits ||
+      2 * bits + direction_bits - low + 5 > under_bits)
+    return std::nullopt;
   PointsOver<Wide> result{{}, Wide::shifted(1, static_cast<unsigned>(-low))};
   result.points.reserve(given.size());
   const auto wide = [&](const kernels::Dyadic& x) {
@@ -166,11 +169,11 @@ DirectionalDerivative greatest(const Patch& patch, std::size_t index, const Rela
   const auto rate = [&](std::size_t corner, const mpz_class& over, const mpz_class& under) {
     return DirectionalDerivative{over, mpz_class(under * twist.denominator), n, index, corner};
   };
-  const long bits = 3 * kernels::bit_length(n) + twist.bits;
+  const long bits = kernels::bit_length(n);
   const auto wide = [](const Vector& v) { return Vec3<Wide>{Wide(v.x), Wide(v.y), Wide(v.z)}; };
-  if (bits < wide_bits) {
+  if (2 * bits + twist.bits < over_bits) {
     const auto best = greatest_at(patch, MotionAlong(wide(n), wide(twist.v), wide(twist.w)),
-                                  [&](std::span<const GivenPoint> given) { return in_wide(given, bits); });
+                                  [&](std::span<const GivenPoint> given) { return in_wide(given, bits, twist.bits); });
     if (best) return rate(best->first, best->second.over.to_mpz(), best->second.under.to_mpz());
   }
   const auto best = greatest_at(patch, MotionAlong(n, twist.v, twist.w), [](std::span<const GivenPoint> given) {

@@ -368,6 +368,34 @@ TEST(Patch, OfUnions) {
 }
 
 /// Where it is smooth, the gradient and the weights say what the derivative says.
+// Edges cross near 2^274, and near 2^53 with a part of 2^-184: integers that hold the numbers of
+// each crossing need not hold what compares them.
+TEST(Patch, CrossingsOfUnlikeSizesAreCompared) {
+  const double far = 0x1p274, wide = 9007199254740991.0, half = 4503599627370497.0, hair = 0x1p-184;
+  const Body a{GivenPoints(std::vector<std::array<double, 3>>{
+      {-wide, 0, 0}, {wide, hair, 0}, {far, far, 0}, {-far, far, 0}, {0, wide, -1}})};
+  const Body b{GivenPoints(std::vector<std::array<double, 3>>{{hair, -wide, 1},
+                                                              {half, wide, 1},
+                                                              {far / 8, far / 2, 1},
+                                                              {far / 4, 2 * far, 1},
+                                                              {-far / 4, 2 * far, 1},
+                                                              {-far / 8, far / 2, 1},
+                                                              {-half, wide, 1},
+                                                              {0, wide, 2}})};
+  const ContactGeometry geometry = geometry_of(a, b);
+  ASSERT_EQ(geometry.patches.size(), 1U);
+  const Patch& patch = geometry.patches.front();
+  for (const Twist& twist : {Twist{{}, {0, -1, 0}}, Twist{{}, {0, 1, 0}}, Twist{{1, 2, 3}, {1, mpq_class(1, 3), 0}}}) {
+    std::optional<mpq_class> greatest;
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+      mpq_class rate = -dot(patch.direction, twist.v + cross(twist.w, patch.a(k).core));
+      if (!greatest || rate > *greatest) greatest = std::move(rate);
+    }
+    const auto found = std::get<DirectionalDerivative>(directional_derivative(geometry, twist));
+    EXPECT_EQ(found.sign() * found.root(), *greatest * abs(*greatest) / dot(patch.direction, patch.direction));
+  }
+}
+
 TEST(Patch, GradientAndWeights) {
   Random random(3);
   int smooth = 0, weighted = 0;
