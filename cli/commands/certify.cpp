@@ -251,6 +251,7 @@ class Certify {
     plan.format = info().format;
     plan.fit = certify_.fit;
     plan.shapes = info().shapes;
+    plan.manifold = info().conventions.manifold;
     plan.tolerance = certify_.tolerance;
     plan.next = [this] { return next_case(); };
     plan.worker = [this] { return make_worker(); };

@@ -314,7 +314,8 @@ void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner,
     // Only a comparison with the original needs both; a variant that fails by itself is a case like
     // any other.
     if (verdict == Verdict::not_invariant)
-      examine = harness::examine_variant(in_unit, variant, info.format, request.tolerance, fit);
+      examine =
+          harness::examine_variant(in_unit, variant, info.format, request.tolerance, fit, info.conventions.manifold);
     std::vector<std::string> files;
     if (harness::has_union(failed->seen)) {
       const std::string path = harness::write_case(request.shrink, std::string(name(verdict)), failed->seen, title);

@@ -188,7 +188,7 @@ TEST(Shrink, OfAnAnswerThatAVariantChanges) {
         if (reply.overlap) reply.depth = *reply.depth * (pair.a.points.size() > pair.b.points.size() ? 1.008 : 0.992);
       },
       tolerance);
-  const Examine swapped = examine_variant(in_any_unit(lopsided), "swap", Precision::binary64, tolerance);
+  const Examine swapped = examine_variant(in_any_unit(lopsided), "swap", Precision::binary64, tolerance, {}, {});
   Case pair = family_case("random_ball", 12, 3);
   pair.b.points.edit().pop_back();
   ASSERT_EQ(swapped(pair).verdict, Verdict::not_invariant);

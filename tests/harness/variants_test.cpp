@@ -139,11 +139,11 @@ TEST(Variants, WithoutAnExactFormAreLeftOutAndTold) {
 Case cubes(const mpq_class& overlap) { return {"cubes", box(0, 0, 0, 1, 1, 1), box(1 - overlap, 0, 0, 1, 1, 1)}; }
 
 Outcome compared(const Examine& original, const Examine& of_variant, const Case& pair, const std::string& name,
-                 const Tolerance& tolerance) {
+                 const Tolerance& tolerance, const std::optional<ContactLimits>& manifold = ContactLimits{}) {
   const std::vector<std::string> names = {name};
   const std::vector<Variant> found = variants(pair, Precision::binary64, names);
   EXPECT_EQ(found.size(), 1u);
-  return compare_variant(original(pair), of_variant(found.at(0).seen), found.at(0), tolerance);
+  return compare_variant(original(pair), of_variant(found.at(0).seen), found.at(0), tolerance, manifold);
 }
 
 Examine off_by(double factor, const Tolerance& tolerance) {
@@ -154,7 +154,7 @@ TEST(CompareVariant, ARightSubjectIsInvariant) {
   const Examine right = judged([](const Case&, Reply&) {});
   for (const Case& pair : pairs(Precision::binary64))
     for (const std::string& name : all_names) {
-      const Outcome outcome = examine_variant(in_any_unit(right), name, Precision::binary64, {})(pair);
+      const Outcome outcome = examine_variant(in_any_unit(right), name, Precision::binary64, {}, {}, {})(pair);
       EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << name << ": " << outcome.judgement->sentence;
       EXPECT_TRUE(outcome.variant == name || outcome.variant.empty());
     }
@@ -171,7 +171,7 @@ TEST(CompareVariant, CorrectRoundingIsInvariantWithoutATolerance) {
     const Outcome original = right(tiny);
     if (!original.reply->depth) continue;
     for (const Variant& variant : variants(tiny, Precision::binary64, all_names)) {
-      const Outcome outcome = compare_variant(original, right(variant.seen), variant, {0, 0, 0});
+      const Outcome outcome = compare_variant(original, right(variant.seen), variant, {0, 0, 0}, {});
       EXPECT_TRUE(passes(outcome.verdict)) << pair.id << ' ' << variant.name << ": " << outcome.judgement->sentence;
       ++compared;
       rounded_otherwise +=
@@ -250,6 +250,12 @@ TEST(CompareVariant, ContactsReachEquallyFar) {
               "the contacts of the case and of the variant \"permute\" reach differently far, by 0.707107");
   }
   EXPECT_EQ(compared(all, by_order, pair, "scale", {}).verdict, Verdict::not_invariant);
+  EXPECT_EQ(compared(all, by_order, pair, "scale", {}, std::nullopt).verdict, Verdict::pass) << "no extent is promised";
+  const std::size_t told = by_order(pair).reply->contacts.size();
+  EXPECT_EQ(compared(by_order, by_order, pair, "permute", {}, ContactLimits{.most = told}).verdict, Verdict::pass)
+      << "whoever tells as many as it can may have chosen";
+  EXPECT_EQ(compared(by_order, by_order, pair, "permute", {}, ContactLimits{.most = told + 1}).verdict,
+            Verdict::not_invariant);
 }
 
 // If A lies to the right the two contacts of an edge are moved inwards: so only exchanged bodies

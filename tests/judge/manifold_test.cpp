@@ -144,6 +144,32 @@ TEST(Manifold, IsJudgedAmongAllFindings) {
   EXPECT_EQ(judge(cubes(), upwards, separating).verdict, Verdict::pass) << "of another way out no extent is asked";
   upwards.contacts[0].depth = 0.5;
   EXPECT_EQ(judge(cubes(), upwards, separating).verdict, contact_too_shallow);
+
+  // Of such a way the separating distance is longer than what the bodies overlap along any line.
+  Reply slanted = overlap(1.6 * std::sqrt(0.5), Triple{-std::sqrt(0.5), -std::sqrt(0.5), 0});
+  slanted.contacts = {{{0.7, 0.5, 0.5}, {}}};
+  EXPECT_TRUE(judge(cubes(), slanted, separating).excess_allowed);
+  EXPECT_EQ(judge(cubes(), slanted, separating).findings, Findings{});
+  slanted.contacts[0].depth = 0.6 * std::sqrt(2);
+  EXPECT_EQ(judge(cubes(), slanted, separating).findings, Findings{}) << "its own depth is that of its line";
+  slanted.contacts[0].depth = 1;
+  EXPECT_EQ(judge(cubes(), slanted, separating).findings, Findings{contact_too_deep});
+}
+
+// Another way out that is longer by a hair is right, and has a patch of its own.
+TEST(Manifold, OfNearTiesIsThatOfTheAnsweredDirection) {
+  std::vector<Triple> a, b;
+  for (const double x : {0.0, 1.0})
+    for (const double y : {0.0, 1.0})
+      for (const double z : {0.0, 1.0}) (a.push_back({x, y, z}), b.push_back({x + 0.5, y + 0.499999999, z}));
+  const Truth truth = truth_about(GivenPoints(a), GivenPoints(b));
+  Reply reply = overlap(0.500000001, Triple{0, -1, 0});
+  for (const auto& [x, z] : {std::array{0.5, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.5, 1.0}})
+    reply.contacts.push_back({{x, 0.75, z}, {}});
+  EXPECT_EQ(judge(truth, reply, declaring(ContactLimits())).verdict, Verdict::pass);
+  reply.direction = testing::left;
+  reply.depth = 0.5;
+  EXPECT_EQ(judge(truth, reply, declaring(ContactLimits())).findings, Findings{misses_extent});
 }
 
 // Without depths of their own contacts have that of the answer, less a margin that is declared.

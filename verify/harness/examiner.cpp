@@ -149,7 +149,7 @@ class Run {
     for (const Variant& variant : variants(*seen, format, plan_.variants, &sentences)) {
       outcome_of(*seen, variant.seen, variant.name, [&] {
         if (!fresh) original = ask();
-        return compare_variant(original, examine(variant.seen, exponent), variant, plan_.tolerance);
+        return compare_variant(original, examine(variant.seen, exponent), variant, plan_.tolerance, plan_.manifold);
       });
     }
     const std::lock_guard lock(results_);

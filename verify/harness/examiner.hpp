@@ -174,6 +174,7 @@ struct RunPlan {
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
   std::set<std::string> shapes = {};  ///< that the subject takes by name
   Tolerance tolerance = {};
+  std::optional<ContactLimits> manifold = {};  ///< that the subject declares
 
   std::function<std::optional<Case>()> next;  ///< returns nullopt after the last one
   std::function<Worker()> worker;             ///< called once in each thread

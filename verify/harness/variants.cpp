@@ -198,8 +198,9 @@ bool differ(const Between& x, const Between& y, long exponent, const mpq_class& 
 /// Both answers, the variant's in the units of the original.
 class Comparison {
  public:
-  Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance)
-      : original_(original), variant_(variant), made_(made) {
+  Comparison(const Outcome& original, const Outcome& variant, const Variant& made, const Tolerance& tolerance,
+             const std::optional<ContactLimits>& manifold)
+      : original_(original), variant_(variant), made_(made), manifold_(manifold) {
     if (!original.judgement) return;
     const auto length_less = [&](const mpq_class& radii) {
       return squared_length(*original.reply, *original.judgement, radii);
@@ -303,12 +304,21 @@ class Comparison {
     return result;
   }
 
+  /// Whether an answer leaves nothing out, by its own word: one that holds as many contacts as it
+  /// can may have chosen among more.
+  [[nodiscard]] bool tells_all(const Reply& reply) const {
+    return manifold_ && (!manifold_->most || reply.contacts.size() < *manifold_->most);
+  }
+
   /// Directions that differ may be those of different optima: then nothing is compared.
   [[nodiscard]] std::string of_contacts() const {
+    if (!tells_all(*original_.reply) || !tells_all(*variant_.reply)) return "";
     const std::optional<Triple>&u = original_.reply->direction, &v = variant_.reply->direction;
     if (!u || !v || !judging::is_finite(*u) || !judging::is_finite(*v)) return "";
-    const Vector n = primitive_along(judging::exact_point(*u));
-    if (is_zero(n) || !is_zero(cross(n, primitive_along(judging::exact_point(*v))))) return "";
+    const Point along = judging::exact_point(*u);
+    if (along == Point{}) return "";
+    const Vector n = primitive_along(along);
+    if (primitive_along(judging::exact_point(*v)) != (made_.name == "swap" ? -n : n)) return "";
     const std::vector<Point> here = positions(*original_.reply, {}, 0),
                              there = positions(*variant_.reply, made_.step, made_.exponent);
     if (here.empty() || there.empty()) return "";
@@ -320,6 +330,7 @@ class Comparison {
 
   const Outcome &original_, &variant_;
   const Variant& made_;
+  const std::optional<ContactLimits>& manifold_;
   mpq_class allowed_depth_, allowed_separating_distance_, allowed_contacts_;  ///< squared
 };
 
@@ -343,24 +354,25 @@ mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original)
 }
 
 Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
-                        std::optional<mpq_class> fit) {
+                        std::optional<mpq_class> fit, std::optional<ContactLimits> manifold) {
   return [=](const Case& pair) {
     const std::string names[] = {name};
     const long exponent = exponent_to_fit(pair, fit);
     const Outcome original = examine(pair, exponent);
     const std::vector<Variant> found = variants(pair, in_unit(format, exponent), names);
-    return found.empty() ? original
-                         : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance);
+    return found.empty()
+               ? original
+               : compare_variant(original, examine(found.front().seen, exponent), found.front(), tolerance, manifold);
   };
 }
 
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
-                        const Tolerance& tolerance) {
+                        const Tolerance& tolerance, const std::optional<ContactLimits>& manifold) {
   Outcome result = variant;
   result.variant = made.name;
   if (!passes(variant.verdict) || !variant.reply || !variant.judgement || original.verdict == Verdict::unsupported)
     return result;
-  const std::string difference = Comparison(original, variant, made, tolerance).difference();
+  const std::string difference = Comparison(original, variant, made, tolerance, manifold).difference();
   if (difference.empty()) return result;
   result.verdict = result.judgement->verdict = Verdict::not_invariant;
   result.judgement->findings.push_back(Verdict::not_invariant);

@@ -53,16 +53,17 @@ mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original)
 /// but the subject's answers differ by more than the tolerance, the verdict becomes
 /// `not_invariant`, and the sentence says by how much. Compared are the depth, the separating
 /// distance of the direction, whether the bodies overlap (unless both answers are within the
-/// tolerance), and whether there is an answer at all; and where both answers lie along one line,
-/// how far their contacts reach across it, which may differ by twice the tolerance. A variant that
-/// fails by itself keeps its verdict.
+/// tolerance), and whether there is an answer at all; and where both answers have the same
+/// direction and a subject that declares a `manifold` tells fewer contacts than it can, how far
+/// these reach across it, which may differ by twice the tolerance. A variant that fails by itself
+/// keeps its verdict.
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
-                        const Tolerance& tolerance);
+                        const Tolerance& tolerance, const std::optional<ContactLimits>& manifold);
 
 /// Examines a case and then its variant of this name: the outcome of the variant, compared. For
 /// shrinking. A case without such a variant yields the outcome of the case itself. `fit`: the size
 /// that the case is brought to; see exponent_to_fit.
 Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
-                        std::optional<mpq_class> fit = std::nullopt);
+                        std::optional<mpq_class> fit, std::optional<ContactLimits> manifold);
 
 }  // namespace fathom::harness

@@ -350,7 +350,7 @@ class Judge {
     remarks_.contact_b = truth_.is_contact_off_b(claim_);
     if (remarks_.contact_a || remarks_.contact_b) found(Verdict::witness_off);
     const std::optional<mpq_class> off = deepest_contact(claim_);
-    remarks_.deepest = off && truth_.is_off_length(*off);
+    remarks_.deepest = off && !result_.excess_allowed && truth_.is_off_length(*off);
     if (remarks_.deepest) found(Verdict::inconsistent);
   }
 
@@ -359,8 +359,11 @@ class Judge {
     const auto is_first = [](Verdict finding) { return finding <= Verdict::wrong_sign; };
     if (!polytopes_ || claim_.contacts.empty() || std::ranges::any_of(result_.findings, is_first)) return;
     faults_ = ContactJudge(*polytopes_, reply_, conventions_, format_, tolerance_).faults();
-    // A longer translation that passes has a patch of its own.
-    if (result_.excess_allowed) std::erase_if(faults_, [](const ContactFault& fault) { return !fault.contact; });
+    // A longer translation that passes has a patch of its own, and is longer than any local depth.
+    if (result_.excess_allowed)
+      std::erase_if(faults_, [&](const ContactFault& fault) {
+        return !fault.contact || (fault.finding == Verdict::contact_too_deep && !claim_.contact_depths[*fault.contact]);
+      });
     for (const ContactFault& fault : faults_) {
       found(fault.finding);
       if (fault.finding == Verdict::contact_outside) claim_.outside.insert(*fault.contact);

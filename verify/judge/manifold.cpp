@@ -53,6 +53,12 @@ mpq_class least_missed_squared(const std::vector<Point>& corners, std::size_t co
   return *least;
 }
 
+/// Whether v is along n but for an angle whose sine is 1/64.
+bool nearly_along(const Vector& v, const Vector& n) {
+  const Vector across = cross(v, n);
+  return dot(v, n) > 0 && 4096 * dot(across, across) <= dot(v, v) * dot(n, n);
+}
+
 /// The corners of the hull of shadows along n, as those of a face.
 std::vector<std::uint32_t> corners_seen(const std::vector<Point>& shadows, const Vector& n) {
   std::vector<Vec3<mpq_class>> points;
@@ -84,30 +90,36 @@ ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Convent
   near_ = kernels::enclosed({0, allowed.witness.squared()}, position_bits).high;
   if (!conventions.manifold) return;
   margin_ = Allowance(0, 0, scaled(exact_value(conventions.manifold->margin), -format.exponent));
-  find_extents(conventions.manifold->most);
+  most_ = conventions.manifold->most;
+  find_extents();
 }
 
-/// One contact has no extent: nothing is asked of a subject that answers no more. One that answers
-/// at most so many chooses among the corners where the bodies overlap as deep, within the tolerance
-/// of a depth: what the best choice must miss is allowed.
-void ContactJudge::find_extents(const std::optional<std::size_t>& most) {
+/// One contact has no extent: nothing is asked of a subject that answers no more.
+void ContactJudge::find_extents() {
   const Penetration* const penetration = truth_.depth.penetration();
-  if (!penetration || penetration->unlisted > 0 || (most && *most <= 1)) return;
+  if (!penetration || penetration->unlisted > 0 || (most_ && *most_ <= 1)) return;
   for (const Optimum& optimum : penetration->optima) {
     const Vector& n = optimum.direction;
+    if (claim_.direction && !nearly_along(*claim_.direction, n)) continue;
     const Patch patch =
         patch::shared_inside({n, truth_.a, optimum.contact.a, truth_.b, optimum.contact.b}, optimum.support);
-    Extent& extent = extents_.emplace_back(Extent{n, {}, patch.centroid().a.core, 0});
+    Extent& extent = extents_.emplace_back(Extent{n, optimum.support, {}, patch.centroid().a.core});
     for (std::size_t k = 0; k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
-    if (!most) continue;
-    const mpq_class length_squared = dot(n, n),
-                    slack = kernels::enclosed({0, depth_.squared() / length_squared}, position_bits).high;
-    std::vector<Point> as_deep;
-    for (const patch::LineOverlap& line :
-         patch::LinesAlong(n, truth_.a.exact(), truth_.b.exact()).at_least(optimum.support / length_squared - slack))
-      as_deep.push_back(shadow(n, line.a));
-    extent.allowed_squared = least_missed_squared(as_deep, *most);
   }
+}
+
+/// A subject that answers at most so many contacts chooses among the corners where the bodies
+/// overlap as deep, within the tolerance of a depth: what the best choice must miss is allowed.
+mpq_class ContactJudge::allowed_squared(const Extent& extent) const {
+  if (!most_) return 0;
+  const Vector& n = extent.direction;
+  const mpq_class length_squared = dot(n, n),
+                  slack = kernels::enclosed({0, depth_.squared() / length_squared}, position_bits).high;
+  std::vector<Point> as_deep;
+  for (const patch::LineOverlap& line :
+       patch::LinesAlong(n, truth_.a.exact(), truth_.b.exact()).at_least(extent.support / length_squared - slack))
+    as_deep.push_back(shadow(n, line.a));
+  return least_missed_squared(as_deep, *most_);
 }
 
 std::vector<ContactFault> ContactJudge::faults() const {
@@ -205,6 +217,18 @@ std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Poin
   return MissedPoint{n, point, outside->away};
 }
 
+/// Of the corners, and how far it is away, squared.
+std::optional<MissedPoint> ContactJudge::farthest_missed(const Extent& extent, const mpq_class& allowed,
+                                                         mpq_class& farthest) const {
+  std::optional<MissedPoint> worst;
+  for (const Point& corner : extent.corners) {
+    mpq_class squared;
+    std::optional<MissedPoint> found = missed(extent, corner, allowed, squared);
+    if (found && squared > farthest) (farthest = std::move(squared), worst = std::move(found));
+  }
+  return worst;
+}
+
 void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
   if (extents_.empty()) return;
   ContactFault fault{Verdict::misses_extent, std::nullopt, std::nullopt, {}, {}, ""};
@@ -212,12 +236,8 @@ void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
   const Extent* best = nullptr;
   for (const Extent& extent : extents_) {
     mpq_class farthest = 0;
-    std::optional<MissedPoint> worst;
-    for (const Point& corner : extent.corners) {
-      mpq_class squared;
-      std::optional<MissedPoint> found = missed(extent, corner, extent.allowed_squared, squared);
-      if (found && squared > farthest) (farthest = std::move(squared), worst = std::move(found));
-    }
+    std::optional<MissedPoint> worst = farthest_missed(extent, 0, farthest);
+    if (worst && most_) worst = farthest_missed(extent, allowed_squared(extent), farthest = 0);
     if (!worst) return;
     if (!least || farthest < *least) (least = farthest, best = &extent);
     fault.missed.push_back(*std::move(worst));
@@ -299,10 +319,10 @@ bool ContactJudge::proves_missed(const ContactFault& fault) const {
              return missed.direction == extent.direction && missed.point == extent.centroid && is_missed(missed, 0);
            });
   return !extents_.empty() && std::ranges::all_of(extents_, [&](const Extent& extent) {
+    const mpq_class allowed = allowed_squared(extent);
     return std::ranges::any_of(fault.missed, [&](const MissedPoint& missed) {
       return missed.direction == extent.direction &&
-             std::ranges::find(extent.corners, missed.point) != extent.corners.end() &&
-             is_missed(missed, extent.allowed_squared);
+             std::ranges::find(extent.corners, missed.point) != extent.corners.end() && is_missed(missed, allowed);
     });
   });
 }

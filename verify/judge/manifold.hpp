@@ -61,12 +61,15 @@ class ContactJudge {
  private:
   struct Extent {
     Vector direction;
+    mpq_class support;
     std::vector<Point> corners;
     Point centroid;
-    mpq_class allowed_squared;  ///< beside the tolerance: what as many contacts as it answers must miss
   };
 
-  void find_extents(const std::optional<std::size_t>& most);
+  void find_extents();
+  [[nodiscard]] mpq_class allowed_squared(const Extent& extent) const;
+  [[nodiscard]] std::optional<MissedPoint> farthest_missed(const Extent& extent, const mpq_class& allowed,
+                                                           mpq_class& farthest) const;
   [[nodiscard]] const mpq_class& claimed(std::size_t contact) const;
   [[nodiscard]] mpq_class signed_square(const mpq_class& factor) const;
   [[nodiscard]] bool deeper(std::size_t contact, const mpq_class& factor) const;
@@ -83,8 +86,9 @@ class ContactJudge {
   const Truth& truth_;
   Claim claim_;
   Allowance depth_, margin_;
-  mpq_class near_;               ///< by how much a position may be off
-  std::vector<Extent> extents_;  ///< of all optima; empty unless bodies overlap and extent is promised
+  mpq_class near_;                   ///< by how much a position may be off
+  std::optional<std::size_t> most_;  ///< how many contacts it answers at most
+  std::vector<Extent> extents_;      ///< of optima along the claim; none unless bodies overlap and extent is promised
 };
 
 /// Judges as the function judge of fathom/judge.hpp does. Tells what is wrong with the contacts if

@@ -2,48 +2,32 @@
 """The contacts that subjects answer, counted: "contacts" of results.json, and its tables.
 
 Of each set, a subject has `found`: for each tolerance and each family how many answers have a finding of VERDICTS.md, and `first`, for each
-finding the first case that has it at the wider tolerance, or else at the usual one, with the sentence. An answer may have several. Whether
-contacts reach as far as the bodies touch is counted of answers along a shortest way out: about others the patch says nothing.
+finding the first case that has it at the wider tolerance, or else at the usual one, with the sentence. An answer may have several.
 """
 import collections
-import math
 
 import sets
 import tally
 
 FINDINGS = ("contact-outside", "contact-too-deep", "contact-too-shallow", "misses-extent", "tips")
-WHOLE = ("misses-extent", "tips")  # about all contacts of an answer
-NEARLY = math.cos(math.radians(1))
 USUAL, WIDE = sets.TOLERANCES
 TILTS = {"parallel": "0", "tilted_hair": "1e-9", "tilted_slightly": "1e-4", "tilted": "0.01"}
 
 
-def along(outcome, fault, moves):
-    """Whether the answer's direction is that of a patch that was missed, to a degree."""
-    sign = {"a": 1, "b": -1}[moves]
-    v = [sign * float(x) for x in outcome["reply"]["direction"]]
-    for missed in fault["missed"]:
-        n = [float(int(x)) for x in missed["direction"]]
-        if sum(x * y for x, y in zip(v, n)) >= NEARLY * math.hypot(*v) * math.hypot(*n):
-            return True
-    return False
-
-
-def findings_of(outcome, moves):
+def findings_of(outcome):
     """{finding: the sentence of the first} of an outcome."""
     found = {}
     for fault in outcome.get("contact_faults", []):
-        if fault["finding"] not in WHOLE or along(outcome, fault, moves):
-            found.setdefault(fault["finding"], fault["sentence"])
+        found.setdefault(fault["finding"], fault["sentence"])
     return found
 
 
 def summary(lines):
     """(how many answers had contacts, {family: {finding: count}}, {finding: [case, sentence]}) of a report."""
-    moves, told, counts, first = lines[0]["subject"]["conventions"]["moves"], 0, {}, {}
+    told, counts, first = 0, {}, {}
     for outcome in tally.outcomes_of(lines):
         told += bool(outcome.get("reply", {}).get("contacts"))
-        for finding, sentence in findings_of(outcome, moves).items():
+        for finding, sentence in findings_of(outcome).items():
             counts.setdefault(tally.family_of(outcome["id"]), collections.Counter())[finding] += 1
             first.setdefault(finding, [outcome["id"], sentence])
     return told, {family: dict(each) for family, each in counts.items()}, first
