@@ -109,7 +109,8 @@ void ContactJudge::find_extents() {
 }
 
 /// A subject that answers at most so many contacts chooses among the corners where the bodies
-/// overlap as deep, within the tolerance of a depth: what the best choice must miss is allowed.
+/// overlap as deep, within the tolerance of a depth, or among those of the patch: what the best
+/// choice must miss is allowed.
 mpq_class ContactJudge::allowed_squared(const Extent& extent) const {
   if (!most_) return 0;
   const Vector& n = extent.direction;
@@ -119,7 +120,7 @@ mpq_class ContactJudge::allowed_squared(const Extent& extent) const {
   for (const patch::LineOverlap& line :
        patch::LinesAlong(n, truth_.a.exact(), truth_.b.exact()).at_least(extent.support / length_squared - slack))
     as_deep.push_back(shadow(n, line.a));
-  return least_missed_squared(as_deep, *most_);
+  return std::max(least_missed_squared(as_deep, *most_), least_missed_squared(shadows(n, extent.corners), *most_));
 }
 
 std::vector<ContactFault> ContactJudge::faults() const {
