@@ -44,6 +44,7 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
 // ---- motions of A ----
 
 constexpr std::uint32_t steps_of_twist = 40, steps_of_usual = 10;
+constexpr int least_turn = -60;            // an exponent of two
 constexpr std::size_t most_points = 2000;  // of both bodies, for motions that nobody asked for
 
 struct NamedMotion {
@@ -51,9 +52,6 @@ struct NamedMotion {
   Twist twist;
   std::uint32_t steps;
 };
-
-/// The greatest power of two that is not above a positive number.
-mpq_class power_below(double value) { return kernels::times_power_of_two(mpq_class(1), std::ilogb(value)); }
 
 bool is_length(double value) { return std::isfinite(value) && value > 0; }
 
@@ -67,16 +65,20 @@ double longest_side(const AnsweredCase& answered) {
 
 /// Of A: along the direction, across the contact; and about the axes, through the middle of the
 /// first patch, by half a radian where that is not far from O. These are only to be looked at.
+/// Steps are powers of two, found by exponents: quotients of doubles could vanish or be infinite.
+/// Empty if the bodies have no length that a double holds.
 std::vector<NamedMotion> usual_motions(const AnsweredCase& answered) {
   const double side = longest_side(answered), depth = std::abs(answered.answer.low_binary64());
-  if (!is_length(side)) return {};
-  const double way = is_length(depth) ? std::min(2 * depth, 4 * side) : side / 4;
-  const mpq_class length = power_below(way) * (answered.answer.status() == Status::disjoint ? -1 : 1);
-  const std::array<double, 3> n = rounded::nearest_unit(*answered.answer.direction());
-  std::vector<NamedMotion> motions{{"along n", {length * Point{n[0], n[1], n[2]}, {}}, steps_of_usual}};
   const Point middle = answered.manifold->geometry.patches.front().centroid().a.core;
   const double far = std::max(side, picture::largest(middle).get_d());
-  const mpq_class turn = power_below(side / far / 2);
+  if (!is_length(side) || !is_length(far)) return {};
+  const auto power = [](int exponent) { return kernels::times_power_of_two(mpq_class(1), exponent); };
+  const int size = std::ilogb(side);
+  const mpq_class length = power(is_length(depth) ? std::min(std::ilogb(depth) + 1, size + 2) : size - 2) *
+                           (answered.answer.status() == Status::disjoint ? -1 : 1);
+  const std::array<double, 3> n = rounded::nearest_unit(*answered.answer.direction());
+  std::vector<NamedMotion> motions{{"along n", {length * Point{n[0], n[1], n[2]}, {}}, steps_of_usual}};
+  const mpq_class turn = power(std::max(size - std::ilogb(far) - 1, least_turn));
   const Point x{turn, 0, 0}, y{0, turn, 0}, z{0, 0, turn};
   for (const auto& [name, w] : {std::pair("about x", x), std::pair("about y", y), std::pair("about z", z)})
     motions.push_back({name, {cross(middle, w), w}, steps_of_usual});
@@ -95,6 +97,8 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
   const std::vector<NamedMotion> motions =
       request.form.motion ? std::vector{NamedMotion{"by the twist", request.form.motion->of_a, steps_of_twist}}
                           : usual_motions(answered);
+  if (motions.empty())
+    return none("Bodies without a length that binary64 holds are followed along a motion only if --twist names it.");
   page::Motions result;
   Json data = Json::array();
   for (const NamedMotion& motion : motions) {

@@ -274,6 +274,23 @@ class Touching(ExplainTest):
                     self.assertEqual(json.loads(page.block("depth"))["derivative"], motions[0]["derivative"])
                     self.assertEqual(numbers(page.fields["derivative"]), [motions[0]["derivative"]["value"]])
 
+    def test_motions_of_bodies_of_every_size(self):
+        """No step is found by a quotient that vanishes or is infinite; and where there is no length, that is said."""
+        flat = lambda side, x: [[x, 0, 0], [x, side, 0], [x, 0, side]]
+        far = ["1e400", 0, 0]
+        for name, a, b, turn in (("huge", box([-8e307] * 3, [8e307] * 3), box([-8e307] * 3, [8e307] * 3), -1),
+                                 ("small and far", flat(1e-30, 1e300), flat(1e-30, 1e300), -60),
+                                 ("least and far", flat(1e-200, 1e300), flat(1e-200, 1e300), -60),
+                                 ("subnormal", scaled(UNIT, 1e-310), scaled(UNIT, 1e-310), -1),
+                                 ("beyond", [far, [0, 1, 0], [0, 0, 1]], [far, [0, 1, 0], [0, 0, 1]], None),
+                                 ("points", [[0, 0, 0]], [[0, 0, 0]], None)):
+            with self.subTest(name):
+                page = self.page("-", stdin=case(a, b, id=name))
+                motions = json.loads(page.block("motions"))
+                turns = [max(abs(Fraction(w)) for w in motion["path"]["turn"]) for motion in motions[1:]]
+                self.assertEqual(turns, [Fraction(2) ** turn] * 3 if turn else [])
+                self.assertEqual("Bodies without a length that binary64 holds" in page.texts["motion"], turn is None)
+
     def test_a_turn_about_a_point_contact_does_not_change_the_depth_at_first(self):
         motions = json.loads(self.page("-", stdin=POLYTOPES["point"]).block("motions"))
         self.assertEqual([motion["derivative"]["value"] for motion in motions[1:]], [0, 0, 0])
