@@ -2,6 +2,7 @@
 // The way out of the overlap that a selection is about: along the chosen facet of P, or along the chosen optimum; and where it ends.
 import { nearest } from "./numbers.js";
 import { dot, meetingPoint, minus, norm, plus, times, unit } from "./geometry.js";
+import { placesOf } from "./places.js";
 
 /** {direction, translation, a: [vertex], b: [vertex], kind, facet: index or null, patches: of data.patches}; null where there is nothing to show. */
 export function wayOf(data, state) {
@@ -41,9 +42,9 @@ function touchingOf(data, way) {
 
 /** The answer's witness of B as a place; it belongs to the first optimum, or to the distance. */
 function witnessOf(data, way) {
-  const told = data.status === "disjoint" ? data.depth.distance : data.depth, witness = told?.witness_f64?.b, scale = data.stages.scale;
-  if (!witness || !scale || !way.isFirst) return null;
-  return witness.map((x, i) => (x - nearest(scale.center[i])) * 2 ** scale.exponent);
+  const told = data.status === "disjoint" ? data.depth.distance : data.depth, witness = told?.witness_f64?.b, { center, drawn } = placesOf(data.stages);
+  if (!witness || !data.stages.scale || !way.isFirst) return null;
+  return witness.map((x, i) => drawn(x - nearest(center[i])));
 }
 
 function farthest(points, direction) {

@@ -16,7 +16,6 @@
 //   data.order                  the pairs' indices by |A_i| |B_i|, greatest first: the order in which they are listed and stepped through
 //   data.coincidence("i.j")     {kind, count, a: [[vertex]..], b: [[vertex]..], decided_by}, or null
 
-import { motionsOf } from "./motions.js";
 import { patchesOf } from "./patches.js";
 import { makeUnionData } from "./uniondata.js";
 
@@ -43,7 +42,7 @@ export function makeData(depth, stages, caseText = "", motions = []) {
     cutting: stages.cutting ?? null,
     optima: optimaOf(stages, verticesOf),
     patches: patchesOf(depth, stages),
-    motions: motionsOf(motions),
+    motions,
     order: pairs.map((_, i) => i).sort((i, j) => size(pairs[j]) - size(pairs[i]) || i - j),
     edgesOf: (body, vertices) => edgesAmong(bodies[body], vertices),
     facetsOfPair: (i) => facetsOfPairs[i] ?? [],

@@ -2,26 +2,26 @@
 // How the depth changes as A moves: one chart at a time of those that stand in the page, and a slider that puts A where a mark is.
 import { cross, dot, plus, times } from "./geometry.js";
 import { element, svg } from "./look.js";
-import { nearest, textOf } from "./numbers.js";
+import { integersOf, nearest, textOf } from "./numbers.js";
+import { placesOf } from "./places.js";
 
-/** The data of the page's motions: [{name, v, w, path}], v and w the twist in binary64. */
-export function motionsOf(told) {
-  return told.map(({ name, path }) => ({ name, path, v: path.along.map(nearest), w: (path.turn ?? ["0", "0", "0"]).map(nearest) }));
-}
-
-/** Where a place is carried by a motion after its step k, as fathom has it: turned by the quaternion (1, s w / 2), and then moved by s v. */
-export function carrier({ v, w, path }, k, scale) {
-  const s = k / path.steps, half = times(w, s / 2), factor = 2 / (1 + dot(half, half));
-  const turn = (p) => times(plus(cross(half, p), cross(half, cross(half, p))), factor);
-  const unit = 2 ** (scale?.exponent ?? 0), center = (scale?.center ?? ["0", "0", "0"]).map(nearest);
-  const offset = times(plus(times(v, s), turn(center)), unit);
-  return (p) => plus(plus(p, turn(p)), offset);
+/**
+ * Where a place of the pictures is carried by a path after its step k, as fathom has it: turned by the quaternion (1, s w / 2), and then moved
+ * by s v. Where O goes is found exactly: of bodies far from O it is a small difference of large numbers.
+ */
+export function carrier({ along, turn = ["0", "0", "0"], steps }, k, stages) {
+  const { center, length } = placesOf(stages), [v, ofV] = integersOf(along), [w, ofW] = integersOf(turn), [c, ofC] = integersOf(center);
+  const h = times(w, BigInt(k)), one = 2n * BigInt(steps) * ofW, square = one * one + dot(h, h);  // the quaternion is (one, h)
+  const turned = plus(times(cross(h, c), 2n * one), times(cross(h, cross(h, c)), 2n));  // over square ofC
+  const offset = turned.map((t, i) => length(`${t * ofV * BigInt(steps) + BigInt(k) * v[i] * square * ofC}/${square * ofC * ofV * BigInt(steps)}`));
+  const half = h.map((x) => nearest(`${x}/${one}`)), factor = 2 / (1 + dot(half, half));
+  return (p) => plus(plus(p, times(plus(cross(half, p), cross(half, cross(half, p))), factor)), offset);
 }
 
 /** What carries A as chosen; null where it stands. */
 export function carrierOf(data, { motion, step }) {
   const chosen = data.motions[motion];
-  return chosen && step > 0 ? carrier(chosen, Math.min(step, chosen.path.steps), data.stages.scale) : null;
+  return chosen && step > 0 ? carrier(chosen.path, Math.min(step, chosen.path.steps), data.stages) : null;
 }
 
 /** "s = 3/20: penetrating, signed depth 0.25". */

@@ -16,7 +16,8 @@ function rounded(whole, shift, inexact) {
   return timesPowerOfTwo(Number(up ? kept + 1n : kept), -least);
 }
 
-function timesPowerOfTwo(x, exponent) {
+/** x times 2^exponent, also where that power is beyond binary64; rounded once. */
+export function timesPowerOfTwo(x, exponent) {
   let e = Number(exponent);
   for (; e < -1000 && Math.abs(x) >= 1; e += 500) x *= 2 ** -500;
   for (; e > 1000 && Number.isFinite(x); e -= 1000) x *= 2 ** 1000;
@@ -39,10 +40,10 @@ export function nearest(text) {
   return p < 0n ? -x : x;
 }
 
-/** The binary64 nearest to the difference of two such numbers. */
-export function differenceOf(first, second) {
-  const [p, q] = fractionOf(first), [r, s] = fractionOf(second);
-  return nearest(`${p * s - r * q}/${q * s}`);
+/** Such numbers as integers over one positive denominator: [[integer], denominator]. */
+export function integersOf(texts) {
+  const fractions = texts.map(fractionOf), whole = fractions.reduce((product, [, q]) => product * q, 1n);
+  return [fractions.map(([p, q]) => p * (whole / q)), whole];
 }
 
 /** The binary64 nearest to the square root of "p/q" >= 0. */

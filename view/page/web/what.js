@@ -5,6 +5,7 @@ import { arrowOf, contactText, meetingOf, wayOf } from "./contact.js";
 import { dot, frameOf, middle, minus, norm, plus, sideView, times } from "./geometry.js";
 import { calm, element } from "./look.js";
 import { carrierOf } from "./motions.js";
+import { placesOf } from "./places.js";
 import { onViewLook, withView } from "./scene.js";
 import { secondNormal } from "./uniondata.js";
 import { arrow, carry, emptied, feature, layer, planeSquare, recolour, segments } from "./solids.js";
@@ -160,10 +161,10 @@ function contactDrawn(data, frame, moving) {
   const witness = { a: moved(moving.ends().from), b: moving.ends().to };
   const height = (points, other) => dot(points.length ? middle(points) : other, way.direction);
   const gap = height(drawn.b, witness.b) - height(drawn.a, witness.a);
-  const unit = 2 ** -(data.stages.scale?.exponent ?? 0), heightOf = (points, n) => dot(middle(points), n);
-  const gaps = contactsOf(way).map((each) => unit * (heightOf(each.b.map((v) => data.bodies.b.vertices[v]), each.direction) -
+  const { back } = placesOf(data.stages), heightOf = (points, n) => dot(middle(points), n);
+  const gaps = contactsOf(way).map((each) => back(heightOf(each.b.map((v) => data.bodies.b.vertices[v]), each.direction) -
     heightOf(each.a.map((v) => moved(data.bodies.a.vertices[v])), each.direction)));
-  return { ...drawn, witness, direction: way.direction, gap: gap * unit, gaps };
+  return { ...drawn, witness, direction: way.direction, gap: back(gap), gaps };
 }
 
 function controlsOf(view, selection, views, bodies, data, canMove) {
