@@ -173,11 +173,18 @@ std::vector<Option> make_table() {
           "depth", "--patch",
           "add where the bodies touch after each shortest way out: all contact points, with the features that they are "
           "on; and whether the depth is smooth there, with its gradient by the pose"),
-      {"depth,explain",
+      {"depth",
        "--twist",
        "VX,VY,VZ,WX,WY,WZ",
        "add how fast the signed depth changes while A begins to move, its point p with the velocity V + W x p: exact, "
        "from one side",
+       {wrong_twist}},
+      {"explain",
+       "--twist",
+       "VX,VY,VZ,WX,WY,WZ",
+       "follow this motion of A, its point p with the velocity V + W x p at first, in place of the four usual ones, "
+       "and "
+       "add how fast the signed depth then changes: exact, from one side",
        {wrong_twist}},
       {"depth", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),

@@ -54,10 +54,9 @@ double height(const AlongStep& step) {
 
 bool turns(const Twist& motion) { return motion.w != Point{}; }
 
-/// "(2, 0, 0)", or "(2, 0, 0), turned by (0, 0, 1)".
-std::string motion_text(const Twist& motion) {
-  const std::string translation = place_text(motion.v, true);
-  return turns(motion) ? fmt::format("{}, turned by {}", translation, place_text(motion.w, true)) : translation;
+/// What comes before A is moved: "turned by the quaternion (1, s/2 (0, 0, 1)), then "; or nothing.
+std::string turn_text(const Twist& motion) {
+  return turns(motion) ? fmt::format("turned by the quaternion (1, s/2 {}), then ", place_text(motion.w, true)) : "";
 }
 
 std::size_t share_columns(const Path& path) {
@@ -122,8 +121,8 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedD
 
 /// The lines of a table of which `path` says how wide it is.
 std::string along_text_header(const Path& path) {
-  return fmt::format("along {}\n{:<{}}  {:<11}  {:<23}  contact", motion_text(path.motion), "s", share_columns(path),
-                     "status", "signed depth");
+  return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path.motion),
+                     place_text(path.motion.v, true), "s", share_columns(path), "status", "signed depth");
 }
 
 std::string along_text_row(const Path& path, const AlongStep& step) {
@@ -285,7 +284,7 @@ ExitCode run_along(const Given& given) {
   if (picture)
     picture->write(plot::figure_file(
         along_figure(steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
-                     "A is moved by s " + motion_text(path.motion))));
+                     fmt::format("A is {}moved by s {}", turn_text(path.motion), place_text(path.motion.v, true)))));
   if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty()) talk(dents);
   return fine;
 }

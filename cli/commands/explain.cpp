@@ -41,6 +41,17 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
   return notes;
 }
 
+/// What is green in the picture: "the arrow, and where they touch then".
+std::string drawn_beside(const picture::PairScene& scene) {
+  const bool touching = scene.status == Status::touching;
+  const std::string arrow = scene.moves() ? "the arrow" : "";
+  if (scene.patches.empty() && !touching) return arrow;
+  const std::string where = touching                              ? "where they touch"
+                            : scene.status == Status::penetrating ? "where they touch then"
+                                                                  : "where they are nearest";
+  return arrow.empty() ? where : fmt::format("{}, and {}", arrow, where);
+}
+
 // ---- motions of A ----
 
 constexpr std::uint32_t steps_of_twist = 40, steps_of_usual = 10;
@@ -85,12 +96,23 @@ std::vector<NamedMotion> usual_motions(const AnsweredCase& answered) {
   return motions;
 }
 
+/// The options with which `fathom depth` makes the same steps.
+std::string repeated_text(const Path& path) {
+  const auto& [v, w] = path.motion;
+  std::string along;
+  for (const mpq_class* c : {&v.x, &v.y, &v.z, &w.x, &w.y, &w.z}) along += (along.empty() ? "" : ",") + exact_text(*c);
+  return fmt::format("--along={} --steps {}", along, path.steps);
+}
+
 /// What the page shows of the depth while A moves.
 page::Motions motions_of(const Case& single, const AnsweredCase& answered, const DepthRequest& request,
                          Monitor& monitor) {
   const ContactGeometry& geometry = answered.manifold->geometry;
   const auto none = [](const std::string& why) { return page::Motions{"[]", {}, why}; };
-  if (geometry.no_patches) return none(fmt::format("Not told: {}.", name(*geometry.no_patches)));
+  if (geometry.no_patches == LeftOut::curved)
+    return none("Of curved bodies no motion is followed here, but fathom depth --along does.");
+  if (geometry.no_patches)
+    return none(fmt::format("No motion is followed, as where they touch is not told: {}.", name(*geometry.no_patches)));
   if (!request.form.motion && single.a.points.size() + single.b.points.size() > most_points)
     return none(fmt::format("Bodies of more than {} points are followed along a motion only if --twist names it.",
                             most_points));
@@ -111,8 +133,9 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
     data.push_back({{"name", motion.name},
                     {"derivative", output::derivative_object(derivative)},
                     {"path", along_object(path, steps)}});
-    result.charts.push_back(plot::figure_element(
-        along_figure(steps, fmt::format("motion{}", result.charts.size()), title, "A moves " + motion.name, slope)));
+    const auto figure =
+        along_figure(steps, fmt::format("motion{}", result.charts.size()), title, "A moves " + motion.name, slope);
+    result.charts.push_back({motion.name, plot::figure_element(figure), repeated_text(path)});
   }
   result.json = data.text();
   return result;
@@ -126,19 +149,23 @@ std::string page_of(const Case& single, const ExplainRequest& request, Monitor& 
   if (!answer.complete()) throw Interrupted();
   const AnswerForm& form = request.depth.form;
   answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
-  const std::string picture = picture::scene_panels(answer_scene(single, answered, form), "still",
-                                                    "A and B, the way out of A, and where they touch");
+  const picture::PairScene scene = answer_scene(single, answered, form);
+  const std::string beside = drawn_beside(scene);
+  const std::string picture =
+      picture::scene_panels(scene, "still", "A and B" + (beside.empty() ? "" : fmt::format(", {}", beside)));
   const std::string depth = output::answer_json(answered, form), pair = files::case_json(single);
   const std::vector<std::string> notes = notes_on(asked.bodies);
   if (const UnionDepth* const unions = std::get_if<UnionDepth>(&answer.found)) {
     stages::UnionStages stages = stages::stages_of(pieces_of(single.a), pieces_of(single.b), *unions, &monitor);
     stages.id = single.id;
-    return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture});
+    if (form.motion)
+      stages.left_out.emplace_back("Of unions no motion is followed: the facts have the derivative alone.");
+    return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside});
   }
   stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
   stages.id = single.id;
   const page::Motions motions = motions_of(single, answered, request.depth, monitor);
-  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, motions});
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside, motions});
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ for (const [name, page, corners] of [['boxes', boxes, 4], ['a capsule', capsule,
   });
 
 onPage('motions: the slider puts A where a mark is', boxes, {}, async (page) => {
-  const slider = page.locator('#motion input[type=range]'), told = page.locator('#motion output');
+  const slider = page.locator('#motion input[type=range]'), told = page.locator('#motion .step');
   await page.getByRole('button', { name: 'about y' }).click();
   const before = await colours(page, '#what .scene canvas');
   await slider.focus();
@@ -54,7 +54,7 @@ onPage('motions: one chart at a time, and all without scripts', boxes, {}, async
 });
 onPage('motions without scripts', boxes, { javaScriptEnabled: false }, async (page) => {
   assert.equal(await page.locator('#motion svg:visible').count(), 4, 'law: every chart is there');
-  assert.match(await page.locator('#facts').innerText(), /Where they touch: a polygon of 4 corners, area 2.625/i, 'law: and so are the corners');
+  assert.match(await page.locator('#facts').innerText(), /Where they touch then: a polygon of 4 corners, area 2.625/i, 'law: and so are the corners');
   await fits(page);
 });
 

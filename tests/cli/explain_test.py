@@ -252,7 +252,19 @@ class Touching(ExplainTest):
     def test_what_is_not_told_is_said(self):
         page = self.page("cylinder:r=1,h=2", "cone:r=1,h=1,at=0.5:0.25:1")
         self.assertEqual((page.fields["patch"], json.loads(page.block("motions"))), ("not told: curved", []))
-        self.assertIn("Not told: curved.", page.texts["motion"])
+        self.assertIn("Of curved bodies no motion is followed", page.texts["motion"])
+
+    def test_a_caption_names_what_is_drawn(self):
+        for words, green in ((["cylinder:r=1,h=2", "cone:r=1,h=1,at=0.5:0.25:1"], "the arrow."), ([CUBE, ICOSAHEDRON], "the arrow, and where they touch then."),
+                             (["box:half=1:1:1", "box:half=1:1:1,at=2:0:0"], "where they touch."),
+                             (["sphere:r=1", "sphere:r=1,at=5:0:0"], "the arrow, and where they are nearest.")):
+            with self.subTest(words):
+                self.assertIn(f'<span class="key-patch">green</span>: {green}</figcaption>', self.page_text(*words))
+
+    def test_a_motion_can_be_repeated(self):
+        text = self.page_text("--twist=1,0,1/3,0,0.5,1", CUBE, ICOSAHEDRON)
+        self.assertIn("--along=1,0,1/3,0,1/2,1 --steps 40", text)
+        self.assertIn("<code>fathom depth --patch --twist --json</code>", text)
 
     def test_motions_are_curves_of_depth(self):
         """Of each, the block is what `depth` prints of the path, and of the twist."""

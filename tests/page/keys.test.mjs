@@ -22,6 +22,6 @@ test("arrows step through the optima, round and round; a facet that was looked a
 
 test("digits name sections, Esc chooses nothing, other keys are not ours", () => {
   for (const key of ["1", "2", "3", "4", "5"]) assert.deepEqual(changeOfKey(key, data, state), { section: Number(key) });
-  assert.deepEqual(changeOfKey("Escape", data, state), { pair: null, facet: null, coincidence: null });
+  assert.deepEqual(changeOfKey("Escape", data, state), { pair: null, facet: null, coincidence: null, step: 0 });
   for (const key of ["0", "6", "a", "Tab", "Enter", " ", "J"]) assert.equal(changeOfKey(key, data, state), null);
 });

@@ -3,6 +3,7 @@
 // is hidden.
 #include "view/page/page.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -53,6 +54,24 @@ TEST(Html, CutsNumbersThatAreTooLong) {
   EXPECT_EQ(page::shown({page::Data::Kind::string, digits}), digits.substr(0, 4000) + "... (5000 characters)");
   EXPECT_EQ(page::shown(data(R"(["1/3", 2, null])")), "(1/3, 2, -)");
   EXPECT_EQ(page::shown({page::Data::Kind::string, "<b>"}), "&lt;b&gt;");
+}
+
+TEST(Facts, SayHowManyPlacesAreNotListed) {
+  const auto facts_of = [](std::size_t patches, const std::string& status) {
+    std::string all;
+    const std::string one = R"({"corners":[{"a":["0","0","0"],"b":["0","0","0"],"on_a":[],"on_b":[]}]})";
+    for (std::size_t i = 0; i < patches; ++i) all += (i ? "," : "") + one;
+    return page::facts(data(
+        fmt::format(R"({{"status":"{}","depth":{{"value":1}},"manifold":{{"patches":[{}]}}}})", status, all).c_str()));
+  };
+  const std::string listed = facts_of(50, "penetrating"), more = facts_of(53, "disjoint");
+  EXPECT_EQ(count(listed, "data-patch"), 50U);
+  EXPECT_NE(listed.find("Where they touch then: a point"), std::string::npos);
+  EXPECT_EQ(listed.find("more"), std::string::npos);
+  EXPECT_EQ(count(more, "data-patch"), 50U);
+  EXPECT_NE(more.find("3 more"), std::string::npos) << "law: what is cut is counted";
+  EXPECT_NE(more.find("Where they are nearest: a point"), std::string::npos);
+  EXPECT_EQ(more.find("touch"), std::string::npos) << "law: bodies that are apart do not touch";
 }
 
 stages::Stages of_cubes() {

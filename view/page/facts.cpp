@@ -212,12 +212,19 @@ std::string patch_text(const Data& patch) {
   return corners == 2 ? "a segment of length " + size : fmt::format("a polygon of {} corners, area {}", corners, size);
 }
 
+/// "Where they touch then", of bodies that overlap: after the way out.
+std::string where_text(const Data& depth, const Data& patch) {
+  std::string bodies = "they";
+  if (const Data& pieces = at(patch, "pieces"); pieces.is_array())
+    bodies = fmt::format("piece {} of A and piece {} of B", pieces.at(0).text(), pieces.at(1).text());
+  return fmt::format("Where {} {}", bodies,
+                     is(depth, "disjoint")      ? "are nearest"
+                     : is(depth, "penetrating") ? "touch then"
+                                                : "touch");
+}
+
 /// A table of the corners, and of the points that span the faces on which they are.
-std::string patch_table(const Data& patch) {
-  const Data& pieces = at(patch, "pieces");
-  const std::string where = pieces.is_array() ? fmt::format("Where piece {} of A touches piece {} of B",
-                                                            pieces.at(0).text(), pieces.at(1).text())
-                                              : "Where they touch";
+std::string patch_table(const std::string& where, const Data& patch) {
   Table table(fmt::format("{}: {}", where, patch_text(patch)), {"#", "'on A", "'A's points", "'on B", "'B's points"});
   const std::vector<Data>& corners = at(patch, "corners").items();
   for (std::size_t k = 0; k < std::min(corners.size(), most_patch_corners); ++k)
@@ -234,7 +241,8 @@ std::string patch_table(const Data& patch) {
 void add_first_order(FactList& rows, const Data& depth) {
   const Data& manifold = at(depth, "manifold");
   if (const Data& reason = at(manifold, "left_out"); !reason.is_null())
-    rows.add("patch", "where they touch", "not told: " + shown(reason));
+    rows.add("patch", is(depth, "disjoint") ? "where they are nearest" : "where they touch",
+             "not told: " + shown(reason));
   if (const Data& smooth = at(manifold, "smooth"); smooth.is_boolean()) {
     std::string kinks;
     for (const Data& kink : at(manifold, "kinks").items()) kinks += (kinks.empty() ? "no: " : ", ") + shown(kink);
@@ -257,9 +265,14 @@ std::string patch_tables(const Data& depth) {
   for (std::size_t i = 0; i < std::min(patches.size(), most_patches); ++i) {
     const Data& optimum = at(patches[i], "optimum");
     const std::uint64_t way = optimum.is_natural() ? optimum.natural() : i;
-    tables +=
-        fmt::format("<div data-patch=\"{}\"{}>{}</div>\n", way, way == 0 ? "" : " hidden", patch_table(patches[i]));
+    tables += fmt::format("<div data-patch=\"{}\"{}>{}</div>\n", way, way == 0 ? "" : " hidden",
+                          patch_table(where_text(depth, patches[i]), patches[i]));
   }
+  if (patches.size() > most_patches)
+    tables += fmt::format(
+        "<p class=\"soft\">The first {} such places are listed here; {} more, of further ways or pieces, are "
+        "not.</p>\n",
+        most_patches, patches.size() - most_patches);
   return tables;
 }
 

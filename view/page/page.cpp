@@ -122,21 +122,39 @@ const std::string& whole_style() {
   return text;
 }
 
-/// A still picture with a caption, which is markup; empty if there is no picture.
-std::string figure(const std::string& svg, std::string_view caption) {
-  return svg.empty() ? "" : fmt::format("<figure class=\"still\">{}<figcaption>{}</figcaption></figure>", svg, caption);
+/// The still picture with a caption; `seen` says whence it is seen. Empty if there is none.
+template <class AnySheet>
+std::string figure(const AnySheet& sheet, std::string_view seen) {
+  if (sheet.picture.empty()) return "";
+  const std::string green =
+      sheet.beside.empty() ? ""
+                           : fmt::format("; <span class=\"key-patch\">green</span>: {}", picture::markup(sheet.beside));
+  return fmt::format(
+      "<figure class=\"still\">{}<figcaption><span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen "
+      "across {}{}.</figcaption></figure>",
+      sheet.picture, seen, green);
+}
+
+/// What prints the answer of a page.
+std::string command_of(const Data& depth, std::string_view options) {
+  const text::JsonValue* const derivative = depth.find("derivative");
+  return fmt::format("fathom depth{} --patch{} --json", options,
+                     derivative && derivative->is_object() ? " --twist" : "");
 }
 
 constexpr std::string_view lead_motion =
     "<p class=\"lead\">A is turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets out with "
-    "the velocity v + w x p at its points p. Each mark is the signed depth where A stands then, as <code>fathom depth "
+    "the velocity v + w x p at its points p, and s = 1 is all of the motion. Each mark is the signed depth where A "
+    "stands then, as <code>fathom depth "
     "--along</code> finds it; the slope of the dashed line is the derivative at s = 0, from this side.</p>\n";
 
 /// The charts, of which the script shows one at a time; or why there are none.
 std::string motion_part(const Motions& motions) {
   std::string charts;
-  for (const std::string& chart : motions.charts)
-    charts += fmt::format("<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"Chart\">{}</div>\n", chart);
+  for (const auto& [name, svg, repeated] : motions.charts)
+    charts += fmt::format("<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{}{}</div>\n",
+                          picture::markup("A moves " + name), svg,
+                          picture::folded("v and w of this motion, for fathom depth", picture::markup(repeated)));
   return charts.empty() ? fmt::format("<p class=\"soft\">{}</p>\n", picture::markup(motions.why_none)) : charts;
 }
 
@@ -213,19 +231,16 @@ std::string filled(std::string_view text, const std::map<std::string, std::strin
 std::string html_page(const Sheet& sheet) {
   const Data depth = parsed(sheet.depth);
   const stages::Stages& stages = sheet.stages;
-  const std::string main = filled(
-      pair_sections(),
-      {{"picture_what", figure(sheet.picture,
-                               "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across n; "
-                               "<span class=\"key-patch\">green</span>: the arrow, and where they touch.")},
-       {"facts", facts(depth)},
-       {"lead_motion", sheet.motions.charts.empty() ? "" : std::string(lead_motion)},
-       {"motions", motion_part(sheet.motions)},
-       {"lead_why", lead_why(stages)},
-       {"lead_where", lead_where(stages)},
-       {"lead_coincided", lead_coincided(stages)},
-       {"lead_cost", lead_cost(stages)}});
-  return assembled(sheet, "fathom depth --patch --json", picture::markup(answer_sentence(depth)), subtitle(depth),
+  const std::string main =
+      filled(pair_sections(), {{"picture_what", figure(sheet, "n")},
+                               {"facts", facts(depth)},
+                               {"lead_motion", sheet.motions.charts.empty() ? "" : std::string(lead_motion)},
+                               {"motions", motion_part(sheet.motions)},
+                               {"lead_why", lead_why(stages)},
+                               {"lead_where", lead_where(stages)},
+                               {"lead_coincided", lead_coincided(stages)},
+                               {"lead_cost", lead_cost(stages)}});
+  return assembled(sheet, command_of(depth, ""), picture::markup(answer_sentence(depth)), subtitle(depth),
                    {{"what", "What happens"},
                     {"why", "Why no shorter way"},
                     {"where", "Where it comes from"},
@@ -241,15 +256,15 @@ std::string html_page(const Sheet& sheet) {
 
 std::string html_page(const UnionSheet& sheet) {
   const Data depth = parsed(sheet.depth);
-  const std::string_view caption =
-      "<span class=\"key-a\">A</span> and <span class=\"key-b\">B</span>, seen across the translation; deeper: the "
-      "pieces in contact.";
-  const std::string main = filled(union_sections(), {{"picture_what", figure(sheet.picture, caption)},
+  const std::string_view seen = sheet.stages.status == Status::disjoint
+                                    ? "the translation; deeper: the pieces that are nearest"
+                                    : "the translation; deeper: the pieces in contact";
+  const std::string main = filled(union_sections(), {{"picture_what", figure(sheet, seen)},
                                                      {"facts", union_facts(depth, sheet.stages)},
                                                      {"optima", union_optima(depth)},
                                                      {"lead_why", lead_of_sums(sheet.stages)}});
-  return assembled(sheet, "fathom depth --pieces --patch --json", picture::markup(union_sentence(depth)),
-                   union_subtitle(depth), {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
+  return assembled(sheet, command_of(depth, " --pieces"), picture::markup(union_sentence(depth)), union_subtitle(depth),
+                   {{"what", "What happens"}, {"why", "Why no shorter way"}}, main,
                    {{"depth", sheet.depth}, {"stages", stages::to_json(sheet.stages)}, {"case", sheet.pair}});
 }
 

@@ -22,8 +22,12 @@ struct Motions {
   /// An array: of each motion its "name"; "derivative", as in the answer; and "path", what `fathom
   /// depth --along --json` prints.
   std::string json = "[]";
-  std::vector<std::string> charts;  ///< of each, as SVG
-  std::string why_none;             ///< a sentence, if there are none
+  /// of each its name, its chart as SVG, and how `fathom depth` repeats it
+  struct Chart {
+    std::string name, svg, repeated;
+  };
+  std::vector<Chart> charts;
+  std::string why_none;  ///< a sentence, if there are none
 };
 
 /// What a page is made of.
@@ -37,6 +41,7 @@ struct Sheet {
   /// both bodies as SVG, ready to stand in HTML with the style of picture_style; empty: there is
   /// none
   std::string picture;
+  std::string beside = {};  ///< what is green in it, in words
   Motions motions = {};
 };
 
@@ -55,7 +60,7 @@ struct UnionSheet {
   const stages::UnionStages& stages;  ///< of the same bodies
   std::string pair;                   ///< a line of fathom/case/1
   std::vector<std::string> notes;     ///< as in Sheet
-  std::string picture;                ///< both bodies as SVG, as in Sheet
+  std::string picture, beside = {};   ///< both bodies as SVG, and what is green, as in Sheet
 };
 
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON

@@ -10,7 +10,7 @@ export function changeOfKey(key, data, state) {
     case "k": return data.order.length ? { pair: step(data.order, data.order.indexOf(state.pair), -1) } : null;
     case "ArrowRight": return stepOptimum(data, state, 1);
     case "ArrowLeft": return stepOptimum(data, state, -1);
-    case "Escape": return { pair: null, facet: null, coincidence: null };
+    case "Escape": return { pair: null, facet: null, coincidence: null, step: 0 };
     default: return /^[1-5]$/.test(key) ? { section: Number(key) } : null;
   }
 }

@@ -32,13 +32,13 @@ export function stepText({ path }, step) {
 
 export function mountMotions(root, data, selection) {
   if (data.motions.length === 0) return {};
-  const charts = [...root.children], cursors = charts.map(cursorOf), told = element("output", { class: "step" });
-  const range = element("input", { type: "range", min: 0, step: 1, "aria-label": "How far A has gone along the motion" });
+  const charts = [...root.children], cursors = charts.map(cursorOf), told = element("p", { class: "step" });
+  const range = element("input", { type: "range", min: 0, step: 1 });
   range.addEventListener("input", () => selection.set({ step: Number(range.value), moved: 0 }));
   const choose = (motion) => () => selection.set({ motion, step: 0 });
   const buttons = data.motions.map(({ name }, i) => element("button", { type: "button", onclick: choose(i) }, name));
   const choice = buttons.length > 1 ? element("div", { class: "choice", role: "group", "aria-label": "Motions of A" }, ...buttons) : null;
-  root.prepend(element("div", { class: "controls" }, choice, element("div", { class: "slider" }, range)), told);
+  root.prepend(element("div", { class: "controls" }, choice, element("label", { class: "slider" }, "A on its motion", range)), told);
   selection.subscribe((state, changed) => {
     if (!changed.has("motion") && !changed.has("step")) return;
     const motion = data.motions[state.motion], step = Math.min(state.step, motion.path.steps);

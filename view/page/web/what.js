@@ -83,7 +83,7 @@ function movingParts(view, data, frame, [bodyA, bodyB]) {
         contact.b.add(feature(placed(b, each.b), "--b", normal));
         plane.add(planeSquare(at, normal, contacts.length > 1 ? half / 3 : half, "--true"));
       }
-      for (const patch of way.patches) {
+      for (const patch of way.patches.slice(0, mostContactsDrawn)) {
         contact.a.add(feature(patch.a.map(frame.place), "--true", frame.normal(patch.direction)));
         contact.b.add(feature(patch.b.map(frame.place), "--true", frame.normal(patch.direction)));
       }
@@ -202,6 +202,7 @@ function sliderOf(selection, status) {
     playing = requestAnimationFrame(step);
   };
   selection.subscribe((state) => {
+    if (state.step > 0) cancelAnimationFrame(playing);  // A stands on a motion now
     range.value = String(state.moved);
     range.setAttribute("aria-valuetext", `${Math.round(100 * state.moved)} % of the way`);
   });
@@ -211,12 +212,15 @@ function sliderOf(selection, status) {
 }
 
 function legend(data, frame, bodies, way) {
-  const overlap = data.status === "penetrating", apart = data.status === "disjoint", length = norm(frame.move(way.translation));
-  const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : "Plane: it separates them.";
+  const overlap = data.status === "penetrating", apart = data.status === "disjoint", touching = data.status === "touching";
+  const length = norm(frame.move(way.translation));
+  const arrowText = overlap ? "Arrow: the way out of A" : apart ? "Arrow: the shortest way of A to B." : touching ? "Plane: it separates them." : "";
+  const where = overlap ? "where they touch then" : apart ? "where they are nearest" : "where they touch", most = mostContactsDrawn;
+  const drawn = way.patches.length > most ? `the first ${most} of ${way.patches.length} places` : "all points";
   const result = element("p", { class: "soft legend" },
     element("span", { class: "of-a" }, "A solid"), ", ", element("span", { class: "of-b" }, "B hatched"),
     way.a.length ? "; faces that meet are thick. " : ". ",
-    way.patches.length ? element("span", { class: "of-true" }, "Green: all points where they touch. ") : null,
+    way.patches.length ? element("span", { class: "of-true" }, `Green: ${drawn} ${where}. `) : null,
     element("span", { class: "of-true" }, arrowText),
     overlap ? `, ending ${way.contacts ? "where pieces touch; squares: planes between those" : "at the plane that then separates both"}; ${isFaint(data.bodies.a) ? "faint" : "dashed"}: A at its end.` : "");
   const strong = (text) => result.append(element("strong", {}, ` ${text}`));
