@@ -137,6 +137,12 @@ class Forms(CliTest):
                 else:
                     self.assertEqual((value["value"], row["value"], row["sign"], row["root"], row["plus"]), (None, "", "", "", ""))
 
+    def test_a_turn_is_told_before_the_translation_it_comes_before(self):
+        _, _, lines, chart = self.forms(CUBE, ICOSAHEDRON, "1,0,0,0,0,2", 1)
+        turned = "turned by the quaternion (1, s/2 (0, 0, 2)), then "
+        self.assertEqual(lines[0], f"{turned}along (1, 0, 0)")
+        self.assertIn(f"A is {turned}moved by s (1, 0, 0)", chart.find(NAME + "desc").text)
+
     def test_the_chart_is_a_curve(self):
         chart = self.forms(*PATHS[0])[3]
         line = next(path.get("d") for path in chart.iter(NAME + "path") if path.get("class") == "look-0" and path.get("d").startswith("M")
