@@ -44,6 +44,9 @@ class Contacts(LevelTests, GoldenTest):
         out = self.answer("golden", "verify", "--method", "exact", "--method", "naive", self.release)
         self.assertRegex(out, f"^s VERIFIED C0 version=[0-9.]+ seed=1 shards={len(self.shards)} records={records} agreed=exact,naive ")
 
+    def test_schemas(self):
+        self.validated()
+
     def test_what_it_holds(self):
         """Points, segments and polygons, of bodies that penetrate, touch and are apart; gradients, and every reason why there is none."""
         ranks, kinds, kinks = set(), set(), set()

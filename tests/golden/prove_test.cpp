@@ -306,6 +306,19 @@ TEST(Prove, TheSecondWaysSeeWhatIsWrongWithContacts) {
   EXPECT_THROW(insist_on_exchanged(bodies, reversed, frame, {}), NotProved);
 }
 
+TEST(Prove, TheConeOfCoresThatTouchIsTheProvedOne) {
+  const RecordBodies bodies = base_bodies({Source::family, "touching_vertex_vertex", 8, 1});
+  ContactGeometry geometry = contacts_of(bodies, {}).contacts.manifold.geometry;
+  const std::optional<OptimalCone> proved = geometry.cone;
+  ASSERT_GT(proved.value().rays.size(), 1u);
+  EXPECT_NO_THROW(insist_on_cone(geometry, proved));
+  EXPECT_THROW(insist_on_cone(geometry, {}), NotProved);
+  geometry.cone->rays.pop_back();
+  EXPECT_THROW(insist_on_cone(geometry, proved), NotProved);
+  geometry.cone.reset();
+  EXPECT_THROW(insist_on_cone(geometry, proved), NotProved);
+}
+
 TEST(Prove, AnIdStandsForItsOwnPointsOnly) {
   // Another case under this name: all of it true, and its certificate is accepted.
   const Recipe recipe{Source::family, "random_ball", 5, 1}, other{Source::family, "random_ball", 5, 2};

@@ -4,12 +4,14 @@
 // exchanged, and faces clipped by each other in rationals.                     [proofs/golden.md]
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "fathom/certificate.hpp"
 #include "fathom/shape.hpp"
 #include "kernels/vector.hpp"
+#include "reference/files/pose.hpp"
 #include "reference/patch/patch.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/golden/records/facts.hpp"
@@ -37,22 +39,17 @@ std::vector<Point> core_points(const Body& body) {
   return shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points).value_or(std::vector<Point>());
 }
 
-Point placed(const Pose& m, const Point& p) {
-  const auto row = [&](std::size_t i) { return mpq_class(m[i][0] * p.x + m[i][1] * p.y + m[i][2] * p.z + m[i][3]); };
-  return {row(0), row(1), row(2)};
-}
-
 Body placed(const Pose& frame, const Body& body) {
   if (body.shape) return of_shape(moved(*body.shape, frame));
   std::vector<Point> points;
-  for (const Point& p : body.points.exact()) points.push_back(placed(frame, p));
+  for (const Point& p : body.points.exact()) points.push_back(files::placed(p, frame));
   return {std::move(points)};
 }
 
 /// The same motion as it is seen in the frame.
 Twist placed(const Pose& frame, const Twist& motion) {
-  const Point origin = placed(frame, Point{});
-  const Point v = placed(frame, motion.v) - origin, w = placed(frame, motion.w) - origin;
+  const Point origin = files::placed({}, frame);
+  const Point v = files::placed(motion.v, frame) - origin, w = files::placed(motion.w, frame) - origin;
   return {v - cross(w, origin), w};
 }
 
@@ -109,7 +106,7 @@ void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contact
   std::vector<std::pair<Point, Point>> expected, found;
   for (const Patch& patch : geometry.patches)
     for (std::size_t k = 0; k < patch.corners.size(); ++k)
-      expected.emplace_back(placed(frame, patch.b(k).core), placed(frame, patch.a(k).core));
+      expected.emplace_back(files::placed(patch.b(k).core, frame), files::placed(patch.a(k).core, frame));
   for (const Patch& patch : turned.patches)
     for (std::size_t k = 0; k < patch.corners.size(); ++k) found.emplace_back(patch.a(k).core, patch.b(k).core);
   if (!std::is_permutation(expected.begin(), expected.end(), found.begin(), found.end()) ||
@@ -136,6 +133,10 @@ void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts)
     if (!std::is_permutation(corners.begin(), corners.end(), expected.begin(), expected.end()))
       throw NotProved("expected.manifold.patches: clipped in rationals, the faces share others");
   }
+}
+
+void insist_on_cone(const ContactGeometry& geometry, const std::optional<OptimalCone>& proved) {
+  if (geometry.cone != proved) throw NotProved("expected.manifold: the certificate proves another cone");
 }
 
 }  // namespace fathom::golden

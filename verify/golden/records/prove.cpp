@@ -254,8 +254,13 @@ struct WrittenBody {
   }
 };
 
-/// Of an accepted certificate about these bodies: then the lineality of its cone is independent,
-/// and the rays are the extreme ones.
+/// Of an accepted certificate: then the lineality of its cone is independent, and the rays are the
+/// extreme ones.
+std::optional<OptimalCone> cone_of(const Certificate& certificate) {
+  if (!certificate.has_cone) return std::nullopt;
+  return rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
+}
+
 ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, const WrittenBody& b) {
   if (!a.is(certificate.a) || !b.is(certificate.b)) throw NotProved("the certificate is about other bodies");
   const bool plane = a.half_space() || b.half_space();
@@ -270,9 +275,7 @@ ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, cons
       break;
     case Claim::touching:
       if (!certificate.has_cone && !plane) throw NotProved("the certificate does not claim to list all directions");
-      truth.cone =
-          plane ? OptimalCone{Lineality::none, {}, {truth.direction}}
-                : rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
+      truth.cone = plane ? OptimalCone{Lineality::none, {}, {truth.direction}} : cone_of(certificate);
       truth.direction = truth.cone->direction();
       directions = {truth.direction};
       break;
@@ -408,6 +411,7 @@ ContactFacts proved_contacts(const FormedCase& made, std::string_view text) {
     patches = same(geometry.patches[i], certificate, i);
   if (!patches) throw NotProved("expected.manifold.patches: the certificate proves others");
   const std::span<const Twist> motions = recorded_motions();
+  if (!has_half_space(certificate)) insist_on_cone(geometry, cone_of(certificate));
   const bool rates = !geometry.cone || has_half_space(certificate);
   if (proved.rates.items.size() != (rates ? motions.size() : 0))
     throw NotProved("expected.derivatives: the certificate does not prove them");

@@ -62,8 +62,8 @@ RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness
                              std::string_view certificate, Workspace* workspace = nullptr);
 
 /// Returns what a record of contacts says beside that truth: found anew, where each direction, each
-/// corner of a patch and, unless the cores touch, each derivative is one that the certificate
-/// proves. Throws NotProved otherwise.
+/// corner of a patch, the cone of cores that touch and, unless they do, each derivative is one that
+/// the certificate proves. Throws NotProved otherwise.
 ContactFacts proved_contacts(const FormedCase& made, std::string_view certificate);
 
 // ---- recomputation ----
@@ -90,5 +90,9 @@ void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contact
 
 /// Each patch is what the faces share when one is clipped by the other. Throws NotProved if not.
 void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts);
+
+/// The cone of cores that touch is the one that is proved; there is none where none is proved.
+/// Throws NotProved if not.
+void insist_on_cone(const ContactGeometry& geometry, const std::optional<OptimalCone>& proved);
 
 }  // namespace fathom::golden
