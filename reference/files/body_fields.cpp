@@ -114,6 +114,10 @@ std::vector<mpq_class> Reader::numbers(const JsonValue& value, std::size_t count
 
 // Of a repeated field the last would count.
 Twist Reader::twist(const JsonValue& json, const std::string& path) {
+  if (!json.is_object()) {
+    report(path, "an object", found(json));
+    return {};
+  }
   if (json.fields().size() < json.items().size()) report(path, "each field once", "one twice");
   const auto part = [&](const char* name) -> Point {
     const JsonValue* const value = json.find(name);
@@ -392,9 +396,10 @@ std::string read_faces(const JsonValue& faces, const std::string& path, Body& bo
 std::string read_motion(const JsonValue& twist, Motion& motion) {
   Reader reader;
   if (twist.fields().size() < twist.items().size()) return "twist: expected each field once, found one twice";
-  if (!twist.find("a") && !twist.find("b")) return "twist: expected a field 'a' or 'b', found none";
-  if (const JsonValue* const of_a = twist.find("a")) motion.of_a = reader.twist(*of_a, "twist.a");
-  if (const JsonValue* const of_b = twist.find("b")) motion.of_b = reader.twist(*of_b, "twist.b");
+  const JsonValue *const of_a = given(twist, "a"), *const of_b = given(twist, "b");
+  if (!of_a && !of_b) return "twist: expected a field 'a' or 'b', found none";
+  if (of_a) motion.of_a = reader.twist(*of_a, "twist.a");
+  if (of_b) motion.of_b = reader.twist(*of_b, "twist.b");
   return reader.fault;
 }
 
