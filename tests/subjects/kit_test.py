@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KIT = ROOT / "verify/subjects/kit"
@@ -102,6 +103,12 @@ class Kit(unittest.TestCase):
                               "capabilities": {"faces": True, "shapes": ["capsule", "box", "margin"], "twist": True}, "promises": ["depth"],
                               "rounding": {"vertices": 0.1, "box": 0.25}, "manifold": {"most": 4, "margin": 0.125},
                               "settings": {"limit": "3"}})
+
+    def test_any_manifold(self):
+        """An empty one is promised too; in C++ it is not the same as none."""
+        with unittest.mock.patch.dict(os.environ, {"FATHOM_KIT_ANY_MANIFOLD": "1"}):
+            for done in self.talk([{"type": "hello", "protocol": "fathom/subject/1"}], languages=["C++"]):
+                self.assertEqual(json.loads(done.stdout)["manifold"], {})
 
     def test_numbers_are_kept_and_timed(self):
         for [(reply)], _ in self.replies((POINTS, POINTS)):

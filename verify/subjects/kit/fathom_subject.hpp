@@ -123,7 +123,7 @@ struct Subject {
   std::map<std::string, double> rounding = {};
   /// of its contacts: "most", how many an answer has at most; "margin", how much less deep those
   /// without a depth may be
-  std::map<std::string, double> manifold = {};
+  std::optional<std::map<std::string, double>> manifold = {};
   /// or "separating": a depth with a direction claims no more than that this translation separates
   std::string claims = "minimum";
   char axis = 0;  ///< 'x', 'y' or 'z': along which the library's own shapes lie. Bodies then come turned to it; 0: as
@@ -421,12 +421,14 @@ inline std::string precision(const Subject& subject) {
   return "{\"points\":" + quoted(subject.precision) + ",\"answers\":" + quoted(subject.answers) + '}';
 }
 
-inline std::string numbers(const char* name, const std::map<std::string, double>& all) {
-  if (all.empty()) return "";
-  const std::string start = std::string(",\"") + name + "\":";
-  if (const auto one = all.find(""); one != all.end()) return start + number(one->second);
-  return start + '{' + joined(all, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) +
-         '}';
+inline std::string numbers(const std::map<std::string, double>& all) {
+  return '{' + joined(all, [](const auto& each) { return quoted(each.first) + ':' + number(each.second); }) + '}';
+}
+
+inline std::string rounding(const std::map<std::string, double>& radii) {
+  if (radii.empty()) return "";
+  const auto of_all = radii.find("");
+  return ",\"rounding\":" + (of_all != radii.end() ? number(of_all->second) : numbers(radii));
 }
 
 inline std::string hello(const Subject& subject) {
@@ -440,8 +442,8 @@ inline std::string hello(const Subject& subject) {
          "},\"capabilities\":{\"faces\":" + (subject.faces ? "true" : "false") + ",\"shapes\":" + list(subject.shapes) +
          ",\"twist\":" + (subject.twist ? "true" : "false") + '}' +
          (subject.library.empty() ? "" : ",\"library\":" + quoted(subject.library)) +
-         ",\"promises\":" + list(subject.promises) + numbers("rounding", subject.rounding) +
-         numbers("manifold", subject.manifold) + ",\"settings\":{" + settings + "}}";
+         ",\"promises\":" + list(subject.promises) + rounding(subject.rounding) +
+         (subject.manifold ? ",\"manifold\":" + numbers(*subject.manifold) : "") + ",\"settings\":{" + settings + "}}";
 }
 
 inline std::string contact(const Contact& contact) {
