@@ -448,6 +448,41 @@ TEST(Twists, OfUnionsAreThoseOfTheChosenPair) {
   EXPECT_EQ(outcome.derivative->squared, 4);
 }
 
+/// Two cubes 1 above a block, or 1 deep in it, as they turn: one comes nearer, one goes away.
+TEST(Twists, OfUnionsWithSeveralSuchPairsAreTheLargest) {
+  const auto box = [](double left, double right, double low, double high) {
+    std::vector<Triple> points;
+    for (const double x : {left, right})
+      for (const double y : {-4, 4})
+        for (const double z : {low, high}) points.push_back({x, y, z});
+    return GivenPoints(points).exact();
+  };
+  const auto outcome = [&](double top, std::array<std::optional<double>, 2> rates, std::optional<double> length = 1) {
+    Body both;
+    both.pieces = std::make_shared<const Pieces>(Pieces{box(-4, -3, 0, 9), box(3, 4, 0, 9)});
+    const Case pair{"u", both, Body{box(-9, 9, -9, top)}, Motion{{{}, {0, 1, 0}}, {}}};
+    return examine_pairs(pair, 0, {}, {}, [&](const Case& one, std::optional<SubjectAnswer>& answer) {
+      Reply reply;
+      reply.overlap = top > 0;
+      (top > 0 ? reply.depth : reply.distance) = length;
+      answer = SubjectAnswer{"", reply};
+      answer->derivative = rates.at(one.id == "u[1,0]" ? 1 : 0);
+      return outcome_for(one);
+    });
+  };
+  for (const double top : {-1.0, 1.0}) {
+    const Outcome right = outcome(top, {-3, 4});
+    EXPECT_EQ(right.verdict, Verdict::pass) << right.judgement.value().sentence;
+    EXPECT_EQ(right.derivative.value().claimed, 4);
+    EXPECT_EQ(right.derivative->squared, 16);
+    EXPECT_EQ(outcome(top, {-3, 5}).verdict, Verdict::wrong_derivative);
+    EXPECT_EQ(outcome(top, {-3, NAN}).verdict, Verdict::nan);
+    EXPECT_FALSE(outcome(top, {-3, std::nullopt}).derivative);
+    EXPECT_FALSE(outcome(top, {std::nullopt, 4}).derivative);
+    EXPECT_FALSE(outcome(top, {-3, 4}, std::nullopt).derivative) << "which of them counts is not told";
+  }
+}
+
 TEST(JudgedBodies, AreGrownByTheRadiusOfTheirWord) {
   const Case seen{"c", Body{{{0, 0, 0}, {1, 0, 0}}}, files::body_of(files::named("sphere", {{"radius", {2}}}))};
   SubjectInfo info;

@@ -247,6 +247,21 @@ const Told& deepest(const std::vector<Told>& all, const Conventions& conventions
   return *best;
 }
 
+/// The derivative of the unions: the largest of those in replies as deep, or as near, as the chosen
+/// one. nullopt if one of these has none, or no length tells which they are.
+std::optional<double> derivative_of(const std::vector<Told>& all, const Told& chosen, const Conventions& conventions) {
+  const std::optional<double> most = weight(chosen.reply(), conventions);
+  std::optional<double> largest = chosen.answer.derivative;
+  for (const Told& told : all) {
+    if (&told == &chosen || told.reply().overlap != chosen.reply().overlap) continue;
+    if (most && weight(told.reply(), conventions) != most) continue;
+    const std::optional<double>& other = told.answer.derivative;
+    if (!most || !other || !largest) return std::nullopt;
+    if (std::isfinite(*largest) && (!std::isfinite(*other) || *other > *largest)) largest = other;
+  }
+  return largest;
+}
+
 bool all_have_distances(const std::vector<Told>& all) {
   return std::ranges::all_of(all, [](const Told& told) { return told.reply().distance.has_value(); });
 }
@@ -288,7 +303,7 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
                  const Judging& judging) {
   const Told& chosen = deepest(all, info.conventions);
   SubjectAnswer whole{{}, chosen.reply(), microseconds_of(all)};
-  whole.derivative = chosen.answer.derivative;
+  whole.derivative = derivative_of(all, chosen, info.conventions);
   for (const Told& told : all)
     if (whole.remark.empty()) whole.remark = told.answer.remark;
   Reply& reply = std::get<Reply>(whole.said);

@@ -106,8 +106,8 @@ bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info);
 /// outcome. What was declined makes the case declined, once all have been asked. Else the answer is
 ///   of replies that claim an overlap, if any do, the deepest; or the first, if none has a depth;
 ///   else "apart", with the least distance if every reply has one. A number that is not finite is
-///   deeper than any, and nearer. The answer is judged as one about the unions, and as one about
-///   its pair.
+///   deeper than any, and nearer. The derivative is the largest of those in replies that are as
+///   deep, or as near. The answer is judged as one about the unions, and as one about its pair.
 Outcome examine_pairs(const Case& seen, long exponent, const SubjectInfo& info, const Judging& judging,
                       const AskPair& ask);
 
