@@ -275,6 +275,15 @@ TEST_F(Files, HoldTheCaseItsProofAndASnippet) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place), {}), 3);
 }
 
+TEST_F(Files, HoldNoSnippetThatCannotShowTheFailure) {
+  Shrunk shrunk;
+  shrunk.pair = family_case("random_ball", 4, 1);
+  shrunk.outcome = claimed(shrunk.pair, 1);
+  shrunk.outcome.verdict = Verdict::wrong_derivative;
+  EXPECT_EQ(write_shrunk(folder.string(), shrunk, {}).size(), 2u) << "fathom::judge is told no derivative";
+  EXPECT_EQ(write_shrunk(folder.string(), shrunk, {}, HarnessTemplate{"@A@ @B@"}).size(), 3u);
+}
+
 TEST_F(Files, ThatCannotBeWrittenAreNamed) {
   std::ofstream(folder / "file") << "taken";
   Shrunk shrunk;

@@ -449,10 +449,9 @@ std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk
   if (!outcome.variant.empty()) stem += '~' + outcome.variant;
   const std::string comment = fmt::format("{} of {} {}", stem, info.name, info.version);
   const std::filesystem::path base = std::filesystem::path(directory) / stem;
-  const std::pair<std::string, std::string> files[] = {
-      {".cert", shrunk.certificate},
-      own ? std::pair(own->ending, filled_harness(own->text, info, shrunk.pair, outcome))
-          : std::pair(".cpp", snippet(info, shrunk.pair, outcome))};
+  std::vector<std::pair<std::string, std::string>> files = {{".cert", shrunk.certificate}};
+  if (own) files.emplace_back(own->ending, filled_harness(own->text, info, shrunk.pair, outcome));
+  else if (has_snippet(outcome)) files.emplace_back(".cpp", snippet(info, shrunk.pair, outcome));
   std::vector<std::string> paths = {write_case(directory, stem, shrunk.pair, comment)};
   for (const auto& [ending, text] : files) {
     paths.push_back(base.string() + ending);

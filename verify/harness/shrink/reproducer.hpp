@@ -20,6 +20,9 @@ namespace fathom::harness {
 /// saw it.
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome);
 
+/// Whether such a program shows the failure: fathom::judge is told no derivative.
+inline bool has_snippet(const Outcome& outcome) { return outcome.verdict != Verdict::wrong_derivative; }
+
 // ---- the best case so far, on disk ----
 
 /// The user's own program around a case; see filled_harness.
@@ -30,10 +33,10 @@ struct HarnessTemplate {
 /// Throws InputError if the file cannot be read, or has neither a place for A nor one for B.
 HarnessTemplate read_harness(const std::string& path);
 
-/// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the snippet, or the user's own
-/// program) into `directory`, which is made if needed. Each file is written under another name and
-/// then renamed, so none is ever half written. A variant's verdict is followed by "~<variant>".
-/// Returns the three paths. Throws InputError naming the file that cannot be written.
+/// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the user's own program, or the
+/// snippet, if it has one) into `directory`, which is made if needed. Each file is written under
+/// another name and then renamed, so none is ever half written. A variant's verdict is followed by
+/// "~<variant>". Returns the paths. Throws InputError naming the file that cannot be written.
 std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info,
                                       const std::optional<HarnessTemplate>& own = {});
 
