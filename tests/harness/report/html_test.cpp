@@ -146,6 +146,21 @@ TEST(Html, AFailureInFull) {
   EXPECT_TRUE(says(page, "relative 1/1000, absolute 1/1000000 of the extent"));
 }
 
+TEST(Html, AClaimedDerivativeBesideTheTrueOne) {
+  Reply reply;
+  reply.overlap = true;
+  HtmlFailure moving = failure(cubes("cubes::moving", mpq_class(3, 2)), reply);
+  moving.outcome.derivative = {2.5, mpq_class(-4), "", {"ties", "extended"}, 4.5, ""};
+  HtmlFailure curved = failure(cubes("cubes::curved", mpq_class(3, 2)), reply);
+  for (HtmlFailure* each : {&moving, &curved}) each->outcome.verdict = Verdict::wrong_derivative;
+  curved.outcome.derivative = {1.75, {}, "curved", {}, {}, ""};
+  const Element page =
+      read_page(html_page(judged_subject(), Outcomes{moving.outcome, curved.outcome}, Failures{moving, curved}, {}));
+  for (const std::string what : {"Derivative of the signed depth", "2.5", "-2 (squared: -4)", "ties, extended", "1.75"})
+    EXPECT_TRUE(says(page, what)) << what;
+  EXPECT_TRUE(says(page, "not judged\ncurved\n"));
+}
+
 // Of every family, with claims that are right, absurd and useless: a picture that stays in bounds,
 // for flat, tiny and huge bodies too.
 TEST(Html, PicturesOfAllFamilies) {

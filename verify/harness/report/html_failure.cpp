@@ -202,6 +202,15 @@ std::string contacts_list(const std::vector<judging::ContactFault>& faults) {
   return facts.list("Contacts");
 }
 
+std::string derivative_list(const judging::DerivativeJudgement& derivative) {
+  Facts facts;
+  facts.add("claimed", derivative.claimed);
+  facts.add("true", derivative.squared, length_text);
+  if (!derivative.left_out.empty()) facts.add("not judged", derivative.left_out);
+  if (!derivative.kinks.empty()) facts.add("no gradient", fmt::format("{}", fmt::join(derivative.kinks, ", ")));
+  return facts.list("Derivative of the signed depth");
+}
+
 /// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a
 /// page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
@@ -375,6 +384,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);
   if (outcome.pieces) said += pieces_list(*outcome.pieces);
+  if (outcome.derivative) said += derivative_list(*outcome.derivative);
   if (!outcome.contact_faults.empty()) said += contacts_list(outcome.contact_faults);
   said += "</div>\n" + case_text(subject, failure, anchor);
   if (const std::string exact = exact_numbers(outcome, known); !exact.empty())
