@@ -202,6 +202,10 @@ TEST(Judge, ContactsLieInBothBodies) {
   to_come.contacts[0].depth = 0.6;
   to_come.contacts[1].depth = -0.24;
   EXPECT_EQ(findings(cubes(), to_come), (Findings{Verdict::witness_off, Verdict::contact_too_shallow}));
+  Reply others = to_come;
+  others.contacts[1].depth = -0.25;
+  others.contacts.push_back({{1.125, 0.5, 0.5}, {}});
+  EXPECT_EQ(judge(cubes(), others).sentence.substr(0, 30), "a contact is 0.125 away from A") << "the one that is off";
   to_come.contacts[1].depth = -0.2495;
   EXPECT_EQ(findings(cubes(), to_come), Findings{Verdict::contact_too_shallow})
       << "where a gap is claimed it may lie in that; but there is none";

@@ -36,8 +36,8 @@ class ExactMeasures : public Measures {
   bool too_short(const mpq_class& d) override { return allowed_.depth.below(d, squared_); }
   bool is_off_a() override { return away_a_ && !allowed_.witness.negligible(*away_a_); }
   bool is_off_b() override { return away_b_ && !allowed_.witness.negligible(*away_b_); }
-  bool is_contact_off_a(const Claim& claim) override { return is_off(claim, contacts_a_); }
-  bool is_contact_off_b(const Claim& claim) override { return is_off(claim, contacts_b_); }
+  bool is_contact_off_a(const Claim& claim) override;
+  bool is_contact_off_b(const Claim& claim) override;
   bool is_off_length(const mpq_class& difference) override {
     return !allowed_.depth.negligible(difference * difference);
   }
@@ -72,7 +72,8 @@ class ExactMeasures : public Measures {
 
  private:
   [[nodiscard]] mpq_class rounding_unit() const;  ///< u R
-  [[nodiscard]] bool is_off(const Claim& claim, const std::vector<mpq_class>& squared) const;
+  /// Of the contacts that are off.
+  [[nodiscard]] std::optional<mpq_class> farthest_off(const Claim& claim, const std::vector<mpq_class>& squared) const;
   void ask_for_distance(const mpq_class& squared);
   void measure_length(const mpq_class& d, Judgement& result) const;
 
@@ -85,7 +86,8 @@ class ExactMeasures : public Measures {
   mpq_class squared_;  // of the length in question
   Allowances allowed_;
   std::optional<mpq_class> away_a_, away_b_;
-  std::vector<mpq_class> contacts_a_, contacts_b_;  // squared distances
+  std::vector<mpq_class> contacts_a_, contacts_b_;            // squared distances
+  std::optional<mpq_class> contact_away_a_, contact_away_b_;  // of those that are off the greatest
 };
 
 ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
@@ -123,13 +125,22 @@ std::string ExactMeasures::length() const { return fmt::format("{}", root(square
 double ExactMeasures::off_by(const mpq_class& d) const { return kernels::nearest_binary64({d, -squared_}); }
 double ExactMeasures::away_a() const { return root(*away_a_); }
 double ExactMeasures::away_b() const { return root(*away_b_); }
-double ExactMeasures::contact_away_a() const { return root(*std::ranges::max_element(contacts_a_)); }
-double ExactMeasures::contact_away_b() const { return root(*std::ranges::max_element(contacts_b_)); }
+double ExactMeasures::contact_away_a() const { return root(contact_away_a_.value()); }
+double ExactMeasures::contact_away_b() const { return root(contact_away_b_.value()); }
 
-bool ExactMeasures::is_off(const Claim& claim, const std::vector<mpq_class>& squared) const {
+bool ExactMeasures::is_contact_off_a(const Claim& claim) {
+  return (contact_away_a_ = farthest_off(claim, contacts_a_)).has_value();
+}
+bool ExactMeasures::is_contact_off_b(const Claim& claim) {
+  return (contact_away_b_ = farthest_off(claim, contacts_b_)).has_value();
+}
+
+std::optional<mpq_class> ExactMeasures::farthest_off(const Claim& claim, const std::vector<mpq_class>& squared) const {
+  std::optional<mpq_class> farthest;
   for (std::size_t k = 0; k < squared.size(); ++k)
-    if (!claim.outside.contains(k) && !allowed_.witness.negligible(squared[k], claim.gap(k))) return true;
-  return false;
+    if (!claim.outside.contains(k) && !allowed_.witness.negligible(squared[k], claim.gap(k)))
+      farthest = farthest ? std::max(*farthest, squared[k]) : squared[k];
+  return farthest;
 }
 
 mpq_class ExactMeasures::rounding_unit() const { return unit_roundoff(format_.points) * sizes_.farthest; }

@@ -92,6 +92,7 @@ class Measures {
   [[nodiscard]] virtual std::string gap(const std::string& claimed) const = 0;
   [[nodiscard]] virtual double away_a() const = 0;
   [[nodiscard]] virtual double away_b() const = 0;
+  /// Of the contacts that is_contact_off_a, or _b, has found to be off, once it has, the farthest.
   [[nodiscard]] virtual double contact_away_a() const = 0;
   [[nodiscard]] virtual double contact_away_b() const = 0;
 };

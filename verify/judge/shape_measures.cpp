@@ -121,8 +121,12 @@ class ShapeMeasures final : public Measures {
 
   bool is_off_a() override { return away_a_ && below(0, *away_a_, of_witness_); }
   bool is_off_b() override { return away_b_ && below(0, *away_b_, of_witness_); }
-  bool is_contact_off_a(const Claim& claim) override { return is_off(claim, contacts_a_); }
-  bool is_contact_off_b(const Claim& claim) override { return is_off(claim, contacts_b_); }
+  bool is_contact_off_a(const Claim& claim) override {
+    return (contact_away_a_ = farthest_off(claim, contacts_a_)).has_value();
+  }
+  bool is_contact_off_b(const Claim& claim) override {
+    return (contact_away_b_ = farthest_off(claim, contacts_b_)).has_value();
+  }
   bool is_off_length(const mpq_class& difference) override { return above(abs(difference), known(0), of_length_); }
   bool misses(const Surd& squared_gap) override {
     if (compare(squared_gap, of_gap_.high * of_gap_.high) > 0) return true;
@@ -192,8 +196,8 @@ class ShapeMeasures final : public Measures {
   }
   [[nodiscard]] double away_a() const override { return least(*away_a_); }
   [[nodiscard]] double away_b() const override { return least(*away_b_); }
-  [[nodiscard]] double contact_away_a() const override { return least(*contact_a_); }
-  [[nodiscard]] double contact_away_b() const override { return least(*contact_b_); }
+  [[nodiscard]] double contact_away_a() const override { return least(contact_away_a_.value()); }
+  [[nodiscard]] double contact_away_b() const override { return least(contact_away_b_.value()); }
 
  private:
   // ---- allowances ----
@@ -236,10 +240,13 @@ class ShapeMeasures final : public Measures {
   bool below(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
     return exceeds(length - known(d), allowed);
   }
-  bool is_off(const Claim& claim, const std::vector<RationalInterval>& distances) {
-    bool off = false;
-    for (std::size_t k = 0; k < distances.size(); ++k) off = below(claim.gap(k), distances[k], of_witness_) || off;
-    return off;
+  /// Of the contacts that are off.
+  std::optional<RationalInterval> farthest_off(const Claim& claim, const std::vector<RationalInterval>& distances) {
+    std::optional<RationalInterval> farthest;
+    for (std::size_t k = 0; k < distances.size(); ++k)
+      if (below(claim.gap(k), distances[k], of_witness_))
+        farthest = greater(farthest.value_or(distances[k]), distances[k]);
+    return farthest;
   }
   bool exceeds(const RationalInterval& excess, const RationalInterval& allowed) {
     if (excess.low > allowed.high) return true;
@@ -358,6 +365,7 @@ class ShapeMeasures final : public Measures {
   std::optional<RationalInterval> separating_distance_, away_a_, away_b_;
   std::optional<RationalInterval> contact_a_, contact_b_;  // the farthest of these:
   std::vector<RationalInterval> contacts_a_, contacts_b_;
+  std::optional<RationalInterval> contact_away_a_, contact_away_b_;  // of those that are off the farthest
   std::optional<double> left_;
   bool open_ = false;
 };
