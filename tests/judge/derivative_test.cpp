@@ -93,11 +93,37 @@ TEST(Derivative, SaysWhatAWrongClaimIsInstead) {
   Reply reply = overlap(0.25, Triple{0, 0, 1});
   reply.witness_a = Triple{0.25, 0.5, 0};
   reply.witness_b = Triple{0.25, 0.5, 0.25};
-  EXPECT_EQ(instead(far, -2.75, reply).substr(0, 33), "the rate at its own witness point");
+  EXPECT_EQ(instead(far, -2.75, reply), "the rate at its own witness points, along its own direction");
   const Question slanted{tilt.a, tilt.b, {turning({0.5, 1, 0}), turning({-1, 0, 0})}};
   EXPECT_TRUE(slanted.passes(1));
   EXPECT_EQ(instead(slanted, -0.5),
             "the rate at the contact point (1, 1, 0) alone, where each counts, and (1, 0, 0) decides");
+}
+
+TEST(Derivative, SaysWhereTheBodiesAreAndNotTheirCores) {
+  Question rounded{{}, {}, {{{}, {mpq_class(1, 4), 1, 0}}, {}}};
+  rounded.a.shape =
+      moved(with_margin(box({1, 1, 1}), mpq_class(1, 2)), rigid_pose({1, 0, 0, 0}, {0, 0, mpq_class(9, 4)}));
+  rounded.b.shape = box({3, 3, 1});
+  // Of the core's corners (x, y, 5/4), each less 1/2 along z, the rate is x - y/4.
+  EXPECT_TRUE(rounded.passes(1.25));
+  const std::string sentence = rounded.judged(0.75).sentence, says = "the rate at the contact point (";
+  EXPECT_NE(sentence.find(says + "1, 1, 0.75) alone, where each counts, and (1, -1, 0.75) decides"), sentence.npos)
+      << sentence;
+}
+
+// A tetrahedron's tip on a cube's corner, pushed into it: of the directions that separate them none
+// is named as the one that decides.
+TEST(Derivative, NamesNoneThatDecidesOfCoresThatTouch) {
+  const std::vector<Point> corner{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+  const Question tips{{corner}, {cube(0)}, {going({3, 2, 1}), {}}};
+  bool told = false;
+  for (double claimed = -4; claimed < 5; claimed += 0.125) {
+    const std::string sentence = tips.judged(claimed).sentence;
+    EXPECT_EQ(sentence.find("decides"), sentence.npos) << sentence;
+    told = told || sentence.ends_with(" alone, where each direction that separates the cores counts");
+  }
+  EXPECT_TRUE(told);
 }
 
 TEST(Derivative, OfNoNumberAndOfWhatIsLeftOut) {

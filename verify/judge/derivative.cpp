@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -14,6 +15,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/judge/claim.hpp"
 
@@ -52,8 +54,10 @@ std::string number_text(const mpq_class& signed_square) {
   return fmt::format("{:.6g}", kernels::nearest_binary64({0, signed_square}));
 }
 
-std::string point_text(const Point& p) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g})", round_binary64(p.x), round_binary64(p.y), round_binary64(p.z));
+/// Of the body, where the core's point has been moved outward.
+std::string point_text(const RoundedPoint& point) {
+  const auto [x, y, z] = rounded::nearest_binary64(point);
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", x, y, z);
 }
 
 std::string direction_text(const Vector& n) {
@@ -117,36 +121,38 @@ class Instead {
   [[nodiscard]] std::string of_witness(const Claim& claim) const {
     if (!claim.direction || !claim.witness_a || !claim.witness_b) return "";
     if (!is(rate_at(*claim.direction, *claim.witness_a, *claim.witness_b))) return "";
-    return "the rate at its own witness points, along its own direction, where other contact points or directions "
-           "count as well";
+    return "the rate at its own witness points, along its own direction";
   }
 
   [[nodiscard]] std::string of_patches() const {
     if (geometry_.of_unions) return "";
-    const bool penetrate = geometry_.cores == Status::penetrating;
     for (const Patch& patch : geometry_.patches) {
       std::vector<mpq_class> rates;
       for (std::size_t k = 0; k < patch.corners.size(); ++k)
         rates.push_back(rate_at(patch.direction, patch.a(k).core, patch.b(k).core));
       const auto greatest = std::ranges::max_element(rates);
       if (is(*greatest))
-        return fmt::format("the rate along {} alone, where {} counts as well, and {} decides",
-                           direction_text(patch.direction), penetrate ? "each shortest way out" : "each such direction",
-                           direction_text(right_.direction));
+        return fmt::format("the rate along {} alone, where {}", direction_text(patch.direction),
+                           geometry_.cone ? "each direction that separates the cores counts"
+                                          : fmt::format("each shortest way out counts as well, and {} decides",
+                                                        direction_text(right_.direction)));
       for (std::size_t k = 0; k < rates.size(); ++k)
         if (is(rates[k]))
-          return fmt::format("the rate at the contact point {} alone, where each counts, and {} decides",
-                             point_text(patch.a(k).core), decisive());
+          return fmt::format("the rate at the contact point {} alone, where each counts{}", point_text(patch.a(k)),
+                             decisive(", and "));
       const RoundedWitness middle = patch.centroid();
       if (is(rate_at(patch.direction, middle.a.core, middle.b.core)))
-        return fmt::format("the rate at the middle of the contact patch, {}, where {} decides",
-                           point_text(middle.a.core), decisive());
+        return fmt::format("the rate at the middle of the contact patch, {}{}", point_text(middle.a),
+                           decisive(", where "));
     }
     return "";
   }
 
-  [[nodiscard]] std::string decisive() const {
-    return point_text(geometry_.patches.at(right_.patch).a(right_.corner).core);
+  /// A clause on the contact point that decides; "" of cores that touch, where several may do so
+  /// together.
+  [[nodiscard]] std::string decisive(std::string_view before) const {
+    if (geometry_.cone) return "";
+    return fmt::format("{}{} decides", before, point_text(geometry_.patches.at(right_.patch).a(right_.corner)));
   }
 
   const ContactGeometry& geometry_;
