@@ -182,9 +182,8 @@ std::vector<Option> make_table() {
       {"explain",
        "--twist",
        "VX,VY,VZ,WX,WY,WZ",
-       "follow this motion of A, its point p with the velocity V + W x p at first, in place of the four usual ones, "
-       "and "
-       "add how fast the signed depth then changes: exact, from one side",
+       "follow this motion of A, its point p with the velocity V + W x p at first, in place of the four usual "
+       "ones, and add how fast the signed depth then changes: exact, from one side",
        {wrong_twist}},
       {"depth", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
