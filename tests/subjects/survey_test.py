@@ -16,7 +16,6 @@ SURVEY = ROOT / "verify" / "survey"
 FATHOM = os.environ["FATHOM_EXECUTABLE"]
 PATIENCE = 600  # seconds until a hung run is given up
 sys.path.insert(0, str(SURVEY))
-import contacts  # noqa: E402
 import sets  # noqa: E402
 
 LIBRARIES = ("libccd", "fcl", "bullet", "bullet64", "ode")
@@ -115,14 +114,6 @@ class Survey(unittest.TestCase):
                     for field in ("manifold", "told", "found", "first"):
                         self.assertEqual(subject[field], known["subjects"][adapter][field], f"{adapter} on {name}")
         self.assertGreater(compared, 0)
-
-    def test_along(self):
-        """Extent is counted of answers along a shortest way out, whichever body moves."""
-        fault = {"finding": "misses-extent", "sentence": "", "missed": [{"direction": ["3", "0", "4"]}, {"direction": ["0", "2", "0"]}]}
-        for direction, moves, counted in (([0.6, 0, 0.8], "a", True), ([0, -2, 0.01], "b", True), ([0, -1, 0], "a", False),
-                                          ([1, 0, 0], "a", False)):
-            outcome = {"reply": {"direction": direction}, "contact_faults": [fault]}
-            self.assertEqual(bool(contacts.findings_of(outcome, moves)), counted, direction)
 
     def all_cases(self, name):
         """The ids of the cases that the committed results are about."""

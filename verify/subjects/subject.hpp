@@ -122,8 +122,8 @@ class Settings {
   }
 
   /// Declares that an answer has no more contacts.
-  void most_contacts(unsigned long count) { manifold_ = {{"most", static_cast<double>(count)}}; }
-  [[nodiscard]] const std::map<std::string, double>& manifold() const { return manifold_; }
+  void most_contacts(unsigned long count) { manifold_.emplace()["most"] = static_cast<double>(count); }
+  [[nodiscard]] const std::optional<std::map<std::string, double>>& manifold() const { return manifold_; }
 
   /// Lists what cannot be changed.
   void note(const std::string& key, const std::string& text) { told_[key] = text; }
@@ -171,7 +171,7 @@ class Settings {
   }
 
   std::map<std::string, std::string> given_, told_;
-  std::map<std::string, double> manifold_;
+  std::optional<std::map<std::string, double>> manifold_;
 };
 
 // ---- programs ----
