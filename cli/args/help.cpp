@@ -170,7 +170,7 @@ constexpr Example study_examples[] = {
     {"fathom study --all a.off b.stl", "with the features of every coincidence"},
     {"fathom study --json a.off b.stl", "one JSON object"},
     {"fathom study --html page.html a.off b.stl",
-     "a page: a picture in which each coincidence lights its features, and the tables"},
+     "the page of explain, opened at what coincided: each lights its features"},
     {"fathom study --csv cases.jsonl", "a stream: a header, then one row of counts per case"},
     {"cat cases.jsonl | fathom study --json -", "the same from standard input, as JSON"},
     {"fathom study --sweep crossed_fans --sizes 10..100 --svg growth.svg",

@@ -193,7 +193,7 @@ std::vector<Option> make_table() {
       flag("study", "--json", "one JSON object per line, schema fathom/study/1"),
       flag("study", "--csv", "a header, then one row of counts per case, or per size"),
       file("study", "--html", "FILE", FileUse::written,
-           "write one page, with pictures, tables to filter, and of a stream every case folded"),
+           "write the page of explain, opened at what coincided; of a stream a table of its cases"),
       {"study", "--sweep", "FAMILY",
        "instead of two bodies: how crossings, canonical subsets and work grow with the size of this family's pairs, by "
        "the exact method; "

@@ -2,6 +2,8 @@
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
 // One page: the answer with its patches, the stages, and how the depth changes along motions of A.
 
+#include "cli/commands/explain.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,6 @@
 
 #include "cli/commands/along.hpp"
 #include "cli/commands/command.hpp"
-#include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"
@@ -27,12 +28,6 @@
 
 namespace fathom::cli {
 namespace {
-
-struct ExplainRequest {
-  DepthRequest depth;  ///< the page has what `fathom depth --patch --json` prints
-  std::string page;    ///< the file
-  bool times;          ///< with the seconds that each stage took
-};
 
 std::vector<std::string> notes_on(const AboutBodies& bodies) {
   std::vector<std::string> notes;
@@ -141,12 +136,17 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
   return result;
 }
 
-std::string page_of(const Case& single, const ExplainRequest& request, Monitor& monitor) {
+}  // namespace
+
+std::string explained_page(const AskedCase& asked, const ExplainRequest& request, Monitor& monitor) {
+  Case single = asked;
+  if (request.depth.inputs.size() == 2)
+    single.id = picture::without_folders(single.id);  // names of files; a case has its own
   Workspace workspace;
-  const AskedCase asked = looked_at(single, request.depth);
   AnsweredCase answered = answered_by(asked, request.depth, question_of(request.depth, monitor, workspace));
   const Answer& answer = answered.answer;
   if (!answer.complete()) throw Interrupted();
+  answered.id = single.id;
   const AnswerForm& form = request.depth.form;
   answered.manifold = output::manifold_of(single.a, single.b, answer, form.motion, &monitor);
   const picture::PairScene scene = answer_scene(single, answered, form);
@@ -162,26 +162,24 @@ std::string page_of(const Case& single, const ExplainRequest& request, Monitor& 
       stages.left_out.emplace_back("Of unions no motion is followed: the facts have the derivative alone.");
     return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside});
   }
-  stages::Stages stages = stages::stages_of(single.a, single.b, {.times = request.times, .monitor = &monitor});
+  stages::StageOptions options = request.options;
+  options.monitor = &monitor;
+  stages::Stages stages = stages::stages_of(single.a, single.b, options);
   stages.id = single.id;
   const page::Motions motions = motions_of(single, answered, request.depth, monitor);
-  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside, motions});
+  return page::html_page({FATHOM_VERSION, depth, stages, pair, notes, picture, beside, motions, request.opens});
 }
 
-}  // namespace
-
 ExitCode run_explain(const Given& given) {
-  ExplainRequest request{DepthRequest(given), given.text("--output"), given.flag("--times")};
-  request.depth.form.patch = true;
-  CertificateFile file(request.page, "page");  // an unwritable path fails early
-  Case single = asked_case(request.depth);
-  if (request.depth.inputs.size() == 2)
-    single.id = picture::without_folders(single.id);  // names of files; a case has its own
+  ExplainRequest request(given);
+  request.options.times = given.flag("--times");
+  CertificateFile file(given.text("--output"), "page");  // an unwritable path fails early
+  const Case single = asked_case(request.depth);
   std::string page;
   {
     const InterruptGuard interrupt_guard;
     Progress progress;
-    page = page_of(single, request, progress);
+    page = explained_page(looked_at(single, request.depth), request, progress);
   }
   file.write(page);
   return fine;

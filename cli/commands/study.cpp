@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -24,6 +23,7 @@
 #include "cli/args/arguments.hpp"
 #include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/explain.hpp"
 #include "cli/commands/names.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
@@ -279,10 +279,10 @@ struct StudyRequest : BodiesRequest {
   std::string html, command_line;  ///< the file of the page, or ""; what the page says of how it was made
 };
 
-StudyOptions options_of(const StudyRequest& request, Monitor& monitor) {
+StudyOptions options_of(const StudyRequest& request, Monitor* monitor) {
   StudyOptions options;
   if (request.all) options.listed = std::numeric_limits<std::size_t>::max();
-  options.monitor = &monitor;
+  options.monitor = monitor;
   return options;
 }
 
@@ -292,7 +292,7 @@ ShapeStudy shape_study_of(const Case& pair, const StudyRequest& request, Monitor
                      "the rows of --csv are about polytopes, found a shape that is none: --json takes both");
   const Shape a = files::shape_of(pair.a), b = files::shape_of(pair.b);
   require_depth(pair.id, a, b);
-  return study(a, b, options_of(request, monitor));
+  return study(a, b, options_of(request, &monitor));
 }
 
 std::string text_of(const std::string& id, const ShapeStudy& study, const StudyRequest& request) {
@@ -306,33 +306,38 @@ std::string text_of(const std::string& id, const Study& study, const StudyReques
   return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
 }
 
-/// The file of the page, and what goes into it.
+/// The file of --html: of two bodies the page that `explain` writes, of a stream the table of its
+/// cases.
 class PageFile {
  public:
-  explicit PageFile(const StudyRequest& request) : request_(request), page_(is_stream(request)) {
+  PageFile(const Given& given, const StudyRequest& request) : request_(request), explained_(given) {
     if (!request.html.empty()) file_.emplace(request.html, "page");
+    explained_.opens = "coincided";
+    explained_.options.listed = options_of(request, nullptr).listed;
+    explained_.options.most_pairs = std::numeric_limits<std::uint64_t>::max();
   }
 
   /// The reply, which also adds to the page, once its turn has come.
   template <class AnyStudy>
-  CaseReply reply(const AskedCase& pair, AnyStudy found) {
+  CaseReply reply(const AskedCase& pair, const AnyStudy& found, Monitor& monitor) {
     CaseReply result{text_of(pair.input.id, found, request_)};
     if (!file_) return result;
-    Case seen = pair.input;
-    if (request_.inputs.size() == 2) seen.id = picture::without_folders(seen.id);  // names of files; a case has its own
-    result.keep = [this, seen = std::move(seen), kept = std::make_shared<AnyStudy>(std::move(found))] {
-      page_.add(seen, *kept);
-    };
+    if (is_stream(request_)) result.keep = [this, row = table_row(pair.input.id, found)] { table_.add(row); };
+    else page_ = explained_page(pair, explained_, monitor);
     return result;
   }
-  void lose(const std::string& sentence) { page_.add_fault(picture::without_folders(sentence)); }
+  void lose(const std::string& sentence) { table_.add_fault(picture::without_folders(sentence)); }
   void write(const std::string& cut_short) {
-    if (file_) file_->write(page_.html(request_.command_line, cut_short));
+    if (!file_) return;
+    if (is_stream(request_)) file_->write(table_.html(request_.command_line, cut_short));
+    else if (cut_short.empty()) file_->write(page_);
   }
 
  private:
   const StudyRequest& request_;
-  StudyPage page_;
+  ExplainRequest explained_;
+  StudyTable table_;
+  std::string page_;
   std::optional<CertificateFile> file_;
 };
 
@@ -359,12 +364,12 @@ ExitCode run_sweep(const Given& given) {
 ExitCode run_study(const Given& given) {
   if (given.has("--sweep")) return run_sweep(given);
   const StudyRequest request(given);
-  PageFile page(request);
+  PageFile page(given, request);
   Replies replies;
   replies.refuses_unions = "the coincidences of a study are those of two convex bodies; study a piece of each";
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
-    if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor));
-    return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, monitor)));
+    if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor), monitor);
+    return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, &monitor)), monitor);
   };
   replies.lost = [&](const std::string& sentence) { page.lose(sentence); };
   if (request.csv) {

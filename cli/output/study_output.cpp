@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies for people: a block for one case, a line for each case of a stream; for programs; for
-// spreadsheets.
+// spreadsheets; and the table of a stream as a page.
 
 #include "cli/output/study_output.hpp"
 
@@ -8,7 +8,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 
 #include "cli/io/output.hpp"
 #include "cli/output/answer_output.hpp"
@@ -18,6 +21,7 @@
 #include "kernels/number/infinitesimal.hpp"
 #include "kernels/number/irrational.hpp"
 #include "reference/output/json_values.hpp"
+#include "view/picture/markup.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -200,16 +204,13 @@ void add_study(Json& object, const Study& study) {
   object["coincidences"] = coincidences_object(coincidence_names, study.coincidences);
 }
 
-/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
-Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
-
-}  // namespace
-
+/// "8 vertices, 12 edges, 6 facets"; "1 disc, radius 1/2".
 std::string size_text(const BodySize& size) {
   return fmt::format("{}, {}, {}{}", counted(size.vertices, "vertex", "vertices"), counted(size.edges, "edge", "edges"),
                      counted(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
 }
 
+/// "penetrating; depth^2 1/16; 1 optimum"; "penetrating; signed depth 1/2".
 std::string status_text(const Depth& depth) {
   std::string result(name(depth.status()));
   if (depth.status() != Status::penetrating) return result;
@@ -217,6 +218,49 @@ std::string status_text(const Depth& depth) {
   result += squared.size() <= longest_exact ? "; depth^2 " + squared : "; depth " + root_text(depth.squared());
   return result + "; " + counted(depth.optima().size(), "optimum", "optima");
 }
+
+/// "penetrating"; "undecided" if the bounds leave it open.
+std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
+
+std::string status_text(const SignedDepth& depth) {
+  const std::string value =
+      depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
+                    : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
+  return fmt::format("{}; {}", status_name(depth), value);
+}
+
+std::string size_text(const ShapeSize& size) {
+  Lines parts;
+  const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
+    if (count > 0) parts.push_back(counted(count, one, many));
+  };
+  if (size.half_space) parts.emplace_back("a half-space");
+  if (size.terms > 1) add(size.terms, "term", "terms");
+  add(size.points, "point", "points");
+  add(size.discs, "disc", "discs");
+  add(size.balls, "ball", "balls");
+  if (size.radius > 0) parts.push_back("radius " + exact_text(size.radius));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// "axis (0, 0, 1) at (0, 0, 0)".
+std::string feature_text(const ShapeFeature& feature) {
+  std::string text(feature.what);
+  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
+  if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
+  if (feature.point) text += " at " + point_text(*feature.point);
+  return text;
+}
+
+/// "A axis ..., B axis ...".
+std::string involved_text(const ShapeInvolved& involved) {
+  return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
+}
+
+/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
+Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
+
+}  // namespace
 
 std::string spoken(std::string_view name) {
   std::string result(name);
@@ -278,41 +322,6 @@ std::string study_csv_error(const std::string& id, const std::string& error) {
   return row(fields);
 }
 
-std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
-
-std::string status_text(const SignedDepth& depth) {
-  const std::string value =
-      depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
-                    : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
-  return fmt::format("{}; {}", status_name(depth), value);
-}
-
-std::string size_text(const ShapeSize& size) {
-  Lines parts;
-  const auto add = [&](std::uint64_t count, std::string_view one, std::string_view many) {
-    if (count > 0) parts.push_back(counted(count, one, many));
-  };
-  if (size.half_space) parts.emplace_back("a half-space");
-  if (size.terms > 1) add(size.terms, "term", "terms");
-  add(size.points, "point", "points");
-  add(size.discs, "disc", "discs");
-  add(size.balls, "ball", "balls");
-  if (size.radius > 0) parts.push_back("radius " + exact_text(size.radius));
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string feature_text(const ShapeFeature& feature) {
-  std::string text(feature.what);
-  if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
-  if (!is_zero(feature.direction)) text += " " + direction_text(feature.direction);
-  if (feature.point) text += " at " + point_text(*feature.point);
-  return text;
-}
-
-std::string involved_text(const ShapeInvolved& involved) {
-  return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
-}
-
 std::string study_block(const ShapeStudy& study, bool all) {
   Lines lines{fitted(status_text(study.depth), body_column), fitted("A  " + size_text(study.a), body_column),
               fitted("B  " + size_text(study.b), body_column)};
@@ -346,6 +355,117 @@ std::string study_json(const std::string& id, const ShapeStudy& study) {
     result["cores"] = cores;
   }
   return result.text();
+}
+
+// ---- the table of a stream ----
+
+namespace {
+
+constexpr std::size_t most_rows = 10'000;  // cases
+constexpr std::size_t most_faults = 100;   // sentences
+
+constexpr std::array<std::pair<const char*, const char*>, 4> status_styles{
+    {{"penetrating", "good"}, {"touching", "fair"}, {"disjoint", "left"}, {"undecided", "lost"}}};
+
+template <class Names, class Coincidences>
+StudyTableRow row_of(const std::string& id, std::string_view status, std::string headline, const Names& names,
+                     const Coincidences& coincidences) {
+  StudyTableRow result{id, std::string(status), std::move(headline), {}};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (coincidences[i].count > 0) result.present.emplace_back(names[i], coincidences[i].count);
+  return result;
+}
+
+/// A table in a box, of rows that are markup. Heads that begin with ' stand to the left.
+std::string boxed(const std::string& name, std::initializer_list<std::string_view> heads, const std::string& body,
+                  const std::string& rows) {
+  std::string head;
+  for (const std::string_view text : heads)
+    head += text.starts_with('\'') ? fmt::format("<th scope=\"col\" class=\"text\">{}</th>", text.substr(1))
+                                   : fmt::format("<th scope=\"col\">{}</th>", text);
+  const std::string table = fmt::format("<thead><tr>{}</tr></thead>\n<tbody{}>\n{}</tbody>", head, body, rows);
+  return picture::table_box(name, table, true);
+}
+
+}  // namespace
+
+StudyTableRow table_row(const std::string& id, const Study& study) {
+  return row_of(id, name(study.depth.status()), status_text(study.depth), coincidence_names, study.coincidences);
+}
+
+StudyTableRow table_row(const std::string& id, const ShapeStudy& study) {
+  return row_of(id, status_name(study.depth), status_text(study.depth), shape_coincidence_names, study.coincidences);
+}
+
+void StudyTable::add(const StudyTableRow& row) {
+  ++statuses_[row.status];
+  std::string present;
+  for (const auto& [kind, count] : row.present) {
+    Total& total = coincidences_[kind];
+    ++total.cases;
+    total.count += count;
+    present += fmt::format("; {}: {}", spoken(kind), count);  // a search for "; ties:" finds this kind alone
+  }
+  if (++cases_ > most_rows) return;
+  rows_ += fmt::format("<tr data-kind=\"{}\"><th scope=\"row\" class=\"id\">{}</th><td class=\"text\">{}{}</td></tr>\n",
+                       row.status, picture::markup(row.id), picture::markup(row.headline), present);
+}
+
+std::string StudyTable::totals() const {
+  if (coincidences_.empty()) return "<p>Nothing coincides.</p>\n";
+  std::string rows;
+  const auto add = [&](std::string_view kind) {
+    const auto found = coincidences_.find(kind);
+    if (found == coincidences_.end()) return;
+    rows += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"#list\" data-of=\"list\" data-find=\"; {0}:\">{0}</a></th>"
+        "<td>{1}</td><td>{2}</td></tr>\n",
+        spoken(kind), found->second.cases, found->second.count);
+  };
+  std::ranges::for_each(coincidence_names, add);
+  for (const std::string_view kind : shape_coincidence_names)
+    if (std::ranges::find(coincidence_names, kind) == coincidence_names.end()) add(kind);
+  return boxed("Coincidences of all cases", {"'coincidence", "cases with any", "in all"}, "", rows);
+}
+
+std::string StudyTable::without_study() const {
+  if (faults_.empty()) return "";
+  std::string items;
+  for (std::size_t i = 0; i < std::min(faults_.size(), most_faults); ++i)
+    items += fmt::format("<li>{}</li>\n", picture::markup(faults_[i]));
+  const std::string more =
+      faults_.size() > most_faults ? fmt::format("<p>{} more are not listed.</p>\n", faults_.size() - most_faults) : "";
+  return "<section><h2>Cases without a study</h2>\n<ul>\n" + items + "</ul>\n" + more + "</section>\n";
+}
+
+std::string StudyTable::html(const std::string& command, const std::string& cut_short) const {
+  std::vector<picture::Share> shares;
+  std::vector<picture::Choice> kinds;
+  for (const auto& [status, style] : status_styles) {
+    const auto found = statuses_.find(status);
+    shares.push_back({status, found == statuses_.end() ? 0 : found->second, style, ""});
+    if (shares.back().count > 0) kinds.push_back({status, status});
+  }
+  const std::string warning =
+      cut_short.empty() ? ""
+                        : fmt::format("<p class=\"warning\" role=\"note\">{}; this is what was studied.</p>\n",
+                                      picture::markup(cut_short));
+  const std::string more =
+      cases_ > most_rows ? fmt::format("<p>{} further cases are counted above and not shown.</p>\n", cases_ - most_rows)
+                         : "";
+  const std::string body = fmt::format(
+      "<header><h1>What coincides</h1>\n<p class=\"answer\">{}{}</p>\n{}{}</header>\n<main>\n"
+      "<section><h2>All cases</h2>\n{}</section>\n<section><h2>Case by case</h2>\n"
+      "<p class=\"soft\">The features, and the picture of a case: <code>fathom study --html PAGE CASES --case "
+      "ID</code>.</p>\n{}{}{}</section>\n{}</main>\n"
+      "<footer><p class=\"soft\">Made by fathom {}. Counts are exact.</p>\n<p "
+      "class=\"soft\"><code>{}</code></p></footer>\n",
+      counted(cases_, "case", "cases"),
+      faults_.empty() ? "" : fmt::format(", {}", counted(faults_.size(), "error", "errors")), warning,
+      picture::share_bar(shares, "shares", "Cases by status"), totals(), picture::filter_bar("list", "status", kinds),
+      boxed("Cases", {"'case", "'what coincides"}, " id=\"list\"", rows_), more, without_study(), FATHOM_VERSION,
+      picture::markup(picture::without_folders(command)));
+  return picture::page("What coincides", body);
 }
 
 }  // namespace fathom::cli

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies for people (tables, and a page), for programs (JSON, study.schema.json) and for
-// spreadsheets (CSV, RFC 4180 with "\n").
+// Studies for people (tables, of streams also on a page), for programs (JSON, study.schema.json)
+// and for spreadsheets (CSV, RFC 4180 with "\n").
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "fathom/files.hpp"
 #include "fathom/study.hpp"
 #include "reference/text/json.hpp"
 #include "verify/study/study.hpp"
@@ -44,63 +43,40 @@ std::string study_csv_header();
 std::string study_csv_row(const std::string& id, const Study& study);
 std::string study_csv_error(const std::string& id, const std::string& error);
 
-// The words of studies, which tables for people and pages share.
+// The studies of a stream as one page, a table: what coincides in which case. Of a single case the
+// page is that of `explain`.
 
-/// "8 vertices, 12 edges, 6 facets"; "1 disc, radius 1/2".
-std::string size_text(const BodySize& size);
-std::string size_text(const ShapeSize& size);
+/// What the table says of a case.
+struct StudyTableRow {
+  std::string id, status, headline;
+  std::vector<std::pair<std::string_view, std::uint64_t>> present;  ///< what coincides, and how often
+};
+StudyTableRow table_row(const std::string& id, const Study& study);
+StudyTableRow table_row(const std::string& id, const ShapeStudy& study);
 
-/// "penetrating; depth^2 1/16; 1 optimum"; "penetrating; signed depth 1/2".
-std::string status_text(const Depth& depth);
-std::string status_text(const SignedDepth& depth);
-
-/// "penetrating"; "undecided" if the bounds leave it open.
-std::string_view status_name(const SignedDepth& depth);
-
-/// "axis (0, 0, 1) at (0, 0, 0)".
-std::string feature_text(const ShapeFeature& feature);
-/// "A axis ..., B axis ...".
-std::string involved_text(const ShapeInvolved& involved);
-
-// Studies as one page: what coincides, in a table that lights the features in the picture, and what
-// the perturbation decided.
-//                                                                   [docs/command_line.md, "study"]
-
-/// The page of one case, or of a stream, whose cases are folded. Cases come one after another, in
-/// the order in which they are shown.
-class StudyPage {
+/// Cases come one after another, in the order in which they are shown.
+class StudyTable {
  public:
-  /// `stream`: cases are folded, and totals stand before them.
-  explicit StudyPage(bool stream) : stream_(stream) {}
-
-  void add(const Case& pair, const Study& study);
-  void add(const Case& pair, const ShapeStudy& study);
+  void add(const StudyTableRow& row);
   /// A case that has no study.
-  void add_fault(const std::string& sentence);
+  void add_fault(const std::string& sentence) { faults_.push_back(sentence); }
 
-  /// The whole page. `command`: the line that made it; `cut_short`: why it is not about all cases,
-  /// or empty.
+  /// The page. `command`: the line that made it; `cut_short`: why it is not about all cases, or
+  /// empty.
   [[nodiscard]] std::string html(const std::string& command, const std::string& cut_short) const;
 
  private:
   struct Total {
-    std::size_t cases = 0, count = 0;
+    std::uint64_t cases = 0, count = 0;
   };
-  template <class AnyStudy, class Names>
-  void take(const Case& pair, const AnyStudy& study, std::string_view status, const std::string& headline,
-            const Names& names);
-  [[nodiscard]] std::string head() const;
   [[nodiscard]] std::string totals() const;
-  [[nodiscard]] std::string case_by_case() const;
   [[nodiscard]] std::string without_study() const;
 
-  bool stream_;
-  std::size_t cases_ = 0, shown_ = 0;
-  std::string title_, headline_;  // of the last case, escaped
+  std::size_t cases_ = 0;
   std::map<std::string, std::size_t> statuses_;
-  std::map<std::string, Total> coincidences_;  // by name, as spoken
+  std::map<std::string_view, Total> coincidences_;
   std::vector<std::string> faults_;
-  std::string sections_;
+  std::string rows_;
 };
 
 }  // namespace fathom::cli

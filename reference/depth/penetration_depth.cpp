@@ -157,12 +157,13 @@ void run_exact(kernels::Context& context, Run& run) {
   made.depth.counters = context.counters;
 }
 
-// It has counters of its own.
+// What it counts is the context's, and not the answer's.
 void add_topology(kernels::Context& context, Run& run) {
   kernels::Context own = context.worker();
   BodyFacts uncounted;
   run.made.hulls = hulls_of(own, *run.made.pair, uncounted);
   run_stages<Run>(own, run, topology, run.options.validate);
+  context.join(own);
 }
 
 }  // namespace

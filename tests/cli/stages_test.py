@@ -62,9 +62,9 @@ class Stages(CliTest):
 
     def check_counts(self, stages, counters):
         self.assertEqual(stages["counts"], {name: count for name, count in counters.items() if name not in ("stages", "predicates")})
-        self.assertEqual({found["predicate"]: found["zero"] for found in stages["decided"]},
-                         {name: counts["zero"] for name, counts in counters["predicates"].items()})
-        if stages["status"] == "penetrating":
+        if stages["status"] == "penetrating":  # of others `study` has them: study_html_test.py
+            self.assertEqual({found["predicate"]: found["zero"] for found in stages["decided"]},
+                             {name: counts["zero"] for name, counts in counters["predicates"].items()})
             pairs = stages["pairs"]
             self.assertEqual((len(pairs), pairs_of(pairs)), (counters["canonical_pairs"], counters["crossings"]))
             self.assertEqual(sum(pair["evaluated"] for pair in pairs), counters["pairs_evaluated"])

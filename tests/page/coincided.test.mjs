@@ -118,3 +118,8 @@ test("features are written as points of the input", () => {
   assert.equal(involvedText({ a: [[3, 7]], b: [[0, 1], [2]] }), "A 3 7, B 0 1, B 2");
   assert.equal(involvedText({ a: [[1, 2, 3]] }, 2), "A 1 2 \u2026 (3 in all)");
 });
+
+test("features of shapes are named, by what they have", () => {
+  const features = { a: { feature: "axis", direction: ["0", "0", "1"], point: ["0", "1/2", "0"] }, b: { feature: "radius", length: "1/3" } };
+  assert.equal(involvedText({ a: [], b: [], features }), "A axis (0, 0, 1) at (0, 1/2, 0), B radius 1/3");
+});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tables of section 5.
+// The table of section 5.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boundRatio, costRows, timeText, zeroRows } from "../../view/page/web/costrows.js";
+import { boundRatio, costRows, timeText } from "../../view/page/web/costrows.js";
 
 const bound = (stage, changes = {}) => ({
   stage,
@@ -45,17 +45,4 @@ test("times are for people", () => {
   assert.equal(timeText(0.0456), "45.6 ms");
   assert.equal(timeText(7), "7 s");
   assert.equal(timeText(undefined), "\u2013");
-});
-
-test("predicates that were zero, most first", () => {
-  const rows = zeroRows([
-    { predicate: "x_order", zero: 2 },
-    { predicate: "side_of_arc", zero: 0 },
-    { predicate: "order_on_vertical", zero: 9 },
-  ]);
-  assert.deepEqual(
-    rows.map(({ predicate }) => predicate),
-    ["order_on_vertical", "x_order"],
-  );
-  assert.deepEqual(zeroRows(), []);
 });

@@ -197,17 +197,5 @@ TEST(Scene, KnownValuesOfCurvedBodies) {
   EXPECT_FALSE(scene_of(a, b, depth).moves());
 }
 
-TEST(Scene, FeaturesOfMarks) {
-  const Cubes cubes(mpq_class(1, 2));
-  const PairScene scene = cubes.scene();
-  const Panel whole = panels_of(scene, size).front();
-  const std::vector<Mark> marks{{true, {{0, 0, 0}}, "m1"}, {false, {{0, 0, 0}, {1, 0, 0}}, "m2"}};
-  const std::string text = painted(scene, whole, "x", marks);
-  EXPECT_NE(text.find("<circle class=\"body-a mark\""), std::string::npos);
-  EXPECT_NE(text.find("<path class=\"body-b mark\""), std::string::npos);
-  EXPECT_NE(text.find("id=\"m2\""), std::string::npos);
-  EXPECT_EQ(painted(scene, {whole.window, true}, "x", marks).find("m2"), std::string::npos) << "none in close-ups";
-}
-
 }  // namespace
 }  // namespace fathom::picture

@@ -74,11 +74,17 @@ std::string lead_where(const stages::Stages& stages) {
 std::string lead_coincided(const stages::Stages& stages) {
   const auto counts = [](const auto& found) { return found.count > 0; };
   if (stages.charts.empty()) return "What is in special position about these bodies, by name.";
-  if (std::ranges::any_of(stages.coincidences, counts))
-    return "What is in special position about these bodies, by name. Topology is decided as if -A were moved and the "
-           "frame tilted by "
-           "infinitely little, E11 to E33 and a, b, c; values never are.";
-  return "Nothing: the bodies are in general position.";
+  const auto size = [](const stages::StagedBody& body) {
+    return fmt::format("{}, {}, {}", counted(body.vertices.size(), "vertex", "vertices"),
+                       counted(body.edges.size(), "edge", "edges"), counted(body.facets.size(), "facet", "facets"));
+  };
+  return fmt::format("{} A has {}; B has {}.",
+                     std::ranges::any_of(stages.coincidences, counts)
+                         ? "What is in special position about these bodies, by name. Topology is decided as if -A "
+                           "were moved and the frame tilted by infinitely little, E11 to E33 and a, b, c; values never "
+                           "are."
+                         : "Nothing: the bodies are in general position.",
+                     size(stages.a), size(stages.b));
 }
 
 std::string lead_cost(const stages::Stages& stages) {
@@ -179,7 +185,7 @@ Data parsed(const std::string& depth) {
 template <class AnySheet>
 std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading,
                       const std::string& subtitle, const Sections& sections, const std::string& main,
-                      const Blocks& blocks) {
+                      const Blocks& blocks, const std::string& opens = "") {
   std::string notes, nav, data;
   for (const std::string& note : sheet.notes)
     notes += fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", picture::markup(note));
@@ -192,6 +198,7 @@ std::string assembled(const AnySheet& sheet, std::string_view command, const std
                           {"policy", picture::security_policy(scripts, styles)},
                           {"title", heading},
                           {"style", whole_style()},
+                          {"opens", opens.empty() ? "" : fmt::format(" data-opens=\"{}\"", opens)},
                           {"answer", heading},
                           {"subtitle", subtitle},
                           {"notes", notes},
@@ -251,7 +258,8 @@ std::string html_page(const Sheet& sheet) {
                     {"stages", stages::to_json(stages)},
                     {"squares", squares(stages)},
                     {"motions", sheet.motions.json},
-                    {"case", sheet.pair}});
+                    {"case", sheet.pair}},
+                   sheet.opens);
 }
 
 std::string html_page(const UnionSheet& sheet) {

@@ -43,6 +43,7 @@ struct Sheet {
   std::string picture;
   std::string beside = {};  ///< what is green in it, in words
   Motions motions = {};
+  std::string opens = {};  ///< the id of the section that is seen first; empty: the top
 };
 
 /// The page. Well-formed whatever ids hold. Throws std::invalid_argument if `depth` is no JSON

@@ -177,10 +177,6 @@ void FactList::add(std::string_view field, std::string_view label, const std::st
   rows_ += fmt::format("<dt>{}</dt><dd><span data-field=\"{}\">{}</span>{}</dd>\n", label, field, text, more);
 }
 
-void FactList::add_text(std::string_view label, std::string_view text) {
-  rows_ += fmt::format("<dt>{}</dt><dd class=\"number\">{}</dd>", label, markup(text));
-}
-
 Table::Table(std::string caption, std::vector<std::string_view> heads)
     : caption_(std::move(caption)), heads_(std::move(heads)) {}
 

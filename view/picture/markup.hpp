@@ -46,8 +46,8 @@ std::string page(const std::string& title, const std::string& body);
 /// The style of pages: layout in light, dark and on paper. Colours are those of style.hpp.
 std::string_view page_style();
 
-/// What scripts add to a page: filters, buttons that copy, rows that light their features, folded
-/// parts that open for links into them. It holds no character that would need an escape in XML.
+/// What scripts add to a page: filters, buttons that copy, folded parts that open for links into
+/// them. It holds no character that would need an escape in XML.
 std::string_view page_script();
 
 /// A part of a whole that is shown by its size.
@@ -95,8 +95,6 @@ class FactList {
   /// Adds a row. `label`, `text` and `more` are markup; `field` is its name for scripts and tests,
   /// if it has one.
   void add(std::string_view field, std::string_view label, const std::string& text, const std::string& more = "");
-  /// Adds a row without a name; `text` is escaped here.
-  void add_text(std::string_view label, std::string_view text);
   [[nodiscard]] std::string list() const { return "<dl>" + rows_ + "</dl>\n"; }
 
  private:

@@ -96,7 +96,7 @@ td { white-space: nowrap; } td.text { white-space: normal; min-width: 24rem; fon
 thead th { vertical-align: bottom; font-weight: 600; background: var(--ground); position: sticky; top: 0; }
 tbody th { text-align: left; font-weight: 400; white-space: nowrap; } td.text, th.text { text-align: left; }
 tbody th.id { white-space: normal; overflow-wrap: anywhere; min-width: 19rem; } tr.all th, tr.all td { font-weight: 700; }
-tbody tr:hover, tr.lights { background: var(--shade); }
+tbody tr:hover { background: var(--shade); }
 
 article { border: 1px solid var(--line); border-radius: 6px; padding: 1rem; margin: 0 0 1rem; scroll-margin-top: .5rem; }
 article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); } article > p { margin: .25rem 0 .5rem; }
@@ -105,8 +105,6 @@ article:target { border-color: var(--link); box-shadow: 0 0 0 1px var(--link); }
 .facts dl { grid-template-columns: minmax(6rem, auto) minmax(0, 1fr); }
 figure { margin: .5rem 0; } figcaption { color: var(--soft); font-size: .9rem; }
 .pairs { display: flex; flex-wrap: wrap; gap: .5rem; } .pairs svg { max-width: 100%; height: auto; }
-svg.pair .mark { opacity: 0; pointer-events: none; fill: var(--lit); fill-opacity: .3; stroke: var(--lit); stroke-width: 5; stroke-linejoin: round; }
-svg.pair .body-b.mark { stroke-dasharray: 9 4; } svg.pair .mark.lit, svg.pair .mark:target { opacity: 1; }
 .key { font-weight: 700; } .key.body-a { color: var(--a); } .key.body-b { color: var(--b); } .key.true { color: var(--true); } .key.claimed { color: var(--claimed); }
 svg.chart text { fill: var(--ink); font-size: 12px; } svg.chart text.soft { fill: var(--soft); font-size: 11px; }
 svg.chart rect.bar { fill: var(--true); } svg.chart rect.bar.failing { fill: var(--claimed); } svg.chart line { stroke: var(--line); }
@@ -174,17 +172,6 @@ std::string_view page_script() {
       navigator.clipboard.writeText(from.textContent).then(() => tell('copied'), select);
     });
     button.hidden = false;
-  });
-
-  // ---- the features of a row, in the picture ----
-  const light = (row) => {
-    all('.mark.lit').forEach((mark) => mark.classList.remove('lit'));
-    all('tr.lights').forEach((other) => other.classList.toggle('lights', other === row));
-    row.classList.add('lights');
-    row.dataset.lights.split(' ').forEach((id) => document.getElementById(id).classList.add('lit'));
-  };
-  all('tr[data-lights]').forEach((row) => {
-    for (const when of ['mouseenter', 'focusin', 'click']) row.addEventListener(when, () => light(row));
   });
 
   // ---- links into what is folded ----

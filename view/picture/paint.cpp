@@ -23,11 +23,10 @@ std::string path_element(const std::string& style, const std::string& d) {
   return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", style, d);
 }
 
-/// A circle; empty if its place is not finite. `more`: further attributes, with a space before
-/// them.
-std::string circle_element(const std::string& style, const Dot& at, double radius, const std::string& more = "") {
+/// A circle; empty if its place is not finite.
+std::string circle_element(const std::string& style, const Dot& at, double radius) {
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "";
-  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"{}/>", style, at.x, at.y, radius, more);
+  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, at.x, at.y, radius);
 }
 
 /// The corners of a box around dots, of which there is at least one.
@@ -59,15 +58,13 @@ std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::
                        : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
 }
 
-/// A face, given by the points that span it: a dot, a line, or the outline of a facet. `more` as
-/// for circles.
+/// A face, given by the points that span it: a dot, a line, or the outline of a facet.
 std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style,
-                            double radius, const std::string& more = "") {
-  if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius, more);
+                            double radius) {
+  if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius);
   const std::vector<Dot> dots =
       points.size() == 2 ? window.segment(points.front(), points.back()) : window.hull(points);
-  const std::string d = path_data(dots, dots.size() > 2);
-  return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"{}/>", style, d, more);
+  return path_element(style, path_data(dots, dots.size() > 2));
 }
 
 /// An arrow; a dot if it is too short to see.
@@ -277,14 +274,6 @@ std::string notes(const PairScene& scene, const Panel& panel) {
   return note_element(text, panel.window.size());
 }
 
-std::string mark_elements(const std::vector<Mark>& marks, const Window& window) {
-  std::string result;
-  for (const Mark& mark : marks)
-    result += feature_element(mark.points, window, mark.of_a ? "body-a mark" : "body-b mark", 6,
-                              fmt::format(" id=\"{}\"", mark.id));
-  return result;
-}
-
 Bounds2 whole_box(const PairScene& scene) {
   const View& view = scene.view;
   Bounds2 result = Bounds2::of(view.place(scene.anchor));
@@ -346,8 +335,7 @@ std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size) {
   return result;
 }
 
-std::string painted(const PairScene& scene, const Panel& panel, const std::string& name,
-                    const std::vector<Mark>& marks) {
+std::string painted(const PairScene& scene, const Panel& panel, const std::string& name) {
   const Window& window = panel.window;
   const std::string hatch = name + "-h";
   std::string result = hatch_element(hatch) + ground_element(window.size());
@@ -360,7 +348,7 @@ std::string painted(const PairScene& scene, const Panel& panel, const std::strin
   result += scene.moves() ? arrow(scene.way, "true") : circle_element("true dot", window.dot(scene.anchor), 3.5);
   if (scene.claimed) result += arrow(*scene.claimed, "claimed");
   result += letters(scene, window) + scale_bars(window);
-  return result + notes(scene, panel) + (panel.close ? "" : mark_elements(marks, window));
+  return result + notes(scene, panel);
 }
 
 std::string description_of(const PairScene& scene) {
@@ -379,14 +367,13 @@ std::string description_of(const PairScene& scene) {
   return result;
 }
 
-std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label,
-                         const std::vector<Mark>& marks) {
+std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label) {
   std::string result;
   for (const Panel& panel : panels_of(scene, on_pages)) {
     const std::string own = name + (panel.close ? "c" : "w");
     const std::string title = panel.close ? label + ", close to the translations" : label;
     result += svg_element({"pair", on_pages.width, on_pages.height, own, title, description_of(scene)},
-                          painted(scene, panel, own, marks));
+                          painted(scene, panel, own));
   }
   return result;
 }

@@ -61,14 +61,6 @@ PairScene scene_of(const Shape& a, const Shape& b, const SignedDepth& depth);
 
 // ---- paint.cpp, page_document.cpp: SVG ----
 
-/// A feature of a body that a page may light: a vertex, an edge or a facet by the points that span
-/// it. Seen only where the page's style says so.
-struct Mark {
-  bool of_a = true;
-  std::vector<Point> points;
-  std::string id;  ///< of its element; markup already
-};
-
 /// A window of a scene.
 struct Panel {
   Window window;
@@ -81,8 +73,7 @@ struct Panel {
 std::vector<Panel> panels_of(const PairScene& scene, const PixelSize& size);
 
 /// The content of a panel's <svg>. `name` begins the ids of what it refers to.
-std::string painted(const PairScene& scene, const Panel& panel, const std::string& name,
-                    const std::vector<Mark>& marks = {});
+std::string painted(const PairScene& scene, const Panel& panel, const std::string& name);
 
 // The picture of a scene, for pages and as a file of its own.
 
@@ -95,8 +86,7 @@ std::string description_of(const PairScene& scene);
 /// One or two SVG elements, ready to stand in an HTML page that has picture_style: the whole scene,
 /// and a close-up of the ways where they are short. `name` begins the ids of its elements, and
 /// `label` its title; both are markup already.
-std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label,
-                         const std::vector<Mark>& marks = {});
+std::string scene_panels(const PairScene& scene, const std::string& name, const std::string& label);
 
 /// An SVG file: the scene, a title above, and lines of text below. It needs nothing else. Texts are
 /// escaped here.

@@ -152,14 +152,12 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
   return names;
 }
 
-constexpr std::size_t most_listed = 20;                  // of a kind, as `fathom study` lists
-constexpr std::uint64_t most_tested_pairs = 50'000'000;  // of nodes and arcs, a second or two
-
 Study study_of(const StagesSource& source, const studies::StudiedBodies& bodies, Stages& stages) {
   Study study;
-  studies::Findings findings(study, most_listed);
-  studies::find_coincidences(source.context, bodies, {1, 1, 1}, source.exact.depth, findings, most_tested_pairs);
-  if (const std::uint64_t pairs = studies::pairs_to_test(bodies); pairs > most_tested_pairs)
+  studies::Findings findings(study, source.options.listed);
+  const std::uint64_t most = source.options.most_pairs, pairs = studies::pairs_to_test(bodies);
+  studies::find_coincidences(source.context, bodies, {1, 1, 1}, source.exact.depth, findings, most);
+  if (pairs > most)
     stages.left_out.push_back(
         fmt::format("Normals of one body on arcs of the other were not looked for: {} pairs are too many here; fathom "
                     "study looks at all.",
@@ -169,25 +167,35 @@ Study study_of(const StagesSource& source, const studies::StudiedBodies& bodies,
 
 }  // namespace
 
+std::vector<StagedCoincidence> staged(const std::array<Coincidences, coincidence_names.size()>& found) {
+  std::vector<StagedCoincidence> result;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].count == 0) continue;
+    StagedCoincidence& kind = result.emplace_back(StagedCoincidence{coincidence_names[i], found[i].count, {}});
+    for (const Involved& involved : found[i].listed) kind.listed.push_back({involved.a, involved.b, {}});
+  }
+  return result;
+}
+
+void add_decided(const PredicateCounts& counts, Stages& stages) {
+  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
+    const TierCounts& asked = counts[i];
+    StagedDecision decision{predicate_names[i], asked.calls, asked.exact, asked.zero, {}};
+    for (const auto& [monomial, count] : asked.decided) decision.monomials.push_back({monomial_name(monomial), count});
+    stages.decided.push_back(std::move(decision));
+  }
+}
+
 void add_coincidences(const StagesSource& source, Stages& stages) {
   const depth::ExactStages& exact = source.exact;
   const studies::StudiedBodies bodies{{gaussian::Colour::a, exact.hulls.a, exact.diagrams.a},
                                       {gaussian::Colour::b, exact.hulls.b, exact.diagrams.b}};
-  const Study study = study_of(source, bodies, stages);
+  stages.coincidences = staged(study_of(source, bodies, stages).coincidences);
   const Decisions decisions(bodies, exact.charts[0].perturbation);
-  for (std::size_t i = 0; i < study.coincidences.size(); ++i) {
-    const Coincidences& found = study.coincidences[i];
-    if (found.count == 0) continue;
-    StagedCoincidence staged{coincidence_names[i], found.count, {}};
-    for (const Involved& involved : found.listed)
-      staged.listed.push_back({involved.a, involved.b, decisions.about(static_cast<Coincidence>(i), involved)});
-    stages.coincidences.push_back(std::move(staged));
-  }
-  for (std::size_t i = 0; i < predicate_names.size(); ++i) {
-    const TierCounts& counts = stages.counters.predicates[i];
-    StagedDecision decision{predicate_names[i], counts.zero, {}};
-    for (const auto& [monomial, count] : counts.decided) decision.monomials.push_back({monomial_name(monomial), count});
-    stages.decided.push_back(std::move(decision));
+  for (StagedCoincidence& found : stages.coincidences) {
+    const auto kind =
+        static_cast<Coincidence>(std::ranges::find(coincidence_names, found.kind) - coincidence_names.begin());
+    for (StagedInvolved& involved : found.listed) involved.decided_by = decisions.about(kind, {involved.a, involved.b});
   }
 }
 

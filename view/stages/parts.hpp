@@ -55,6 +55,7 @@ struct StagesSource {
   const depth::ExactStages& exact;
   const Placing& placing;
   kernels::Context& context;
+  const StageOptions& options;
 };
 
 // Each fills its fields of `stages`, in which those before it are filled.
@@ -67,8 +68,12 @@ void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages)
 void add_cutting(const StagesSource& subject, Stages& stages);
 /// sum.
 void add_sum(const StagesSource& subject, Stages& stages);
-/// coincidences, with decided_by; decided.
+/// coincidences, with decided_by.
 void add_coincidences(const StagesSource& subject, Stages& stages);
+/// decided.
+void add_decided(const PredicateCounts& counts, Stages& stages);
+/// Those kinds that there are, with what is listed of them, without decided_by.
+std::vector<StagedCoincidence> staged(const std::array<Coincidences, coincidence_names.size()>& found);
 /// The stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
 

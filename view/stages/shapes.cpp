@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "fathom/signed_depth.hpp"
-#include "fathom/study.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
@@ -251,14 +250,17 @@ void add_sampled_sum(Stages& stages) {
 
 /// By the names of the study.
 void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages) {
-  const ShapeStudy found = study(a, b, {.listed = 0, .monitor = options.monitor});
-  for (std::size_t i = 0; i < found.coincidences.size(); ++i)
-    if (found.coincidences[i].count > 0)
-      stages.coincidences.push_back({shape_coincidence_names[i], found.coincidences[i].count, {}});
-  if (!stages.coincidences.empty())
-    stages.left_out.emplace_back(
-        "Of what coincides of curved bodies only names and counts are here, the features are left out: fathom study "
-        "lists them.");
+  const ShapeStudy found = study(a, b, {.listed = options.listed, .monitor = options.monitor});
+  for (std::size_t i = 0; i < found.coincidences.size(); ++i) {
+    const auto& [count, listed] = found.coincidences[i];
+    if (count == 0) continue;
+    StagedCoincidence& kind =
+        stages.coincidences.emplace_back(StagedCoincidence{shape_coincidence_names[i], count, {}});
+    for (const ShapeInvolved& involved : listed) kind.listed.push_back({{}, {}, {}, involved});
+  }
+  if (!found.cores) return;
+  stages.cores = staged(found.cores->coincidences);
+  add_decided(found.cores->predicates, stages);
 }
 
 }  // namespace

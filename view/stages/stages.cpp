@@ -320,9 +320,10 @@ Stages stages_of(const Body& a, const Body& b, const StageOptions& options) {
   const polytope::PlacedPair pair = slim ? *slim : polytope::place(a.points.exact(), b.points.exact());
   const std::unique_ptr<depth::ExactStages> exact = depth::exact_stages(context, pair);
   times.end();
-  const Placing placing(pair);
-  const StagesSource subject{a, b, pair, *exact, placing, context};
   Stages stages;
+  add_decided(context.counters.predicates, stages);
+  const Placing placing(pair);
+  const StagesSource subject{a, b, pair, *exact, placing, context, options};
   if (options.times) stages.seconds = times.seconds();
   fill(subject, answer_of(subject, slim.has_value()), stages);
   return stages;

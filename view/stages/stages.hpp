@@ -21,6 +21,7 @@
 #include "fathom/counters.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
+#include "fathom/study.hpp"
 #include "fathom/union.hpp"
 
 namespace fathom::stages {
@@ -189,6 +190,7 @@ struct StagedSum {
 struct StagedInvolved {
   std::vector<std::vector<std::uint32_t>> a, b;  ///< input points of each feature
   std::vector<std::string> decided_by;           ///< monomials of the perturbation
+  std::optional<ShapeInvolved> shapes = {};      ///< of shapes, which have no such points, one of each
 };
 
 struct StagedCoincidence {
@@ -202,9 +204,11 @@ struct StagedMonomial {
   std::uint64_t count;
 };
 
+/// How often the topology asked a predicate, whether or not the bodies overlap; of those, floating
+/// point could not tell `exact`, and `zero` were 0.
 struct StagedDecision {
   std::string_view predicate;
-  std::uint64_t zero = 0;
+  std::uint64_t calls = 0, exact = 0, zero = 0;
   std::vector<StagedMonomial> monomials;
 };
 
@@ -231,8 +235,9 @@ struct Stages {
   std::optional<StagedWinner> winner;
   StagedSum sum;
   std::vector<StagedCoincidence> coincidences;
-  std::vector<StagedDecision> decided;
-  Counters counters;  ///< of the exact run, as in Depth
+  std::vector<StagedCoincidence> cores;  ///< of shapes with polytopes as cores: what coincides of these
+  std::vector<StagedDecision> decided;   ///< of polytopes, or of such cores
+  Counters counters;                     ///< of the exact run, as in Depth
   std::vector<StagedBound> bounds;
   /// With StageOptions::times.
   std::vector<std::pair<std::string, double>> seconds;
@@ -242,6 +247,9 @@ struct Stages {
 struct StageOptions {
   bool times = false;  ///< measure the seconds of each stage: the result differs from run to run
   Monitor* monitor = nullptr;
+  std::size_t listed = StudyOptions{}.listed;  ///< the most coincidences of a kind that are listed
+  /// the most pairs of a normal and an edge that are looked at for normals on arcs: a second or two
+  std::uint64_t most_pairs = 50'000'000;
 };
 
 /// Returns the stages of two bodies of any kind and rank. Throws as penetration_depth and

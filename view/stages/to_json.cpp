@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "kernels/context.hpp"
+#include "kernels/number/irrational.hpp"
+#include "kernels/vector.hpp"
 #include "reference/text/json.hpp"
 #include "view/stages/stages.hpp"
 
@@ -230,6 +232,15 @@ void write_sum(text::JsonStream& json, const StagedSum& sum) {
   });
 }
 
+void write_shape_feature(text::JsonStream& json, const ShapeFeature& feature) {
+  json.object([&] {
+    json.key("feature"), json.string(feature.what);
+    if (feature.length) json.key("length"), json.string(kernels::exact_surd_text(*feature.length));
+    if (!is_zero(feature.direction)) json.key("direction"), json.exact(feature.direction);
+    if (feature.point) json.key("point"), json.exact(*feature.point);
+  });
+}
+
 void write_involved(text::JsonStream& json, const StagedInvolved& involved) {
   const auto features = [&](const auto& list) {
     json.array_of(list, [&](const auto& points) { json.array_of(points); });
@@ -239,6 +250,11 @@ void write_involved(text::JsonStream& json, const StagedInvolved& involved) {
     json.key("b"), features(involved.b);
     json.key("decided_by"),
         json.array_of(involved.decided_by, [&](const std::string& monomial) { json.string(monomial); });
+    if (!involved.shapes) return;
+    json.key("features"), json.object([&] {
+      json.key("a"), write_shape_feature(json, involved.shapes->a);
+      json.key("b"), write_shape_feature(json, involved.shapes->b);
+    });
   });
 }
 
@@ -254,6 +270,8 @@ void write_coincidence(text::JsonStream& json, const StagedCoincidence& coincide
 void write_decision(text::JsonStream& json, const StagedDecision& decision) {
   json.object([&] {
     json.key("predicate"), json.string(decision.predicate);
+    json.key("calls"), json.integer(decision.calls);
+    json.key("exact"), json.integer(decision.exact);
     json.key("zero"), json.integer(decision.zero);
     json.key("monomials"), json.array_of(decision.monomials, [&](const StagedMonomial& monomial) {
       json.object([&] {
@@ -377,8 +395,9 @@ std::string to_json(const Stages& stages) {
     if (stages.winner) write_winner(json, *stages.winner);
     else json.null();
     json.key("sum"), write_sum(json, stages.sum);
-    json.key("coincidences"),
-        json.array_of(stages.coincidences, [&](const StagedCoincidence& c) { write_coincidence(json, c); });
+    const auto coincide = [&](const StagedCoincidence& c) { write_coincidence(json, c); };
+    json.key("coincidences"), json.array_of(stages.coincidences, coincide);
+    if (!stages.cores.empty()) json.key("cores"), json.array_of(stages.cores, coincide);
     json.key("decided"), json.array_of(stages.decided, [&](const StagedDecision& d) { write_decision(json, d); });
     json.key("counts"), write_counts(json, stages.counters);
     json.key("bounds"),

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 4: what coincides, by name; a click lights the features everywhere. Beside it a chart in which a visible epsilon moves -A and
-// tilts the frame, so that one sees how the perturbation takes apart what coincides, and by which monomial.
+// tilts the frame, so that one sees how the perturbation takes apart what coincides, and by which monomial. Then each predicate: how often
+// it was asked, and what decided where it was zero.
 import { chartPolylines, chartProjection, chartSide, pathText } from "./chartpainter.js";
 import { coincidenceKinds, coincidenceSentences, involvedText, spokenName } from "./coincidences.js";
 import { dot } from "./geometry.js";
 import { liesBelow, litInDiagrams } from "./lit.js";
-import { element, svg } from "./look.js";
+import { columnHeading, element, svg, toldTable } from "./look.js";
 import { roughly } from "./numbers.js";
 import { infinitesimalNames, movedDiagram, seenMonomial, seenSizes, tiltedFrame } from "./perturbed.js";
 
@@ -13,15 +14,12 @@ const mostBackground = 600,
   startsAt = 0.4;
 
 export function mountCoincided(root, data, selection) {
-  const { present, absent } = coincidenceKinds(data.coincidences);
-  if (present.length === 0) {
-    root.replaceChildren(element("p", {}, "Nothing coincides: the bodies are in general position."));
-    return {};
-  }
   const view = { data, selection, epsilon: startsAt, items: new Map() };
-  const list = element("div", { class: "coincidences" }, ...present.map((kind) => kindElement(view, kind)), absentElement(data, absent));
-  const picture = data.charts.length > 0 ? splitElements(view) : null;
-  root.replaceChildren(element("div", { class: "columns equal" }, list, picture));
+  const { cores, decided = [] } = data.stages;
+  const list = kindsElement(view, data.coincidences, data.charts.length > 0);
+  if (cores) list.append(element("h3", {}, "The cores, without their radii"), kindsElement(view, cores, true));
+  const picture = data.charts.length > 0 && data.coincidences.length > 0 ? splitElements(view) : null;
+  root.replaceChildren(element("div", { class: "columns equal" }, list, picture), ...(decided.length > 0 ? [decidedTable(decided)] : []));
   selection.subscribe((state, changed) => {
     if (changed.has("coincidence")) showCoincidence(view, state.coincidence);
   });
@@ -29,6 +27,16 @@ export function mountCoincided(root, data, selection) {
 }
 
 // ---- the list ----
+
+function kindsElement(view, coincidences, ofPolytopes) {
+  const { present, absent } = coincidenceKinds(coincidences);
+  return element(
+    "div",
+    { class: "coincidences" },
+    ...(present.length > 0 ? present.map((kind) => kindElement(view, kind)) : [element("p", {}, "Nothing coincides.")]),
+    ofPolytopes && present.length > 0 ? element("p", { class: "soft" }, `None: ${absent.map(spokenName).join(", ")}.`) : null,
+  );
+}
 
 function kindElement(view, { kind, count, listed, index }) {
   const items = listed.map((item, j) => itemElement(view, `${index}.${j}`, item));
@@ -52,6 +60,7 @@ function kindElement(view, { kind, count, listed, index }) {
 }
 
 function itemElement(view, name, item) {
+  if (view.data.charts.length === 0) return element("li", {}, involvedText(item));
   const monomials = item.decided_by ?? [];
   const decided =
     monomials.length === 0 ? [] : [" ", element("span", { class: "monomial" }, `decided by ${monomials.map(monomialText).join(", ")}`)];
@@ -74,11 +83,6 @@ function monomialText(name) {
 
 function chooseCoincidence({ selection }, name) {
   selection.set({ coincidence: selection.chosen().coincidence === name ? null : name, pair: null, facet: null });
-}
-
-function absentElement(data, absent) {
-  if (data.charts.length === 0 || absent.length === 0) return null;
-  return element("p", { class: "soft" }, `None: ${absent.map(spokenName).join(", ")}.`);
 }
 
 function showCoincidence(view, name) {
@@ -195,4 +199,26 @@ function decidedSentence({ data, name }, sizes, lower) {
   });
   const rule = ": of each sign that was asked, the largest monomial whose coefficient is not 0.";
   return [...shown, "Decided by ", element("strong", {}, monomials.join("; ")), rule];
+}
+
+// ---- the predicates ----
+
+function decidedTable(decided) {
+  const names = ({ monomials }) => monomials.map(({ name, count }) => `${monomialText(name)}: ${count}`).join(", ");
+  const rows = decided.map((row) =>
+    element(
+      "tr",
+      {},
+      element("th", { scope: "row" }, spokenName(row.predicate)),
+      ...[row.calls, row.exact, row.zero].map((count) => element("td", {}, String(count))),
+      element("td", { class: "text" }, names(row)),
+    ),
+  );
+  const heads = [columnHeading("predicate", "text"), ...["calls", "exact", "zero"].map((text) => columnHeading(text))];
+  return toldTable(
+    "What the perturbation decided",
+    "How often the topology asked each predicate. exact: floating point could not decide; zero: the value is 0, and these monomials decided.",
+    element("thead", {}, element("tr", {}, ...heads, columnHeading("decided by: how often", "text"))),
+    element("tbody", {}, ...rows),
+  );
 }

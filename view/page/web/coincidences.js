@@ -36,8 +36,13 @@ export function coincidenceKinds(coincidences) {
   return { present, absent: Object.keys(coincidenceSentences).filter((name) => !names.has(name)) };
 }
 
-/** "A 0 1, B 4 5": the input points of each feature; long ones are cut short. */
-export function involvedText({ a = [], b = [] }, most = 8) {
+/** "axis (0, 0, 1) at (0, 0, 0)": what of a shape takes part. */
+const shapeFeatureText = ({ feature, length, direction, point }) =>
+  [feature, length, direction && `(${direction.join(", ")})`, point && `at (${point.join(", ")})`].filter(Boolean).join(" ");
+
+/** "A 0 1, B 4 5": the input points of each feature, long ones cut short; or the features of shapes. */
+export function involvedText({ a = [], b = [], features }, most = 8) {
+  if (features) return `A ${shapeFeatureText(features.a)}, B ${shapeFeatureText(features.b)}`;
   const feature = (name) => (ids) => `${name} ${ids.slice(0, most).join(" ")}${ids.length > most ? ` \u2026 (${ids.length} in all)` : ""}`;
   return [...a.map(feature("A")), ...b.map(feature("B"))].join(", ");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each stage cost, beside the paper's bound: the rows of two tables.
+// What each stage cost, beside the paper's bound: the rows of a table.
 
 /** count / bound to three digits, or null where there is no bound. */
 export function boundRatio({ count, bound_value: bound }) {
@@ -28,9 +28,4 @@ export function costRows({ bounds = [], seconds = {} }) {
     said.add(row.stage);
     return again ? { ...row, seconds: undefined } : row;
   });
-}
-
-/** The predicates that met zeros, most first. */
-export function zeroRows(decided = []) {
-  return decided.filter(({ zero }) => zero > 0).sort((p, q) => q.zero - p.zero || (p.predicate < q.predicate ? -1 : 1));
 }

@@ -33,6 +33,18 @@ export function svg(name, attributes = {}, ...children) {
   return result;
 }
 
+/** A table in a box that scrolls if it is wider, under a sentence on what it says. */
+export function toldTable(label, sentence, ...parts) {
+  return element(
+    "div",
+    {},
+    element("p", { class: "soft" }, sentence),
+    element("div", { class: "wide", tabindex: 0, role: "region", "aria-label": label }, element("table", {}, ...parts)),
+  );
+}
+
+export const columnHeading = (text, kind = "") => element("th", { scope: "col", class: kind }, text);
+
 function fillElement(target, attributes, children) {
   for (const [key, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) continue;

@@ -8,7 +8,7 @@
 //   drawCalls()  how many draw calls its last frame took
 // The modules are joined into one scope, where imports are stripped: names at the top of a module differ from all others'.
 import { readData } from "./data.js";
-import { createSelection } from "./selection.js";
+import { createSelection, sectionIds } from "./selection.js";
 import { element } from "./look.js";
 import { listenToKeys } from "./keys.js";
 import { mountFacts } from "./facts.js";
@@ -81,6 +81,8 @@ function startPage() {
   const handles = (data.isUnion ? unionSections : sections).map(([place, mount]) => mounted(place, mount, data, selection));
   listenToKeys(document, data, selection);
   window.fathom = publicFace(data, selection, handles);
+  const opens = sectionIds.indexOf(document.body.dataset.opens);
+  if (!location.hash && opens >= 0) selection.set({ section: opens + 1 });
   document.documentElement.dataset.ready = "yes";
 }
 
