@@ -13,7 +13,7 @@
 
 namespace fathom::testing {
 
-inline constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 0, 1}, down{0, 0, -1};
+inline constexpr Triple left{-1, 0, 0}, right{1, 0, 0}, up{0, 0, 1};
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Claims about shapes, on pairs whose answers have a closed form; what bounds prove and what they
-// leave open; and that shapes that are polytopes are judged as polytopes are.
+// Claims about shapes: what bounds prove and what they leave open. Pairs whose answers have a
+// closed form are rows of tests/data/judged.jsonl too.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/shape.hpp"
 #include "tests/judge/findings.hpp"
 #include "tests/judge/pairs.hpp"
-#include "tests/judge/shape_pairs.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/families.hpp"
 #include "verify/judge/measures.hpp"
@@ -18,21 +18,27 @@
 namespace fathom::judging {
 namespace {
 
-using testing::at;
-using testing::balls;
-using testing::cylinders;
-using testing::diagonal;
-using testing::down;
 using testing::Findings;
 using testing::findings;
 using testing::left;
 using testing::none;
-using testing::opposite;
 using testing::overlap;
 using testing::right;
-using testing::up;
 using testing::with_witness;
 
+const Triple diagonal{-std::sqrt(0.5), -std::sqrt(0.5), 0};
+
+Shape at(const Shape& shape, const mpq_class& x, const mpq_class& y = 0, const mpq_class& z = 0) {
+  return moved(shape, rigid_pose({1, 0, 0, 0}, {x, y, z}));
+}
+
+/// Unit balls, the depth is 1/2.
+ShapeTruth balls() { return truth_about(sphere(1), at(sphere(1), mpq_class(3, 2))); }
+/// Parallel cylinders with axes 5/4 sqrt(2) apart: the depth is 2 - 5/4 sqrt(2).
+ShapeTruth cylinders() {
+  const Shape one = cylinder(1, 1);
+  return truth_about(one, at(one, mpq_class(5, 4), mpq_class(5, 4)));
+}
 /// Parallel capsules with axes sqrt(1/2) apart: the depth is 1 - sqrt(1/2).
 ShapeTruth capsules() {
   const Shape one = capsule(mpq_class(1, 2), 2);
@@ -83,108 +89,14 @@ TEST(JudgeShapes, RadiiThatTheSubjectAddedAreNoExcuse) {
   }
 }
 
-TEST(JudgeShapes, WrongDepthsSaySo) {
-  for (const auto& [truth, depth] :
-       {std::pair(balls(), 0.5), std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
-    EXPECT_EQ(findings(truth, overlap(1.002 * depth)), Findings{Verdict::too_deep});
-    EXPECT_EQ(findings(truth, overlap(0.998 * depth)), Findings{Verdict::too_shallow});
-    EXPECT_EQ(findings(truth, overlap(1.0009 * depth)), Findings{});
-    EXPECT_EQ(findings(truth, overlap(0.9991 * depth)), Findings{});
-    EXPECT_EQ(findings(truth, overlap(-depth)), Findings{Verdict::wrong_sign});
-    EXPECT_EQ(findings(truth, overlap(NAN)), Findings{Verdict::nan});
-    EXPECT_EQ(findings(truth, Reply{}), Findings{Verdict::false_separation});
-  }
-  EXPECT_EQ(judge(balls(), overlap(0.75)).sentence, "too deep by 0.25: 0.75 is claimed, the depth is 0.5");
-  EXPECT_EQ(judge(cylinders(), overlap(0.3)).sentence,
-            "too deep by 0.06777: 0.3 is claimed, the depth is 0.23223304703");
-  EXPECT_EQ(judge(cylinders(), Reply{}).sentence, "said to be apart: the bodies overlap, the depth is 0.23223304703");
-}
-
-TEST(JudgeShapes, DirectionsAreMeasuredAndTried) {
-  for (const auto& [truth, depth] :
-       {std::pair(capsules(), capsule_depth()), std::pair(cylinders(), cylinder_depth())}) {
-    EXPECT_EQ(findings(truth, overlap(depth, opposite(diagonal))), Findings{Verdict::wrong_sign});
-    EXPECT_EQ(findings(truth, overlap(depth, up)), (Findings{Verdict::not_separating, Verdict::inconsistent}));
-    EXPECT_EQ(findings(truth, overlap(depth, Triple{0, 0, 0})), Findings{Verdict::not_a_direction});
-  }
-  // Along -x the capsules part after sqrt(1 - 1/4) - 1/2; the plane across it is at 1/2.
-  const Judgement slanted = judge(capsules(), overlap(0.5, left));
-  EXPECT_EQ(slanted.findings, Findings{Verdict::too_deep}) << "consistent with its own direction: " << slanted.sentence;
-  EXPECT_EQ(slanted.separating_distance, (Between{0.5, 0.5}));
-  const double way = kernels::nearest_binary64({mpq_class(-1, 2), mpq_class(3, 4)});
-  EXPECT_EQ(findings(capsules(), overlap(way + 1e-9, left), {}, none),
-            (Findings{Verdict::too_deep, Verdict::inconsistent}))
-      << "but it separates";
-  EXPECT_EQ(findings(capsules(), overlap(way - 1e-9, left), {}, none),
-            (Findings{Verdict::too_deep, Verdict::not_separating, Verdict::inconsistent}));
-  const Judgement short_way = judge(cylinders(), overlap(cylinder_depth(), up));
-  EXPECT_GT(*short_way.overlap_left, 1.766) << "2 - 0.2322...";
-  EXPECT_LE(*short_way.overlap_left, 2 - cylinder_depth());
-  EXPECT_EQ(short_way.sentence,
-            "not separating: at least 1.766 of overlap is left along its direction; "
-            "inconsistent: the plane across its direction is at 2, not at 0.23223304703363118");
-}
-
 TEST(JudgeShapes, WitnessPoints) {
-  const double h = std::sqrt(0.5), far = 1.25;
-  const Triple a{h, h, 0}, b{far - h, far - h, 0};
-  const Reply reply = overlap(cylinder_depth(), diagonal);
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, b), {}, {0, 0, 8}), Findings{});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{1, 1, 0}, b)), Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, a, Triple{far - h, far - h, 1.1})),
-            Findings{Verdict::witness_off});
-  EXPECT_EQ(findings(cylinders(), with_witness(reply, Triple{0.5, 0.5, 0}, b)), Findings{Verdict::witness_off})
-      << "inside, but not across";
-  const Judgement off = judge(cylinders(), with_witness(reply, Triple{2, 0, 0}, b));
+  const double b = 1.25 - std::sqrt(0.5);
+  const Judgement off =
+      judge(cylinders(), with_witness(overlap(cylinder_depth(), diagonal), Triple{2, 0, 0}, Triple{b, b, 0}));
   EXPECT_LE(off.witness_a_distance->low, 1);
   EXPECT_GE(off.witness_a_distance->high, 1);
   EXPECT_LT(off.witness_a_distance->high - off.witness_a_distance->low, 1e-11);
   EXPECT_NE(off.sentence.find("the witness point of A is 1 away from it"), std::string::npos) << off.sentence;
-}
-
-TEST(JudgeShapes, ApartAndTouching) {
-  using Touching = Conventions::Touching;
-  const Shape one = cylinder(1, 1);
-  const ShapeTruth apart = truth_about(one, at(one, 3)), touching = truth_about(one, at(one, 2));
-  ASSERT_EQ(touching.depth.status(), Status::touching);
-  EXPECT_EQ(findings(apart, Reply{}), Findings{});
-  EXPECT_EQ(findings(apart, overlap({})), Findings{Verdict::false_overlap});
-  EXPECT_EQ(findings(apart, overlap(0.1)), (Findings{Verdict::false_overlap, Verdict::too_deep}));
-  EXPECT_EQ(judge(apart, overlap({})).sentence, "said to overlap: the bodies are apart by 1");
-  EXPECT_EQ(judge(touching, Reply{}).verdict, Verdict::touching_by_convention);
-  Conventions conventions;
-  conventions.touching = Touching::overlap;
-  EXPECT_EQ(findings(touching, Reply{}, conventions), Findings{Verdict::false_separation});
-  conventions.touching = Touching::separate;
-  EXPECT_EQ(findings(touching, overlap(0), conventions), Findings{Verdict::false_overlap});
-  EXPECT_EQ(findings(touching, overlap(0.1)), Findings{Verdict::too_deep});
-  EXPECT_EQ(findings(touching, overlap(0, left)), Findings{});
-  EXPECT_EQ(findings(touching, overlap(0, up)), Findings{Verdict::inconsistent});
-  const ShapeTruth hardly = truth_about(one, at(one, 2 + mpq_class(1, 10'000'000)));
-  EXPECT_EQ(findings(hardly, overlap({})), Findings{});
-  EXPECT_EQ(judge(hardly, overlap({})).accuracy, Accuracy::tolerance);
-  EXPECT_EQ(findings(hardly, overlap({}), {}, none), Findings{Verdict::false_overlap});
-}
-
-TEST(JudgeShapes, OutOfAHalfSpaceTheWayCounts) {
-  const Shape ball = at(sphere(1), 0, 0, mpq_class(1, 2)), floor = halfspace({0, 0, 2}, 0);
-  const ShapeTruth a_moves = truth_about(ball, floor), b_moves = truth_about(floor, ball);
-  EXPECT_EQ(findings(a_moves, overlap(0.5, up)), Findings{});
-  EXPECT_EQ(findings(b_moves, overlap(0.5, down)), Findings{}) << "the floor goes down";
-  EXPECT_EQ(findings(a_moves, overlap(0.5, down)), Findings{Verdict::wrong_sign});
-  EXPECT_EQ(findings(a_moves, overlap(0.5, right)), (Findings{Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(findings(a_moves, overlap(0.5, Triple{0.6, 0, 0.8})),
-            (Findings{Verdict::not_separating, Verdict::inconsistent}));
-  EXPECT_EQ(findings(a_moves, overlap(0.625, Triple{0.6, 0, 0.8})), Findings{Verdict::too_deep})
-      << "consistent with its own direction";
-  EXPECT_FALSE(judge(a_moves, overlap(0.5, right)).separating_distance);
-  EXPECT_EQ(judge(a_moves, overlap(0.5, right)).sentence,
-            "not separating: its direction does not lead out of the half-space; "
-            "inconsistent: its direction does not lead out of the half-space");
-  EXPECT_EQ(judge(a_moves, overlap(0.5, Triple{0.6, 0, 0.8})).sentence,
-            "not separating: at least 0.125 of overlap is left along its direction; "
-            "inconsistent: the way out along its direction is 0.625, not 0.5");
-  EXPECT_THROW(truth_about(floor, floor), std::invalid_argument);
 }
 
 // 40 bits do not tell neighbouring doubles apart, and more are asked for.
@@ -279,6 +191,10 @@ TEST(JudgeShapes, HugeBodies) {
   const Judgement result = judge(truth, overlap(1e308, left));
   EXPECT_EQ(result.findings, (Findings{Verdict::too_shallow, Verdict::not_separating, Verdict::inconsistent}));
   EXPECT_GE(*result.overlap_left, 1e308);
+}
+
+TEST(JudgeShapes, TwoHalfSpacesHaveNoDepth) {
+  EXPECT_THROW(truth_about(halfspace({0, 0, 2}, 0), halfspace({0, 0, 2}, 0)), std::invalid_argument);
 }
 
 TEST(JudgeShapes, TolerancesAreInLowestTerms) {

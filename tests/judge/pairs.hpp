@@ -24,16 +24,6 @@ inline const Truth& cubes() {
   static const Truth truth = truth_about(cube(0), cube(mpq_class(2, 5)));
   return truth;
 }
-/// They share a side.
-inline const Truth& touching_cubes() {
-  static const Truth truth = truth_about(cube(0), cube(1));
-  return truth;
-}
-/// 1/2 apart.
-inline const Truth& disjoint_cubes() {
-  static const Truth truth = truth_about(cube(0), cube(mpq_class(3, 2)));
-  return truth;
-}
 
 inline Reply overlap(std::optional<double> depth, std::optional<Triple> direction = {}) {
   Reply reply;

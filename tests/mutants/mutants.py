@@ -115,7 +115,7 @@ MUTANTS = [Mutant(*fields) for fields in [
      "check_forgeries_of_patches"),
     # the judge and the harness
     ("verify/judge/judge.cpp", "if (claim_.overlap && conventions_.touching == Touching::separate)",
-     "if (claim_.overlap && conventions_.touching == Touching::either)", "judge_tests"),
+     "if (claim_.overlap && conventions_.touching == Touching::either)", "doors_tests"),
     ("verify/judge/manifold.cpp", "return rise == 1 && deeper(*fault.contact, limit);",
      "return rise == 1 || deeper(*fault.contact, limit);", "judge_tests"),
     ("verify/judge/manifold.cpp", "if (!here || deeper(contact, here->factor)) {", "if (!here) {", "judge_tests"),
