@@ -87,6 +87,7 @@ void require_claim(const fathom_claim& claim) {
   require_at_most(claim.contact_count, "contacts of a claim");
   demand(claim.contact_count == 0 || claim.contact_positions != nullptr, "contacts without their positions");
   demand(!claim.has_manifold || is_tolerance(claim.contact_margin), "the contacts' margin is negative or not finite");
+  demand(!claim.has_patch_slack || is_tolerance(claim.patch_slack), "the patch's slack is negative or not finite");
 }
 
 std::optional<Triple> triple(int given, const double* p) {
@@ -175,7 +176,11 @@ constexpr Place places[] = {
     {"hulls_squared", &To::hulls},
     {"deeper_than_pair", &To::deeper_than_pair},
     {"deeper", &To::deeper},
-    {"deeper_squared", &To::deeper}};
+    {"deeper_squared", &To::deeper},
+    {"extent_missed", &To::extent_missed},
+    {"extent_missed_squared", &To::extent_missed},
+    {"extent_covered", &To::extent_covered},
+    {"extent_covered_squared", &To::extent_covered}};
 
 constexpr const Place* place_of(std::string_view field) {
   for (const Place& place : places)
@@ -259,8 +264,9 @@ void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom
                  std::string& sentence) {
   require_claim(claim);
   const NumberFormat format = format_of(claim);
-  const Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
-                            static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};
+  Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
+                      static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};
+  if (claim.has_patch_slack) tolerance.patch_slack = exact_value(claim.patch_slack);
   const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
   const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance);
   judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(Answer{known.depth}); }, truth));

@@ -174,6 +174,12 @@ std::vector<Option> make_table() {
           "add where the bodies touch after each shortest way out: all contact points, with the features that they are "
           "on; and whether the depth is smooth there, with its gradient by the pose"),
       {"depth",
+       "--patch-slack",
+       "LENGTH",
+       "with --patch: each patch also with slack, all contact points along the way out that are at most LENGTH short of "
+       "touching after it",
+       {wrong_tolerance}},
+      {"depth",
        "--twist",
        "VX,VY,VZ,WX,WY,WZ",
        "add how fast the signed depth changes while A begins to move, its point p with the velocity V + W x p: exact, "
@@ -256,6 +262,12 @@ std::vector<Option> make_table() {
        "velocity V + W x p, in cases without a twist of their own",
        {wrong_twist}},
       {"certify", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
+      {"certify",
+       "--patch-slack",
+       "LENGTH",
+       "hold contacts against the patch with this slack, not the exact one: all lines along which the bodies overlap by "
+       "the depth less LENGTH. How far it reaches beyond the contacts is reported",
+       {wrong_tolerance}},
       {"certify", "--policy", "POLICY",
        "which depths pass that are the separating distance of their own direction, though a shorter way out exists: as "
        "the subject's "

@@ -134,10 +134,12 @@ std::string wrong_pieces(const Given& given) {
 std::string wrong_along(const Given& given) {
   if (!given.has("--along")) {
     const std::string other = first_of(given, {"--steps", "--csv"});
-    return other.empty() ? "" : other + " goes with --along X,Y,Z";
+    if (!other.empty()) return other + " goes with --along X,Y,Z";
+    return given.has("--patch-slack") && !given.flag("--patch") ? "--patch-slack goes with --patch" : "";
   }
-  const std::string other = first_of(given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact",
-                                             "--counters", "--threads", "--patch", "--twist", "--twist-b"});
+  const std::string other =
+      first_of(given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters",
+                       "--threads", "--patch", "--patch-slack", "--twist", "--twist-b"});
   if (!other.empty()) return "--along answers with a curve of signed depths, and cannot be combined with " + other;
   if (given.text("--method") == "shallow")
     return "--along answers for bodies that are apart too, and cannot be combined with --method shallow";

@@ -416,6 +416,7 @@ CertifyRequest::CertifyRequest(const Given& given)
   tolerance.relative = given.number("--tol-rel").value_or(tolerance.relative);
   tolerance.absolute = given.number("--tol-abs").value_or(tolerance.absolute);
   if (const auto ulps = given.integer<std::size_t>("--tol-ulps")) tolerance.ulps = *ulps;
+  tolerance.patch_slack = given.number("--patch-slack");
   if (const auto policy = given.value("--policy")) tolerance.policy = judging::policy_of(*policy).value();
   const std::string asked = given.text("--metamorphic");
   if (asked == "all") variants.assign(std::begin(harness::variant_names), std::end(harness::variant_names));

@@ -119,7 +119,8 @@ Replies exact_replies(const DepthRequest& request) {
     const Case& single = asked;
     const Body& b = request.one_body ? single.a : single.b;
     if (request.form.manifold())
-      answered.manifold = output::manifold_of(single.a, b, answered.answer, request.form.motion, &monitor);
+      answered.manifold =
+          output::manifold_of(single.a, b, answered.answer, request.form.motion, &monitor, request.form.slack);
     if (!request.certificate.empty() || request.form.certificate) {
       std::vector<Twist> motions;
       if (const auto& m = request.form.motion)  // of A, with B at rest: of convex bodies it has the same derivative

@@ -219,6 +219,20 @@ void add_patch(Rows& rows, const Patch& patch, const AnswerForm& form) {
     rows.emplace_back("", fmt::format("and {} more corners; --json lists all", patch.corners.size() - most_corners));
 }
 
+/// The patch with the slack that is asked for, by its corners on A.
+void add_with_slack(Rows& rows, const output::Manifold& manifold, const Patch& patch, const AnswerForm& form) {
+  if (!form.slack) return;
+  const auto& corners = manifold.with_slack[static_cast<std::size_t>(&patch - manifold.geometry.patches.data())];
+  if (!corners) return rows.emplace_back("with slack", "not told"), void();
+  const char* const what = corners->size() == 1 ? "a point" : corners->size() == 2 ? "a segment" : "a polygon of corners";
+  Parts parts;
+  for (std::size_t k = 0; k < std::min(corners->size(), most_corners); ++k)
+    parts.push_back(place_text((*corners)[k].a, form.exact));
+  if (corners->size() > most_corners)
+    parts.push_back(fmt::format("{} more; --json lists all", corners->size() - most_corners));
+  rows.emplace_back("with slack", fmt::format("{} {}", what, fmt::join(parts, ", ")));
+}
+
 std::string rate_text(const std::variant<DirectionalDerivative, LeftOut>& derivative, bool exact) {
   if (const LeftOut* const reason = std::get_if<LeftOut>(&derivative))
     return fmt::format("not told: {}", name(*reason));
@@ -237,6 +251,7 @@ void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& fo
     if (!form.patch || patch.way > 0) break;
     rows.emplace_back("patch", patch_text(patch, g.of_unions));
     add_patch(rows, patch, form);
+    add_with_slack(rows, *answered.manifold, patch, form);
   }
   if (form.patch && g.tells_smoothness()) {
     Parts kinks;

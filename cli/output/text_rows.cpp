@@ -117,6 +117,7 @@ AnswerForm::AnswerForm(const Given& given)
             given.flag("--embed-certificate"),
             given.command == "width",
             given.flag("--patch"),
+            given.number("--patch-slack"),
             given.motion()},
       exact(given.flag("--exact")),
       by_default(given.value("--method").value_or("auto") == "auto" && !given.has("--closest-lines")) {}

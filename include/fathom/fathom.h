@@ -436,6 +436,8 @@ typedef struct fathom_claim {
   int has_manifold;      /**< 0: whether the contacts reach as far as the bodies touch, by its own word; what follows is read beside it */
   size_t most_contacts;  /**< 0, for any number: how many an answer has at most; of 1, no extent is asked */
   double contact_margin; /**< 0: how much less deep than the answer contacts without a depth may be; not negative */
+  int has_patch_slack;   /**< 0: whether contacts are held against the patch with a slack, not against the exact one */
+  double patch_slack;    /**< that length: they are to reach all lines along which the bodies overlap by the depth less it; not negative */
 } fathom_claim;
 
 /** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond
@@ -472,6 +474,10 @@ typedef struct fathom_judgement {
   double hulls;             /**< the depth of the unions' hulls */
   double deeper_than_pair;  /**< their depth over that of the deepest pair, at least 1 */
   double deeper;            /**< their depth over the claimed one, if that is above 0 */
+
+  /* Of contacts of hulls of points, with patch_slack: of the patch with it. */
+  double extent_missed;  /**< how far its corners are from the hull of the contacts, at most */
+  double extent_covered; /**< the share of its area, or length, in that hull; NaN of a point */
 } fathom_judgement;
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_claim_init(fathom_claim* claim);

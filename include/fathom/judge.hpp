@@ -118,6 +118,10 @@ struct Tolerance {
   mpq_class absolute{1, 1'000'000};  ///< of the extent
   unsigned long ulps = 0;            ///< of the depth
   Policy policy = {};                ///< of depths that are too deep
+  /// contacts are held against the patch with this slack, a length of at least 0: they are to reach
+  /// all lines along which the bodies overlap by the depth less the slack. nullopt: against the
+  /// exact patch
+  std::optional<mpq_class> patch_slack = std::nullopt;
 };
 
 // ---- the verdict ----
@@ -227,6 +231,10 @@ struct Judgement {
   std::optional<mpq_class> contact_a_squared, contact_b_squared;  ///< of polytopes
   std::optional<Between> contact_a_distance, contact_b_distance;  ///< of shapes
   std::optional<double> deepest;  ///< the largest depth of a contact less the claimed depth
+  // Of contacts of polytopes, if there is a slack of the patch: of the patch with it, along the
+  // direction near the claimed one for which less is missed. Exact.
+  std::optional<mpq_class> extent_missed_squared;   ///< how far its corners are from the contacts' hull, at most
+  std::optional<mpq_class> extent_covered_squared;  ///< the share of its area, or length, in that hull; none of a point
   // Of unions there is no separating distance and no exit distance; `overlap_left` is the depth
   // after the claimed translation, and `inconsistency` its negative, or the distance then. These
   // two are the least that the way from a root to a rational allows, if that matters to their

@@ -15,6 +15,7 @@
 #include "fathom/numbers.hpp"
 #include "kernels/context.hpp"
 #include "kernels/number/infinitesimal.hpp"
+#include "reference/patch/patch.hpp"
 
 namespace fathom::output {
 namespace {
@@ -143,18 +144,26 @@ Json corner_object(const Patch& patch, std::size_t k) {
           {"on_b", on_face(patch.corners[k].on_b)}};
 }
 
-Json patch_object(const Patch& patch, bool of_unions) {
+Json patch_object(const Manifold& manifold, const Patch& patch) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < patch.corners.size(); ++k) corners.push_back(corner_object(patch, k));
   const RoundedWitness centroid = patch.centroid();
   Json result{{"rank", patch.rank()}, {"direction", exact(patch.direction)}};
-  if (of_unions) {
+  if (manifold.geometry.of_unions) {
     result["optimum"] = patch.way;
     result["pieces"] = std::vector<std::uint32_t>{patch.pieces.first, patch.pieces.second};
   }
   result["corners"] = corners;
   result["centroid"] = Json{{"a", place(centroid.a)}, {"b", place(centroid.b)}};
   result["size"] = patch.rank() == 0 ? Json() : length(patch.squared(), std::nullopt);
+  if (!manifold.with_slack.empty()) {
+    const auto& corners = manifold.with_slack[static_cast<std::size_t>(&patch - manifold.geometry.patches.data())];
+    result["with_slack"] = corners ? Json::array_of(*corners,
+                                                    [](const RoundedWitness& corner) {
+                                                      return Json{{"a", place(corner.a)}, {"b", place(corner.b)}};
+                                                    })
+                                   : Json();
+  }
   return result;
 }
 
@@ -295,8 +304,11 @@ std::string_view method_name(const SignedDepth& depth) {
 }
 
 Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
-                     Monitor* monitor) {
+                     Monitor* monitor, const std::optional<mpq_class>& slack) {
   Manifold manifold{contact_geometry(a, b, answer, monitor), {}};
+  if (slack)
+    for (const Patch& patch : manifold.geometry.patches)
+      manifold.with_slack.push_back(patch::with_slack(a, b, patch, *slack));
   manifold.weights = vertex_weights(a, b, manifold.geometry);
   if (motion) manifold.derivative = directional_derivative(manifold.geometry, motion->of_a, motion->of_b);
   return manifold;
@@ -313,7 +325,7 @@ Json manifold_object(const Manifold& manifold) {
   const std::optional<Gradient> gradient = g.gradient();
   const bool smoothness = g.tells_smoothness();
   Json result{{"patches", g.no_patches ? Json() : Json::array_of(g.patches, [&](const Patch& patch) {
-                 return patch_object(patch, g.of_unions);
+                 return patch_object(manifold, patch);
                })}};
   result["smooth"] = smoothness ? Json::boolean(g.smooth()) : Json();
   result["kinks"] = smoothness ? Json::array_of(g.kinks, [](Kink kink) { return Json(name(kink)); }) : Json();

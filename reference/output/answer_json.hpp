@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "fathom/answer.hpp"
 #include "fathom/patch.hpp"
@@ -22,11 +23,14 @@ struct Manifold {
   ContactGeometry geometry;
   std::optional<VertexWeights> weights;
   std::optional<std::variant<DirectionalDerivative, LeftOut>> derivative = {};  ///< along the motion asked for
+  /// of each patch the corners with slack, or nullopt, if one is asked for
+  std::vector<std::optional<std::vector<RoundedWitness>>> with_slack = {};
 };
 
-/// Of an answer about these bodies; of an incomplete one it says that nothing is told.
+/// Of an answer about these bodies; of an incomplete one it says that nothing is told. `slack`: of
+/// the patches, in addition.
 Manifold manifold_of(const Body& a, const Body& b, const Answer& answer, const std::optional<Motion>& motion,
-                     Monitor* monitor = nullptr);
+                     Monitor* monitor = nullptr, const std::optional<mpq_class>& slack = {});
 
 /// The text of a certificate of the answer: with the patches of its manifold, if there is one, and
 /// the derivatives along these motions of A, as far as these have a proof. Throws as
@@ -52,6 +56,7 @@ struct Shown {
   bool certificate = false;                ///< as a field
   bool width = false;                      ///< the answer is about one body, against itself
   bool patch = false;                      ///< where the bodies touch
+  std::optional<mpq_class> slack = {};     ///< and the patches with this slack
   std::optional<Motion> motion = {};       ///< the derivative along it
 
   /// Whether a manifold is needed.

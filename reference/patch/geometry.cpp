@@ -12,6 +12,7 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/patch/local_depth.hpp"
 #include "reference/patch/patch.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
@@ -20,28 +21,6 @@
 
 namespace fathom::patch {
 namespace {
-
-/// The points of a core that is a polytope.
-class CorePoints {
- public:
-  /// The body must outlive it.
-  explicit CorePoints(const Body& body) : body_(body) {
-    if (body.shape) expanded_ = shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points);
-  }
-
-  /// None of a half-space, of what is curved, and of sums of too many points.
-  [[nodiscard]] bool known() const { return !body_.pieces && (!body_.shape || expanded_); }
-  [[nodiscard]] polytope::Points points() const {
-    return expanded_ ? polytope::Points(*expanded_) : polytope::Points(body_.points);
-  }
-  [[nodiscard]] kernels::Positions exact() const {
-    return expanded_ ? kernels::Positions(*expanded_) : kernels::Positions(body_.points.exact());
-  }
-
- private:
-  const Body& body_;
-  std::optional<std::vector<Point>> expanded_;  // of a shape
-};
 
 const CorePoints& require_known(const CorePoints& points) {
   if (!points.known()) throw std::invalid_argument("the answer is about other bodies");
@@ -237,6 +216,22 @@ std::optional<std::vector<Weight>> only_weights(kernels::Positions body, const V
 }
 
 }  // namespace
+
+CorePoints::CorePoints(const Body& body) : body_(body) {
+  if (body.shape) expanded_ = shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points);
+}
+
+std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body& b, const Patch& patch,
+                                                      const mpq_class& slack) {
+  const CorePoints of_a(a), of_b(b);
+  const mpq_class* const support = std::get_if<mpq_class>(&patch.by);
+  if (!support || !of_a.known() || !of_b.known()) return std::nullopt;
+  const Vector& n = patch.direction;
+  std::vector<RoundedWitness> corners;
+  for (const LineOverlap& line : LinesAlong(n, of_a.exact(), of_b.exact()).with_slack(*support, slack * slack))
+    corners.push_back({{line.a, n, -patch.radius_a}, {line.b, n, patch.radius_b}});
+  return corners;
+}
 
 std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p) {
   const Point& first = body[corners[0]];

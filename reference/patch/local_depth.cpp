@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 
@@ -332,6 +333,12 @@ std::vector<LineOverlap> LinesAlong::corners(const Point& x, const mpq_class& wi
 std::vector<LineOverlap> LinesAlong::at_least(const mpq_class& least) const {
   Region region(a_, b_, least);
   return region.empty() ? std::vector<LineOverlap>() : lines_at(corners_of(region));
+}
+
+std::vector<LineOverlap> LinesAlong::with_slack(const mpq_class& support, const mpq_class& squared) const {
+  constexpr unsigned slack_bits = 40;
+  const mpq_class length_squared(dot(v_, v_));
+  return at_least(support / length_squared - kernels::enclosed({0, squared / length_squared}, slack_bits).high);
 }
 
 std::vector<LineOverlap> LinesAlong::lines_at(const std::vector<SeenAlong>& corners) const {

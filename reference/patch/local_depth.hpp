@@ -57,6 +57,10 @@ class LinesAlong {
   /// where v is an optimal direction n, the patch with slack, of all pairs of points one over the
   /// other that are no more than (sigma - least |n|) short of the depth. Empty if there are none.
   [[nodiscard]] std::vector<LineOverlap> at_least(const mpq_class& least) const;
+  /// The patch with slack e, where v is an optimal direction and `support` its h(v): the corners of
+  /// the lines whose local depth is at most e short of the depth. e is given by its square, and
+  /// rounded up by 2^-40 of itself if e / |v| is no rational.
+  [[nodiscard]] std::vector<LineOverlap> with_slack(const mpq_class& support, const mpq_class& squared) const;
 
   /// Along v into a plane, and how far, in multiples of v.
   struct SeenAlong {

@@ -6,15 +6,36 @@
 #include <gmpxx.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "fathom/body.hpp"
 #include "fathom/patch.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::patch {
+
+/// The points whose hull is the core of a body, if that is a polytope of no more than
+/// most_expanded_points points: not of a half-space, of what is curved, and of unions.
+class CorePoints {
+ public:
+  /// The body must outlive it.
+  explicit CorePoints(const Body& body);
+
+  [[nodiscard]] bool known() const { return !body_.pieces && (!body_.shape || expanded_); }
+  // If they are known:
+  [[nodiscard]] polytope::Points points() const {
+    return expanded_ ? polytope::Points(*expanded_) : polytope::Points(body_.points);
+  }
+  [[nodiscard]] const std::vector<Point>& exact() const { return expanded_ ? *expanded_ : body_.points.exact(); }
+
+ private:
+  const Body& body_;
+  std::optional<std::vector<Point>> expanded_;  // of a shape
+};
 
 /// The face of each body by its corners, in any order: extreme points, each once. One is a vertex,
 /// two are an edge. The views must outlive it.
@@ -47,6 +68,14 @@ Patch on_plane(const Vector& n, const polytope::Points& body, std::span<const st
 /// tip; of equal points the lowest id stands for all.
 std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Points& body,
                                              std::span<const std::uint32_t> ids);
+
+/// The corners of a patch with slack, which is at least 0, in order around it: of the set of all
+/// pairs of points of A and of B, one over the other along the patch's direction, whose way along it
+/// is at most the slack short of the translation. Without slack it is the patch; the slack is
+/// rounded up by 2^-40 of itself. nullopt of unions, and where the core of a body is not known by
+/// its points.
+std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body& b, const Patch& patch,
+                                                      const mpq_class& slack);
 
 /// The weights, ascending and none 0, of the point p in a polygon, segment or point with these
 /// corners, in order: of a polygon those in a triangle at the first corner. Throws std::logic_error

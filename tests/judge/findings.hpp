@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "fathom/judge.hpp"
+#include "verify/judge/claim.hpp"
+#include "verify/judge/manifold.hpp"
 
 namespace fathom::testing {
 
@@ -38,5 +40,21 @@ Findings findings(const AnyTruth& truth, const Reply& reply, const Conventions& 
   EXPECT_EQ(result.verdict, result.findings.empty() ? right_verdict : result.findings.front());
   return result.findings;
 }
+
+/// The judge of an answer's contacts, with all that it looks at.
+struct OwnedContactJudge {
+  judging::Claim claim;
+  judging::Allowances allowed;
+  judging::ContactJudge judge;
+
+  OwnedContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                    const Tolerance& tolerance)
+      : claim(judging::exact_claim(reply, conventions, format.exponent)),
+        allowed(judging::sizes_of(truth.a, truth.b), truth.depth.squared(), format, tolerance),
+        judge(truth, claim, allowed, conventions.manifold, format.exponent, tolerance.patch_slack) {}
+  OwnedContactJudge(const OwnedContactJudge&) = delete;
+  OwnedContactJudge& operator=(const OwnedContactJudge&) = delete;
+  ~OwnedContactJudge() = default;
+};
 
 }  // namespace fathom::testing

@@ -30,6 +30,7 @@ using testing::cubes;
 using testing::Findings;
 using testing::left;
 using testing::overlap;
+using testing::OwnedContactJudge;
 using Verdict::contact_outside;
 using Verdict::contact_too_deep;
 using Verdict::contact_too_shallow;
@@ -50,15 +51,16 @@ Conventions declaring(const Declared& manifold) {
   return conventions;
 }
 
-ContactJudge judge_of(const Truth& truth, const Reply& reply, const Declared& manifold = ContactLimits(),
-                      const Tolerance& tolerance = {}) {
-  return ContactJudge(truth, reply, declaring(manifold), Precision::binary64, tolerance);
+OwnedContactJudge judge_of(const Truth& truth, const Reply& reply, const Declared& manifold = ContactLimits(),
+                           const Tolerance& tolerance = {}) {
+  return {truth, reply, declaring(manifold), Precision::binary64, tolerance};
 }
 
 /// The findings; each is to be proved.
 Findings found(const Truth& truth, const Reply& reply, const Declared& manifold = ContactLimits(),
                const Tolerance& tolerance = {}) {
-  const ContactJudge judge = judge_of(truth, reply, manifold, tolerance);
+  const OwnedContactJudge of(truth, reply, declaring(manifold), Precision::binary64, tolerance);
+  const ContactJudge& judge = of.judge;
   const std::vector<ContactFault> faults = judge.faults();
   for (const ContactFault& fault : faults) {
     EXPECT_TRUE(judge.proves(fault)) << fault.sentence;
@@ -105,9 +107,9 @@ TEST(Manifold, OfTwoCubes) {
   EXPECT_EQ(found(cubes(), one), (Findings{misses_extent, tips}));
   EXPECT_EQ(found(cubes(), one, ContactLimits{.most = 2}), (Findings{misses_extent, tips}))
       << "two corners miss by half";
-  EXPECT_EQ(judge_of(cubes(), on_square({{0, 0}, {1, 0}})).faults()[0].sentence,
+  EXPECT_EQ(judge_of(cubes(), on_square({{0, 0}, {1, 0}})).judge.faults()[0].sentence,
             "the contacts miss a corner of the patch by 1");
-  EXPECT_EQ(judge_of(cubes(), with({0.5, 0.5}, 0.7)).faults()[0].sentence,
+  EXPECT_EQ(judge_of(cubes(), with({0.5, 0.5}, 0.7)).judge.faults()[0].sentence,
             "contact 4 is too deep: 0.7 is claimed, along the lines near it the bodies overlap by 0.6 at most");
 }
 
@@ -423,13 +425,85 @@ TEST(Manifold, TheBestFourOfMoreAreNotBlamedForTheDeepestByAHair) {
   EXPECT_GT(left_out, 5U);
 }
 
+// ---- the patch with slack ----
+
+/// A unit box on a plate, 1/16 deep at its edge x = 0; its lower face rises by 1/64 to x = 1.
+Truth tilted_box() {
+  std::vector<Point> a, b;
+  for (const int x : {0, 1})
+    for (const int y : {0, 1})
+      for (const int z : {0, 1}) {
+        a.push_back({x, y, z == 1 ? mpq_class(1) : mpq_class(x) / 64});
+        b.push_back({4 * x - 2, 4 * y - 2, z == 1 ? mpq_class(1, 16) : mpq_class(-4)});
+      }
+  return truth_about(std::move(a), std::move(b));
+}
+
+Reply on_plate(const std::vector<std::array<double, 2>>& places) {
+  Reply reply = overlap(0.0625, testing::up);
+  for (const auto& [x, y] : places) reply.contacts.push_back({{x, y, 0.03125}, 0.0625 - x / 64});
+  return reply;
+}
+
+TEST(Manifold, IsMeasuredAgainstThePatchWithSlack) {
+  const Truth tilted = tilted_box();  // a slack of s reaches to x = 64 s
+  const auto measured = [&](const Reply& reply, const mpq_class& slack, const Declared& declared = std::nullopt) {
+    Tolerance tolerance;
+    tolerance.patch_slack = slack;
+    return judge(tilted, reply, declaring(declared), Precision::binary64, tolerance);
+  };
+  const Reply edge = on_plate({{0, 0}, {0, 1}}), half = on_plate({{0, 0}, {0, 1}, {0.5, 0}, {0.5, 1}});
+  const mpq_class slack(1, 64);
+  EXPECT_FALSE(judge(tilted, edge, declaring(std::nullopt)).extent_missed_squared) << "it is not asked for";
+  EXPECT_EQ(measured(edge, 0).extent_missed_squared, mpq_class(0));
+  EXPECT_EQ(measured(edge, 0).extent_covered_squared, mpq_class(1)) << "of a segment the length counts";
+  EXPECT_EQ(measured(edge, slack / 4).extent_missed_squared, mpq_class(1, 16));
+  EXPECT_EQ(measured(edge, slack).extent_missed_squared, mpq_class(1));
+  EXPECT_EQ(measured(edge, slack).extent_covered_squared, mpq_class(0));
+  EXPECT_EQ(measured(half, slack).extent_missed_squared, mpq_class(1, 4));
+  EXPECT_EQ(measured(half, slack).extent_covered_squared, mpq_class(1, 4));
+  EXPECT_EQ(measured(on_plate({{0, 0}, {0, 1}, {0.5, 0}}), slack).extent_covered_squared, mpq_class(1, 16));
+  EXPECT_EQ(measured(on_plate({{-1, -1}, {3, -1}, {-1, 3}}), slack).extent_covered_squared, mpq_class(1));
+  EXPECT_FALSE(measured(overlap(0.0625, testing::up), slack).extent_missed_squared) << "without contacts";
+  EXPECT_FALSE(measured(overlap(0.0625, left), slack).extent_missed_squared);
+}
+
+// A measure blames nobody who promises nothing; a promise is held to the slack, both ways.
+TEST(Manifold, IsHeldToThePatchWithSlack) {
+  const Truth tilted = tilted_box();
+  const auto with = [&](const Reply& reply, const mpq_class& slack, const Declared& declared = ContactLimits()) {
+    Tolerance tolerance;
+    tolerance.patch_slack = slack;
+    return found(tilted, reply, declared, tolerance);
+  };
+  const auto places = [](double x) { return on_plate({{0, 0}, {0, 1}, {x, 0}, {x, 1}}); };
+  const mpq_class slack(1, 64);
+  const double near = 0.0625 / 1000, reached = 1 - 1.0 / 64;
+  EXPECT_EQ(found(tilted, on_plate({{0, 0}, {0, 1}})), Findings{}) << "the exact patch is the edge";
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}}), 0), Findings{});
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}}), slack), Findings{misses_extent}) << "its middle is not missed";
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}}), slack, std::nullopt), Findings{});
+  EXPECT_EQ(with(places(1), slack), Findings{});
+  EXPECT_EQ(with(places(reached - near / 2), slack), Findings{}) << "a position may be off by the slack too";
+  EXPECT_EQ(with(places(reached - near * 2), slack), Findings{misses_extent});
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}, {1, 0}}), slack), Findings{misses_extent});
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}, {1, 0}}), slack, ContactLimits{.most = 3}), Findings{})
+      << "three corners miss one";
+  EXPECT_EQ(with(on_plate({{0, 0}, {0, 1}, {0.25, 0}}), slack, ContactLimits{.most = 3}), Findings{misses_extent});
+  Tolerance tolerance;
+  tolerance.patch_slack = slack;
+  EXPECT_EQ(judge_of(tilted, on_plate({{0, 0}, {0, 1}}), ContactLimits(), tolerance).judge.faults()[0].sentence,
+            "the contacts miss a corner of the patch with a slack of 0.01562 by 1");
+}
+
 // ---- forgeries ----
 
 TEST(Manifold, ForgedProofsAreRefused) {
   Reply reply = on_square({{0, 0}, {1, 0}, {2, 0.5}, {0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}});
   reply.contacts[3].depth = 0.7;
   reply.contacts[4].depth = 0.5;
-  const ContactJudge judge = judge_of(cubes(), reply);
+  const OwnedContactJudge of = judge_of(cubes(), reply);
+  const ContactJudge& judge = of.judge;
   std::vector<ContactFault> faults = judge.faults();
   ASSERT_EQ(words(faults), (Findings{contact_outside, contact_too_deep, contact_too_shallow, misses_extent}));
   const auto refused = [&](std::size_t k, auto change) {

@@ -220,7 +220,7 @@ class NaiveJudge {
   void judge_contacts(const Reply& reply, const mpf_class& d, std::vector<Verdict>& found) const {
     std::vector<judging::ContactFault> faults;
     if (std::ranges::none_of(found, [](Verdict finding) { return finding <= Verdict::wrong_sign; }))
-      faults = judging::ContactJudge(truth_, reply, conventions_, precision_, tolerance_).faults();
+      faults = OwnedContactJudge(truth_, reply, conventions_, precision_, tolerance_).judge.faults();
     std::vector<char> outside(reply.contacts.size(), 0);
     for (const judging::ContactFault& fault : faults) {
       found.push_back(fault.finding);

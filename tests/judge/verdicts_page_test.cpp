@@ -87,8 +87,9 @@ Judgement judged(const Json& example, const Json& usual_case) {
   const Precision precision =
       example.value("precision", "binary64") == "binary32" ? Precision::binary32 : Precision::binary64;
   Tolerance tolerance;
-  if (example.contains("tolerance"))
-    tolerance.relative = mpq_class(example["tolerance"].at("relative").get<std::string>());
+  const Json off_by = example.value("tolerance", Json::object());
+  if (off_by.contains("relative")) tolerance.relative = mpq_class(off_by["relative"].get<std::string>());
+  if (off_by.contains("patch_slack")) tolerance.patch_slack = mpq_class(off_by["patch_slack"].get<std::string>());
   const Reply reply = reply_of(example.at("reply"), precision);
   const Conventions conventions = conventions_of(example.value("conventions", Json::object()));
   if (item.value().b.pieces)

@@ -315,9 +315,11 @@ std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, con
   json["fathom"] = from.version;
   json["command"] = from.command;
   json["subject"] = Json::written(hello_text(info));
-  json["tolerance"] = Json{{"relative", exact_text(tolerance.relative)},
-                           {"absolute", exact_text(tolerance.absolute)},
-                           {"ulps", tolerance.ulps}};
+  Json allowed{{"relative", exact_text(tolerance.relative)},
+               {"absolute", exact_text(tolerance.absolute)},
+               {"ulps", tolerance.ulps}};
+  if (tolerance.patch_slack) allowed["patch_slack"] = exact_text(*tolerance.patch_slack);
+  json["tolerance"] = allowed;
   if (from.fit) json["fit"] = exact_text(*from.fit);
   json["policy"] = judging::policy_text(tolerance.policy);
   if (!from.second.empty())

@@ -15,6 +15,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/patch/patch.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/judge/claim.hpp"
@@ -26,15 +27,13 @@ constexpr unsigned speed_bits = 40;
 
 mpq_class rounded_up(const mpq_class& squared) { return kernels::enclosed({0, squared}, speed_bits).high; }
 
-/// Those that a body's core is the hull of.
+/// Those that a body's core is the hull of; O of one that is curved.
 std::vector<Point> points_of(const Body& body) {
   std::vector<Point> points;
   if (body.pieces)
     for (const std::vector<Point>& piece : *body.pieces) points.insert(points.end(), piece.begin(), piece.end());
-  else if (body.shape)
-    points =
-        shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points).value_or(std::vector<Point>(1));
-  else points = body.points.exact();
+  else if (const patch::CorePoints core(body); core.known()) points = core.exact();
+  else points.emplace_back();
   return points;
 }
 

@@ -45,6 +45,7 @@ class ExactMeasures : public Measures {
   Accuracy accuracy(const mpq_class& d) override { return accuracy_of(d, squared_, rounding_unit(), format_); }
 
   void measure(const Claim& claim, Judgement& result) final;
+  [[nodiscard]] const Allowances* allowances() const override { return &allowed_; }
 
   [[nodiscard]] std::string depth() const override;
   [[nodiscard]] std::string distance() const override;

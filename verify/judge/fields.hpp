@@ -103,6 +103,9 @@ constexpr const auto& fields_of(const ContactPoint*) { return contact_fields; }
 
 inline bool always(const Judgement&) { return true; }
 inline bool has_squares(const Judgement& j) { return !j.signed_depth; }
+inline std::optional<double> rounded_root(const std::optional<mpq_class>& squared) {
+  return squared ? std::optional(root_binary64(*squared, Rounding::rn)) : std::nullopt;
+}
 
 /// In the order of JSON.
 inline constexpr std::tuple judgement_fields{
@@ -163,6 +166,24 @@ inline constexpr std::tuple judgement_fields{
           "contacts are away from B by up to"),
     field("deepest", &Judgement::deepest, "length", "The largest depth of a contact less the claimed depth.",
           "deepest contact less claimed depth"),
+    Derived<Judgement, std::optional<double>>{"extent_missed",
+                                              [](const Judgement& j) {
+                                                return rounded_root(j.extent_missed_squared);
+                                              },
+                                              "length",
+                                              "With a slack of the patch: how far a corner of the patch with it is from "
+                                              "the hull of the contacts, at most."},
+    field("extent_missed_squared", &Judgement::extent_missed_squared, "length^2", "The square of that, exact.",
+          "contacts miss the patch with slack by up to"),
+    Derived<Judgement, std::optional<double>>{"extent_covered",
+                                              [](const Judgement& j) {
+                                                return rounded_root(j.extent_covered_squared);
+                                              },
+                                              "ratio",
+                                              "The share of its area, or of its length, that is in that hull; not of a "
+                                              "point."},
+    field("extent_covered_squared", &Judgement::extent_covered_squared, "ratio^2", "The square of that, exact.",
+          "their hull has of it"),
     field("relative_excess", &Judgement::relative_excess, "ratio",
           "The separating distance of its direction over the depth, less 1.",
           "depth of its direction above the true depth, relative to that"),
@@ -183,9 +204,7 @@ inline constexpr std::tuple judgement_fields{
         "ratio", "Their depth over that of the deepest pair, correctly rounded; at least 1."},
     Derived<Judgement, std::optional<double>>{
         "deeper",
-        [](const Judgement& j) {
-          return j.deeper_squared ? std::optional(root_binary64(*j.deeper_squared, Rounding::rn)) : std::nullopt;
-        },
+        [](const Judgement& j) { return rounded_root(j.deeper_squared); },
         "ratio", "Their depth over the claimed one, if that is above 0, correctly rounded."},
     field("deeper_squared", &Judgement::deeper_squared, "ratio^2", "The square of that, exact.",
           "the true depth over the claimed one"),

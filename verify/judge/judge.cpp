@@ -358,7 +358,13 @@ class Judge {
   void manifold() {
     const auto is_first = [](Verdict finding) { return finding <= Verdict::wrong_sign; };
     if (!polytopes_ || claim_.contacts.empty() || std::ranges::any_of(result_.findings, is_first)) return;
-    faults_ = ContactJudge(*polytopes_, reply_, conventions_, format_, tolerance_).faults();
+    const ContactJudge judge(*polytopes_, claim_, *truth_.allowances(), conventions_.manifold, format_.exponent,
+                             tolerance_.patch_slack);
+    faults_ = judge.faults();
+    if (const std::optional<MeasuredExtent> extent = judge.measured()) {
+      result_.extent_missed_squared = extent->missed_squared;
+      result_.extent_covered_squared = extent->covered_squared;
+    }
     // A longer translation that passes has a patch of its own, and is longer than any local depth.
     if (result_.excess_allowed)
       std::erase_if(faults_, [&](const ContactFault& fault) {

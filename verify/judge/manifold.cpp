@@ -74,52 +74,95 @@ std::vector<Point> common(const std::vector<Point>& one, const std::vector<Point
   return patch::shared_naive({}, {n, polytope::Points(one), of_one, polytope::Points(other), of_other});
 }
 
+mpq_class squared_length(const std::vector<Point>& ends) { return dot(ends[1] - ends[0], ends[1] - ends[0]); }
+
+/// Of corners in order, in a plane across n: the area, times |n|.
+mpq_class area_along(const Vector& n, const std::vector<Point>& corners) {
+  mpq_class sum = 0;
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    sum += dot(n, cross(corners[k] - corners[0], corners[k + 1] - corners[0]));
+  return abs(sum) / 2;
+}
+
 std::string length_text(const mpq_class& signed_square) {
   return fmt::format("{:.4g}", kernels::nearest_binary64({0, signed_square}));
 }
 
 }  // namespace
 
-ContactJudge::ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions,
-                           const NumberFormat& format, const Tolerance& tolerance)
-    : truth_(truth), claim_(exact_claim(reply, conventions, format.exponent)) {
+ContactJudge::ContactJudge(const Truth& truth, const Claim& claim, const Allowances& allowed,
+                           const std::optional<ContactLimits>& declared, long exponent,
+                           const std::optional<mpq_class>& slack)
+    : truth_(truth), claim_(claim), depth_(allowed.depth) {
   const kernels::DefaultFloatEnvironment environment;
-  const Allowances allowed(sizes_of(truth.a, truth.b), truth.depth.squared(), format, tolerance);
-  depth_ = allowed.depth;
   near_ = kernels::enclosed({0, allowed.witness.squared()}, position_bits).high;
-  if (!conventions.manifold) return;
-  margin_ = Allowance(0, 0, scaled(exact_value(conventions.manifold->margin), -format.exponent));
-  most_ = conventions.manifold->most;
-  find_extents();
+  if (slack) slack_ = std::max(mpq_class(0), *slack);
+  if (declared) {
+    margin_ = Allowance(0, 0, scaled(exact_value(declared->margin), -exponent));
+    most_ = declared->most;
+    promised_ = !most_ || *most_ > 1;  // one contact has no extent
+  }
+  if (promised_ || slack_) find_extents();
 }
 
-/// One contact has no extent: nothing is asked of a subject that answers no more.
 void ContactJudge::find_extents() {
   const Penetration* const penetration = truth_.depth.penetration();
-  if (!penetration || penetration->unlisted > 0 || (most_ && *most_ <= 1)) return;
+  if (!penetration || penetration->unlisted > 0) return;
   for (const Optimum& optimum : penetration->optima) {
     const Vector& n = optimum.direction;
     if (claim_.direction && !nearly_along(*claim_.direction, n)) continue;
     const Patch patch =
         patch::shared_inside({n, truth_.a, optimum.contact.a, truth_.b, optimum.contact.b}, optimum.support);
     Extent& extent = extents_.emplace_back(Extent{n, optimum.support, {}, patch.centroid().a.core});
-    for (std::size_t k = 0; k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
+    if (slack_) extent.corners = with_slack(extent, *slack_ * *slack_);
+    for (std::size_t k = 0; !slack_ && k < patch.corners.size(); ++k) extent.corners.push_back(patch.a(k).core);
   }
+}
+
+std::vector<Point> ContactJudge::with_slack(const Extent& extent, const mpq_class& squared) const {
+  std::vector<Point> corners;
+  for (const patch::LineOverlap& line :
+       patch::LinesAlong(extent.direction, truth_.a.exact(), truth_.b.exact()).with_slack(extent.support, squared))
+    corners.push_back(line.a);
+  return corners;
 }
 
 /// A subject that answers at most so many contacts chooses among the corners where the bodies
 /// overlap as deep, within the tolerance of a depth, or among those of the patch: what the best
-/// choice must miss is allowed.
-mpq_class ContactJudge::allowed_squared(const Extent& extent) const {
-  if (!most_) return 0;
+/// choice must miss is allowed. Of a patch with slack that slack is allowed too, and there is no
+/// other choice.
+ContactJudge::Reach ContactJudge::reach_of(const Extent& extent) const {
+  Reach reach{slack_ ? mpq_class(near_ + *slack_) : near_};
+  if (!most_) return reach;
   const Vector& n = extent.direction;
-  const mpq_class length_squared = dot(n, n),
-                  slack = kernels::enclosed({0, depth_.squared() / length_squared}, position_bits).high;
-  std::vector<Point> as_deep;
-  for (const patch::LineOverlap& line :
-       patch::LinesAlong(n, truth_.a.exact(), truth_.b.exact()).at_least(extent.support / length_squared - slack))
-    as_deep.push_back(shadow(n, line.a));
-  return std::max(least_missed_squared(as_deep, *most_), least_missed_squared(shadows(n, extent.corners), *most_));
+  reach.squared = least_missed_squared(shadows(n, extent.corners), *most_);
+  if (!slack_)
+    reach.squared =
+        std::max(reach.squared, least_missed_squared(shadows(n, with_slack(extent, depth_.squared())), *most_));
+  return reach;
+}
+
+std::optional<MeasuredExtent> ContactJudge::measured() const {
+  const kernels::DefaultFloatEnvironment environment;
+  std::optional<MeasuredExtent> best;
+  if (!slack_ || claim_.contacts.empty()) return best;
+  for (const Extent& extent : extents_) {
+    const Vector& n = extent.direction;
+    const std::vector<Point> contacts = shadows(n, claim_.contacts), corners = shadows(n, extent.corners);
+    MeasuredExtent found;
+    for (const Point& corner : corners)
+      found.missed_squared = std::max(found.missed_squared, squared_distance(corner, contacts));
+    const std::vector<Point> covered = common(corners, contacts, n);
+    if (corners.size() > 2) {
+      const mpq_class share = area_along(n, covered) / area_along(n, corners);
+      found.covered_squared = share * share;
+    } else if (corners.size() == 2) {
+      found.covered_squared =
+          covered.size() < 2 ? mpq_class(0) : mpq_class(squared_length(covered) / squared_length(corners));
+    }
+    if (!best || found.missed_squared < best->missed_squared) best = std::move(found);
+  }
+  return best;
 }
 
 std::vector<ContactFault> ContactJudge::faults() const {
@@ -203,49 +246,51 @@ void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t con
 
 // ---- all contacts ----
 
-/// Whether a squared distance is more than that of positions and a root together.
-bool ContactJudge::too_far(const mpq_class& squared, const mpq_class& allowed) const {
-  return sign({squared - near_ * near_ - allowed, -4 * near_ * near_ * allowed}) > 0;
+bool ContactJudge::too_far(const mpq_class& squared, const Reach& reach) {
+  const mpq_class& length = reach.length;
+  return sign({squared - length * length - reach.squared, -4 * length * length * reach.squared}) > 0;
 }
 
-std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Point& point, const mpq_class& allowed,
+std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Point& point, const Reach& reach,
                                                 mpq_class& squared) const {
   const Vector& n = extent.direction;
   const std::optional<Outside> outside = outside_of(shadow(n, point), shadows(n, claim_.contacts));
   squared = outside ? outside->squared : mpq_class(0);
-  if (!outside || !too_far(squared, allowed)) return std::nullopt;
+  if (!outside || !too_far(squared, reach)) return std::nullopt;
   return MissedPoint{n, point, outside->away};
 }
 
 /// Of the corners, and how far it is away, squared.
-std::optional<MissedPoint> ContactJudge::farthest_missed(const Extent& extent, const mpq_class& allowed,
+std::optional<MissedPoint> ContactJudge::farthest_missed(const Extent& extent, const Reach& reach,
                                                          mpq_class& farthest) const {
   std::optional<MissedPoint> worst;
   for (const Point& corner : extent.corners) {
     mpq_class squared;
-    std::optional<MissedPoint> found = missed(extent, corner, allowed, squared);
+    std::optional<MissedPoint> found = missed(extent, corner, reach, squared);
     if (found && squared > farthest) (farthest = std::move(squared), worst = std::move(found));
   }
   return worst;
 }
 
 void ContactJudge::judge_extent(std::vector<ContactFault>& faults) const {
-  if (extents_.empty()) return;
+  if (extents_.empty() || !promised_) return;
   ContactFault fault{Verdict::misses_extent, std::nullopt, std::nullopt, {}, {}, ""};
   std::optional<mpq_class> least;
   const Extent* best = nullptr;
   for (const Extent& extent : extents_) {
     mpq_class farthest = 0;
-    std::optional<MissedPoint> worst = farthest_missed(extent, 0, farthest);
-    if (worst && most_) worst = farthest_missed(extent, allowed_squared(extent), farthest = 0);
+    std::optional<MissedPoint> worst = farthest_missed(extent, {near_}, farthest);
+    if (worst && (most_ || slack_)) worst = farthest_missed(extent, reach_of(extent), farthest = 0);
     if (!worst) return;
     if (!least || farthest < *least) (least = farthest, best = &extent);
     fault.missed.push_back(*std::move(worst));
   }
-  fault.sentence = fmt::format("the contacts miss a corner of the patch by {}", length_text(*least));
+  const std::string with =
+      slack_ ? fmt::format(" with a slack of {:.4g}", kernels::nearest_binary64({*slack_, 0})) : "";
+  fault.sentence = fmt::format("the contacts miss a corner of the patch{} by {}", with, length_text(*least));
   faults.push_back(std::move(fault));
   mpq_class squared;
-  if (std::optional<MissedPoint> middle = missed(*best, best->centroid, 0, squared))
+  if (std::optional<MissedPoint> middle = missed(*best, best->centroid, {near_}, squared))
     faults.push_back({Verdict::tips,
                       std::nullopt,
                       std::nullopt,
@@ -302,29 +347,30 @@ bool ContactJudge::proves_too_shallow(const ContactFault& fault) const {
          std::ranges::all_of(corners, [&](const Point& p) { return std::ranges::find(lines, p) != lines.end(); });
 }
 
-bool ContactJudge::is_missed(const MissedPoint& missed, const mpq_class& allowed) const {
+bool ContactJudge::is_missed(const MissedPoint& missed, const Reach& reach) const {
   if (is_zero(missed.away) || dot(missed.direction, missed.away) != 0) return false;
   std::optional<mpq_class> gap;
   for (const Point& x : claim_.contacts) {
     mpq_class there = dot(missed.away, missed.point - x);
     if (!gap || there < *gap) gap = std::move(there);
   }
-  return *gap > 0 && too_far(*gap * *gap / mpq_class(dot(missed.away, missed.away)), allowed);
+  return *gap > 0 && too_far(*gap * *gap / mpq_class(dot(missed.away, missed.away)), reach);
 }
 
 bool ContactJudge::proves_missed(const ContactFault& fault) const {
   if (fault.finding == Verdict::tips)
     return fault.missed.size() == 1 && std::ranges::any_of(extents_, [&](const Extent& extent) {
              const MissedPoint& missed = fault.missed[0];
-             return missed.direction == extent.direction && missed.point == extent.centroid && is_missed(missed, 0);
+             return missed.direction == extent.direction && missed.point == extent.centroid &&
+                    is_missed(missed, {near_});
            });
-  return !extents_.empty() && std::ranges::all_of(extents_, [&](const Extent& extent) {
-    const mpq_class allowed = allowed_squared(extent);
-    return std::ranges::any_of(fault.missed, [&](const MissedPoint& missed) {
-      return missed.direction == extent.direction &&
-             std::ranges::find(extent.corners, missed.point) != extent.corners.end() && is_missed(missed, allowed);
-    });
-  });
+  return promised_ && !extents_.empty() && std::ranges::all_of(extents_, [&](const Extent& extent) {
+           const Reach reach = reach_of(extent);
+           return std::ranges::any_of(fault.missed, [&](const MissedPoint& missed) {
+             return missed.direction == extent.direction &&
+                    std::ranges::find(extent.corners, missed.point) != extent.corners.end() && is_missed(missed, reach);
+           });
+         });
 }
 
 }  // namespace fathom::judging

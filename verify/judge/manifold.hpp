@@ -40,13 +40,20 @@ struct ContactFault {
   std::string sentence;                    ///< for people, one line
 };
 
-/// Judges the contacts of one answer about two polytopes. Lengths and points may be off by the
-/// tolerance or the slack, that of positions rounded up by 2^-40.
+/// Contacts beside a patch with slack, exactly.
+struct MeasuredExtent {
+  mpq_class missed_squared;                  ///< how far its corners are from the contacts' hull, at most
+  std::optional<mpq_class> covered_squared;  ///< the share of its area, or length, in that hull; none of a point
+};
+
+/// Judges the contacts of one answer about two polytopes. Lengths and points may be off by what is
+/// allowed, of positions rounded up by 2^-40.
 class ContactJudge {
  public:
-  /// The truth must outlive it.
-  ContactJudge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-               const Tolerance& tolerance);
+  /// All must outlive it. `declared`: by its unit, 2^exponent times that of the truth. `slack`: of
+  /// the patch, see Tolerance.
+  ContactJudge(const Truth& truth, const Claim& claim, const Allowances& allowed,
+               const std::optional<ContactLimits>& declared, long exponent, const std::optional<mpq_class>& slack);
 
   /// All that is wrong, in order of contacts, those about all of them at last; only the first that
   /// holds of each contact. Positions, depths and the direction are taken as they stand: an answer
@@ -54,21 +61,30 @@ class ContactJudge {
   /// depth, or with numbers that are not finite.
   [[nodiscard]] std::vector<ContactFault> faults() const;
 
+  /// Where there is a slack, whatever was declared: of the optimum along the claim for which less is
+  /// missed. nullopt if there is none, without contacts, and where not all optima are listed.
+  [[nodiscard]] std::optional<MeasuredExtent> measured() const;
+
   /// Whether a fault follows from the numbers that it holds, by products of them with all points;
   /// that of a contact too shallow by clipping the bodies' shadows.
   [[nodiscard]] bool proves(const ContactFault& fault) const;
 
  private:
+  /// How far a point may be from the contacts: a length, and a root beside it.
+  struct Reach {
+    mpq_class length, squared = 0;
+  };
   struct Extent {
     Vector direction;
     mpq_class support;
-    std::vector<Point> corners;
-    Point centroid;
+    std::vector<Point> corners;  ///< of the patch that is asked for, with its slack
+    Point centroid;              ///< of the exact one
   };
 
   void find_extents();
-  [[nodiscard]] mpq_class allowed_squared(const Extent& extent) const;
-  [[nodiscard]] std::optional<MissedPoint> farthest_missed(const Extent& extent, const mpq_class& allowed,
+  [[nodiscard]] std::vector<Point> with_slack(const Extent& extent, const mpq_class& squared) const;
+  [[nodiscard]] Reach reach_of(const Extent& extent) const;
+  [[nodiscard]] std::optional<MissedPoint> farthest_missed(const Extent& extent, const Reach& reach,
                                                            mpq_class& farthest) const;
   [[nodiscard]] const mpq_class& claimed(std::size_t contact) const;
   [[nodiscard]] mpq_class signed_square(const mpq_class& factor) const;
@@ -76,19 +92,22 @@ class ContactJudge {
   [[nodiscard]] bool shallower(std::size_t contact, const mpq_class& factor) const;
   void judge_contact(const patch::LinesAlong& lines, std::size_t contact, std::vector<ContactFault>& faults) const;
   void judge_extent(std::vector<ContactFault>& faults) const;
-  [[nodiscard]] std::optional<MissedPoint> missed(const Extent& extent, const Point& point, const mpq_class& allowed,
+  [[nodiscard]] std::optional<MissedPoint> missed(const Extent& extent, const Point& point, const Reach& reach,
                                                   mpq_class& squared) const;
-  [[nodiscard]] bool too_far(const mpq_class& squared, const mpq_class& allowed) const;
-  [[nodiscard]] bool is_missed(const MissedPoint& missed, const mpq_class& allowed) const;
+  [[nodiscard]] static bool too_far(const mpq_class& squared, const Reach& reach);
+  [[nodiscard]] bool is_missed(const MissedPoint& missed, const Reach& reach) const;
   [[nodiscard]] bool proves_too_shallow(const ContactFault& fault) const;
   [[nodiscard]] bool proves_missed(const ContactFault& fault) const;
 
   const Truth& truth_;
-  Claim claim_;
-  Allowance depth_, margin_;
+  const Claim& claim_;
+  const Allowance& depth_;
+  Allowance margin_;
   mpq_class near_;                   ///< by how much a position may be off
+  std::optional<mpq_class> slack_;   ///< of the patch, at least 0
+  bool promised_ = false;            ///< whether the contacts are to cover the patch
   std::optional<std::size_t> most_;  ///< how many contacts it answers at most
-  std::vector<Extent> extents_;      ///< of optima along the claim; none unless bodies overlap and extent is promised
+  std::vector<Extent> extents_;      ///< of optima along the claim; none unless bodies overlap and it is asked for
 };
 
 /// Judges as the function judge of fathom/judge.hpp does. Tells what is wrong with the contacts if

@@ -73,6 +73,10 @@ class Measures {
   /// Writes the truth, and the residuals of the claim as it stands. Comes first.
   virtual void measure(const Claim& claim, Judgement& result) = 0;
 
+  /// What is allowed, of polytopes and unions; else null. That of a depth, until a claim of a
+  /// distance was measured.
+  [[nodiscard]] virtual const Allowances* allowances() const { return nullptr; }
+
   /// Writes what was measured since. Comes last.
   virtual void conclude(Judgement&) const {}
 

@@ -207,6 +207,10 @@ class Judgement(NamedTuple):
     contact_a_distance: tuple[float, float] | None  #: of shapes, rounded outward
     contact_b_distance: tuple[float, float] | None
     deepest: float | None  #: the largest depth of a contact less the claimed depth
+    extent_missed: float | None  #: with a slack of the patch: how far a corner of the patch with it is from the hull of the contacts, at most
+    extent_missed_squared: Fraction | None
+    extent_covered: float | None  #: the share of its area, or of its length, in that hull; None of a point
+    extent_covered_squared: Fraction | None
     relative_excess: float | None  #: the separating distance over the depth, less 1
     excess_allowed: bool  #: whether the depth would be too deep, but for the policy
     deepest_pair: dict[str, Any] | None  #: of unions that overlap: squared, and the two pieces, from 0
@@ -220,6 +224,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
           unit: bool = True, claims: str = "minimum", manifold: tuple[int | None, float] | None = None, policy: str = "declared",
           precision: str = "binary64", answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000",
+          patch_slack: Number | None = None,
           pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
@@ -239,6 +244,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
     answers    the precision of the answer's numbers; as that of points if None
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
+    patch_slack  a length: contacts are to reach all lines along which the bodies overlap by the depth less it, not the exact patch
 
     >>> import fathom
     >>> cube = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
@@ -255,6 +261,7 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     """
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
              "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
-             "claims": claims, "manifold": manifold, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute}
+             "claims": claims, "manifold": manifold, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute,
+             "patch_slack": patch_slack}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**found)

@@ -339,6 +339,10 @@ JudgeArguments judge_arguments(const py::dict& claim) {
     throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy +
                           "'");
   result.tolerance.policy = *known;
+  if (!claim["patch_slack"].is_none()) {
+    mpq_class& slack = result.tolerance.patch_slack.emplace(number_from(claim["patch_slack"]));
+    if (slack < 0) throw py::value_error("patch_slack: expected a length of at least 0, found " + shown(claim["patch_slack"]));
+  }
   return result;
 }
 

@@ -32,12 +32,6 @@ std::pair<Body, Body> bodies_of(const RecordBodies& bodies) {
   return {hulls.a, hulls.b};
 }
 
-/// Of the core; none of a half-space.
-std::vector<Point> core_points(const Body& body) {
-  if (!body.shape) return body.points.exact();
-  return shapes::polytope_points(shapes::simplified(*body.shape), most_expanded_points).value_or(std::vector<Point>());
-}
-
 Body placed(const Pose& frame, const Body& body) {
   if (body.shape) return of_shape(moved(*body.shape, frame));
   std::vector<Point> points;
@@ -120,8 +114,9 @@ void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contact
 
 void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts) {
   const auto [body_a, body_b] = bodies_of(bodies);
-  const std::vector<Point> a = core_points(body_a), b = core_points(body_b);
-  if (a.empty() || b.empty()) return;  // a half-space takes the whole face
+  const patch::CorePoints core_a(body_a), core_b(body_b);
+  if (!core_a.known() || !core_b.known()) return;  // a half-space takes the whole face
+  const std::vector<Point>&a = core_a.exact(), &b = core_b.exact();
   const Integers integers = integers_of(a, b);
   for (const Patch& patch : contacts.manifold.geometry.patches) {
     const Vector& n = patch.direction;

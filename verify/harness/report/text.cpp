@@ -246,6 +246,7 @@ std::string tolerance_text(const Tolerance& tolerance) {
   std::string result = fmt::format("relative {}, absolute {} of the extent", exact_text(tolerance.relative),
                                    exact_text(tolerance.absolute));
   if (tolerance.ulps > 0) result += fmt::format(", {} ulp", tolerance.ulps);
+  if (tolerance.patch_slack) result += fmt::format("; patches with a slack of {}", exact_text(*tolerance.patch_slack));
   result += "; the largest counts";
   return tolerance.policy == Policy() ? result : result + "; policy " + judging::policy_text(tolerance.policy);
 }
