@@ -96,6 +96,13 @@ void require_finite(const double* numbers, std::size_t count, const std::string&
                                 std::to_string(wrong - numbers));
 }
 
+Twist twist_from(const double* numbers, const std::string& name) {
+  if (numbers == nullptr) return {};
+  require_finite(numbers, 6, name);
+  const auto vector = [](const double* x) { return Point{exact_value(x[0]), exact_value(x[1]), exact_value(x[2])}; };
+  return {vector(numbers), vector(numbers + 3)};
+}
+
 PoseBinary64 pose_from(const double* numbers, const std::string& name) {
   require_finite(numbers, 12, name);
   PoseBinary64 pose;

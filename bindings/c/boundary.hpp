@@ -74,6 +74,9 @@ void require_struct(const Struct* given, const char* name) {
 /// Throws std::invalid_argument that begins with the name unless all of these numbers are finite.
 void require_finite(const double* numbers, std::size_t count, const std::string& name);
 
+/// v and w; null of a body at rest. Throws as require_finite.
+Twist twist_from(const double* numbers, const std::string& name);
+
 /// Twelve numbers as a matrix. Throws std::invalid_argument that begins with the name unless they
 /// are finite.
 PoseBinary64 pose_from(const double* numbers, const std::string& name);

@@ -128,6 +128,7 @@ Reply reply_of(const fathom_claim& claim) {
   reply.witness_a = triple(claim.has_witness_a, claim.witness_a);
   reply.witness_b = triple(claim.has_witness_b, claim.witness_b);
   if (claim.has_distance) reply.distance = claim.distance;
+  if (claim.has_derivative) reply.derivative = claim.derivative;
   for (std::size_t i = 0; i < claim.contact_count; ++i) {
     const std::optional<double> depth = claim.contact_depths ? std::optional(claim.contact_depths[i]) : std::nullopt;
     reply.contacts.push_back({*triple(true, claim.contact_positions + 3 * i), depth});
@@ -143,7 +144,8 @@ Policy policy_of(const fathom_claim& claim) {
 
 // ---- out: fields of a judgement, by the table in verify/judge/fields.hpp ----
 
-/// Where the number of a field goes: to one member, or rounded down and up to two.
+/// Where the number of a field goes: to one member, or rounded down and up to two. Of a derivative
+/// the second is the error.
 struct Place {
   std::string_view field;
   double fathom_judgement::*low;
@@ -180,7 +182,8 @@ constexpr Place places[] = {
     {"extent_missed", &To::extent_missed},
     {"extent_missed_squared", &To::extent_missed},
     {"extent_covered", &To::extent_covered},
-    {"extent_covered_squared", &To::extent_covered}};
+    {"extent_covered_squared", &To::extent_covered},
+    {"derivative", &To::derivative, &To::derivative_error}};
 
 constexpr const Place* place_of(std::string_view field) {
   for (const Place& place : places)
@@ -203,6 +206,10 @@ void put(To& to, const Place& place, const UnionBounds& bounds) {
   put(to, place, bounds.deepest_pair);
   to.deepest_pieces[0] = bounds.a;
   to.deepest_pieces[1] = bounds.b;
+}
+void put(To& to, const Place& place, const DerivativeJudgement& derivative) {
+  to.*place.high = derivative.error.value_or(none);
+  if (derivative.squared) to.*place.low = round_binary64(Surd{0, *derivative.squared});
 }
 template <class T>
 void put(To& to, const Place& place, const std::optional<T>& value) {
@@ -267,8 +274,10 @@ void judge_claim(const Body& a, const Body& b, const fathom_claim& claim, fathom
   Tolerance tolerance{exact_value(claim.tol_relative), exact_value(claim.tol_absolute),
                       static_cast<unsigned long>(claim.tol_ulps), policy_of(claim)};
   if (claim.has_patch_slack) tolerance.patch_slack = exact_value(claim.patch_slack);
+  std::optional<Motion> motion;
+  if (claim.has_derivative) motion = {twist_from(claim.twist_a, "twist_a"), twist_from(claim.twist_b, "twist_b")};
   const judging::AnyTruth truth = judging::truth_of(seen_from(a, format, "a"), seen_from(b, format, "b"));
-  const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance);
+  const Judgement found = judging::judged(truth, reply_of(claim), conventions_of(claim), format, tolerance, motion);
   judgement = judgement_of(found, std::visit([](const auto& known) { return rounded(Answer{known.depth}); }, truth));
   sentence = found.sentence;
 }

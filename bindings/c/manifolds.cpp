@@ -67,14 +67,6 @@ Gradient gradient_in(const fathom_answer* answer) {
   throw Absence("the signed depth is not smooth: " + kinks);
 }
 
-/// NULL for a body at rest.
-Twist twist_from(const double* numbers, const std::string& name) {
-  if (numbers == nullptr) return {};
-  require_finite(numbers, 6, name);
-  const auto vector = [](const double* x) { return Point{exact_value(x[0]), exact_value(x[1]), exact_value(x[2])}; };
-  return {vector(numbers), vector(numbers + 3)};
-}
-
 std::variant<DirectionalDerivative, LeftOut> derivative_in(const output::Manifold& manifold, const double* twist_a,
                                                            const double* twist_b) {
   return directional_derivative(manifold.geometry, twist_from(twist_a, "twist_a"), twist_from(twist_b, "twist_b"));

@@ -94,13 +94,9 @@ void report(const CertifyRequest& request, const Shrunk& shrunk, const std::stri
     return talk(title + ": the verdict did not come again on the same case, so nothing was shrunk");
   const std::string sentence =
       fmt::format("{}: {}; {} of {} tries made it smaller", title, left_of(shrunk.pair), shrunk.kept, shrunk.tried);
-  const bool no_program = request.harness.empty() && !harness::has_snippet(shrunk.outcome);
-  const std::string why = "no program: fathom::judge is told no derivative, and --harness FILE has its own test";
-  if (request.json)
-    return talk(fmt::format("{}; {}{}", sentence, fmt::join(files, ", "), no_program ? "; " + why : ""));
+  if (request.json) return talk(fmt::format("{}; {}", sentence, fmt::join(files, ", ")));
   print('\n' + fitted(sentence));
   for (const std::string& file : files) print("  " + file);
-  if (no_program) print("  " + why);
 }
 
 constexpr ExitCode newly_failing = static_cast<ExitCode>(1);

@@ -438,6 +438,9 @@ typedef struct fathom_claim {
   double contact_margin; /**< 0: how much less deep than the answer contacts without a depth may be; not negative */
   int has_patch_slack;   /**< 0: whether contacts are held against the patch with a slack, not against the exact one */
   double patch_slack;    /**< that length: they are to reach all lines along which the bodies overlap by the depth less it; not negative */
+  int has_derivative;    /**< 0: whether the answer tells how fast the signed depth grows as the bodies begin to move */
+  double derivative;     /**< that rate, more being deeper whatever the conventions */
+  double twist_a[6], twist_b[6]; /**< 0, at rest; v and w: the body's point p begins to move with the velocity v + w x p; finite */
 } fathom_claim;
 
 /** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond
@@ -478,6 +481,11 @@ typedef struct fathom_judgement {
   /* Of contacts of hulls of points, with patch_slack: of the patch with it. */
   double extent_missed;  /**< how far its corners are from the hull of the contacts, at most */
   double extent_covered; /**< the share of its area, or length, in that hull; NaN of a point */
+
+  /* Of a claimed derivative. NaN where the true one is not told: fathom_answer_derivative says
+   * why. */
+  double derivative;       /**< the true rate */
+  double derivative_error; /**< the claimed rate less the true one */
 } fathom_judgement;
 /** Sets all members, as their comments say. */
 FATHOM_API void fathom_claim_init(fathom_claim* claim);

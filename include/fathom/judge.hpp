@@ -16,6 +16,7 @@
 
 #include "fathom/body.hpp"
 #include "fathom/depth.hpp"
+#include "fathom/motion.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/union.hpp"
 
@@ -94,6 +95,9 @@ struct Reply {
   std::optional<double> distance;  ///< of the bodies, at least 0; read only if they are said to be apart
   /// one or more; the largest of their depths is `depth`. Read only beside a depth
   std::vector<ContactPoint> contacts;
+  /// at which rate the signed depth grows as the bodies begin to move, deeper being more whatever
+  /// the conventions; read only by a judge that is told how they move
+  std::optional<double> derivative = std::nullopt;
 };
 
 /// Which translations pass that are longer than need be, with a depth that is the separating
@@ -156,7 +160,7 @@ enum class Verdict {
   contact_too_shallow,  ///< along each line near one that meets both they overlap more
   misses_extent,        ///< all together they leave out part of each patch
   tips,                 ///< and so much that the middle of the patch is not between them: beside misses_extent
-  // Along the twists that were asked for; `judge` never returns it:
+  // Along the twists that were asked for:
   wrong_derivative,  ///< the derivative is not that of the signed depth
   not_invariant,     ///< a case that differs by a symmetry only is answered differently; `judge` never returns it
   // Not judged.
@@ -187,6 +191,16 @@ std::string_view name(Accuracy accuracy);
 struct Between {
   double low, high;  ///< the bounds
   friend bool operator==(const Between&, const Between&) = default;
+};
+
+/// A claimed derivative of the signed depth beside the truth.
+struct DerivativeJudgement {
+  double claimed = 0;                ///< in the unit of the bodies
+  std::optional<mpq_class> squared;  ///< of the true rate, negative if that is; nullopt if it is left out
+  std::string left_out;              ///< then why: the word of LeftOut
+  std::vector<std::string> kinks;    ///< why there is no gradient: the words of Kink; of unions not told
+  std::optional<double> error;       ///< the claimed rate less the true one, correctly rounded
+  std::string sentence;              ///< what is wrong with the claim; empty if nothing is
 };
 
 /// What is right and wrong about one answer, with the truth beside it.
@@ -244,16 +258,21 @@ struct Judgement {
   /// (depth / claimed depth)^2 of unions that overlap, for a claimed depth above 0
   std::optional<mpq_class> deeper_squared;
 
+  /// of a reply that has one, if the judge is told how the bodies begin to move
+  std::optional<DerivativeJudgement> derivative;
+
   std::string sentence;  ///< for people, one line: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6; ..."
 };
 
 // ---- judging ----
 
 /// Judges the reply about two bodies with coordinates in binary64; they are rounded to the format
-/// first. Any numbers in `reply` are judged. Throws std::invalid_argument if a body is empty, or a
-/// coordinate is not finite or overflows the format.
+/// first. Any numbers in `reply` are judged, its derivative if `motion` says how the bodies begin
+/// to move: its lengths are in the unit of the bodies. Throws std::invalid_argument if a body is
+/// empty, or a coordinate is not finite or overflows the format.
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply,
-                const Conventions& conventions = {}, const NumberFormat& format = {}, const Tolerance& tolerance = {});
+                const Conventions& conventions = {}, const NumberFormat& format = {}, const Tolerance& tolerance = {},
+                const std::optional<Motion>& motion = {});
 
 /// Two bodies as the implementation saw them, and the exact answer.
 struct Truth {
@@ -271,7 +290,8 @@ Truth truth_about(GivenPoints a, GivenPoints b, const Options& options = {});
 
 /// Judges the reply by a truth that is known.
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions = {},
-                const NumberFormat& format = {}, const Tolerance& tolerance = {});
+                const NumberFormat& format = {}, const Tolerance& tolerance = {},
+                const std::optional<Motion>& motion = {}, Monitor* monitor = nullptr);
 
 // ---- shapes ----
 
@@ -291,7 +311,8 @@ ShapeTruth truth_about(Shape a, Shape b, const SignedDepthOptions& options = {})
 /// every value within the bounds of the truth; where they leave that open, closer bounds are asked
 /// for, to 160 bits at most. A touching case is one whose bodies are proved to touch.
 Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions = {},
-                const NumberFormat& format = {}, const Tolerance& tolerance = {});
+                const NumberFormat& format = {}, const Tolerance& tolerance = {},
+                const std::optional<Motion>& motion = {}, Monitor* monitor = nullptr);
 
 // ---- unions of convex pieces ----
 
@@ -309,6 +330,7 @@ UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options = {});
 /// the depth or the distance after it is found anew, which may take as long as the truth did, and
 /// may be stopped by the monitor; then Interrupted is thrown.
 Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions = {},
-                const NumberFormat& format = {}, const Tolerance& tolerance = {}, Monitor* monitor = nullptr);
+                const NumberFormat& format = {}, const Tolerance& tolerance = {},
+                const std::optional<Motion>& motion = {}, Monitor* monitor = nullptr);
 
 }  // namespace fathom

@@ -33,10 +33,55 @@ class CJudge : public ::testing::Test {
     EXPECT_GT(std::strlen(fathom_last_error()), 5U);
   }
 
+  // Judges that the cubes are 0.6 deep, to the left; the sentence.
+  std::string judged() {
+    claim.overlap = claim.has_depth = claim.has_direction = 1;
+    claim.depth = 0.6;
+    claim.direction[0] = -1;
+    char* text = nullptr;
+    EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, &text), FATHOM_OK) << fathom_last_error();
+    std::string sentence = text ? text : "";
+    fathom_string_free(text);
+    return sentence;
+  }
+
   BodyHandle a = body_of(cube_at(0)), b = body_of(cube_at(0.4));
   fathom_claim claim;
   fathom_judgement judgement;
 };
+
+TEST_F(CJudge, ContactsBesideThePatchWithSlack) {
+  const double positions[] = {0.7, 0, 0, 0.7, 0, 1, 0.7, 0.5, 0, 0.7, 0.5, 1};
+  claim.contact_positions = positions;
+  claim.contact_count = 4;
+  judged();
+  EXPECT_TRUE(std::isnan(judgement.extent_missed) && std::isnan(judgement.extent_covered)) << "nobody asked";
+  claim.has_patch_slack = 1;
+  judged();
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS) << "a measure blames nobody";
+  EXPECT_EQ(judgement.extent_missed, 0.5);
+  EXPECT_EQ(judgement.extent_covered, 0.5);
+}
+
+TEST_F(CJudge, Derivatives) {
+  claim.has_derivative = 1;
+  claim.derivative = 2;
+  claim.twist_a[0] = 3;
+  claim.twist_b[0] = 1;
+  judged();
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_EQ(judgement.derivative, 2);
+  EXPECT_EQ(judgement.derivative_error, 0);
+  claim.derivative = -1;
+  const std::string sentence = judged();
+  EXPECT_EQ(judgement.findings, 1U << FATHOM_VERDICT_WRONG_DERIVATIVE);
+  EXPECT_EQ(judgement.derivative_error, -3);
+  EXPECT_NE(sentence.find("the derivative is wrong by 3"), std::string::npos) << sentence;
+  claim.has_derivative = 0;
+  judged();
+  EXPECT_EQ(judgement.verdict, FATHOM_VERDICT_PASS);
+  EXPECT_TRUE(std::isnan(judgement.derivative));
+}
 
 TEST_F(CJudge, RefusesWhatIsNoClaim) {
   const fathom_claim good = claim;
@@ -67,6 +112,14 @@ TEST_F(CJudge, RefusesWhatIsNoClaim) {
   with([&] {
     claim.has_manifold = 1;
     claim.contact_margin = -0.5;
+  });
+  with([&] {
+    claim.has_patch_slack = 1;
+    claim.patch_slack = -0.5;
+  });
+  with([&] {
+    claim.has_derivative = 1;
+    claim.twist_b[5] = std::nan("");
   });
   with([&] { b = nullptr; });
   EXPECT_EQ(fathom_judge(a.get(), a.get(), nullptr, &judgement, nullptr), FATHOM_BAD_INPUT);

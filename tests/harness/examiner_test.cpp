@@ -403,13 +403,13 @@ TEST(Twists, AreAskedForAndJudgedInTheUnitOfTheCase) {
   };
   const Outcome right = outcome(R"(,\"derivative\":1)"), wrong = outcome(R"(,\"derivative\":-1)"), none = outcome("");
   EXPECT_EQ(right.verdict, Verdict::pass) << right.detail;
-  EXPECT_EQ(right.derivative.value().squared, 4);
-  EXPECT_EQ(right.derivative->kinks, std::vector<std::string>{"extended"});
+  EXPECT_EQ(right.judgement->derivative.value().squared, 4);
+  EXPECT_EQ(right.judgement->derivative->kinks, std::vector<std::string>{"extended"});
   EXPECT_EQ(wrong.verdict, Verdict::wrong_derivative);
   EXPECT_EQ(wrong.judgement.value().sentence,
             "the derivative is wrong by 4: -2 is claimed, 2 is right; it is the right rate with the other sign");
   EXPECT_EQ(none.verdict, Verdict::inconsistent) << "law: what is promised is there";
-  EXPECT_FALSE(none.derivative);
+  EXPECT_FALSE(none.judgement->derivative);
   EXPECT_EQ(outcome(R"(,\"derivative\":nan)").verdict, Verdict::nan);
   for (const Outcome& each : {right, wrong}) {
     const std::optional<Outcome> read = read_outcome(outcome_line(each));
@@ -439,13 +439,13 @@ TEST(Twists, OfUnionsAreThoseOfTheChosenPair) {
     Reply reply;
     reply.overlap = one.id == "u[1,0]";
     if (reply.overlap) reply.depth = 1;
+    reply.derivative = reply.overlap ? 2 : 7;
     answer = SubjectAnswer{"", reply};
-    answer->derivative = reply.overlap ? 2 : 7;
     return outcome_for(one);
   });
   EXPECT_EQ(outcome.verdict, Verdict::pass) << outcome.judgement.value().sentence;
-  EXPECT_EQ(outcome.derivative.value().claimed, 2);
-  EXPECT_EQ(outcome.derivative->squared, 4);
+  EXPECT_EQ(outcome.judgement->derivative.value().claimed, 2);
+  EXPECT_EQ(outcome.judgement->derivative->squared, 4);
 }
 
 /// Two cubes 1 above a block, or 1 deep in it, as they turn: one comes nearer, one goes away.
@@ -465,21 +465,21 @@ TEST(Twists, OfUnionsWithSeveralSuchPairsAreTheLargest) {
       Reply reply;
       reply.overlap = top > 0;
       (top > 0 ? reply.depth : reply.distance) = length;
+      reply.derivative = rates.at(one.id == "u[1,0]" ? 1 : 0);
       answer = SubjectAnswer{"", reply};
-      answer->derivative = rates.at(one.id == "u[1,0]" ? 1 : 0);
       return outcome_for(one);
     });
   };
   for (const double top : {-1.0, 1.0}) {
     const Outcome right = outcome(top, {-3, 4});
     EXPECT_EQ(right.verdict, Verdict::pass) << right.judgement.value().sentence;
-    EXPECT_EQ(right.derivative.value().claimed, 4);
-    EXPECT_EQ(right.derivative->squared, 16);
+    EXPECT_EQ(right.judgement->derivative.value().claimed, 4);
+    EXPECT_EQ(right.judgement->derivative->squared, 16);
     EXPECT_EQ(outcome(top, {-3, 5}).verdict, Verdict::wrong_derivative);
     EXPECT_EQ(outcome(top, {-3, NAN}).verdict, Verdict::nan);
-    EXPECT_FALSE(outcome(top, {-3, std::nullopt}).derivative);
-    EXPECT_FALSE(outcome(top, {std::nullopt, 4}).derivative);
-    EXPECT_FALSE(outcome(top, {-3, 4}, std::nullopt).derivative) << "which of them counts is not told";
+    EXPECT_FALSE(outcome(top, {-3, std::nullopt}).judgement->derivative);
+    EXPECT_FALSE(outcome(top, {std::nullopt, 4}).judgement->derivative);
+    EXPECT_FALSE(outcome(top, {-3, 4}, std::nullopt).judgement->derivative) << "which of them counts is not told";
   }
 }
 

@@ -137,7 +137,7 @@ TEST(Fields, AreInJsonInOrderAndComeBack) {
     EXPECT_EQ(keys_of(json["reply"]), names_in(*outcome.reply));
     EXPECT_EQ(keys_of(json["hulls"]), names_in(*outcome.hulls));
     EXPECT_EQ(keys_of(json["pieces"]), names_in(*outcome.pieces));
-    EXPECT_EQ(keys_of(json["derivative"]), names_in(*outcome.derivative));
+    EXPECT_EQ(keys_of(json["judgement"]["derivative"]), names_in(*outcome.judgement->derivative));
     EXPECT_EQ(keys_of(json["contact_faults"][0]), names_in(outcome.contact_faults[0]));
     const std::optional<Outcome> read = read_outcome(line);
     ASSERT_TRUE(read) << line;
@@ -223,7 +223,7 @@ TEST(Fields, AreInTheSchemas) {
   expect_described<ContactPoint>(schema["reply"]["properties"]["contacts"]["items"]);
   expect_described<AboutHulls>(schema["hulls"]);
   expect_described<AboutPieces>(schema["case"]["properties"]["pieces"]);
-  expect_described<judging::DerivativeJudgement>(schema["derivative"]);
+  expect_described<DerivativeJudgement>(schema["derivative"]);
   const Json& fault = schema["contact_fault"]["properties"];
   expect_described<judging::ContactFault>(schema["contact_fault"]);
   expect_described<patch::TwoPlanes>(fault["planes"]);
@@ -349,7 +349,9 @@ std::string annotation() {
   if constexpr (std::is_same_v<Value, std::optional<double>>) return "float | None";
   if constexpr (std::is_same_v<Value, std::optional<Between>>) return "tuple[float, float] | None";
   if constexpr (std::is_same_v<Value, std::optional<Accuracy>>) return "str | None";
-  if constexpr (std::is_same_v<Value, std::optional<UnionBounds>>) return "dict[str, Any] | None";
+  if constexpr (std::is_same_v<Value, std::optional<UnionBounds>> ||
+                std::is_same_v<Value, std::optional<DerivativeJudgement>>)
+    return "dict[str, Any] | None";
   return "str";
 }
 

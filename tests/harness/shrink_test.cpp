@@ -275,13 +275,19 @@ TEST_F(Files, HoldTheCaseItsProofAndASnippet) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(place), {}), 3);
 }
 
-TEST_F(Files, HoldNoSnippetThatCannotShowTheFailure) {
+TEST_F(Files, HoldATestOfTheDerivativeAlongTheMotion) {
   Shrunk shrunk;
   shrunk.pair = family_case("random_ball", 4, 1);
   shrunk.outcome = claimed(shrunk.pair, 1);
   shrunk.outcome.verdict = Verdict::wrong_derivative;
-  EXPECT_EQ(write_shrunk(folder.string(), shrunk, {}).size(), 2u) << "fathom::judge is told no derivative";
-  EXPECT_EQ(write_shrunk(folder.string(), shrunk, {}, HarnessTemplate{"@A@ @B@"}).size(), 3u);
+  shrunk.pair.motion = Motion{{{1, 0, 0}, {0, 0, mpq_class(1, 3)}}, {}};
+  shrunk.outcome.reply->derivative = 0.5;
+  SubjectInfo of_library;
+  of_library.library = "libccd";
+  const std::string text = text_of(write_shrunk(folder.string(), shrunk, of_library).at(2));
+  EXPECT_NE(text.find("reply.derivative = 0x1p-1;"), std::string::npos) << text;
+  EXPECT_NE(text.find("mpq_class(\"1/3\")"), std::string::npos) << text;
+  EXPECT_NE(text.find(", {}, motion)"), std::string::npos) << text;
 }
 
 TEST_F(Files, ThatCannotBeWrittenAreNamed) {

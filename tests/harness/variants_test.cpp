@@ -15,7 +15,7 @@
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/judge/derivative.hpp"
+#include "verify/judge/truth.hpp"
 #include "verify/judge/words.hpp"
 
 namespace fathom::harness {
@@ -48,8 +48,9 @@ INSTANTIATE_TEST_SUITE_P(Both, OfEachPrecision, ::testing::Values(Precision::bin
 TEST_P(OfEachPrecision, TheDerivativeIsThatOfTheCase) {
   std::size_t seen = 0;
   const auto squared = [](const Case& of) -> std::optional<mpq_class> {
-    const judging::AnyTruth truth = judging::truth_of(of.a, of.b);
-    return judging::judged_derivative(of.a, of.b, truth, *of.motion, 0, {}, {}, {}, {}).squared;
+    Reply reply;
+    reply.derivative = 0;
+    return judging::judged(judging::truth_of(of.a, of.b), reply, {}, {}, {}, of.motion).derivative.value().squared;
   };
   for (Case pair : pairs(GetParam())) {
     pair.motion = Motion{{{1, -2, 0.5}, {0, 4, -1}}, {{0, 0, 3}, {-2, 0, 1}}};

@@ -17,6 +17,7 @@
 #include "tests/judge/pairs.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -33,7 +34,9 @@ struct Question {
   NumberFormat format = {};
 
   [[nodiscard]] DerivativeJudgement judged(double claimed, const Reply& reply = overlap(1)) const {
-    return judged_derivative(a, b, truth_of(a, b), motion, claimed, reply, {}, format, tolerance);
+    Reply with = reply;
+    with.derivative = claimed;
+    return judging::judged(truth_of(a, b), with, {}, format, tolerance, motion).derivative.value();
   }
   [[nodiscard]] bool passes(double claimed) const { return judged(claimed).sentence.empty(); }
 };
@@ -152,6 +155,28 @@ TEST(Derivative, LargestSpeed) {
   const mpq_class irrational = largest_speed({{{0, 0, 0}}}, {{{0, 0, 0}}}, {going({1, 1, 0}), {}});
   EXPECT_GE(irrational * irrational, 2);
   EXPECT_LE(irrational, mpq_class(14142135623730951, 10000000000000000) * (1 + mpq_class(1, 1UL << 39)));
+}
+
+// A rate is judged where both are told, the rate and the motion; and is one finding among others.
+TEST(Derivative, IsJudgedByTheJudgeOfAnswers) {
+  const std::vector<Triple> a{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, b{{0.25, 0.25, 0}, {2, 0, 0}, {0, 2, 0}};
+  Reply reply = overlap(9);
+  const Motion still, moving{going({1, 0, 0}), {}};
+  const auto findings = [&](const std::optional<Motion>& motion) {
+    return judge(a, b, reply, {}, {}, {}, motion).findings;
+  };
+  const auto has = [](const std::vector<Verdict>& all, Verdict one) {
+    return std::ranges::find(all, one) != all.end();
+  };
+  EXPECT_FALSE(judge(a, b, reply, {}, {}, {}, moving).derivative) << "the reply tells none";
+  reply.derivative = 7;
+  EXPECT_FALSE(has(findings({}), Verdict::wrong_derivative)) << "it is not told how they move";
+  EXPECT_TRUE(has(findings(moving), Verdict::wrong_derivative));
+  EXPECT_TRUE(has(findings(moving), findings({})[0])) << "and the rest is judged as ever";
+  reply.derivative = 0;
+  EXPECT_FALSE(has(findings(still), Verdict::wrong_derivative));
+  reply.derivative = std::nan("");
+  EXPECT_TRUE(has(findings(moving), Verdict::nan));
 }
 
 std::vector<families::Family> every_family() {

@@ -53,6 +53,7 @@ Reply reply_of(const Json& json, Precision precision) {
   if (json.contains("depth")) reply.depth = number(json["depth"]);
   if (reply.depth && precision == Precision::binary32) reply.depth = static_cast<float>(*reply.depth);
   if (json.contains("distance")) reply.distance = number(json["distance"]);
+  if (json.contains("derivative")) reply.derivative = number(json["derivative"]);
   reply.direction = triple(json, "direction");
   const Json witness = json.value("witness", Json::object());
   reply.witness_a = triple(witness, "a");
@@ -96,7 +97,7 @@ Judgement judged(const Json& example, const Json& usual_case) {
     return judge(truth_about(pieces_of(item.value().a), pieces_of(item.value().b)), reply, conventions, precision,
                  tolerance);
   const Truth truth = truth_about(*seen(item.value().a.points, precision), *seen(item.value().b.points, precision));
-  return judge(truth, reply, conventions, precision, tolerance);
+  return judge(truth, reply, conventions, precision, tolerance, item.value().motion);
 }
 
 TEST(VerdictsPage, HasASectionForEachVerdictInOrder) {
@@ -107,8 +108,8 @@ TEST(VerdictsPage, HasASectionForEachVerdictInOrder) {
     const auto verdict = static_cast<Verdict>(i - 1);
     EXPECT_EQ(sections[i].title, name(verdict));
     EXPECT_EQ(verdict_named(sections[i].title), verdict);
-    const bool of_a_harness = verdict <= Verdict::failed || verdict == Verdict::wrong_derivative ||
-                              verdict == Verdict::not_invariant || verdict == Verdict::unsupported;
+    const bool of_a_harness =
+        verdict <= Verdict::failed || verdict == Verdict::not_invariant || verdict == Verdict::unsupported;
     EXPECT_EQ(sections[i].examples.empty(), of_a_harness) << sections[i].title;
     EXPECT_EQ(sections[i].commands.empty(), !of_a_harness) << sections[i].title;
     for (const std::string& command : sections[i].commands)

@@ -203,6 +203,24 @@ def test_other_questions():
     assert judged.passed and judged.separating_distance_squared == 1 and judged.error == 0.0
 
 
+def test_judgements_of_contacts():
+    corners = [((0.75, y, 0), 0.5) for y in (0, 1)]
+    def judged(**measured):
+        return fathom.judge(CUBE, CUBE + [0.5, 0, 0], overlap=True, depth=0.5, direction=(-1, 0, 0), contacts=corners, **measured)
+    assert judged().passed and judged().extent_missed is None
+    beside = judged(patch_slack="1/100")
+    assert beside.passed and (beside.extent_missed, beside.extent_missed_squared, beside.extent_covered) == (1.0, 1, 0.0)
+
+
+def test_judgements_of_derivatives():
+    def judged(rate, **moving):
+        return fathom.judge(CUBE, CUBE + [0.5, 0, 0], overlap=True, depth=0.5, derivative=rate, **moving)
+    assert judged(2.0, v=(3, 0, 0), v_b=(1, 0, 0)).passed and judged(0.0, w=(0, 0, 1)).passed
+    wrong = judged(0.0, v=("1/3", 0, 0))
+    assert wrong.findings == ["wrong-derivative"] and wrong.derivative["squared"] == Fraction(1, 9) and wrong.derivative["kinks"] == ["extended"]
+    assert judged(math.nan, v=(1, 0, 0)).verdict == "nan" and fathom.judge(CUBE, CUBE, overlap=True).derivative is None
+
+
 def test_studies_and_judgements_of_shapes():
     ball, cylinder = fathom.sphere(1), fathom.cylinder(1, 2)
     study = fathom.study(ball, cylinder)

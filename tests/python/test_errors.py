@@ -169,6 +169,7 @@ def test_objects_without_a_value(made):
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, witness=(1, 2, 3)), "expected a witness of two points, found (1, 2, 3)"),
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, contacts=[1]), "expected each contact to be a position and a depth"),
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, manifold=(0, 0)), "manifold: expected a number of contacts from 1, found 0"),
+    (lambda: fathom.judge(CUBE, CUBE, overlap=True, patch_slack=-1), "patch_slack: expected a length of at least 0, found -1"),
     (lambda: fathom.judge(CUBE, CUBE, overlap=True, manifold=(4, -1)), "manifold: expected a margin of at least 0, found -1"),
     (lambda: fathom.depth(CUBE, CUBE, pose_a="xyz=\ud800"), "a: expected a text of whole characters"),
     (lambda: fathom.depth(CUBE, CUBE, pose_a=np.full((3, 4), np.float32("inf"))), "a: expected a finite number"),

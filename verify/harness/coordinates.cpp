@@ -121,7 +121,7 @@ Case in_unit(Case pair, long exponent) {
 
 Reply in_unit(Reply reply, long exponent) {
   const auto scale = [exponent](double& x) { x = std::ldexp(x, static_cast<int>(exponent)); };
-  for (std::optional<double>* length : {&reply.depth, &reply.distance})
+  for (std::optional<double>* length : {&reply.depth, &reply.distance, &reply.derivative})
     if (*length) scale(**length);
   for (std::optional<Triple>* point : {&reply.witness_a, &reply.witness_b})
     if (*point) std::ranges::for_each(**point, scale);

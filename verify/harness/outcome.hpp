@@ -14,7 +14,6 @@
 
 #include "fathom/files.hpp"
 #include "fathom/judge.hpp"
-#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 
 namespace fathom::harness {
@@ -77,10 +76,9 @@ struct Outcome {
   /// by which the subject rounds the two bodies itself, in sum, in the unit of the case; 0 if not
   /// judged
   mpq_class radii = 0;
-  std::optional<Judgement> judgement;                      ///< if the reply was judged
-  std::optional<AboutHulls> hulls;                         ///< if the reply told its hulls
-  std::optional<judging::DerivativeJudgement> derivative;  ///< if the reply told one, to a case with a twist
-  std::optional<AboutPieces> pieces;  ///< if the case is one of unions, and the subject was asked about pairs
+  std::optional<Judgement> judgement;  ///< if the reply was judged
+  std::optional<AboutHulls> hulls;     ///< if the reply told its hulls
+  std::optional<AboutPieces> pieces;   ///< if the case is one of unions, and the subject was asked about pairs
   std::vector<judging::ContactFault> contact_faults;  ///< of a judged reply about polytopes
   double seconds = 0;                                 ///< wall time until the answer, or all answers
   std::optional<double> microseconds;                 ///< the same without the protocol, as the subject measured it

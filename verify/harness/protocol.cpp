@@ -164,7 +164,7 @@ std::string id_in(const JsonValue& reply) {
 /// The reason in the place of an answer.
 std::string reason_in(const JsonValue& reply, const char* name) {
   std::vector<std::string_view> others = text::names_of(judging::reply_fields);
-  others.insert(others.end(), {"derivative", "hull", "unsupported", "failed"});
+  others.insert(others.end(), {"hull", "unsupported", "failed"});
   for (const std::string_view other : others)
     if (other != name && reply.find(other))
       refuse(fmt::format("nothing but \"id\" beside \"{}\"", name), fmt::format("\"{}\"", other));
@@ -222,8 +222,6 @@ std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* 
 /// What is beside an answer.
 void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswer& answer) {
   const Precision points = format.points;
-  if (const JsonValue* rate = object.find("derivative"))
-    answer.derivative = number_of(*rate, "derivative", format.answers);
   if (const JsonValue* hull = object.find("hull")) {
     if (!hull->is_object()) refuse("an object for \"hull\"", shown_json(*hull));
     answer.hull_a = hull_in(*hull, "a", "hull.a", points);
@@ -302,7 +300,7 @@ std::string misspelt(const JsonValue& reply) {
   const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
   std::vector<std::string_view> known = text::names_of(judging::reply_fields);
   known.insert(known.begin(), {"type", "id"});
-  known.insert(known.end(), {"derivative", "hull", "microseconds", "unsupported", "failed"});
+  known.insert(known.end(), {"hull", "microseconds", "unsupported", "failed"});
   const auto fields = [](const JsonValue& object) {
     std::vector<std::string> names;
     for (const auto& [name, value] : object.fields()) names.emplace_back(name);

@@ -58,8 +58,7 @@ struct SubjectAnswer {
   std::optional<double> microseconds = std::nullopt;  ///< how long the answer took, as it says
   /// the vertices of the hulls that it used
   std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;
-  std::optional<double> derivative = std::nullopt;  ///< of the signed depth, in its unit
-  std::string remark = {};                          ///< of a reply: unknown fields that look misspelt; see near_misses
+  std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
 };
 
 /// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf

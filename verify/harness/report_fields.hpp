@@ -98,7 +98,6 @@ inline constexpr std::tuple outcome_fields{
           "The same answer by the hulls that the subject says it used; how far they are from the asked bodies."),
     field("pieces", &Outcome::pieces, "",
           "Of unions whose pairs of pieces were put to the subject: the reply is that about one of them."),
-    field("derivative", &Outcome::derivative, "", "The derivative that the subject told, beside the true one."),
     field("contact_faults", &Outcome::contact_faults, "",
           "What is wrong with the contacts of a reply about polytopes, each with its proof.", "",
           [](const Outcome& outcome) { return !outcome.contact_faults.empty(); })};

@@ -141,7 +141,7 @@ std::vector<std::string> missing(const SubjectAnswer& answer, bool moves, const 
     if (!is_there && promises.contains(name)) result.emplace_back(name);
   };
   const Reply& reply = std::get<Reply>(answer.said);
-  if (moves) check("derivative", answer.derivative.has_value());
+  if (moves) check("derivative", reply.derivative.has_value());
   if (!reply.overlap) {
     check("distance", reply.distance.has_value());
     return result;
@@ -164,41 +164,30 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// What is judged beside a reply, on the asked bodies alone.
-struct Beside {
-  std::optional<double> rate;  ///< the claimed derivative
-  std::vector<judging::ContactFault> faults = {};
-  std::optional<judging::DerivativeJudgement> derivative = {};
-};
-
-/// `radii`: those that the subject added, which shapes in `seen` have. `beside` may be null.
+/// `radii`: those that the subject added, which shapes in `seen` have. `faults`: of the contacts;
+/// null of bodies that were not asked about, which do not move either.
 Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
-                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging, Beside* beside) {
+                          const SubjectInfo& info, const NumberFormat& format, const Judging& judging,
+                          std::vector<judging::ContactFault>* faults) {
   StopWhen stopping(judging.stop);
   Options options;
   options.monitor = &stopping;
   options.workspace = judging.workspace;
   judging::AnyTruth truth = judging::truth_of(seen.a, seen.b, options);
   if (auto* const shapes = std::get_if<ShapeTruth>(&truth)) std::tie(shapes->added_a, shapes->added_b) = radii;
-  const auto judged = [&](const judging::AnyTruth& by) {
-    return judging::judged(by, reply, info.conventions, format, judging.tolerance, &stopping);
-  };
-  const auto derivative = [&](const judging::AnyTruth& by) {
-    return judging::judged_derivative(seen.a, seen.b, by, *seen.motion, *beside->rate, reply, info.conventions, format,
-                                      judging.tolerance, &stopping);
-  };
-  const bool moves = seen.motion && beside && beside->rate;
-  if (moves) beside->derivative = derivative(truth);
+  const std::optional<Motion> motion = faults ? seen.motion : std::nullopt;
   const Truth* const points = std::get_if<Truth>(&truth);
   if (!points) {
     const auto* const shapes = std::get_if<ShapeTruth>(&truth);
     if (!judging.second.empty())
       static_cast<void>(shapes ? accepted_certificate(seen.id, *shapes, &stopping)
                                : accepted_certificate(seen.id, std::get<UnionTruth>(truth), &stopping));
-    return judged(truth);
+    return judging::judged(truth, reply, info.conventions, format, judging.tolerance, motion, &stopping);
   }
-  Judgement judgement =
-      judging::judged(*points, reply, info.conventions, format, judging.tolerance, beside ? &beside->faults : nullptr);
+  const auto judged = [&](const Truth& by, std::vector<judging::ContactFault>* of_contacts) {
+    return judging::judged(by, reply, info.conventions, format, judging.tolerance, motion, &stopping, of_contacts);
+  };
+  Judgement judgement = judged(*points, faults);
   for (const Solver& solver : judging.second) {
     const Truth again{points->a, points->b, solver.depth(seen, &stopping)};
     const auto refuse = [&](const std::string& where) {
@@ -206,8 +195,7 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
                          fmt::format("{} and {} differ: {}", name(Method::automatic), solver.name, where));
     };
     if (const auto where = solve::disagreement(points->depth, again.depth)) refuse(*where);
-    if (const auto where = difference(judgement, judged(again))) refuse(*where);
-    if (moves && derivative(again).squared != beside->derivative->squared) refuse("the derivative");
+    if (const auto where = difference(judgement, judged(again, nullptr))) refuse(*where);
   }
   return judgement;
 }
@@ -251,11 +239,11 @@ const Told& deepest(const std::vector<Told>& all, const Conventions& conventions
 /// one. nullopt if one of these has none, or no length tells which they are.
 std::optional<double> derivative_of(const std::vector<Told>& all, const Told& chosen, const Conventions& conventions) {
   const std::optional<double> most = weight(chosen.reply(), conventions);
-  std::optional<double> largest = chosen.answer.derivative;
+  std::optional<double> largest = chosen.reply().derivative;
   for (const Told& told : all) {
     if (&told == &chosen || told.reply().overlap != chosen.reply().overlap) continue;
     if (most && weight(told.reply(), conventions) != most) continue;
-    const std::optional<double>& other = told.answer.derivative;
+    const std::optional<double>& other = told.reply().derivative;
     if (!most || !other || !largest) return std::nullopt;
     if (std::isfinite(*largest) && (!std::isfinite(*other) || *other > *largest)) largest = other;
   }
@@ -280,42 +268,31 @@ std::optional<double> microseconds_of(const std::vector<Told>& all) {
   return sum;
 }
 
-/// Adds what else is wrong with an answer.
-void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence) {
-  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
-  judgement.accuracy.reset();
-  std::vector<Verdict>& all = judgement.findings;
-  const auto place = std::ranges::lower_bound(all, finding);
-  if (place == all.end() || *place != finding) all.insert(place, finding);
-  judgement.verdict = all.front();
-}
-
 /// Adds to the judgement that the reply lacks what the hello promises, if it does.
 void hold_to_promises(Judgement& judgement, const SubjectAnswer& answer, bool moves,
                       const std::set<std::string>& promises) {
   const std::vector<std::string> lacking = missing(answer, moves, promises);
   if (lacking.empty()) return;
-  add_finding(judgement, Verdict::inconsistent,
-              fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", ")));
+  judging::add_finding(
+      judgement, Verdict::inconsistent,
+      fmt::format("inconsistent: the hello promises {}, and the reply has none", fmt::join(lacking, ", ")));
 }
 
 void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& all, const SubjectInfo& info,
                  const Judging& judging) {
   const Told& chosen = deepest(all, info.conventions);
   SubjectAnswer whole{{}, chosen.reply(), microseconds_of(all)};
-  whole.derivative = derivative_of(all, chosen, info.conventions);
   for (const Told& told : all)
     if (whole.remark.empty()) whole.remark = told.answer.remark;
   Reply& reply = std::get<Reply>(whole.said);
+  reply.derivative = derivative_of(all, chosen, info.conventions);
   const bool bare = !reply.overlap && !all_have_distances(all);
-  if (bare) reply = Reply{}, whole.derivative.reset();
+  if (bare) reply = Reply{};
   SubjectInfo lenient = info;  // each reply is held to its promises
   lenient.promises.clear();
   judge_answer(outcome, seen, whole, lenient, judging);
   Outcome query = outcome_for(chosen.pair, outcome.fit);
-  SubjectAnswer of_pair{{}, chosen.reply()};
-  of_pair.derivative = chosen.answer.derivative;
-  judge_answer(query, chosen.pair, of_pair, info, judging);
+  judge_answer(query, chosen.pair, {{}, chosen.reply()}, info, judging);
   outcome.pieces = {all.size(), {chosen.a, chosen.b}, std::move(*query.judgement)};
   for (const Told& told : all) {
     const bool is_held =
@@ -462,21 +439,15 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   const NumberFormat format = in_unit(info.format, outcome.fit);
   const auto radii = rounding_radii(seen, info, outcome.fit);
   if (!has_union(seen)) outcome.radii = radii.first + radii.second;
-  const auto judged = [&](const Case& asked, Beside* beside = nullptr) {
+  const auto judged = [&](const Case& asked, std::vector<judging::ContactFault>* faults = nullptr) {
     return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging,
-                           beside);
+                           faults);
   };
-  Beside beside{answer.derivative};
-  outcome.judgement = judged(seen, &beside);
-  outcome.contact_faults = std::move(beside.faults);
-  outcome.derivative = std::move(beside.derivative);
+  outcome.judgement = judged(seen, &outcome.contact_faults);
   if (answer.hull_a || answer.hull_b) {
     const Case used = used_hulls(seen, answer, outcome.fit);
     outcome.hulls = {judged(used), squared_way(seen, used, answer), squared_way(used, seen, answer)};
   }
-  if (outcome.derivative && !outcome.derivative->sentence.empty())
-    add_finding(*outcome.judgement, std::isfinite(*answer.derivative) ? Verdict::wrong_derivative : Verdict::nan,
-                outcome.derivative->sentence);
   hold_to_promises(*outcome.judgement, answer, seen.motion.has_value(), info.promises);
   outcome.verdict = outcome.judgement->verdict;
   outcome.detail = answer.remark;

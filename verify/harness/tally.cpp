@@ -64,7 +64,7 @@ void Coverage::add(const Outcome& outcome) {
   ++cases;
   if (!outcome.reply || !outcome.judgement) return;
   ++overlap;
-  derivative += outcome.derivative && outcome.derivative->squared ? 1 : 0;
+  derivative += outcome.judgement->derivative && outcome.judgement->derivative->squared ? 1 : 0;
   const Reply& reply = *outcome.reply;
   if (!reply.overlap) {
     distance += reply.distance ? 1 : 0;

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "fathom/answer.hpp"
 #include "fathom/numbers.hpp"
@@ -64,10 +66,6 @@ std::string direction_text(const Vector& n) {
     return kernels::nearest_binary64({0, mpq_class(c * abs(c)) / mpq_class(dot(n, n))});
   };
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", share(n.x), share(n.y), share(n.z));
-}
-
-Answer answer_of(const AnyTruth& truth) {
-  return std::visit([](const auto& known) { return Answer{known.depth}; }, truth);
 }
 
 /// What a wrong claim is instead, by its numbers alone.
@@ -168,17 +166,18 @@ mpq_class largest_speed(const Body& a, const Body& b, const Motion& motion) {
                   largest_speed(shapes::is_halfspace(b) ? a : b, motion.of_b));
 }
 
-DerivativeJudgement judged_derivative(const Body& a, const Body& b, const AnyTruth& truth, const Motion& motion,
-                                      double claimed, const Reply& reply, const Conventions& conventions,
-                                      const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor) {
+DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer& answer, const Motion& motion,
+                                      const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                                      const Tolerance& tolerance, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
+  const double claimed = reply.derivative.value();
   DerivativeJudgement result;
   result.claimed = std::ldexp(claimed, static_cast<int>(-format.exponent));
   if (!std::isfinite(claimed)) {
     result.sentence = fmt::format("the derivative is {}", claimed);
     return result;
   }
-  const ContactGeometry geometry = contact_geometry(a, b, answer_of(truth), monitor);
+  const ContactGeometry geometry = contact_geometry(a, b, answer, monitor);
   for (const Kink kink : geometry.kinks) result.kinks.emplace_back(name(kink));
   const auto found = directional_derivative(geometry, motion.of_a, motion.of_b);
   if (const LeftOut* const why = std::get_if<LeftOut>(&found)) {

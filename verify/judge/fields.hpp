@@ -15,7 +15,6 @@
 #include "fathom/judge.hpp"
 #include "fathom/numbers.hpp"
 #include "reference/text/fields.hpp"
-#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 
 namespace fathom::judging {
@@ -88,7 +87,8 @@ inline constexpr std::tuple reply_fields{
     field("witness.b", &Reply::witness_b, "length", "A point of B."),
     field("contacts", &Reply::contacts, "",
           "The points of a contact manifold; the largest of their depths is the depth.", "",
-          [](const Reply& reply) { return !reply.contacts.empty(); })};
+          [](const Reply& reply) { return !reply.contacts.empty(); }),
+    field("derivative", &Reply::derivative, "length/time", "How fast the signed depth grows along the twists.")};
 static_assert(stored_fields(reply_fields) == member_count<Reply>(), "each member of Reply has its row");
 
 inline constexpr std::tuple contact_fields{
@@ -100,6 +100,23 @@ constexpr const auto& fields_of(const Reply*) { return reply_fields; }
 constexpr const auto& fields_of(const ContactPoint*) { return contact_fields; }
 
 // ---- the judgement ----
+
+/// Of a derivative, in the order of JSON.
+inline constexpr std::tuple derivative_fields{
+    field("claimed", &DerivativeJudgement::claimed, "length/time", "As it was understood."),
+    field("squared", &DerivativeJudgement::squared, "length^2/time^2",
+          "The square of the true rate, negative if that is; not there if it is left out."),
+    field("left_out", &DerivativeJudgement::left_out, "", "Why it is not judged.", "",
+          [](const DerivativeJudgement& of) { return !of.left_out.empty(); }),
+    field("kinks", &DerivativeJudgement::kinks, "",
+          "Why the depth has no gradient by the poses; not there if it has one, and of unions.", "",
+          [](const DerivativeJudgement& of) { return !of.kinks.empty(); }),
+    field("error", &DerivativeJudgement::error, "length/time", "The claimed rate less the true one."),
+    field("sentence", &DerivativeJudgement::sentence, "", "What is wrong, for people.", "",
+          [](const DerivativeJudgement& of) { return !of.sentence.empty(); })};
+static_assert(stored_fields(derivative_fields) == member_count<DerivativeJudgement>(),
+              "each member of DerivativeJudgement has its row");
+constexpr const auto& fields_of(const DerivativeJudgement*) { return derivative_fields; }
 
 inline bool always(const Judgement&) { return true; }
 inline bool has_squares(const Judgement& j) { return !j.signed_depth; }
@@ -166,22 +183,16 @@ inline constexpr std::tuple judgement_fields{
           "contacts are away from B by up to"),
     field("deepest", &Judgement::deepest, "length", "The largest depth of a contact less the claimed depth.",
           "deepest contact less claimed depth"),
-    Derived<Judgement, std::optional<double>>{"extent_missed",
-                                              [](const Judgement& j) {
-                                                return rounded_root(j.extent_missed_squared);
-                                              },
-                                              "length",
-                                              "With a slack of the patch: how far a corner of the patch with it is from "
-                                              "the hull of the contacts, at most."},
+    Derived<Judgement, std::optional<double>>{
+        "extent_missed", [](const Judgement& j) { return rounded_root(j.extent_missed_squared); }, "length",
+        "With a slack of the patch: how far a corner of the patch with it is from "
+        "the hull of the contacts, at most."},
     field("extent_missed_squared", &Judgement::extent_missed_squared, "length^2", "The square of that, exact.",
           "contacts miss the patch with slack by up to"),
-    Derived<Judgement, std::optional<double>>{"extent_covered",
-                                              [](const Judgement& j) {
-                                                return rounded_root(j.extent_covered_squared);
-                                              },
-                                              "ratio",
-                                              "The share of its area, or of its length, that is in that hull; not of a "
-                                              "point."},
+    Derived<Judgement, std::optional<double>>{
+        "extent_covered", [](const Judgement& j) { return rounded_root(j.extent_covered_squared); }, "ratio",
+        "The share of its area, or of its length, that is in that hull; not of a "
+        "point."},
     field("extent_covered_squared", &Judgement::extent_covered_squared, "ratio^2", "The square of that, exact.",
           "their hull has of it"),
     field("relative_excess", &Judgement::relative_excess, "ratio",
@@ -203,34 +214,15 @@ inline constexpr std::tuple judgement_fields{
         },
         "ratio", "Their depth over that of the deepest pair, correctly rounded; at least 1."},
     Derived<Judgement, std::optional<double>>{
-        "deeper",
-        [](const Judgement& j) { return rounded_root(j.deeper_squared); },
-        "ratio", "Their depth over the claimed one, if that is above 0, correctly rounded."},
+        "deeper", [](const Judgement& j) { return rounded_root(j.deeper_squared); }, "ratio",
+        "Their depth over the claimed one, if that is above 0, correctly rounded."},
     field("deeper_squared", &Judgement::deeper_squared, "ratio^2", "The square of that, exact.",
           "the true depth over the claimed one"),
+    field("derivative", &Judgement::derivative, "", "The claimed derivative beside the true one."),
     field("sentence", &Judgement::sentence, "", "What is wrong, for people.")};
 
 static_assert(stored_fields(judgement_fields) == member_count<Judgement>(), "each member of Judgement has its row");
 constexpr const auto& fields_of(const Judgement*) { return judgement_fields; }
-
-// ---- the derivative ----
-
-/// In the order of JSON.
-inline constexpr std::tuple derivative_fields{
-    field("claimed", &DerivativeJudgement::claimed, "length/time", "As it was understood."),
-    field("squared", &DerivativeJudgement::squared, "length^2/time^2",
-          "The square of the true rate, negative if that is; not there if it is left out."),
-    field("left_out", &DerivativeJudgement::left_out, "", "Why it is not judged.", "",
-          [](const DerivativeJudgement& of) { return !of.left_out.empty(); }),
-    field("kinks", &DerivativeJudgement::kinks, "",
-          "Why the depth has no gradient by the poses; not there if it has one, and of unions.", "",
-          [](const DerivativeJudgement& of) { return !of.kinks.empty(); }),
-    field("error", &DerivativeJudgement::error, "length/time", "The claimed rate less the true one."),
-    field("sentence", &DerivativeJudgement::sentence, "", "What is wrong, for people.", "",
-          [](const DerivativeJudgement& of) { return !of.sentence.empty(); })};
-static_assert(stored_fields(derivative_fields) == member_count<DerivativeJudgement>(),
-              "each member of DerivativeJudgement has its row");
-constexpr const auto& fields_of(const DerivativeJudgement*) { return derivative_fields; }
 
 // ---- contacts ----
 

@@ -19,8 +19,10 @@
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
+#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 #include "verify/judge/measures.hpp"
+#include "verify/judge/truth.hpp"
 
 namespace fathom::judging {
 namespace {
@@ -402,16 +404,55 @@ class Judge {
   Judgement result_;
 };
 
+// ---- the derivative ----
+
+Body body_of(const GivenPoints& points) { return {points}; }
+Body body_of(const Shape& shape) { return {{}, shape}; }
+Body body_of(const Pieces& pieces) { return {.points = {}, .pieces = std::make_shared<const Pieces>(pieces)}; }
+
+/// How an answer is judged.
+struct Question {
+  const Reply& reply;
+  const Conventions& conventions;
+  const NumberFormat& format;
+  const Tolerance& tolerance;
+  const std::optional<Motion>& motion;
+  Monitor* monitor;
+};
+
+/// The judgement, with that on the derivative added: if there is one, and a motion.
+template <class AnyKnown>
+Judgement with_derivative(Judgement judgement, const AnyKnown& truth, const Question& asked) {
+  if (!asked.motion || !asked.reply.derivative) return judgement;
+  const DerivativeJudgement& found = judgement.derivative.emplace(
+      judged_derivative(body_of(truth.a), body_of(truth.b), Answer{truth.depth}, *asked.motion, asked.reply,
+                        asked.conventions, asked.format, asked.tolerance, asked.monitor));
+  if (!found.sentence.empty())
+    add_finding(judgement, std::isfinite(*asked.reply.derivative) ? Verdict::wrong_derivative : Verdict::nan,
+                found.sentence);
+  return judgement;
+}
+
 }  // namespace
 
+void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence) {
+  judgement.sentence = passes(judgement.verdict) ? sentence : judgement.sentence + "; " + sentence;
+  judgement.accuracy.reset();
+  std::vector<Verdict>& all = judgement.findings;
+  const auto place = std::ranges::lower_bound(all, finding);
+  if (place == all.end() || *place != finding) all.insert(place, finding);
+  judgement.verdict = all.front();
+}
+
 Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                 const Tolerance& tolerance, std::vector<ContactFault>* faults) {
+                 const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor,
+                 std::vector<ContactFault>* faults) {
   const kernels::DefaultFloatEnvironment environment;
   const std::unique_ptr<Measures> measures = measures_of(truth, format, tolerance);
   Judge judge(*measures, &truth, reply, conventions, format, tolerance);
   Judgement judgement = judge.run();
   if (faults) *faults = std::move(judge.faults());
-  return judgement;
+  return with_derivative(std::move(judgement), truth, {reply, conventions, format, tolerance, motion, monitor});
 }
 
 }  // namespace fathom::judging
@@ -419,25 +460,28 @@ Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conv
 namespace fathom {
 
 Judgement judge(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                const Tolerance& tolerance) {
-  return judging::judged(truth, reply, conventions, format, tolerance, nullptr);
+                const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor) {
+  return judging::judged(truth, reply, conventions, format, tolerance, motion, monitor, nullptr);
 }
 
 Judgement judge(const ShapeTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                const Tolerance& tolerance) {
+                const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   for (unsigned bits = judging::usual_bits;; bits *= 2) {
     const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, bits);
     Judgement judgement = judging::Judge(*measures, nullptr, reply, conventions, format, tolerance).run();
-    if (!measures->open() || bits >= judging::most_bits) return judgement;
+    if (!measures->open() || bits >= judging::most_bits)
+      return judging::with_derivative(std::move(judgement), truth,
+                                      {reply, conventions, format, tolerance, motion, monitor});
   }
 }
 
 Judgement judge(const UnionTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                const Tolerance& tolerance, Monitor* monitor) {
+                const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   const std::unique_ptr<judging::Measures> measures = judging::measures_of(truth, format, tolerance, monitor);
-  return judging::Judge(*measures, nullptr, reply, conventions, format, tolerance).run();
+  return judging::with_derivative(judging::Judge(*measures, nullptr, reply, conventions, format, tolerance).run(),
+                                  truth, {reply, conventions, format, tolerance, motion, monitor});
 }
 
 }  // namespace fathom

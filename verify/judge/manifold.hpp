@@ -61,8 +61,8 @@ class ContactJudge {
   /// depth, or with numbers that are not finite.
   [[nodiscard]] std::vector<ContactFault> faults() const;
 
-  /// Where there is a slack, whatever was declared: of the optimum along the claim for which less is
-  /// missed. nullopt if there is none, without contacts, and where not all optima are listed.
+  /// Where there is a slack, whatever was declared: of the optimum along the claim for which less
+  /// is missed. nullopt if there is none, without contacts, and where not all optima are listed.
   [[nodiscard]] std::optional<MeasuredExtent> measured() const;
 
   /// Whether a fault follows from the numbers that it holds, by products of them with all points;
@@ -113,7 +113,8 @@ class ContactJudge {
 /// Judges as the function judge of fathom/judge.hpp does. Tells what is wrong with the contacts if
 /// `faults` is not null.
 Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                 const Tolerance& tolerance, std::vector<ContactFault>* faults);
+                 const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor,
+                 std::vector<ContactFault>* faults);
 
 /// How far two sets of contacts reach differently, seen along n: the Hausdorff distance of their
 /// hulls, squared. Neither is empty.

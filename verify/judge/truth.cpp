@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -81,9 +80,10 @@ UnionTruth truth_about(Pieces a, Pieces b, const UnionOptions& options) {
 }
 
 Judgement judge(const std::vector<Triple>& a, const std::vector<Triple>& b, const Reply& reply,
-                const Conventions& conventions, const NumberFormat& format, const Tolerance& tolerance) {
+                const Conventions& conventions, const NumberFormat& format, const Tolerance& tolerance,
+                const std::optional<Motion>& motion) {
   return judge(truth_about(judging::points_of(a, format), judging::points_of(b, format)), reply, conventions, format,
-               tolerance);
+               tolerance, motion);
 }
 
 }  // namespace fathom
@@ -115,14 +115,9 @@ AnyTruth truth_of(const Body& a, const Body& b, const Options& options) {
 }
 
 Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                 const Tolerance& tolerance, Monitor* monitor) {
+                 const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor) {
   return std::visit(
-      [&](const auto& known) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(known)>, UnionTruth>)
-          return judge(known, reply, conventions, format, tolerance, monitor);
-        else return judge(known, reply, conventions, format, tolerance);
-      },
-      truth);
+      [&](const auto& known) { return judge(known, reply, conventions, format, tolerance, motion, monitor); }, truth);
 }
 
 }  // namespace fathom::judging

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "fathom/body.hpp"
@@ -25,6 +26,9 @@ AnyTruth truth_of(const Body& a, const Body& b, const Options& options = {});
 
 /// Judges the reply as the functions judge of fathom/judge.hpp do.
 Judgement judged(const AnyTruth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
-                 const Tolerance& tolerance, Monitor* monitor = nullptr);
+                 const Tolerance& tolerance, const std::optional<Motion>& motion = {}, Monitor* monitor = nullptr);
+
+/// Adds what else is wrong with an answer, at its rank.
+void add_finding(Judgement& judgement, Verdict finding, const std::string& sentence);
 
 }  // namespace fathom::judging

@@ -8,6 +8,7 @@ from typing import Any, Literal, NamedTuple, overload
 
 from fathom import _fathom
 from fathom._answers import Depth
+from fathom._patches import AT_REST
 from fathom._types import BodyLike, FloatArray, Number, PoseLike, Triple
 
 
@@ -207,7 +208,7 @@ class Judgement(NamedTuple):
     contact_a_distance: tuple[float, float] | None  #: of shapes, rounded outward
     contact_b_distance: tuple[float, float] | None
     deepest: float | None  #: the largest depth of a contact less the claimed depth
-    extent_missed: float | None  #: with a slack of the patch: how far a corner of the patch with it is from the hull of the contacts, at most
+    extent_missed: float | None  #: with a slack: how far a corner of the patch is from the hull of the contacts, at most
     extent_missed_squared: Fraction | None
     extent_covered: float | None  #: the share of its area, or of its length, in that hull; None of a point
     extent_covered_squared: Fraction | None
@@ -218,13 +219,15 @@ class Judgement(NamedTuple):
     deeper_than_pair: float | None  #: their depth over that of the deepest pair, correctly rounded
     deeper: float | None  #: their depth over the claimed one, correctly rounded
     deeper_squared: Fraction | None
+    derivative: dict[str, Any] | None  #: of a claimed one: claimed, squared (the true one's), left_out, kinks, error, sentence
     sentence: str  #: for people
 
 def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None, direction: Any = None, witness: Any = None,
           contacts: Iterable[Any] = (), distance: float | None = None, touching: str = "either", sign: str = "positive", moves: str = "a",
           unit: bool = True, claims: str = "minimum", manifold: tuple[int | None, float] | None = None, policy: str = "declared",
           precision: str = "binary64", answers: str | None = None, relative: Number = "1/1000", absolute: Number = "1/1000000",
-          patch_slack: Number | None = None,
+          patch_slack: Number | None = None, derivative: float | None = None, v: Triple = AT_REST, w: Triple = AT_REST,
+          v_b: Triple = AT_REST, w_b: Triple = AT_REST,
           pose_a: PoseLike = None, pose_b: PoseLike = None) -> Judgement:
     """Judges what another program answered about two bodies, by exact comparison; about shapes, by proved bounds.
 
@@ -244,6 +247,8 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     precision  "binary64" or "binary32": points are rounded to it first, the numbers of shapes are not
     answers    the precision of the answer's numbers; as that of points if None
     relative, absolute  how wrong an answer may be, of the depth and of the bodies' extent
+    derivative  how fast it says that the signed depth grows, deeper being more, as A begins to move, its point p with the velocity
+               v + w x p, and B with v_b + w_b x p; it is judged exactly, from one side
     patch_slack  a length: contacts are to reach all lines along which the bodies overlap by the depth less it, not the exact patch
 
     >>> import fathom
@@ -254,6 +259,9 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     True
     >>> fathom.judge(cube, [(2, 0, 0), (3, 0, 0)], overlap=False, distance=1.5).sentence
     'too far by 0.5: 1.5 is claimed, the distance is 1'
+    >>> found = fathom.judge(cube, cube, overlap=True, derivative=0.0, v=(1, 0, 0))
+    >>> found.verdict, found.derivative["squared"], found.derivative["kinks"]
+    ('wrong-derivative', Fraction(-1, 1), ['ties', 'extended'])
     >>> brick = [(2 * x, y, z) for x, y, z in cube]
     >>> found = fathom.judge(brick, brick, overlap=True, depth=2.0, direction=(1, 0, 0), claims="separating")
     >>> found.passed, found.relative_excess
@@ -262,6 +270,6 @@ def judge(a: BodyLike, b: BodyLike, *, overlap: bool, depth: float | None = None
     claim = {"overlap": overlap, "depth": depth, "direction": direction, "witness": witness, "distance": distance,
              "contacts": contacts, "touching": touching, "sign": sign, "moves": moves, "unit": unit,
              "claims": claims, "manifold": manifold, "policy": policy, "precision": precision, "answers": answers, "relative": relative, "absolute": absolute,
-             "patch_slack": patch_slack}
+             "patch_slack": patch_slack, "derivative": derivative, "v": v, "w": w, "v_b": v_b, "w_b": w_b}
     found = _fathom.judge(a, b, claim, pose_a, pose_b)
     return Judgement(**found)

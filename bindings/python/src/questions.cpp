@@ -246,6 +246,7 @@ struct JudgeArguments {
   Conventions conventions;
   NumberFormat format;
   Tolerance tolerance;
+  std::optional<Motion> motion = {};
 };
 
 /// An argument of `judge`, by its name.
@@ -288,6 +289,7 @@ Reply reply_from(const py::dict& claim) {
     const py::sequence contact = two_of(each, "each contact to be a position and a depth, or None");
     reply.contacts.push_back({triple(contact[0], "contacts"), number_or_none(contact[1], "contacts")});
   }
+  reply.derivative = number_or_none(claim["derivative"], "derivative");
   if (!claim["direction"].is_none()) reply.direction = triple(claim["direction"], "direction");
   if (!claim["witness"].is_none()) {
     const py::sequence two = two_of(claim["witness"], "a witness of two points");
@@ -339,9 +341,14 @@ JudgeArguments judge_arguments(const py::dict& claim) {
     throw py::value_error("expected policy to be 'declared', 'minimum', 'separating' or 'within=P%', found '" + policy +
                           "'");
   result.tolerance.policy = *known;
+  if (result.reply.derivative) {
+    const auto velocity = [&](const char* what) { return named(what, [&] { return point_from(claim[what]); }); };
+    result.motion = {{velocity("v"), velocity("w")}, {velocity("v_b"), velocity("w_b")}};
+  }
   if (!claim["patch_slack"].is_none()) {
     mpq_class& slack = result.tolerance.patch_slack.emplace(number_from(claim["patch_slack"]));
-    if (slack < 0) throw py::value_error("patch_slack: expected a length of at least 0, found " + shown(claim["patch_slack"]));
+    if (slack < 0)
+      throw py::value_error("patch_slack: expected a length of at least 0, found " + shown(claim["patch_slack"]));
   }
   return result;
 }
@@ -373,10 +380,29 @@ py::object in_python(const std::vector<Verdict>& list) {
   for (const Verdict verdict : list) result.append(in_python(verdict));
   return result;
 }
+py::object in_python(const std::vector<std::string>& list) {
+  py::list result;
+  for (const std::string& text : list) result.append(in_python(text));
+  return result;
+}
+py::object in_python(const DerivativeJudgement& value);
 template <class T>
 py::object in_python(const std::optional<T>& value) {
   return value ? in_python(*value) : py::object(py::none());
 }
+
+/// By the fields of the struct's table, None for one that it has not.
+template <class Struct>
+py::dict in_python_by_fields(const Struct& of) {
+  py::dict result;
+  text::for_each_field(judging::fields_of(&of), [&](const auto& field) {
+    const bool is_flag = std::is_same_v<std::decay_t<decltype(text::value_of(field, of))>, bool>;
+    result[py::str(std::string(field.name))] =
+        is_flag || text::has(field, of) ? in_python(text::value_of(field, of)) : py::object(py::none());
+  });
+  return result;
+}
+py::object in_python(const DerivativeJudgement& value) { return in_python_by_fields(value); }
 
 py::dict judged(const py::object& a, const py::object& b, const py::dict& claim, const py::object& pose_a,
                 const py::object& pose_b) {
@@ -386,14 +412,11 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
     Options options;
     options.monitor = &monitor;
     const judging::AnyTruth truth = judging::truth_of(seen_a, seen_b, options);
-    return judging::judged(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance, &monitor);
+    return judging::judged(truth, claimed.reply, claimed.conventions, claimed.format, claimed.tolerance, claimed.motion,
+                           &monitor);
   });
-  py::dict result("passed"_a = passes(found.verdict));
-  text::for_each_field(judging::judgement_fields, [&](const auto& field) {
-    const bool is_flag = std::is_same_v<std::decay_t<decltype(text::value_of(field, found))>, bool>;
-    result[py::str(std::string(field.name))] =
-        is_flag || text::has(field, found) ? in_python(text::value_of(field, found)) : py::object(py::none());
-  });
+  py::dict result = in_python_by_fields(found);
+  result["passed"] = passes(found.verdict);
   return result;
 }
 

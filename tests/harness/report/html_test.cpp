@@ -146,10 +146,10 @@ TEST(Html, AClaimedDerivativeBesideTheTrueOne) {
   Reply reply;
   reply.overlap = true;
   HtmlFailure moving = failure(cubes("cubes::moving", mpq_class(3, 2)), reply);
-  moving.outcome.derivative = {2.5, mpq_class(-4), "", {"ties", "extended"}, 4.5, ""};
+  moving.outcome.judgement->derivative = {2.5, mpq_class(-4), "", {"ties", "extended"}, 4.5, ""};
   HtmlFailure curved = failure(cubes("cubes::curved", mpq_class(3, 2)), reply);
   for (HtmlFailure* each : {&moving, &curved}) each->outcome.verdict = Verdict::wrong_derivative;
-  curved.outcome.derivative = {1.75, {}, "curved", {}, {}, ""};
+  curved.outcome.judgement->derivative = {1.75, {}, "curved", {}, {}, ""};
   const Element page =
       read_page(html_page(judged_subject(), Outcomes{moving.outcome, curved.outcome}, Failures{moving, curved}, {}));
   for (const std::string what : {"Derivative of the signed depth", "2.5", "-2 (squared: -4)", "ties, extended", "1.75"})

@@ -147,11 +147,11 @@ TEST(Summary, WhatWasJudged) {
             std::string::npos);
   EXPECT_EQ(coverage_warning(summary.tally().all().judged), "");
   Outcome moving = answered(true, true, false, false);
-  moving.derivative.emplace().claimed = std::numeric_limits<double>::quiet_NaN();
+  moving.judgement->derivative.emplace().claimed = std::numeric_limits<double>::quiet_NaN();
   Tally of_none, of_one;
   of_none.add(moving);
   EXPECT_EQ(of_none.all().judged.derivative, 0u) << "no number has no truth beside it";
-  moving.derivative->squared = 4;
+  moving.judgement->derivative->squared = 4;
   of_one.add(moving);
   EXPECT_EQ(of_one.all().judged.derivative, 1u);
   Outcome manifold = answered(true, true, true, false);

@@ -202,7 +202,7 @@ std::string contacts_list(const std::vector<judging::ContactFault>& faults) {
   return facts.list("Contacts");
 }
 
-std::string derivative_list(const judging::DerivativeJudgement& derivative) {
+std::string derivative_list(const DerivativeJudgement& derivative) {
   Facts facts;
   facts.add("claimed", derivative.claimed);
   facts.add("true", derivative.squared, length_text);
@@ -384,7 +384,7 @@ std::string failure_article(const SubjectInfo& subject, const HtmlFailure& failu
   if (outcome.judgement) said += residual_list(*outcome.judgement);
   if (outcome.hulls) said += hulls_list(*outcome.hulls);
   if (outcome.pieces) said += pieces_list(*outcome.pieces);
-  if (outcome.derivative) said += derivative_list(*outcome.derivative);
+  if (outcome.judgement && outcome.judgement->derivative) said += derivative_list(*outcome.judgement->derivative);
   if (!outcome.contact_faults.empty()) said += contacts_list(outcome.contact_faults);
   said += "</div>\n" + case_text(subject, failure, anchor);
   if (const std::string exact = exact_numbers(outcome, known); !exact.empty())

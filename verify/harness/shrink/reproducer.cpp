@@ -327,6 +327,7 @@ std::string reply_text(const Outcome& outcome) {
   for (const auto& [p, depth] : reply.contacts)
     text += fmt::format("  reply.contacts.push_back({{{{{}, {}, {}}}, {}}});\n", literal(p[0]), literal(p[1]),
                         literal(p[2]), depth ? literal(*depth) : "std::nullopt");
+  if (reply.derivative) text += fmt::format("  reply.derivative = {};\n", literal(*reply.derivative));
   return text;
 }
 
@@ -339,7 +340,17 @@ std::string manifold_text(const std::optional<ContactLimits>& manifold) {
                      manifold->most ? fmt::format("{}", *manifold->most) : "{}", literal(manifold->margin));
 }
 
-/// For a library without a program here, and for bodies by name.
+/// How the bodies move, exactly.
+std::string motion_text(const Motion& motion) {
+  const auto point = [](const Point& p) {
+    return fmt::format("{{mpq_class(\"{}\"), mpq_class(\"{}\"), mpq_class(\"{}\")}}", exact_text(p.x), exact_text(p.y),
+                       exact_text(p.z));
+  };
+  return fmt::format("  const fathom::Motion motion{{{{{}, {}}},\n        {{{}, {}}}}};\n", point(motion.of_a.v),
+                     point(motion.of_a.w), point(motion.of_b.v), point(motion.of_b.w));
+}
+
+/// For a library without a program here, for bodies by name, and for a derivative.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const bool shapes = has_words(pair);
   std::string bodies;
@@ -359,6 +370,7 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
     rounded += "  truth.added_a = radius_a;\n  truth.added_b = radius_b;\n";
     judged = "truth";
   }
+  const bool moves = pair.motion && outcome.reply && outcome.reply->derivative;
   const Conventions& conventions = info.conventions;
   const auto precision = [](Precision of) { return fmt::format("fathom::Precision::{}", name(of)); };
   const std::string points = precision(info.format.points), answers = precision(info.format.answers);
@@ -375,6 +387,8 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
       {"@manifold@", manifold_text(conventions.manifold)},
       {"@rounded@", rounded},
       {"@judged@", judged},
+      {"@motion@", moves ? motion_text(*pair.motion) : ""},
+      {"@moves too@", moves ? ", {}, motion" : ""},
       {"@format@", points == answers ? points : "{" + points + ", " + answers + "}"}};
   return "// To ask your own engine, put your call where the recorded answer stands in the test below; or give certify "
          "--harness.\n" +
@@ -420,7 +434,8 @@ std::string filled_harness(std::string text, const SubjectInfo& info, const Case
 }  // namespace
 
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
-  const std::optional<AskingProgram> program = has_words(pair) ? std::nullopt : program_for(info);
+  const bool asks = !has_words(pair) && outcome.verdict != Verdict::wrong_derivative;
+  const std::optional<AskingProgram> program = asks ? program_for(info) : std::nullopt;
   const Case there = in_unit(pair, outcome.fit);
   return program ? program_text(info, there, outcome, *program) : test_text(info, there, outcome);
 }
@@ -451,7 +466,7 @@ std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk
   const std::filesystem::path base = std::filesystem::path(directory) / stem;
   std::vector<std::pair<std::string, std::string>> files = {{".cert", shrunk.certificate}};
   if (own) files.emplace_back(own->ending, filled_harness(own->text, info, shrunk.pair, outcome));
-  else if (has_snippet(outcome)) files.emplace_back(".cpp", snippet(info, shrunk.pair, outcome));
+  else files.emplace_back(".cpp", snippet(info, shrunk.pair, outcome));
   std::vector<std::string> paths = {write_case(directory, stem, shrunk.pair, comment)};
   for (const auto& [ending, text] : files) {
     paths.push_back(base.string() + ending);

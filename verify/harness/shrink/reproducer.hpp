@@ -13,15 +13,12 @@
 namespace fathom::harness {
 
 /// A whole C++ program that puts the case to the subject's library (libccd, FCL, Bullet, ODE:
-/// info.library) by its own calls and prints what it answers; for any other library, and for bodies
-/// by name, a GoogleTest that hands the recorded answer to fathom::judge, whose first line says
-/// where a call belongs in its place. Coordinates are C99 hex floats. A comment on top tells the
-/// exact depth^2, what was claimed, the verdict, and how to compile it. `pair` is as the subject
-/// saw it.
+/// info.library) by its own calls and prints what it answers; for any other library, for bodies by
+/// name, and for a wrong derivative, a GoogleTest that hands the recorded answer to fathom::judge,
+/// whose first line says where a call belongs in its place. Coordinates are C99 hex floats. A
+/// comment on top tells the exact depth^2, what was claimed, the verdict, and how to compile it.
+/// `pair` is as the subject saw it.
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome);
-
-/// Whether such a program shows the failure: fathom::judge is told no derivative.
-inline bool has_snippet(const Outcome& outcome) { return outcome.verdict != Verdict::wrong_derivative; }
 
 // ---- the best case so far, on disk ----
 
@@ -34,7 +31,7 @@ struct HarnessTemplate {
 HarnessTemplate read_harness(const std::string& path);
 
 /// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the user's own program, or the
-/// snippet, if it has one) into `directory`, which is made if needed. Each file is written under
+/// snippet) into `directory`, which is made if needed. Each file is written under
 /// another name and then renamed, so none is ever half written. A variant's verdict is followed by
 /// "~<variant>". Returns the paths. Throws InputError naming the file that cannot be written.
 std::vector<std::string> write_shrunk(const std::string& directory, const Shrunk& shrunk, const SubjectInfo& info,
