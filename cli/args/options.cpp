@@ -176,7 +176,8 @@ std::vector<Option> make_table() {
       {"depth",
        "--patch-slack",
        "LENGTH",
-       "with --patch: each patch also with slack, all contact points along the way out that are at most LENGTH short of "
+       "with --patch: each patch also with slack, all contact points along the way out that are at most LENGTH short "
+       "of "
        "touching after it",
        {wrong_tolerance}},
       {"depth",
@@ -191,7 +192,7 @@ std::vector<Option> make_table() {
        "follow this motion of A, its point p with the velocity V + W x p at first, in place of the four usual "
        "ones, and add how fast the signed depth then changes: exact, from one side",
        {wrong_twist}},
-      {"depth", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
+      {"depth,explain", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
       flag("explain", "--pieces", pieces),
       {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
@@ -265,7 +266,8 @@ std::vector<Option> make_table() {
       {"certify",
        "--patch-slack",
        "LENGTH",
-       "hold contacts against the patch with this slack, not the exact one: all lines along which the bodies overlap by "
+       "hold contacts against the patch with this slack, not the exact one: all lines along which the bodies overlap "
+       "by "
        "the depth less LENGTH. How far it reaches beyond the contacts is reported",
        {wrong_tolerance}},
       {"certify", "--policy", "POLICY",

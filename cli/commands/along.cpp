@@ -121,8 +121,8 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedD
 
 /// The lines of a table of which `path` says how wide it is.
 std::string along_text_header(const Path& path) {
-  return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path.motion),
-                     place_text(path.motion.v, true), "s", share_columns(path), "status", "signed depth");
+  return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path.motion.of_a),
+                     place_text(path.motion.of_a.v, true), "s", share_columns(path), "status", "signed depth");
 }
 
 std::string along_text_row(const Path& path, const AlongStep& step) {
@@ -155,7 +155,7 @@ plot::Series tangent_of(const std::vector<plot::Datum>& curve, double slope) {
 
 constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow terminal
 
-/// Answers for A at each place of the path.
+/// Answers at each place of the path.
 class Walk {
  public:
   Walk(const Case& pair, const Path& path, const DepthRequest& request, Monitor& monitor)
@@ -168,20 +168,26 @@ class Walk {
 
   AlongStep at(std::uint32_t number) {
     const mpq_class share = quotient(number, path_.steps);
-    const Point half_turn = mpq_class(share / 2) * path_.motion.w;
-    const files::GivenPose pose{.turn = {1, half_turn.x, half_turn.y, half_turn.z}, .place = share * path_.motion.v};
+    const files::GivenPose pose_a = pose_at(share, path_.motion.of_a), pose_b = pose_at(share, path_.motion.of_b);
+    const bool b_moves = path_.motion.of_b != Twist();
     Question question = question_of(request_, monitor_, workspace_);
     question.options.optima = 1;  // ties are not shown
     if (a_)
       return along_step(
           number, share,
-          signed_depth(moved(*a_, files::exact_pose(pose)), *b_, {.cores = question.options, .bits = question.bits}));
-    Body a = pair_.a;
-    files::place(a, pose);
-    return along_step(number, share, penetration_depth(a, pair_.b, question.options));
+          signed_depth(moved(*a_, files::exact_pose(pose_a)), b_moves ? moved(*b_, files::exact_pose(pose_b)) : *b_,
+                       {.cores = question.options, .bits = question.bits}));
+    Body a = pair_.a, b = pair_.b;
+    files::place(a, pose_a);
+    if (b_moves) files::place(b, pose_b);
+    return along_step(number, share, penetration_depth(a, b, question.options));
   }
 
  private:
+  static files::GivenPose pose_at(const mpq_class& share, const Twist& motion) {
+    const Point half_turn = mpq_class(share / 2) * motion.w;
+    return {.turn = {1, half_turn.x, half_turn.y, half_turn.z}, .place = share * motion.v};
+  }
   static mpq_class quotient(std::uint32_t number, std::uint32_t of) {
     mpq_class result(number, of);
     result.canonicalize();
@@ -228,8 +234,12 @@ Json along_object(const Path& path, const std::vector<AlongStep>& steps) {
   Json result{{"schema", "fathom/along/1"},
               {"fathom", FATHOM_VERSION},
               {"id", path.id},
-              {"along", output::exact(path.motion.v)}};
-  if (turns(path.motion)) result["turn"] = output::exact(path.motion.w);
+              {"along", output::exact(path.motion.of_a.v)}};
+  if (turns(path.motion.of_a)) result["turn"] = output::exact(path.motion.of_a.w);
+  if (path.motion.of_b != Twist()) {
+    result["along_b"] = output::exact(path.motion.of_b.v);
+    result["turn_b"] = output::exact(path.motion.of_b.w);
+  }
   result["steps"] = path.steps;
   result["values"] = values;
   return result;
@@ -272,7 +282,7 @@ ExitCode run_along(const Given& given) {
   const InterruptGuard interrupt_guard;
   Progress progress("steps");
   const AskedCase asked = looked_at(pair, request);
-  const Path path{pair.id, request.motion, request.steps};
+  const Path path{pair.id, {request.motion, {}}, request.steps};
   const std::vector<AlongStep> steps = walked(pair, path, request, progress, [&](const AlongStep& step) {
     if (step.number == 0) print_header(path, request);
     progress.answered();
@@ -282,9 +292,9 @@ ExitCode run_along(const Given& given) {
   progress.clear();
   if (request.json) print(along_object(path, steps).text());
   if (picture)
-    picture->write(plot::figure_file(
-        along_figure(steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
-                     fmt::format("A is {}moved by s {}", turn_text(path.motion), place_text(path.motion.v, true)))));
+    picture->write(plot::figure_file(along_figure(
+        steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
+        fmt::format("A is {}moved by s {}", turn_text(path.motion.of_a), place_text(path.motion.of_a.v, true)))));
   if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty()) talk(dents);
   return fine;
 }

@@ -18,19 +18,19 @@
 
 namespace fathom::cli {
 
-/// How A moves, for s from 0 to 1: its point p is at R p + s v, where R is the rotation of the
-/// quaternion (1, s w / 2). A stays as it is, its places are rational, and its first velocity is
-/// that of the twist.
+/// How the bodies move, for s from 0 to 1: a point p of one is at R p + s v, where R is the
+/// rotation of the quaternion (1, s w / 2). They stay as they are, their places are rational, and
+/// their first velocities are those of the twists.
 struct Path {
   std::string id;
-  Twist motion;
+  Motion motion;
   std::uint32_t steps;
 };
 
-/// What is known when A stands at one place of the path.
+/// What is known when the bodies stand at one place of the path.
 struct AlongStep {
   std::uint32_t number;
-  mpq_class share;                      ///< s: of the motion that A has made
+  mpq_class share;                      ///< s: of the motion that was made
   std::optional<Status> status;         ///< nullopt if bounds leave it open
   std::variant<Surd, Bounds> value;     ///< the signed depth, exact or enclosed
   double low, high;                     ///< rounded outward

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
-// One page: the answer with its patches, the stages, and how the depth changes along motions of A.
+// One page: the answer with its patches, the stages, and how the depth changes along motions.
 
 #include "cli/commands/explain.hpp"
 
@@ -47,7 +47,7 @@ std::string drawn_beside(const picture::PairScene& scene) {
   return arrow.empty() ? where : fmt::format("{}, and {}", arrow, where);
 }
 
-// ---- motions of A ----
+// ---- motions ----
 
 constexpr std::uint32_t steps_of_twist = 40, steps_of_usual = 10;
 constexpr int least_turn = -60;            // an exponent of two
@@ -55,8 +55,14 @@ constexpr std::size_t most_points = 2000;  // of both bodies, for motions that n
 
 struct NamedMotion {
   std::string name;
-  Twist twist;
+  Motion motion;
   std::uint32_t steps;
+
+  /// "A moves along n", "A and B move by the twists".
+  [[nodiscard]] std::string sentence() const {
+    const bool b_moves = motion.of_b != Twist(), a_moves = !b_moves || motion.of_a != Twist();
+    return fmt::format("{} {}", !b_moves ? "A moves" : a_moves ? "A and B move" : "B moves", name);
+  }
 };
 
 bool is_length(double value) { return std::isfinite(value) && value > 0; }
@@ -83,23 +89,31 @@ std::vector<NamedMotion> usual_motions(const AnsweredCase& answered) {
   const mpq_class length = power(is_length(depth) ? std::min(std::ilogb(depth) + 1, size + 2) : size - 2) *
                            (answered.answer.status() == Status::disjoint ? -1 : 1);
   const std::array<double, 3> n = rounded::nearest_unit(*answered.answer.direction());
-  std::vector<NamedMotion> motions{{"along n", {length * Point{n[0], n[1], n[2]}, {}}, steps_of_usual}};
+  std::vector<NamedMotion> motions{{"along n", {{length * Point{n[0], n[1], n[2]}, {}}, {}}, steps_of_usual}};
   const mpq_class turn = power(std::max(size - std::ilogb(far) - 1, least_turn));
   const Point x{turn, 0, 0}, y{0, turn, 0}, z{0, 0, turn};
   for (const auto& [name, w] : {std::pair("about x", x), std::pair("about y", y), std::pair("about z", z)})
-    motions.push_back({name, {cross(middle, w), w}, steps_of_usual});
+    motions.push_back({name, {{cross(middle, w), w}, {}}, steps_of_usual});
   return motions;
 }
 
-/// The options with which `fathom depth` makes the same steps.
-std::string repeated_text(const Path& path) {
-  const auto& [v, w] = path.motion;
-  std::string along;
-  for (const mpq_class* c : {&v.x, &v.y, &v.z, &w.x, &w.y, &w.z}) along += (along.empty() ? "" : ",") + exact_text(*c);
-  return fmt::format("--along={} --steps {}", along, path.steps);
+std::string twist_text(const Twist& twist) {
+  const auto& [v, w] = twist;
+  std::string text;
+  for (const mpq_class* c : {&v.x, &v.y, &v.z, &w.x, &w.y, &w.z}) text += (text.empty() ? "" : ",") + exact_text(*c);
+  return text;
 }
 
-/// What the page shows of the depth while A moves.
+/// The options with which `fathom depth` makes the same steps; if B moves, which it does not do
+/// there, those with which it finds the same derivative.
+std::string repeated_text(const Path& path) {
+  const auto& [of_a, of_b] = path.motion;
+  if (of_b == Twist()) return fmt::format("--along={} --steps {}", twist_text(of_a), path.steps);
+  const std::string twist_a = of_a == Twist() ? "" : fmt::format("--twist={} ", twist_text(of_a));
+  return fmt::format("{}--twist-b={}", twist_a, twist_text(of_b));
+}
+
+/// What the page shows of the depth while the bodies move.
 page::Motions motions_of(const Case& single, const AnsweredCase& answered, const DepthRequest& request,
                          Monitor& monitor) {
   const ContactGeometry& geometry = answered.manifold->geometry;
@@ -112,16 +126,16 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
     return none(fmt::format("Bodies of more than {} points are followed along a motion only if --twist names it.",
                             most_points));
   const std::vector<NamedMotion> motions =
-      request.form.motion ? std::vector{NamedMotion{"by the twist", request.form.motion->of_a, steps_of_twist}}
+      request.form.motion ? std::vector{NamedMotion{"by the twist", *request.form.motion, steps_of_twist}}
                           : usual_motions(answered);
   if (motions.empty())
     return none("Bodies without a length that binary64 holds are followed along a motion only if --twist names it.");
   page::Motions result;
   Json data = Json::array();
   for (const NamedMotion& motion : motions) {
-    const Path path{single.id, motion.twist, motion.steps};
+    const Path path{single.id, motion.motion, motion.steps};
     const std::vector<AlongStep> steps = walked(single, path, request, monitor);
-    const auto derivative = directional_derivative(geometry, motion.twist);
+    const auto derivative = directional_derivative(geometry, motion.motion.of_a, motion.motion.of_b);
     const auto* const told = std::get_if<DirectionalDerivative>(&derivative);
     const std::optional<double> slope = told ? std::optional(round_binary64(told->value()) + 0.0) : std::nullopt;
     const std::string title = motion.name + (slope ? fmt::format(": derivative {}", *slope) : "");
@@ -129,10 +143,11 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
                     {"derivative", output::derivative_object(derivative)},
                     {"path", along_object(path, steps)}});
     const auto figure =
-        along_figure(steps, fmt::format("motion{}", result.charts.size()), title, "A moves " + motion.name, slope);
-    result.charts.push_back({motion.name, plot::figure_element(figure), repeated_text(path)});
+        along_figure(steps, fmt::format("motion{}", result.charts.size()), title, motion.sentence(), slope);
+    result.charts.push_back({motion.sentence(), plot::figure_element(figure), repeated_text(path)});
   }
   result.json = data.text();
+  result.of_b = request.form.motion && request.form.motion->of_b != Twist();
   return result;
 }
 

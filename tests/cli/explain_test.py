@@ -286,6 +286,21 @@ class Touching(ExplainTest):
                     self.assertEqual(json.loads(page.block("depth"))["derivative"], motions[0]["derivative"])
                     self.assertEqual(numbers(page.fields["derivative"]), [motions[0]["derivative"]["value"]])
 
+    def test_motions_of_b(self):
+        """Alone it is that of the first body with both exchanged; beside one of A the difference to both."""
+        twist, words = "1,0,1/3,0,0.5,1", [CUBE, ICOSAHEDRON]
+        [motion] = json.loads(self.page(f"--twist-b={twist}", *words).block("motions"))
+        exchanged = self.result("depth", f"--along={twist}", "--steps=40", *reversed(words))
+        values = lambda path: [(value["s"], value["signed_depth"]["exact"]) for value in path["values"]]
+        self.assertEqual(values(motion["path"]), values(exchanged))
+        self.assertEqual(motion["derivative"], self.result("depth", f"--twist-b={twist}", *words)["derivative"])
+        self.assertEqual(motion["path"]["along_b"] + motion["path"]["turn_b"], ["1", "0", "1/3", "0", "1/2", "1"])
+        page = self.page(f"--twist={twist}", f"--twist-b={twist}", *words)
+        [both] = json.loads(page.block("motions"))
+        self.assertEqual(both["derivative"]["value"], 0)
+        self.assertEqual({exact["root"] for _, exact in values(both["path"])}, {values(both["path"])[0][1]["root"]})
+        self.assertIn("A and B move by the twist", page.texts["motion"])
+
     def test_motions_of_bodies_of_every_size(self):
         """No step is found by a quotient that vanishes or is infinite; and where there is no length, that is said."""
         flat = lambda side, x: [[x, 0, 0], [x, side, 0], [x, 0, side]]

@@ -25,6 +25,16 @@ test("places of the pictures are moved and scaled as bodies are", () => {
     near(carrier(path, 1, { scale })(staged(p)), staged(carrier(path, 1, {})(p)), "law: in other places, the same motion");
 });
 
+test("if B moves, A is where it is seen from B", () => {
+  const still = { along: ["0", "0", "0"], steps: 2, values: [] }, scale = { center: ["4", "-1", "1/2"], exponent: 3 };
+  const seen = carrier({ ...still, along_b: path.along, turn_b: path.turn }, 2, {});
+  near(seen([1, 0, -0.5]), [0, 0, 0], "law: what B's origin is carried to is at its origin");
+  near(seen([1, 1, 2.5]), [1, 0, 3], "law: what B turns to is turned back");
+  for (const p of [[0, 0, 0], [4, -1, 0.5], [5, 2, -3]])
+    for (const stages of [{}, { scale }])
+      near(carrier({ ...path, along_b: path.along, turn_b: path.turn }, 1, stages)(p), p, "law: where both move alike, nothing changes");
+});
+
 test("where nothing is chosen A stands", () => {
   const data = { motions: [{ name: "by the twist", path }], stages: {} };
   assert.equal(carrierOf(data, { motion: 0, step: 0 }), null);

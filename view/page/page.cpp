@@ -148,18 +148,23 @@ std::string command_of(const Data& depth, std::string_view options) {
                      derivative && derivative->is_object() ? " --twist" : "");
 }
 
-constexpr std::string_view lead_motion =
-    "<p class=\"lead\">A is turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets out with "
-    "the velocity v + w x p at its points p, and s = 1 is all of the motion. Each mark is the signed depth where A "
-    "stands then, as <code>fathom depth "
-    "--along</code> finds it; the slope of the dashed line is the derivative at s = 0, from this side.</p>\n";
+std::string lead_motion(const Motions& motions) {
+  return std::string(
+             "<p class=\"lead\">A is turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets "
+             "out with "
+             "the velocity v + w x p at its points p, and s = 1 is all of the motion. Each mark is the signed depth "
+             "where A "
+             "stands then, as <code>fathom depth "
+             "--along</code> finds it; the slope of the dashed line is the derivative at s = 0, from this side.") +
+         (motions.of_b ? " B moves likewise; the picture shows A as it is seen from B.</p>\n" : "</p>\n");
+}
 
 /// The charts, of which the script shows one at a time; or why there are none.
 std::string motion_part(const Motions& motions) {
   std::string charts;
   for (const auto& [name, svg, repeated] : motions.charts)
     charts += fmt::format("<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">{}{}</div>\n",
-                          picture::markup("A moves " + name), svg,
+                          picture::markup(name), svg,
                           picture::folded("v and w of this motion, for fathom depth", picture::markup(repeated)));
   return charts.empty() ? fmt::format("<p class=\"soft\">{}</p>\n", picture::markup(motions.why_none)) : charts;
 }
@@ -241,7 +246,7 @@ std::string html_page(const Sheet& sheet) {
   const std::string main =
       filled(pair_sections(), {{"picture_what", figure(sheet, "n")},
                                {"facts", facts(depth)},
-                               {"lead_motion", sheet.motions.charts.empty() ? "" : std::string(lead_motion)},
+                               {"lead_motion", sheet.motions.charts.empty() ? "" : lead_motion(sheet.motions)},
                                {"motions", motion_part(sheet.motions)},
                                {"lead_why", lead_why(stages)},
                                {"lead_where", lead_where(stages)},

@@ -17,17 +17,18 @@
 
 namespace fathom::page {
 
-/// How the depth changes while A moves.
+/// How the depth changes while the bodies move.
 struct Motions {
   /// An array: of each motion its "name"; "derivative", as in the answer; and "path", what `fathom
   /// depth --along --json` prints.
   std::string json = "[]";
-  /// of each its name, its chart as SVG, and how `fathom depth` repeats it
+  /// of each what moves and how, its chart as SVG, and how `fathom depth` repeats it
   struct Chart {
     std::string name, svg, repeated;
   };
   std::vector<Chart> charts;
   std::string why_none;  ///< a sentence, if there are none
+  bool of_b = false;     ///< whether B moves too, or alone
 };
 
 /// What a page is made of.

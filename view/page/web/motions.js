@@ -7,15 +7,24 @@ import { placesOf } from "./places.js";
 
 /**
  * Where a place of the pictures is carried by a path after its step k, as fathom has it: turned by the quaternion (1, s w / 2), and then moved
- * by s v. Where O goes is found exactly: of bodies far from O it is a small difference of large numbers.
+ * by s v; or `back` from there. Where O goes is found exactly: of bodies far from O it is a small difference of large numbers.
  */
-export function carrier({ along, turn = ["0", "0", "0"], steps }, k, stages) {
+function rigid(along, turn, back, steps, k, stages) {
   const { center, length } = placesOf(stages), [v, ofV] = integersOf(along), [w, ofW] = integersOf(turn), [c, ofC] = integersOf(center);
-  const h = times(w, BigInt(k)), one = 2n * BigInt(steps) * ofW, square = one * one + dot(h, h);  // the quaternion is (one, h)
-  const turned = plus(times(cross(h, c), 2n * one), times(cross(h, cross(h, c)), 2n));  // over square ofC
-  const offset = turned.map((t, i) => length(`${t * ofV * BigInt(steps) + BigInt(k) * v[i] * square * ofC}/${square * ofC * ofV * BigInt(steps)}`));
+  const s = BigInt(back ? -k : k), n = BigInt(steps), h = times(w, s), one = 2n * n * ofW, square = one * one + dot(h, h);  // (one, h)
+  const turned = (u) => plus(times(cross(h, u), 2n * one), times(cross(h, cross(h, u)), 2n));  // less u, over square
+  const way = back ? plus(times(v, square), turned(v)) : times(v, square);
+  const offset = turned(c).map((t, i) => length(`${t * ofV * n + s * way[i] * ofC}/${square * ofC * ofV * n}`));
   const half = h.map((x) => nearest(`${x}/${one}`)), factor = 2 / (1 + dot(half, half));
   return (p) => plus(plus(p, times(plus(cross(half, p), cross(half, cross(half, p))), factor)), offset);
+}
+
+/** Where a place of A is after step k of a path; if B moves too, as it is seen from B. */
+export function carrier({ along, turn = ["0", "0", "0"], along_b: alongB, turn_b: turnB, steps }, k, stages) {
+  const there = rigid(along, turn, false, steps, k, stages);
+  if (!alongB) return there;
+  const back = rigid(alongB, turnB, true, steps, k, stages);
+  return (p) => back(there(p));
 }
 
 /** What carries A as chosen; null where it stands. */
@@ -38,7 +47,7 @@ export function mountMotions(root, data, selection) {
   const choose = (motion) => () => selection.set({ motion, step: 0 });
   const buttons = data.motions.map(({ name }, i) => element("button", { type: "button", onclick: choose(i) }, name));
   const choice = buttons.length > 1 ? element("div", { class: "choice", role: "group", "aria-label": "Motions of A" }, ...buttons) : null;
-  root.prepend(element("div", { class: "controls" }, choice, element("label", { class: "slider" }, "A on its motion", range)), told);
+  root.prepend(element("div", { class: "controls" }, choice, element("label", { class: "slider" }, data.motions[0].path.along_b ? "A seen from B" : "A on its motion", range)), told);
   selection.subscribe((state, changed) => {
     if (!changed.has("motion") && !changed.has("step")) return;
     const motion = data.motions[state.motion], step = Math.min(state.step, motion.path.steps);
