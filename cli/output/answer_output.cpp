@@ -224,7 +224,9 @@ void add_with_slack(Rows& rows, const output::Manifold& manifold, const Patch& p
   if (!form.slack) return;
   const auto& corners = manifold.with_slack[static_cast<std::size_t>(&patch - manifold.geometry.patches.data())];
   if (!corners) return rows.emplace_back("with slack", "not told"), void();
-  const char* const what = corners->size() == 1 ? "a point" : corners->size() == 2 ? "a segment" : "a polygon of corners";
+  const char* const what = corners->size() == 1   ? "a point"
+                           : corners->size() == 2 ? "a segment"
+                                                  : "a polygon of corners";
   Parts parts;
   for (std::size_t k = 0; k < std::min(corners->size(), most_corners); ++k)
     parts.push_back(place_text((*corners)[k].a, form.exact));
@@ -328,7 +330,7 @@ constexpr std::string_view out_of_b =
 /// What the parts of a picture are.
 std::string legend(const picture::PairScene& scene) {
   std::string result = scene.has_edges() ? "A toned, B hatched, hidden edges dashed" : "A toned, B hatched";
-  if (!scene.moves()) return result + "; the dot: where they touch.";
+  if (!scene.moves()) return fmt::format("{}; the dot: {}.", result, scene.dot_text());
   return fmt::format("{}; {}", result, scene.status == Status::disjoint ? until_touching : out_of_b);
 }
 

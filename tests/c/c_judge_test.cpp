@@ -41,7 +41,7 @@ class CJudge : public ::testing::Test {
     char* text = nullptr;
     EXPECT_EQ(fathom_judge(a.get(), b.get(), &claim, &judgement, &text), FATHOM_OK) << fathom_last_error();
     std::string sentence = text ? text : "";
-    fathom_string_free(text);
+    fathom_text_free(text);
     return sentence;
   }
 

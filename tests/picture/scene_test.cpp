@@ -105,6 +105,19 @@ TEST(Scene, TouchingAndDisjoint) {
   EXPECT_LT(window.dot(apart.anchor).x, window.dot(apart.anchor + apart.way).x);
 }
 
+// Of bounds around 0 the way is their middle: nobody knows that the bodies touch.
+TEST(Scene, SaysWhatTheDotIsByTheStatus) {
+  PairScene scene = Cubes(1).scene();
+  EXPECT_EQ(scene.dot_text(), "where they touch");
+  EXPECT_NE(description_of(scene).find("the dot is where they touch."), std::string::npos);
+  scene.status = Status::disjoint;
+  EXPECT_EQ(scene.dot_text().find("where they are nearest"), 0U);
+  for (const std::optional<Status> status : {std::optional(Status::penetrating), std::optional<Status>()}) {
+    scene.status = status;
+    EXPECT_EQ(scene.dot_text().find("where they would touch"), 0U);
+  }
+}
+
 TEST(Scene, CloseUpsOfShortWays) {
   const PairScene scene = Cubes(mpq_class(999, 1000)).scene();
   const std::vector<Panel> panels = panels_of(scene, size);

@@ -355,8 +355,9 @@ std::string description_of(const PairScene& scene) {
   std::string result =
       "Orthographic view of A, toned, and B, hatched, across a shortest way of A out of B, which points to the right.";
   if (!scene.moves())
-    result = "Orthographic view of A, toned, and B, hatched, along a plane between them; they touch at the dot.";
-  if (scene.status == Status::disjoint)
+    result = fmt::format("Orthographic view of A, toned, and B, hatched, along a plane between them; the dot is {}.",
+                         scene.dot_text());
+  else if (scene.status == Status::disjoint)
     result = "Orthographic view of A, toned, and B, hatched; the arrow is the shortest way of A that makes them touch.";
   if (scene.moves()) result += " The outline of A moved by it is dashed.";
   if (scene.of_unions()) result += " Both are unions of convex pieces; the deeper ones are those in contact.";

@@ -164,6 +164,11 @@ bool PairScene::has_edges() const {
     return curved ? !curved->rims.empty() : !std::holds_alternative<HalfSpace>(*body);
   });
 }
+std::string_view PairScene::dot_text() const {
+  if (status == Status::touching) return "where they touch";
+  return status == Status::disjoint ? "where they are nearest, closer than can be drawn"
+                                    : "where they would touch after a way too short to be drawn";
+}
 bool PairScene::of_unions() const { return std::holds_alternative<Compound>(a) || std::holds_alternative<Compound>(b); }
 
 PairScene scene_of(const Pair& pair, const std::optional<Point>& claimed) {

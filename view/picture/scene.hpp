@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -37,6 +38,9 @@ struct PairScene {
   [[nodiscard]] bool moves() const;        ///< whether `way` is not zero
   [[nodiscard]] bool has_edges() const;    ///< whether a body has edges or rims, of which hidden ones are dashed
   [[nodiscard]] bool of_unions() const;    ///< whether a body is the union of pieces
+  /// What the dot is that stands for a way that is zero: "where they touch", or are nearest, or
+  /// would touch.
+  [[nodiscard]] std::string_view dot_text() const;
 };
 
 /// Two bodies and what is known about them.
