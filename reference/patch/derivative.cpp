@@ -104,13 +104,6 @@ std::span<const GivenPoint> points_of(const PatchCorner& corner, std::array<Give
   return crossing;
 }
 
-/// The points of a corner over one denominator > 0.
-template <class Integer>
-struct PointsOver {
-  std::vector<Vec3<Integer>> points;
-  Integer denominator;
-};
-
 /// For points of P bits, a direction of N, a twist of T and a denominator of D bits, a rate has at
 /// most 2 P + 2 N + T + max(P, D) + 10 bits over 2 P + N + D + 5. Two are compared by products of
 /// these, whose points may differ in size.
@@ -119,30 +112,13 @@ using Wide = kernels::FixedInteger<over_bits + under_bits>;
 
 /// Of points in binary64, if that is wide enough.
 std::optional<PointsOver<Wide>> in_wide(std::span<const GivenPoint> given, long direction_bits, long twist_bits) {
-  std::array<kernels::Dyadic, 12> numbers;  // of at most four points
-  std::size_t count = 0;
-  long low = 0, high = 0;
-  for (const GivenPoint& p : given) {
-    const auto* const binary64 = std::get_if<std::array<double, 3>>(&p.coordinates);
-    if (binary64 == nullptr) return std::nullopt;
-    for (const double x : *binary64) {
-      const kernels::Dyadic& number = numbers.at(count++) = kernels::dyadic(x);
-      low = std::min(low, number.exponent);
-      high = std::max(high, number.exponent + 53);
-    }
-  }
-  const long bits = high - low;
-  if (2 * (bits + direction_bits) + twist_bits + std::max(bits, -low) + 10 > over_bits ||
-      2 * bits + direction_bits - low + 5 > under_bits)
+  const std::optional<BinaryRange> range = binary_range(given);
+  if (!range) return std::nullopt;
+  const long bits = range->high - range->low;
+  if (2 * (bits + direction_bits) + twist_bits + std::max(bits, -range->low) + 10 > over_bits ||
+      2 * bits + direction_bits - range->low + 5 > under_bits)
     return std::nullopt;
-  PointsOver<Wide> result{{}, Wide::shifted(1, static_cast<unsigned>(-low))};
-  result.points.reserve(given.size());
-  const auto wide = [&](const kernels::Dyadic& x) {
-    return Wide::shifted(x.mantissa, static_cast<unsigned>(x.exponent - low));
-  };
-  for (std::size_t k = 0; k < count; k += 3)
-    result.points.push_back({wide(numbers[k]), wide(numbers[k + 1]), wide(numbers[k + 2])});
-  return result;
+  return over_power_of_two<Wide>(given, range->low, Wide::shifted);
 }
 
 /// The greatest at the corners of a patch: the first corner that has it, and the rate. nullopt if
@@ -176,10 +152,8 @@ DirectionalDerivative greatest(const Patch& patch, std::size_t index, const Rela
                                   [&](std::span<const GivenPoint> given) { return in_wide(given, bits, twist.bits); });
     if (best) return rate(best->first, best->second.over.to_mpz(), best->second.under.to_mpz());
   }
-  const auto best = greatest_at(patch, MotionAlong(n, twist.v, twist.w), [](std::span<const GivenPoint> given) {
-    Scaled points = scaled(given);
-    return std::optional(PointsOver<mpz_class>{std::move(points.points), std::move(points.denominator)});
-  });
+  const auto best = greatest_at(patch, MotionAlong(n, twist.v, twist.w),
+                                [](std::span<const GivenPoint> given) { return std::optional(scaled(given)); });
   return rate(best->first, best->second.over, best->second.under);
 }
 

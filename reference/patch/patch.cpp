@@ -20,45 +20,23 @@ namespace fathom::patch {
 
 // ---- points as integers ----
 
-namespace {
-
-/// All coordinates, if the points are in binary64.
-std::optional<std::vector<double>> numbers_of(std::span<const GivenPoint> points) {
-  std::vector<double> numbers;
-  numbers.reserve(3 * points.size());
-  for (const GivenPoint& p : points) {
-    const auto* const given = std::get_if<std::array<double, 3>>(&p.coordinates);
-    if (given == nullptr) return std::nullopt;
-    numbers.insert(numbers.end(), given->begin(), given->end());
+std::optional<BinaryRange> binary_range(std::span<const GivenPoint> given) {
+  BinaryRange range;
+  for (const GivenPoint& p : given) {
+    const auto* const binary64 = std::get_if<std::array<double, 3>>(&p.coordinates);
+    if (binary64 == nullptr) return std::nullopt;
+    for (const double x : *binary64) {
+      const long exponent = kernels::dyadic(x).exponent;
+      range.low = std::min(range.low, exponent);
+      range.high = std::max(range.high, exponent + 53);
+    }
   }
-  return numbers;
+  return range;
 }
-
-/// Of numbers in binary64, over a power of two.
-Scaled over_power_of_two(const std::vector<double>& numbers) {
-  long low = 0;
-  std::vector<kernels::Dyadic> all;
-  all.reserve(numbers.size());
-  for (const double x : numbers) {
-    all.push_back(kernels::dyadic(x));
-    low = std::min(low, all.back().exponent);
-  }
-  Scaled result;
-  result.denominator <<= static_cast<mp_bitcnt_t>(-low);
-  const auto integer = [low](const kernels::Dyadic& c) {
-    mpz_class n(c.mantissa);
-    n <<= static_cast<mp_bitcnt_t>(c.exponent - low);
-    return n;
-  };
-  for (std::size_t k = 0; k < all.size(); k += 3)
-    result.points.push_back({integer(all[k]), integer(all[k + 1]), integer(all[k + 2])});
-  return result;
-}
-
-}  // namespace
 
 Scaled scaled(std::span<const GivenPoint> given) {
-  if (const auto numbers = numbers_of(given)) return over_power_of_two(*numbers);
+  const auto shifted = [](long word, unsigned by) { return mpz_class(mpz_class(word) << by); };
+  if (const auto range = binary_range(given)) return over_power_of_two<mpz_class>(given, range->low, shifted);
   Scaled result;
   std::vector<Point> exact;
   for (const GivenPoint& p : given) {
@@ -336,6 +314,18 @@ std::optional<Overlaid> overlaid_in_words(std::size_t count, std::size_t of_a, c
                                           const Coordinate& coordinate) {
   if (auto found = overlaid_in<Integer127>(count, of_a, n, bits, coordinate)) return found;
   return overlaid_in<Integer255>(count, of_a, n, bits, coordinate);
+}
+
+/// All coordinates, if the points are in binary64.
+std::optional<std::vector<double>> numbers_of(std::span<const GivenPoint> points) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * points.size());
+  for (const GivenPoint& p : points) {
+    const auto* const given = std::get_if<std::array<double, 3>>(&p.coordinates);
+    if (given == nullptr) return std::nullopt;
+    numbers.insert(numbers.end(), given->begin(), given->end());
+  }
+  return numbers;
 }
 
 Overlaid overlaid(const std::vector<GivenPoint>& given, std::size_t of_a, const Vector& n) {

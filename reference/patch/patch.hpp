@@ -5,13 +5,16 @@
 
 #include <gmpxx.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "fathom/body.hpp"
 #include "fathom/patch.hpp"
+#include "kernels/number/rational.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/report.hpp"
 #include "reference/polytope/lattice.hpp"
@@ -70,8 +73,8 @@ std::vector<std::uint32_t> counter_clockwise(const Vector& n, const polytope::Po
                                              std::span<const std::uint32_t> ids);
 
 /// The corners of a patch with slack, which is at least 0, in order around it: of the set of all
-/// pairs of points of A and of B, one over the other along the patch's direction, whose way along it
-/// is at most the slack short of the translation. Without slack it is the patch; the slack is
+/// pairs of points of the cores, one over the other along the patch's direction, whose way along
+/// it is at most the slack short of the translation. Without slack it is the patch; the slack is
 /// rounded up by 2^-40 of itself. nullopt of unions, and where the core of a body is not known by
 /// its points.
 std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body& b, const Patch& patch,
@@ -82,12 +85,38 @@ std::optional<std::vector<RoundedWitness>> with_slack(const Body& a, const Body&
 /// if p is not in it.
 std::vector<Weight> weights_in(kernels::Positions body, const std::vector<std::uint32_t>& corners, const Point& p);
 
-/// Points over one denominator.
-struct Scaled {
-  std::vector<Vector> points;
-  mpz_class denominator = 1;  ///< > 0
+/// Points over one denominator > 0.
+template <class Integer>
+struct PointsOver {
+  std::vector<Vec3<Integer>> points;
+  Integer denominator = 1;
 };
+using Scaled = PointsOver<mpz_class>;
 Scaled scaled(std::span<const GivenPoint> given);
+
+/// The exponents of coordinates in binary64: all are multiples of 2^low, and less than 2^high.
+struct BinaryRange {
+  long low = 0, high = 0;  ///< low is at most 0
+};
+/// nullopt unless all points are in binary64.
+std::optional<BinaryRange> binary_range(std::span<const GivenPoint> given);
+
+/// Points in binary64 over 2^-low. `shifted` makes an Integer of a word and by how much it is
+/// shifted.
+template <class Integer, class Shifted>
+PointsOver<Integer> over_power_of_two(std::span<const GivenPoint> given, long low, const Shifted& shifted) {
+  PointsOver<Integer> result{{}, shifted(1, static_cast<unsigned>(-low))};
+  result.points.reserve(given.size());
+  const auto integer = [&](double c) {
+    const kernels::Dyadic number = kernels::dyadic(c);
+    return shifted(number.mantissa, static_cast<unsigned>(number.exponent - low));
+  };
+  for (const GivenPoint& p : given) {
+    const auto& [x, y, z] = std::get<std::array<double, 3>>(p.coordinates);
+    result.points.push_back({integer(x), integer(y), integer(z)});
+  }
+  return result;
+}
 
 /// The corners on A of what the faces share after the translation t, counter-clockwise from the
 /// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in
