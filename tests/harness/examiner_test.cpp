@@ -483,6 +483,43 @@ TEST(Twists, OfUnionsWithSeveralSuchPairsAreTheLargest) {
   }
 }
 
+// Out of each piece A goes up or sideways by 1, out of both up alone: see proofs/patch.md. The
+// replies are right about the pairs, and not enough for the unions.
+TEST(Twists, OfUnionsMayBeMoreThanThoseOfAllPairs) {
+  const auto box = [](double left, double right, double top) {
+    std::vector<Triple> points;
+    for (const double x : {left, right})
+      for (const double y : {top - 10, top})
+        for (const double z : {-9, 9}) points.push_back({x, y, z});
+    return GivenPoints(points).exact();
+  };
+  std::vector<Point> a;
+  for (const int x : {0, 4})
+    for (const int y : {0, 4})
+      for (const int z : {-8, 8}) a.push_back({x, y, z});
+  Body both;
+  both.pieces = std::make_shared<const Pieces>(Pieces{box(-9, 1, 1), box(3, 13, 1)});
+  const Case pair{"u", Body{GivenPoints(a)}, both, Motion{{{0, -1, 0}, {}}, {}}};
+  const auto outcome = [&](double rate) {
+    return examine_pairs(pair, 0, {}, {}, [rate](const Case& one, std::optional<SubjectAnswer>& answer) {
+      Reply reply;
+      reply.overlap = true;
+      reply.depth = 1;
+      reply.derivative = rate;
+      answer = SubjectAnswer{"", reply};
+      return outcome_for(one);
+    });
+  };
+  const Outcome of_pairs = outcome(0), of_unions = outcome(1);
+  EXPECT_EQ(of_pairs.verdict, Verdict::wrong_derivative);
+  EXPECT_EQ(of_pairs.judgement->derivative.value().squared, 1);
+  EXPECT_EQ(of_pairs.judgement->findings.size(), 1U) << "the depth is right";
+  EXPECT_EQ(of_pairs.pieces.value().query.derivative.value().squared, 0);
+  EXPECT_EQ(of_pairs.pieces->query.verdict, Verdict::pass);
+  EXPECT_EQ(of_unions.verdict, Verdict::pass) << of_unions.judgement->sentence;
+  EXPECT_EQ(of_unions.pieces->query.verdict, Verdict::wrong_derivative);
+}
+
 TEST(JudgedBodies, AreGrownByTheRadiusOfTheirWord) {
   const Case seen{"c", Body{{{0, 0, 0}, {1, 0, 0}}}, files::body_of(files::named("sphere", {{"radius", {2}}}))};
   SubjectInfo info;
