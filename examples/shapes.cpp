@@ -40,6 +40,10 @@ int main() {
   const Vector up = crossing.cone->direction(), first = crossing.direction();
   std::cout << "a line along z, " << crossing.cone->rays.size() << " rays; " << up.z << " " << first.z << "\n";
 
+  // A pill in a can: every direction around their axis is as good.
+  const SignedDepth inside = signed_depth(capsule(tenth, 1), cylinder(2, 6));
+  std::cout << inside.exact()->rational << ", around an axis along z: " << inside.around()->z << "\n";
+
   const Shape others[] = {cylinder(1, 2),
                           cone(1, 2),
                           frustum(2, 1, 1),
@@ -60,4 +64,5 @@ int main() {
 //> fathom-certificate 2, radius 1/2
 //> touching, bounds: 0, support calls: 1
 //> a line along z, 0 rays; -1 -1
+//> 21/10, around an axis along z: 1
 //> 8 terms; flat: 0, a triangle: 1

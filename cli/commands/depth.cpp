@@ -74,6 +74,7 @@ Question question_of(const DepthRequest& request, Monitor& monitor, Workspace& w
   question.options.monitor = &monitor;
   question.options.workspace = &workspace;
   question.bits = bits_of(request);
+  question.coaxial = !request.form.certificate;  // a checker compares both
   return question;
 }
 

@@ -180,6 +180,8 @@ std::string cone_text(const OptimalCone& cone, bool exact) {
 
 void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
   if (const OptimalCone* const cone = continuum(answer)) rows.emplace_back("ties", cone_text(*cone, form.exact));
+  if (const SignedDepth* const depth = shapes_of(answer); depth && depth->around())
+    rows.emplace_back("ties", "around the axis " + way_text(*depth->around(), form.exact));
   const std::size_t count = ties(answer, form);
   if (count == 1 && !shapes_of(answer)) rows.emplace_back("ties", "none");
   if (count > 1)

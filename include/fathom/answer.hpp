@@ -26,8 +26,9 @@ namespace fathom {
 /// number of optima that are listed.
 struct Question {
   Options options;  ///< of polytopes, and of cores that are; its monitor and workspace serve every kind
-  unsigned bits = SignedDepthOptions{}.bits;  ///< of the bounds of shapes, as in SignedDepthOptions
-  bool union_bounds = UnionOptions{}.bounds;  ///< of unions, as in UnionOptions
+  unsigned bits = SignedDepthOptions{}.bits;    ///< of the bounds of shapes, as in SignedDepthOptions
+  bool coaxial = SignedDepthOptions{}.coaxial;  ///< of shapes about one axis, as in SignedDepthOptions
+  bool union_bounds = UnionOptions{}.bounds;    ///< of unions, as in UnionOptions
 };
 
 /// A part of an answer, or why there is none.

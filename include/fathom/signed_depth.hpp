@@ -88,8 +88,27 @@ struct AtomPoint {
 /// A point of a core: the sum of one point of each term, in their order.
 using InnerPoint = std::vector<AtomPoint>;
 
+/// A point of an atom of revolution about an axis d: center + z d + r e, for each e that is
+/// orthogonal to d and as long. So z and r are lengths in multiples of |d|.
+struct ProfilePlace {
+  std::uint32_t atom;  ///< its index in the term
+  mpq_class z, r;      ///< along the axis, and away from it: r >= 0
+};
+
+/// A point of a core's profile: the sum of one place of each term, in their order.
+using ProfilePoint = std::vector<ProfilePlace>;
+
+/// Proves a lower bound for cores of revolution about one axis, in a half-plane that ends there.
+struct Revolution {
+  Vector axis;                                   ///< d: primitive
+  std::vector<ProfilePoint> points_a, points_b;  ///< to which the indices of the outline point
+  /// Points of P, each the difference of a point of B and one of A: from the axis behind O around
+  /// O to the axis before it. Each edge is at least as far from O as the bound says.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> outline;  ///< of points_a, of points_b
+};
+
 /// Proves bounds on the signed depth of any two shapes. For a half-space, heights and inner points
-/// are empty.
+/// are empty; so are the inner points of cores around one axis.
 struct Bracket {
   Vector direction;                          ///< n. (sum of all heights) / |n| + rho is at most the upper bound
   std::vector<mpq_class> heights_a;          ///< for each term of A, at least the greatest <-n,x> over its points
@@ -98,7 +117,8 @@ struct Bracket {
   InnerPolytope polytope;                    ///< inside P, with O in its interior; or empty, and then there are
   /// convex combinations of inner points, whose distance bounds that of the cores
   std::vector<Weight> weights_a, weights_b;
-  std::size_t support_calls = 0;  ///< no part of the proof: how often the search asked for the support of P
+  std::optional<Revolution> around{};  ///< or this, of cores of revolution about one axis that penetrate
+  std::size_t support_calls = 0;       ///< no part of the proof: how often the search asked for the support of P
 };
 
 // ---- the answer ----
@@ -130,6 +150,10 @@ struct SignedDepth {
   /// h(u)/|u| + rho is the value, or at most its upper bound, at u = direction(). Of cores that
   /// touch it is that of the cone.
   [[nodiscard]] Vector direction() const;
+  /// Of bodies of revolution about one axis: its direction, if all directions are optimal that a
+  /// turn about the axis makes of direction(). Null else. Where no optimal direction is rational an
+  /// exact value has a direction() that is only near to one.
+  [[nodiscard]] const Vector* around() const;
   /// For each listed optimum of overlapping cores, else for direction() alone: moving A by it makes
   /// bodies that penetrate touch, and so it does with disjoint bodies; no shorter translation does.
   /// Empty if the value is enclosed.
@@ -157,6 +181,10 @@ struct SignedDepthOptions {
   /// bounds: how often the cores' supports may be asked for; the bounds found until then are the
   /// answer
   std::size_t support_calls = 5000;
+  /// Whether bodies of revolution about one axis are looked at in a half-plane that ends there: so
+  /// they are answered exactly, or as closely as others. If not, the bounds are wider, and are what
+  /// a certificate proves.
+  bool coaxial = true;
 };
 
 /// A sum of terms that are hulls of points is a polytope, and expanded, if it has at most so many

@@ -202,7 +202,8 @@ Answer exact_answer(const Body& a, const Body& b, const Question& question) {
   if (a.pieces || b.pieces)
     return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
   if (!a.shape && !b.shape) return {penetration_depth(a, b, question.options)};
-  return {signed_depth(files::shape_of(a), files::shape_of(b), {.cores = question.options, .bits = question.bits})};
+  return {signed_depth(files::shape_of(a), files::shape_of(b),
+                       {.cores = question.options, .bits = question.bits, .coaxial = question.coaxial})};
 }
 
 BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {

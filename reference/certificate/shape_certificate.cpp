@@ -56,7 +56,16 @@ void prove(const PlaneSupport& plane, const SignedDepth& answer, ShapeCertificat
   certificate.directions = {plane.direction};
 }
 
-void prove(const Bracket& bracket, const SignedDepth& answer, ShapeCertificate& certificate, Monitor*) {
+void prove(const Bracket& bracket, const SignedDepth& answer, ShapeCertificate& certificate, Monitor* monitor) {
+  if (bracket.around) {
+    // No format has room for an outline: what is proved is what the search without it finds.
+    SignedDepthOptions wider;
+    wider.cores.monitor = monitor;
+    wider.coaxial = false;
+    const SignedDepth found = signed_depth(certificate.a, certificate.b, wider);
+    prove(std::get<Bracket>(found.core), found, certificate, monitor);
+    return;
+  }
   certificate.claim = ShapeClaim::signed_bounds;
   if (const Bounds* bounds = answer.bounds()) {
     certificate.low = bounds->low;

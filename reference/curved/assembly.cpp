@@ -199,6 +199,12 @@ void Assembly::set_lower(const mpq_class& squared, InnerPolytope inner) {
   bracket_.polytope = std::move(inner);
 }
 
+void Assembly::set_lower(const mpq_class& squared, Revolution around) {
+  lower_ = squared;
+  bracket_ = {};
+  bracket_.around = std::move(around);
+}
+
 bool Assembly::meets_in_face() {
   const Vector& n = oracle_.lowest()->direction;
   const std::vector<TermHeight> heights = oracle_.heights(n);
@@ -223,7 +229,10 @@ CurvedBounds Assembly::take() {
       signed_square(std::accumulate(heights.begin(), heights.end(), mpq_class()), bracket_.direction);
   const bool equal = lower_ == upper;
   return {equal ? goal_.exact_or_below(lower_) : goal_.from_below(lower_),
-          equal ? goal_.exact_or_above(upper) : goal_.from_above(upper), std::move(bracket_), oracle_.calls()};
+          equal ? goal_.exact_or_above(upper) : goal_.from_above(upper),
+          {},
+          std::move(bracket_),
+          oracle_.calls()};
 }
 
 }  // namespace fathom::curved

@@ -93,6 +93,8 @@ class Assembly {
   /// Takes a polytope inside P, whose vertices name points of the oracle twice, with the squared
   /// distance of its nearest facet.
   void set_lower(const mpq_class& squared, InnerPolytope inner);
+  /// Takes an outline in the half-plane of profiles, with the squared distance of its nearest edge.
+  void set_lower(const mpq_class& squared, Revolution around);
   /// Requires the lowest height to be at most 0. Whether the bounds meet there; if so that is the
   /// lower side.
   bool meets_in_face();

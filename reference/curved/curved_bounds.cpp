@@ -17,6 +17,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/assembly.hpp"
+#include "reference/curved/coaxial.hpp"
 #include "reference/curved/lattice.hpp"
 #include "reference/curved/oracle.hpp"
 #include "reference/expanding/surface.hpp"
@@ -477,13 +478,19 @@ bool open(const CurvedBounds& bounds) { return bounds.low < bounds.high && !Goal
 }  // namespace
 
 CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits,
-                           std::size_t support_calls) {
+                           std::size_t support_calls, bool coaxial) {
   const kernels::DefaultFloatEnvironment environment;
+  std::optional<Profile> profile;
+  if (const auto* of_a = std::get_if<std::vector<Term>>(&a.core), *of_b = std::get_if<std::vector<Term>>(&b.core);
+      coaxial && of_a && of_b)
+    profile = common_profile(*of_a, *of_b);
   const auto search = [&](unsigned status_bits, std::size_t budget) {
     if (const auto* plane = std::get_if<HalfSpace>(&a.core))
       return half_space_bounds(context, *plane, b, true, a.radius, status_bits);
     if (const auto* plane = std::get_if<HalfSpace>(&b.core))
       return half_space_bounds(context, *plane, a, false, b.radius, status_bits);
+    if (profile)
+      if (auto around = coaxial_bounds(context, *profile, a, b, bits, status_bits, budget)) return std::move(*around);
     return Search(context, a, b, bits, status_bits, budget).run();
   };
   CurvedBounds result = search(bits, support_calls);
@@ -496,6 +503,7 @@ CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shap
     if (!open(next) || next.high - next.low < result.high - result.low) result = std::move(next);
   }
   result.support_calls = calls;
+  if (result.low == result.high) result.exact = Surd{result.low, 0};
   return result;
 }
 

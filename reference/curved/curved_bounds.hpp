@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "fathom/signed_depth.hpp"
 #include "kernels/context.hpp"
@@ -15,6 +16,7 @@ namespace fathom::curved {
 
 struct CurvedBounds {
   mpq_class low, high;            ///< of the signed depth; equal only if it is rational
+  std::optional<Surd> exact;      ///< the signed depth, if it is known: if low = high, or of cores around one axis
   Bracket bracket;                ///< the proof
   std::size_t support_calls = 0;  ///< that the search took
   std::size_t facet_scans = 0;    ///< of the polytope inside P, for the goal; in the last search
@@ -28,9 +30,11 @@ struct CurvedBounds {
 /// is the longest side of a box around P', in which each atom counts as its center +- the sums of
 /// its axes' magnitudes. The shapes keep the laws that signed_depth demands; bits is at most
 /// most_bound_bits. Bounds that are equal are found where a facet, an axis or the centers give the
-/// direction, or where it is short. Throws InputError as `lattice` does, and Interrupted.
+/// direction, or where it is short. With `coaxial`, cores that are of revolution about one axis and
+/// penetrate are looked at in a half-plane (coaxial.hpp). Throws InputError as `lattice` does, and
+/// Interrupted.
 CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits = 40,
-                           std::size_t support_calls = 5000);
+                           std::size_t support_calls = 5000, bool coaxial = true);
 
 /// Checks the proof by the definitions, in rationals: the naive twin of the checkers.
 [[nodiscard]] kernels::Report validate(const CurvedBounds& bounds, const Shape& a, const Shape& b);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "kernels/vector.hpp"
 #include "reference/curved/curved_bounds.hpp"
@@ -35,6 +36,7 @@ class Check {
     inner_points(b_, p_.inner_b, points_b_);
     if (!report_.ok()) return report_;
     if (std::holds_alternative<HalfSpace>(a_.core) || std::holds_alternative<HalfSpace>(b_.core)) half_space();
+    else if (p_.around) outline(*p_.around);
     else if (p_.polytope.facets.empty()) weights();
     else polytope();
     return report_;
@@ -119,6 +121,64 @@ class Check {
         report_, p_.polytope, points_a_, points_b_, [&](const Point& n, const mpq_class& height) {
           report_.expect(height * height >= least * least * dot(n, n), "a facet of Q is too near");
         });
+  }
+
+  // ---- an outline in the half-plane of profiles ----
+
+  /// The factor by which M M^T stretches v: it has to lead along v.
+  mpq_class stretch(const Atom& atom, const Point& v) {
+    Point image;
+    for (const Point& axis : atom.axes) image = image + dot(axis, v) * axis;
+    report_.expect(cross(image, v) == Point{}, "an atom is not of revolution about the axis");
+    return dot(image, v) / dot(v, v);
+  }
+
+  /// The point that its places sum up to.
+  std::pair<mpq_class, mpq_class> spot(const std::vector<Term>& terms, const ProfilePoint& point, const Point& d) {
+    std::pair<mpq_class, mpq_class> sum;
+    if (!report_.expect(point.size() == terms.size(), "a profile point without a place in each term")) return sum;
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      const ProfilePlace& place = point[t];
+      if (!report_.expect(place.atom < terms[t].atoms.size(), "a place of no atom")) return sum;
+      const Atom& atom = terms[t].atoms[place.atom];
+      const Point from = atom.center - terms[t].atoms.front().center,
+                  e = cross(d, d.x == 0 ? Point{1, 0, 0} : Point{0, 1, 0});
+      const mpq_class length = dot(d, d), along = stretch(atom, d) / length, across = stretch(atom, e) / length;
+      report_.expect(across == stretch(atom, cross(d, e)) / length, "an atom is an ellipse around the axis");
+      report_.expect(cross(from, d) == Point{}, "a center is not on the axis");
+      report_.expect(place.r >= 0 && place.z * place.z * across + place.r * place.r * along <= along * across &&
+                         place.z * place.z <= along && place.r * place.r <= across,
+                     "a place outside of its atom");
+      sum.first += dot(from, d) / length + place.z;
+      sum.second += place.r;
+    }
+    return sum;
+  }
+
+  void outline(const Revolution& around) {
+    const auto &a = std::get<std::vector<Term>>(a_.core), &b = std::get<std::vector<Term>>(b_.core);
+    const Point d{around.axis.x, around.axis.y, around.axis.z};
+    Point apart;
+    for (const Term& term : b) apart = apart + term.atoms.front().center;
+    for (const Term& term : a) apart = apart - term.atoms.front().center;
+    if (!report_.expect(d != Point{} && cross(apart, d) == Point{}, "the bodies have no common axis")) return;
+    std::vector<std::pair<mpq_class, mpq_class>> corners;
+    for (const auto& [i, j] : around.outline) {
+      if (!report_.expect(i < around.points_a.size() && j < around.points_b.size(), "a corner of no point")) return;
+      const auto of_a = spot(a, around.points_a[i], d), of_b = spot(b, around.points_b[j], d);
+      corners.emplace_back(dot(apart, d) / dot(d, d) + of_b.first - of_a.first, of_a.second + of_b.second);
+    }
+    if (!report_.expect(corners.size() > 2, "an outline of too few corners")) return;
+    report_.expect(corners.front().first < 0 && corners.front().second == 0, "the outline does not begin behind O");
+    report_.expect(corners.back().first > 0 && corners.back().second == 0, "the outline does not end before O");
+    const mpq_class least = std::max(mpq_class(bounds_.low - rho_), mpq_class(0));
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+      const auto& [z, r] = corners[k];
+      const auto& [next_z, next_r] = corners[k + 1];
+      const mpq_class turn = next_z * r - z * next_r, x = next_z - z, y = next_r - r;
+      report_.expect(turn > 0, "the outline turns back");
+      report_.expect(turn * turn * dot(d, d) >= least * least * (x * x + y * y), "an edge is too near");
+    }
   }
 
   const CurvedBounds& bounds_;

@@ -213,8 +213,10 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
     result.optima_count = cores                           ? cores->optima.size() + cores->unlisted
                           : status == Status::penetrating ? ways.size()
                                                           : 0;
-  if constexpr (std::is_same_v<Found, SignedDepth>)
+  if constexpr (std::is_same_v<Found, SignedDepth>) {
     if (found.cone) result.optimal_cone = cone_object(*found.cone);
+    if (const Vector* const axis = found.around()) result.around = Json{{"axis", exact(*axis)}};
+  }
   if (status == Status::disjoint) {
     Json& distance = result.distance.emplace(lengths.distance);
     distance["direction"] = direction_json;

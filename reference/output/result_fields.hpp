@@ -29,7 +29,7 @@ struct Result {
   Json unit_f64 = {}, translation_f64 = {}, witness_f64 = {};
   Json optima = Json::array();
   std::optional<std::size_t> optima_count = {};
-  std::optional<Json> optimal_cone = {}, distance = {};
+  std::optional<Json> optimal_cone = {}, around = {}, distance = {};
   Json sizes = {};
   std::optional<Json> hull = {};
   Json flat = {};
@@ -67,6 +67,11 @@ inline constexpr std::tuple result_fields{
           "is the one shown above."),
     field("optima_count", &Result::optima_count, "", "With --optima: how many there are, listed or not."),
     field("optimal_cone", &Result::optimal_cone, "", "Of shapes whose cores touch."),
+    field(
+        "around", &Result::around, "",
+        "Of bodies of revolution about one axis, unless the direction is that of the axis: whatever a turn about it "
+        "makes of the direction is as good. An exact depth may have a direction that is only near to a best one, where "
+        "no best one is rational."),
     field("distance", &Result::distance, "length",
           "Of disjoint bodies: the least distance of a point of A from one of B. Moving A by this translation, and by "
           "no shorter one, the bodies touch; h(direction) / |direction| is -distance."),

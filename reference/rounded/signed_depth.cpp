@@ -118,11 +118,12 @@ SignedDepth enclosed_depth(const Shape& a, const Shape& b, const SignedDepthOpti
   if (options.bits > most_bound_bits)
     throw std::invalid_argument("more than " + std::to_string(most_bound_bits) + " bits are asked for");
   kernels::Context context(options.cores.monitor);
-  curved::CurvedBounds bounds = curved::signed_bounds(context, a, b, options.bits, options.support_calls);
+  curved::CurvedBounds bounds =
+      curved::signed_bounds(context, a, b, options.bits, options.support_calls, options.coaxial);
   if (options.cores.validate) kernels::insist(curved::validate(bounds, a, b));
   bounds.bracket.support_calls = bounds.support_calls;
   SignedDepth result{Bounds{bounds.low, bounds.high}, a.radius, b.radius, std::move(bounds.bracket), {}, {}};
-  if (bounds.low == bounds.high) result.value = Surd{bounds.low, 0};
+  if (bounds.exact) result.value = *bounds.exact;
   return result;
 }
 
@@ -172,6 +173,13 @@ Vector SignedDepth::direction() const {
   if (const Depth* cores = std::get_if<Depth>(&core)) return cores->direction();
   if (const PlaneSupport* plane = std::get_if<PlaneSupport>(&core)) return plane->direction;
   return std::get<Bracket>(core).direction;
+}
+
+const Vector* SignedDepth::around() const {
+  const Bracket* const bracket = std::get_if<Bracket>(&core);
+  if (bracket == nullptr || !bracket->around) return nullptr;
+  const Vector& axis = bracket->around->axis;
+  return is_zero(cross(axis, bracket->direction)) ? nullptr : &axis;
 }
 
 std::vector<AlongNormal> SignedDepth::translations() const {

@@ -15,9 +15,10 @@ namespace {
 
 using testing::ShapeMaker;
 
-CurvedBounds bounds_of(const Shape& a, const Shape& b, unsigned bits = 40, std::size_t support_calls = 5000) {
+CurvedBounds bounds_of(const Shape& a, const Shape& b, unsigned bits = 40, std::size_t support_calls = 5000,
+                       bool coaxial = true) {
   kernels::Context context;
-  CurvedBounds bounds = signed_bounds(context, a, b, bits, support_calls);
+  CurvedBounds bounds = signed_bounds(context, a, b, bits, support_calls, coaxial);
   EXPECT_LE(bounds.support_calls, support_calls);
   if (bounds.bracket.polytope.facets.size() < 300) {
     const kernels::Report report = validate(bounds, a, b);
@@ -205,7 +206,7 @@ TEST(CurvedBounds, EndByTheirBudgetWhereOptimaFormAContinuum) {
       {{"concentric balls", ball(1), ball(1)}, 2}};
   for (const auto& [placed, value] : hard) {
     for (const std::size_t budget : {10U, 100U, 500U}) {
-      const CurvedBounds bounds = bounds_of(placed.a, placed.b, 40, budget);
+      const CurvedBounds bounds = bounds_of(placed.a, placed.b, 40, budget, false);
       expect_around(bounds, {value, 0}, placed.what);
       EXPECT_GE(bounds.support_calls + 1, std::min<std::size_t>(budget, 256)) << placed.what;
       EXPECT_GE(bounds.low, budget < 100 ? mpq_class(0) : mpq_class(19, 10)) << placed.what;
@@ -262,20 +263,24 @@ TEST(CurvedBounds, SayWhenTheyCannotDecide) {
 
 TEST(CurvedBounds, EndBeforeTheirBudgetWhereItWillNotDo) {
   const Shape bar = cylinder(1, 4);
-  const CurvedBounds around_axis = bounds_of(bar, bar), around_center = bounds_of(ball(1), ball(1));
+  const auto bounds_in_space = [](const Shape& a, const Shape& b, unsigned bits = 40, std::size_t calls = 5000) {
+    return bounds_of(a, b, bits, calls, false);
+  };
+  const CurvedBounds around_axis = bounds_in_space(bar, bar), around_center = bounds_in_space(ball(1), ball(1));
   EXPECT_EQ(around_axis.support_calls, 512);
   EXPECT_GT(around_axis.low * 10000, 19998);
   EXPECT_EQ(around_center.support_calls, 512);
   EXPECT_GT(around_center.low * 100, 198);
-  EXPECT_GT(bounds_of(bar, bar, 20).support_calls,
+  EXPECT_GT(bounds_in_space(bar, bar, 20).support_calls,
             512);  // it is their share of the goal that counts, and of the budget
-  EXPECT_GT(bounds_of(bar, bar, 26, 20000).support_calls, 512);
-  EXPECT_EQ(bounds_of(bar, bar, 26).support_calls, 512);
+  EXPECT_GT(bounds_in_space(bar, bar, 26, 20000).support_calls, 512);
+  EXPECT_EQ(bounds_in_space(bar, bar, 26).support_calls, 512);
   const CurvedBounds slow = bounds_of(bar, at(bar, {mpq_class(1, 1000), 0, 0}));  // but it gets on
   EXPECT_LE((slow.high - slow.low) * (mpz_class(1) << 40), 16);
   EXPECT_GT(slow.support_calls, 1024);
   // The status is not given away: the cores only just penetrate.
   const Shape thin = cylinder(mpq_class(1, mpz_class(1) << 45), 4);
+  EXPECT_GT(bounds_in_space(thin, thin).low, 0);
   EXPECT_GT(bounds_of(thin, thin).low, 0);
 }
 
@@ -379,7 +384,7 @@ TEST(CurvedBounds, StopWhenTheMonitorSaysSo) {
     int reports = 0;
   } stopper;
   kernels::Context context(&stopper);
-  EXPECT_THROW(signed_bounds(context, ball(1), at(ball(1), {mpq_class(1, 100), 0, 0})), Interrupted);
+  EXPECT_THROW(signed_bounds(context, ball(1), at(ball(1), {mpq_class(1, 100), 0, 0}), 40, 5000, false), Interrupted);
 }
 
 // Every part of a proof matters.

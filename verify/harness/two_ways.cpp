@@ -211,6 +211,13 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
 }
 
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor) {
+  const Bracket* const bracket = std::get_if<Bracket>(&truth.depth.core);
+  if (bracket && bracket->around) {  // what a certificate proves of it is less
+    SignedDepthOptions wider;
+    wider.cores.monitor = monitor;
+    wider.coaxial = false;
+    return accepted_certificate(id, truth_about(truth.a, truth.b, wider), monitor);
+  }
   std::string text = certificate_text(truth.a, truth.b, truth.depth, id, ShapeFormat::richest, monitor);
   const fathom_check::Verdict verdict = acceptance(id, text);
   const Bounds* const bounds = truth.depth.bounds();

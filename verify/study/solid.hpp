@@ -125,11 +125,6 @@ std::string_view word_of(const Solid& solid, const SupportFace& face);
 // Input   a sum of terms.
 // Output  the line about which it is a body of revolution.
 
-/// M M^T of an atom c + M y, row by row: two atoms about one centre are equal as sets if and only
-/// if these are.
-using Gram = std::array<RationalVector, 3>;
-Gram gram_of(const Atom& atom);
-
 /// The square of the radius of a circular disc or a round ball. Returns nullopt for other atoms,
 /// points among them.
 std::optional<mpq_class> round_square(const Atom& atom);

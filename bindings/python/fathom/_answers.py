@@ -122,6 +122,11 @@ class Exact:
         return self._answer.normal
 
     @property
+    def around(self) -> tuple[int, int, int] | None:
+        """The axis of bodies of revolution, if whatever a turn about it makes of the direction is as good."""
+        return self._answer.around
+
+    @property
     def translation(self) -> Any:
         """Three Fractions; of shapes (n, alpha, beta), which means alpha n + beta n/|n|; None if only bounds are known."""
         return self._answer.exact_translation

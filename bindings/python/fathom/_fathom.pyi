@@ -54,6 +54,7 @@ class Answer:
     squares: Any
     direction: Any
     normal: Any
+    around: tuple[int, int, int] | None
     optima: list[dict[str, Any]]
     optima_count: int
     method: str | None

@@ -59,6 +59,11 @@ py::object normal(const PairAnswer& asked) {
   return n ? py::object(integers(*n)) : py::object(py::none());
 }
 
+py::object around(const PairAnswer& asked) {
+  const Vector* const axis = asked.of_shapes() ? asked.of_shapes()->around() : nullptr;
+  return axis ? py::object(integers(*axis)) : py::object(py::none());
+}
+
 /// Of polytopes and unions; of a search that was stopped the shortest that was found.
 std::optional<Point> rational_translation(const PairAnswer& asked) {
   if (const Depth* const depth = asked.depth()) return depth->contact_translation();
@@ -318,6 +323,7 @@ void bind_answers(py::module_& module) {
       .def_property_readonly("squares", squares)
       .def_property_readonly("direction", direction)
       .def_property_readonly("normal", normal)
+      .def_property_readonly("around", around)
       .def_property_readonly("translation", [](const PairAnswer& found) { return translation(found, false); })
       .def_property_readonly("exact_translation", [](const PairAnswer& found) { return translation(found, true); })
       .def_property_readonly("witness", [](const PairAnswer& found) { return witness_in_python(found, false); })

@@ -473,6 +473,7 @@ SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options)
   constexpr unsigned first_bits = 40, most_bits = 80;
   SignedDepthOptions asked;
   asked.cores = options;
+  asked.coaxial = false;  // a record states what its certificate proves
   for (asked.bits = first_bits;; asked.bits *= 2) {
     SignedDepth answer = signed_depth(a, b, asked);
     if (answer.status() || asked.bits == most_bits) return answer;
