@@ -48,7 +48,7 @@ TEST(Coaxial, DepthsInClosedForm) {
       {"equal cylinders", drum, drum, {4, 0}},
       {"a cylinder in a cylinder", cylinder(1, 1), drum, {3, 0}},
       {"a cylinder with a margin", with_margin(cylinder(1, 1), quarter), drum, {3 + quarter, 0}},
-      // the cone's side has the normal (3, 4), along the axis and away from it, and there the height 6
+      // the side of the cone has the normal (3, 4): along the axis, away from it; height 6
       {"a point of a cone's axis", sphere(half), top, {half + mpq_class(6, 5), 0}},
       {"a cone on a disc", cone(1, 2), above(cylinder(1, quarter), -2), {quarter, 0}},
       // normal (1, 4), height 2
