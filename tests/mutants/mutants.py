@@ -83,6 +83,8 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/curved/face.cpp", "return edges ? in_edges() : std::nullopt;", "return std::nullopt;", "curved_tests"),
     ("reference/curved/curved_bounds.cpp", "if (plane.height <= 0) return std::nullopt;", "if (plane.height == 0) return std::nullopt;",
      "curved_tests"),
+    ("reference/curved/coaxial.cpp", "bits_ + spare_bits).high;", "bits_ + spare_bits).low;", "curved_tests"),
+    ("reference/curved/arcs.cpp", "for (const int side : {1, -1})", "for (const int side : {1, 1})", "curved_tests"),
     ("reference/rounded/optimal_cone.cpp", "if (size == 2 && next == 0) break;", "if (size == 3 && next == 0) break;",
      "rounded_tests"),
     ("reference/rounded/optimal_cone.cpp", "if (below < 0) (below = -below, ray = -ray);",
