@@ -65,9 +65,8 @@ std::vector<Side> sides_by_edge(std::span<const MeshTriangle> triangles) {
   return sides;
 }
 
-/// Whether each edge has two sides, which run in opposite senses: the surface is closed, and seen
-/// from one side.
-bool is_closed(const std::vector<Side>& sides) {
+/// Whether each edge has two sides, which run in opposite senses.
+bool in_pairs(const std::vector<Side>& sides) {
   if (sides.empty() || sides.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < sides.size(); i += 2) {
     const Side &s = sides[i], &t = sides[i + 1];
@@ -151,24 +150,27 @@ std::optional<DeepestPoint> deepest_point(const Polytope& hull, const std::vecto
   return best;
 }
 
-std::optional<Dents> dents_of(const std::vector<Vector>& points, std::span<const std::uint32_t> canonical,
-                              const std::vector<MeshTriangle>& triangles, const mpz_class& denominator,
-                              std::size_t most_comparisons) {
+MeshConvexity compared(const std::vector<Vector>& points, std::span<const std::uint32_t> canonical,
+                       const std::vector<MeshTriangle>& triangles, const mpz_class& denominator,
+                       std::size_t most_comparisons) {
+  MeshConvexity found{true, std::nullopt};
   const Polytope hull = convex_hull(points);
-  if (hull.rank < 3) return std::nullopt;
+  if (hull.rank < 3) return found;
+  const Seam seam = seam_of(points, triangles);
+  found.open = seam == Seam::open;
   Planes planes;
   for (const Facet& facet : hull.facets)
     planes.emplace(facet.normal, dot(facet.normal, hull.vertices[hull.corners[facet.begin]]));
   if (std::ranges::all_of(triangles, [&](const MeshTriangle& t) { return is_on_boundary(planes, points, t); }))
-    return std::nullopt;
-  Dents dents;
-  if (is_closed(sides_by_edge(triangles))) {
+    return found;
+  Dents& dents = found.dents.emplace();
+  if (seam == Seam::closed) {
     const mpz_class of_mesh = abs(six_volumes(points, triangles)), of_hull = six_volumes(points, triangles_of(hull));
     if (of_mesh != 0 && of_mesh < of_hull) dents.volume_ratio = kernels::ratio(of_hull, of_mesh);
   }
   dents.deepest = deepest_point(hull, points, canonical, most_comparisons);
   if (dents.deepest) dents.deepest->squared_depth /= denominator * denominator;
-  return dents;
+  return found;
 }
 
 }  // namespace
@@ -193,9 +195,34 @@ std::vector<MeshTriangle> triangles_of(const MeshFaces& faces, std::span<const s
   return triangles;
 }
 
+// A side is the step function that is 1 between its ends on the line through both, or -1 if it runs
+// down. A sum of such functions vanishes if and only if all its jumps do.
+Seam seam_of(std::span<const Vector> points, std::span<const MeshTriangle> triangles) {
+  const std::vector<Side> sides = sides_by_edge(triangles);
+  std::unordered_map<Vector, std::unordered_map<std::uint32_t, long>, HashOfVector> jumps;  // by lines' directions
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    const auto [low, high] = std::pair(sides[begin].low, sides[begin].high);
+    long ascending = 0;
+    for (; end < sides.size() && sides[end].low == low && sides[end].high == high; ++end)
+      ascending += sides[end].ascending ? 1 : -1;
+    if (ascending == 0) continue;
+    Vector along = primitive(points[high] - points[low]);
+    if (lexicographically_less(along, Vector())) along = -along;
+    jumps[along][low] += ascending;
+    jumps[along][high] -= ascending;
+  }
+  Seam seam = Seam::closed;
+  for (const auto& [along, at_points] : jumps)
+    for (const auto& [point, jump] : at_points) {
+      if (jump % 2 != 0) return Seam::open;
+      if (jump != 0) seam = Seam::even;
+    }
+  return seam;
+}
+
 bool is_convex_boundary(std::span<const Vector> given, std::span<const MeshTriangle> triangles) {
   const std::vector<Side> sides = sides_by_edge(triangles);
-  if (!is_closed(sides)) return false;
+  if (!in_pairs(sides)) return false;
   // In twelfths the centroids of a triangle and of a tetrahedron are lattice points.
   std::vector<Vector> points;
   points.reserve(given.size() + 2);
@@ -257,7 +284,7 @@ MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& fac
   const std::vector<MeshTriangle> triangles = triangles_of(faces, canonical);
   if (triangles.empty()) return {};
   if (all_are_corners(canonical, triangles) && is_convex_boundary(lattice, triangles)) return {true, std::nullopt};
-  return {true, dents_of(lattice, canonical, triangles, placed->denominator, most_comparisons)};
+  return compared(lattice, canonical, triangles, placed->denominator, most_comparisons);
 }
 
 }  // namespace fathom::polytope

@@ -36,7 +36,8 @@ struct DeepestPoint {
 
 /// A mesh whose hull is another body.
 struct Dents {
-  /// the hull's volume over the mesh's, if the mesh is closed and holds one; > 1
+  /// the hull's volume over what the mesh encloses, if it is closed and that is less; > 1. What the
+  /// surface goes around twice counts twice; a mesh that is inside out encloses as much.
   std::optional<mpq_class> volume_ratio;
   /// the point deepest inside the hull, of several the first; nullopt if it takes too long to find
   std::optional<DeepestPoint> deepest;
@@ -46,20 +47,31 @@ struct Dents {
 struct MeshConvexity {
   bool tried = false;          ///< false: it has no faces, or its points' denominators share little (place_if_slim)
   std::optional<Dents> dents;  ///< set if it is not convex
+  bool open = false;           ///< an edge has an odd number of faces, and the points do not lie in a plane
 };
 
 /// Compares the mesh with the hull of its points, exactly. A face belongs to the hull's boundary if
 /// it lies in a facet's plane; a face without area belongs to it, and so does any face if all
-/// points lie in a plane. The search for the deepest point compares points with facets, and gives
-/// up after so many comparisons. Throws std::invalid_argument if there is no point.
+/// points lie in a plane. The mesh is closed if along each edge as many faces go one way as the
+/// other, whatever corners cut it into pieces. The search for the deepest point compares points
+/// with facets, and gives up after so many comparisons. Throws std::invalid_argument if there is no
+/// point.
 MeshConvexity mesh_convexity(std::span<const Point> points, const MeshFaces& faces,
                              std::size_t most_comparisons = 1'000'000);
 
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
+/// What the sides of triangles add up to: nothing, if along each edge as many go one way as the
+/// other; an even number of them, as those of a cube with a face turned over; or else.
+enum class Seam { closed, even, open };
+
 /// The faces as triangles, those with two equal corners left out; of equal points the one named
 /// `canonical` stands for all.
 std::vector<MeshTriangle> triangles_of(const MeshFaces& faces, std::span<const std::uint32_t> canonical);
+
+/// Exact where corners of some triangles lie on sides of others, too: no point is compared with an
+/// edge. The points differ.                                                    [proofs/polytope.md]
+Seam seam_of(std::span<const Vector> points, std::span<const MeshTriangle> triangles);
 
 /// True only if the triangles are the boundary of a convex body with interior, all seen from one
 /// side. Points that are no corners do not count. False says nothing.

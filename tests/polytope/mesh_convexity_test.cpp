@@ -5,6 +5,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -145,6 +148,47 @@ std::vector<MeshTriangle> triangles(const Mesh& m) {
     names[i] = static_cast<std::uint32_t>(std::ranges::find(m.points, m.points[i]) - m.points.begin());
   return triangles_of(m.faces, names);
 }
+const std::vector<std::vector<std::uint32_t>> quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+/// The boundary of unit cubes, whose corners are even.
+Mesh cells(const std::vector<std::array<int, 3>>& all) {
+  Mesh m;
+  for (const auto& [x, y, z] : all)
+    for (std::size_t f = 0; f < 6; ++f) {
+      std::array<int, 3> next = {x, y, z};
+      next[f < 2 ? 2 : f < 4 ? 1 : 0] += f % 2 == 0 ? -1 : 1;
+      if (std::ranges::find(all, next) != all.end()) continue;
+      for (const std::uint32_t i : quads[f]) {
+        m.faces.corners.push_back(static_cast<std::uint32_t>(m.points.size()));
+        m.points.push_back({2 * x + (i & 1 ? 2 : 0), 2 * y + (i & 2 ? 2 : 0), 2 * z + (i & 4 ? 2 : 0)});
+      }
+      m.faces.ends.push_back(static_cast<std::uint32_t>(m.points.size()));
+    }
+  return m;
+}
+
+/// Sides are cut at all points on them, and the parts are counted.
+Seam seam_naively(const std::vector<Vector>& points, const std::vector<MeshTriangle>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, long> parts;
+  for (const MeshTriangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+      const Vector along = points[to] - points[from];
+      std::map<mpz_class, std::uint32_t> on_it;
+      for (std::uint32_t p = 0; p < points.size(); ++p) {
+        const Vector there = points[p] - points[from];
+        const mpz_class place = dot(there, along);
+        if (is_zero(cross(there, along)) && place >= 0 && place <= dot(along, along)) on_it.try_emplace(place, p);
+      }
+      for (auto p = on_it.begin(), q = std::next(p); q != on_it.end(); ++p, ++q)
+        parts[std::minmax(p->second, q->second)] += p->second < q->second ? 1 : -1;
+    }
+  const auto is_odd = [](const auto& part) { return part.second % 2 != 0; };
+  if (std::ranges::any_of(parts, is_odd)) return Seam::open;
+  return std::ranges::any_of(parts, [](const auto& part) { return part.second != 0; }) ? Seam::even : Seam::closed;
+}
+
 /// In linear time alone, without a hull.
 bool is_seen_convex(const Mesh& m) { return is_convex_boundary(lattice(m), triangles(m)); }
 
@@ -185,8 +229,6 @@ Point random_point(int range) {
   return {*rc::gen::inRange(-range, range), *rc::gen::inRange(-range, range), *rc::gen::inRange(-range, range)};
 }
 
-const std::vector<std::vector<std::uint32_t>> quads = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 Mesh cube(int low, int high) {
   std::vector<Point> points;
   for (int i = 0; i < 8; ++i) points.push_back({i & 1 ? high : low, i & 2 ? high : low, i & 4 ? high : low});
@@ -260,6 +302,7 @@ TEST(MeshConvexity, OfEveryKindOfCube) {
   open.faces.ends.pop_back();
   open.faces.corners.resize(20);
   EXPECT_TRUE(is_convex(open)) << "a hole is no dent";
+  EXPECT_TRUE(convexity(open).open && !convexity(turned).open && !convexity(whole).open);
   Mesh wall = whole;
   wall.faces.corners.insert(wall.faces.corners.end(), {0, 3, 7, 4});
   wall.faces.ends.push_back(28);
@@ -271,6 +314,77 @@ TEST(MeshConvexity, OfEveryKindOfCube) {
   EXPECT_FALSE(is_convex(together(cube(0, 4), cube(1, 2)))) << "one in the other";
   EXPECT_FALSE(is_seen_convex(together(cube(0, 4), cube(0, 4)))) << "twice the same, by other corners";
   EXPECT_TRUE(is_convex(mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}))) << "flat";
+}
+
+// The same seam from all points of a side as from its ends.
+TEST(MeshConvexity, AddsUpSidesAsItsTwinDoes) {
+  std::array<int, 3> seen{};
+  EXPECT_TRUE(holds({.seed = 6, .runs = 300}, [&] {
+    std::vector<std::array<int, 3>> all;
+    for (int i = *rc::gen::inRange(1, 8); i > 0; --i)
+      all.push_back({*rc::gen::inRange(0, 2), *rc::gen::inRange(0, 2), *rc::gen::inRange(0, 2)});
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    Mesh m = *rc::gen::element(true, false) ? cells(all) : together(cells(all), cube(0, *rc::gen::element(2, 4)));
+    const auto face = 4 * *rc::gen::inRange<std::size_t>(0, m.faces.ends.size());
+    const int change = *rc::gen::inRange(0, 3);
+    if (change == 1) std::reverse(m.faces.corners.begin() + face, m.faces.corners.begin() + face + 4);
+    if (change == 2) std::swap(m.faces.corners[face], m.faces.corners[face + 1]);
+    if (*rc::gen::element(true, false)) {  // a corner on a side
+      const auto corner = static_cast<std::uint32_t>(m.points.size());
+      const Point &p = m.points[m.faces.corners[face]], &q = m.points[m.faces.corners[face + 1]];
+      m.points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2});
+      m.faces.corners.insert(m.faces.corners.begin() + face + 1, corner);
+      for (std::uint32_t& end : m.faces.ends) end += end > face ? 1 : 0;
+    }
+    const Seam seam = seam_of(lattice(m), triangles(m));
+    ++seen[static_cast<std::size_t>(seam)];
+    EXPECT_EQ(seam, seam_naively(lattice(m), triangles(m)));
+  }));
+  EXPECT_GT(*std::ranges::min_element(seen), 30);
+}
+
+mpq_class ratio(const Mesh& m) {
+  const MeshConvexity found = convexity(m);
+  return found.dents ? found.dents->volume_ratio.value_or(-1) : 1;
+}
+
+TEST(MeshConvexity, SaysHowMuchLargerTheHullIs) {
+  std::vector<std::array<int, 3>> ring, cube_of_8;
+  for (int i = 0; i < 9; ++i)
+    if (i != 4) ring.push_back({i % 3, i / 3, 0});
+  for (int i = 0; i < 8; ++i) cube_of_8.push_back({i & 1, i >> 1 & 1, i >> 2});
+  const Mesh torus = cells(ring), bend = cells({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  for (const Mesh& m : {torus, soup(torus), inside_out(torus)}) EXPECT_EQ(ratio(m), mpq_class(9, 8)) << "9 cells, 8";
+  Mesh turned = torus;
+  std::reverse(turned.faces.corners.begin(), turned.faces.corners.begin() + 4);
+  EXPECT_EQ(ratio(turned), -1) << "a face looks inwards";
+  EXPECT_FALSE(convexity(turned).open);
+  EXPECT_EQ(ratio(bend), mpq_class(7, 6)) << "an L of 3 cells, whose hull holds half of the fourth";
+  EXPECT_EQ(ratio(together(cube(0, 4), inside_out(cube(1, 2)))), mpq_class(64, 63)) << "a cavity";
+  EXPECT_EQ(ratio(together(cube(0, 4), cube(1, 2))), -1) << "more than the hull, as what is in both counts twice";
+  EXPECT_EQ(ratio(together(cube(0, 2), cube(1, 3))), mpq_class(5, 4)) << "20 over 8 and 8";
+
+  // Corners on sides of larger faces: one side of the cube is a single face, the others have four.
+  const auto with_one_face = [](Mesh m) {
+    Mesh result = mesh({{0, 0, 0}, {0, 4, 0}, {4, 4, 0}, {4, 0, 0}}, {{0, 1, 2, 3}});
+    for (std::size_t f = 0; f < m.faces.ends.size(); ++f) {
+      const std::vector<Point> face(m.points.begin() + 4 * f, m.points.begin() + 4 * (f + 1));
+      if (std::ranges::any_of(face, [](const Point& p) { return p.z != 0; }))
+        result = together(result, mesh(face, {{0, 1, 2, 3}}));
+    }
+    return result;
+  };
+  const Mesh whole = with_one_face(cells(cube_of_8));
+  EXPECT_TRUE(is_convex(whole) && !is_seen_convex(whole));
+  EXPECT_FALSE(convexity(whole).open || convexity(soup(whole)).open);
+  cube_of_8.pop_back();
+  EXPECT_EQ(ratio(with_one_face(cells(cube_of_8))), mpq_class(47, 42)) << "7 cells, and 5/6 of one";
+  Mesh hole = with_one_face(cells(cube_of_8));
+  hole.faces.ends.pop_back();
+  hole.faces.corners.resize(hole.faces.ends.back());
+  EXPECT_TRUE(convexity(hole).open);
+  EXPECT_EQ(ratio(hole), -1) << "it encloses nothing";
 }
 
 TEST(MeshConvexity, CountsPointsThatAreNoCorners) {
