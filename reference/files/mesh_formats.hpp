@@ -105,8 +105,13 @@ Body parse_off(std::string_view text, const std::string& name, Decimals decimals
 Body parse_obj(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_ply(std::string_view bytes, const std::string& name, Decimals decimals);
 Body parse_stl(std::string_view bytes, const std::string& name, Decimals decimals);
+/// A piece of a body, and what its group or its file is called; "" if it has no name.
+struct NamedPiece {
+  Body mesh;
+  std::string name;
+};
 /// The pieces of a body: the groups of an OBJ file.
-std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals);
+std::vector<NamedPiece> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals);
 Body parse_xyz(std::string_view text, const std::string& name, Decimals decimals);
 
 /// The format of a mesh, by its name or else by its first bytes; nullopt if neither tells.

@@ -36,26 +36,37 @@ bool is_mesh_name(const std::string& name) {
   return kind == "off" || kind == "obj" || kind == "ply" || kind == "stl";
 }
 
-Pieces points_of_pieces(const std::vector<Body>& pieces) {
+Pieces points_of_pieces(const std::vector<NamedPiece>& pieces) {
   Pieces result;
-  for (const Body& piece : pieces) result.push_back(piece.points.exact());
+  for (const NamedPiece& piece : pieces) result.push_back(piece.mesh.points.exact());
   return result;
 }
 
-std::vector<Body> piece_bodies(const std::string& path, Decimals decimals) {
+std::vector<NamedPiece> pieces_in_files(const std::string& path, Decimals decimals) {
   const kernels::DefaultFloatEnvironment environment;
-  std::vector<Body> pieces;
-  for (const std::string& file : is_folder(path) ? piece_files(path) : std::vector{path}) {
+  std::vector<NamedPiece> pieces;
+  const bool in_folder = is_folder(path);
+  for (const std::string& file : in_folder ? piece_files(path) : std::vector{path}) {
     const std::string bytes = read_file(file);
+    const std::size_t before = pieces.size();
     if (mesh_format(bytes, file) == MeshFormat::obj)
       std::ranges::move(parse_obj_pieces(bytes, file, decimals), std::back_inserter(pieces));
-    else pieces.push_back(parse_mesh(bytes, file, decimals));
+    else pieces.push_back({parse_mesh(bytes, file, decimals), ""});
+    for (std::size_t i = before; in_folder && i < pieces.size(); ++i)
+      if (pieces[i].name.empty()) pieces[i].name = std::filesystem::path(file).filename().string();
   }
   if (pieces.empty())
     throw InputError(path, 0,
                      "expected a folder with mesh files (.off, .obj, .ply, .stl), the pieces, found none there");
   return pieces;
 }
+
+/// Deletes the faces of a union, which all its copies share, wherever they were moved to; and holds
+/// what its pieces are called.
+struct PieceNames {
+  std::vector<std::string> names;
+  void operator()(const MeshFaces* faces) const { delete faces; }
+};
 
 /// Adds the faces of a piece to those of the pieces before, which have `before` points.
 void add_faces(const MeshFaces& of_piece, std::size_t points, std::uint32_t before, MeshFaces& all) {
@@ -107,11 +118,13 @@ std::vector<std::string> piece_files(const std::string& folder) {
 Body union_of(const std::vector<Body>& pieces) {
   MeshFaces faces;
   std::uint32_t before = 0;  // points of the pieces before
+  Pieces points;
   for (const Body& piece : pieces) {
     if (piece.faces) add_faces(*piece.faces, piece.points.size(), before, faces);
     before += static_cast<std::uint32_t>(piece.points.size());
+    points.push_back(piece.points.exact());
   }
-  Body body = union_of(points_of_pieces(pieces));
+  Body body = union_of(std::move(points));
   body.faces = faces_of(std::move(faces));
   return body;
 }
@@ -122,7 +135,22 @@ Body union_of(Pieces pieces) {
   return body;
 }
 
-Body read_union(const std::string& path, Decimals decimals) { return union_of(piece_bodies(path, decimals)); }
+Body read_union(const std::string& path, Decimals decimals) {
+  std::vector<Body> meshes;
+  PieceNames called;
+  for (NamedPiece& piece : pieces_in_files(path, decimals)) {
+    meshes.push_back(std::move(piece.mesh));
+    called.names.push_back(std::move(piece.name));
+  }
+  Body body = union_of(meshes);
+  if (body.faces) body.faces = std::shared_ptr<const MeshFaces>(new MeshFaces(*body.faces), std::move(called));
+  return body;
+}
+
+std::string piece_name(const Body& body, std::size_t piece) {
+  const auto* const called = body.faces ? std::get_deleter<PieceNames>(body.faces) : nullptr;
+  return called ? called->names.at(piece) : "";
+}
 
 }  // namespace fathom::files
 
@@ -134,7 +162,7 @@ Pieces parse_pieces(std::string_view text, const std::string& name, Decimals dec
 }
 
 Pieces read_pieces(const std::string& path, Decimals decimals) {
-  return files::points_of_pieces(files::piece_bodies(path, decimals));
+  return files::points_of_pieces(files::pieces_in_files(path, decimals));
 }
 
 }  // namespace fathom

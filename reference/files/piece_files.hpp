@@ -3,6 +3,7 @@
 // meshes, which tell whether each is convex.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,10 @@ Body union_of(Pieces pieces);
 
 /// The union that read_pieces reads, with its faces. Throws as that does.
 Body read_union(const std::string& path, Decimals decimals);
+
+/// What a piece of a union that read_union read is called, wherever the union was moved to: as its
+/// group, or its object, or its file in a folder. "" if it has no name, or the union no faces.
+std::string piece_name(const Body& body, std::size_t piece);
 
 /// Whether `a` comes before `b` as people count files, piece_2 before piece_10: runs of digits are
 /// compared as numbers of any length, all else byte by byte. What differs only in leading zeros is

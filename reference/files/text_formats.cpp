@@ -95,16 +95,21 @@ void require_vertices(const TextScanner& scanner, const std::string& name, std::
 /// a name that was there; in it, groups of one name are one, and those without a name are new ones.
 class Groups {
  public:
-  void object() {
+  void object(std::string_view name) {
     ++object_;
     group_.clear();
+    name_ = name;
   }
-  void group(std::string_view name) { group_ = name.empty() ? "\n" + std::to_string(++unnamed_) : std::string(name); }
+  void group(std::string_view name) {
+    group_ = name.empty() ? "\n" + std::to_string(++unnamed_) : std::string(name);
+    name_ = name;
+  }
   std::size_t piece() { return pieces_.try_emplace({object_, group_}, pieces_.size()).first->second; }
+  const std::string& name() const { return name_; }  ///< of the group, or of an object without any
 
  private:
   std::size_t object_ = 0, unnamed_ = 0;
-  std::string group_;
+  std::string group_, name_;
   std::map<std::pair<std::size_t, std::string>, std::size_t> pieces_;
 };
 
@@ -192,15 +197,16 @@ Body parse_obj(std::string_view text, const std::string& name, Decimals decimals
   return mesh_body(std::move(points), std::move(faces));
 }
 
-std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals) {
+std::vector<NamedPiece> parse_obj_pieces(std::string_view text, const std::string& name, Decimals decimals) {
   TextScanner scanner(text, name, {.comment = '#', .continuation = true});
   std::vector<Point> points;
   HighestIndex highest;
   Groups groups;
   std::vector<MeshFaces> faces;  // of each piece
+  std::vector<std::string> names;
   while (scanner.next_line()) {
     const std::string_view keyword = scanner.next_token();
-    if (keyword == "o") groups.object();
+    if (keyword == "o") groups.object(scanner.name_to_end_of_line());
     if (keyword == "g") groups.group(scanner.name_to_end_of_line());
     if (keyword == "v") {
       Point& p = points.emplace_back();
@@ -208,14 +214,15 @@ std::vector<Body> parse_obj_pieces(std::string_view text, const std::string& nam
     }
     if (keyword != "f") continue;
     const std::size_t piece = groups.piece();
-    if (piece == faces.size()) faces.emplace_back();
+    if (piece == faces.size()) (faces.emplace_back(), names.push_back(groups.name()));
     read_face(scanner, points.size(), highest, faces[piece]);
   }
   require_vertices(scanner, name, points.size(), highest);
   if (faces.empty())
     scanner.fail_at_end("at least one face 'f i j k': a piece is what the faces of a group have as corners");
-  std::vector<Body> pieces;
-  for (MeshFaces& of_piece : faces) pieces.push_back(piece_of(points, std::move(of_piece)));
+  std::vector<NamedPiece> pieces;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    pieces.push_back({piece_of(points, std::move(faces[i])), std::move(names[i])});
   return pieces;
 }
 
