@@ -6,13 +6,15 @@
 /* Prints the answer about two bodies, or why there is none; frees both. */
 static void answer_about(fathom_body* a, fathom_body* b) {
   fathom_answer* answer = NULL;
-  char *exactly = NULL, *json = NULL;
+  char *exactly = NULL, *json = NULL, *dents = NULL;
   if (fathom_depth(a, b, NULL, &answer) != FATHOM_OK || fathom_answer_exact(answer, FATHOM_SIGNED_DEPTH, &exactly) != FATHOM_OK ||
       fathom_answer_json(answer, "example", &json) != FATHOM_OK) {
     printf("%s\n", fathom_last_error());
   } else {
     printf("%s, signed depth %s; all in JSON: %.27s...\n", fathom_status_name(fathom_answer_status(answer)), exactly, json);
   }
+  if (fathom_answer_dents(answer, &dents) == FATHOM_OK) printf("about the convex hulls: %s\n", dents);
+  fathom_text_free(dents);
   fathom_text_free(json);
   fathom_text_free(exactly);
   fathom_answer_free(answer);
@@ -35,9 +37,9 @@ int main(void) {
   fathom_body_posed(pill, "xyz=1,1,0 rpy=0,0,90deg", FATHOM_EXACT_DECIMALS, &b);
   answer_about(pill, b);
 
-  /* The points of a mesh against a shape of a case. */
+  /* A mesh without a face against a shape of a case. */
   if ((file = fopen("c_bodies.off", "w")) == NULL) return 1;
-  fputs("OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", file);
+  fputs("OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n", file);
   fclose(file);
   fathom_bodies_from_case("{\"a\": {\"vertices\": [[0, 0, 0]]}, \"b\": {\"shape\": \"box\", \"half\": [0.25, 0.25, 0.25]}}", &a, &b);
   fathom_body_free(a);
@@ -53,4 +55,5 @@ int main(void) {
 //> touching, signed depth 0; all in JSON: {"schema":"fathom/result/2"...
 //> disjoint, signed depth -sqrt(2)+1; all in JSON: {"schema":"fathom/result/2"...
 //> penetrating, signed depth 1/4; all in JSON: {"schema":"fathom/result/2"...
+//> about the convex hulls: A is open
 //> sphere:r=-1: the radius of a sphere is not positive: -1

@@ -165,6 +165,10 @@ std::string certificate_of(const fathom_answer& asked, const std::string& id, co
   return text;
 }
 
+output::AboutBodies about_bodies_of(const fathom_answer& asked, const std::string& id) {
+  return output::about_bodies(Case{id, *asked.a, *asked.b}, false);
+}
+
 std::size_t ways_out(const fathom_answer& answer) {
   const std::size_t all = answer.answer.ways_out();
   return answer.listed ? std::min(all, *answer.listed) : all;
@@ -212,12 +216,9 @@ std::string surd_text(const Surd& value) {
 
 std::string json_of(const fathom_answer& asked, const std::string& id, std::optional<output::Manifold> manifold) {
   const bool with_patches = manifold.has_value();
-  const output::AnsweredCase answered{id,
-                                      asked.answer,
-                                      output::about_bodies(Case{id, *asked.a, *asked.b}, false),
-                                      facts_of(*asked.a, *asked.b, asked.answer),
-                                      {},
-                                      std::move(manifold)};
+  const output::AnsweredCase answered{
+      id, asked.answer,       about_bodies_of(asked, id), facts_of(*asked.a, *asked.b, asked.answer),
+      {}, std::move(manifold)};
   return output::answer_json(answered, {.optima = asked.listed, .patch = with_patches});
 }
 
@@ -324,6 +325,15 @@ int fathom_answer_exact(const fathom_answer* answer, int quantity, char** text) 
   return make_text(text, [&] {
     require(answer, "answer");
     return exact_of(answer->answer, quantity);
+  });
+}
+
+int fathom_answer_dents(const fathom_answer* answer, char** text) {
+  return make_text(text, [&] {
+    require(answer, "answer");
+    std::string sentence = fathom::shapes::dents_text(about_bodies_of(*answer, "").hull);
+    if (sentence.empty()) throw Absence("no mesh with faces is known that is not convex");
+    return sentence;
   });
 }
 

@@ -68,13 +68,13 @@ fathom_body placed(const fathom_body& from, const files::GivenPose& pose) {
   return handle(std::move(body));
 }
 
-const std::vector<Point>& piece_from(const fathom_body* piece, const std::string& name) {
+const Body& piece_from(const fathom_body* piece, const std::string& name) {
   require(piece, name.c_str());
   require_convex(*piece->body, name);
   if (piece->body->shape)
     throw std::invalid_argument(name +
                                 ": expected a polytope, found another shape: pieces are neither round nor curved");
-  return piece->body->points.exact();
+  return *piece->body;
 }
 
 }  // namespace
@@ -175,9 +175,9 @@ int fathom_body_from_pieces(fathom_body* const* pieces, size_t count, fathom_bod
   return make_handle(body, [&] {
     require_count(count, "pieces");
     require(pieces, "pieces");
-    fathom::Pieces points;
-    for (std::size_t i = 0; i < count; ++i) points.push_back(piece_from(pieces[i], "piece " + std::to_string(i)));
-    return handle(fathom::files::union_of(std::move(points)));
+    std::vector<fathom::Body> meshes;
+    for (std::size_t i = 0; i < count; ++i) meshes.push_back(piece_from(pieces[i], "piece " + std::to_string(i)));
+    return handle(fathom::files::union_of(meshes));
   });
 }
 

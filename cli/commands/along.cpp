@@ -284,7 +284,10 @@ ExitCode run_along(const Given& given) {
   const AskedCase asked = looked_at(pair, request);
   const Path path{pair.id, {request.motion, {}}, request.steps};
   const std::vector<AlongStep> steps = walked(pair, path, request, progress, [&](const AlongStep& step) {
-    if (step.number == 0) print_header(path, request);
+    if (step.number == 0) {
+      say_about_hulls(asked, !request.json && !request.csv);
+      print_header(path, request);
+    }
     progress.answered();
     print_row(path, step, request);
     progress.count({step.number + 1, std::size_t{path.steps} + 1});
@@ -295,7 +298,6 @@ ExitCode run_along(const Given& given) {
     picture->write(plot::figure_file(along_figure(
         steps, "along", "Signed depth along a path: " + picture::without_folders(safe_id(path.id)),
         fmt::format("A is {}moved by s {}", turn_text(path.motion.of_a), place_text(path.motion.of_a.v, true)))));
-  if (const std::string dents = shapes::dents_text(asked.bodies.hull); !dents.empty()) talk(dents);
   return fine;
 }
 

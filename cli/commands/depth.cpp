@@ -109,7 +109,6 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
-  replies.names_dents = true;
   if (request.one_body) replies.refuses_unions = width_of_union;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {

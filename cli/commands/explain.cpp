@@ -31,7 +31,7 @@ namespace {
 
 std::vector<std::string> notes_on(const AboutBodies& bodies) {
   std::vector<std::string> notes;
-  if (const std::string dents = shapes::dents_text(bodies.hull); !dents.empty()) notes.push_back(dents);
+  if (const std::string sentence = shapes::about_hulls(bodies.hull); !sentence.empty()) notes.push_back(sentence);
   if (const std::optional<std::string> sizes = shapes::sizes_note(bodies.sizes)) notes.push_back(*sizes);
   return notes;
 }

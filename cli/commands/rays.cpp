@@ -66,7 +66,7 @@ std::string approx_block(const ApproxDepth& depth, const output::AboutBodies& bo
     rows.emplace_back("contact", contact_text(found->contact, form.width));
     if (found->witness) add_witness(rows, *found->witness, form);
   }
-  add_bodies(rows, bodies);
+  rows.emplace_back("sizes", shapes::sizes_text(bodies.sizes));
   if (const std::string flat = flat_text(depth, form.width); !flat.empty()) rows.emplace_back("flat", flat);
   if (depth.flat_a && depth.penetration()) rows.push_back(flat_note());
   return aligned(form.width ? "" : std::string(name(depth.status())), rows);
@@ -141,7 +141,6 @@ void warn_of_many_rays(const ApproxRequest& request) {
 Replies approximate_replies(const ApproxRequest& request) {
   warn_of_many_rays(request);
   Replies replies;
-  replies.names_dents = true;
   replies.refuses_shapes =
       request.one_body
           ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"

@@ -139,6 +139,11 @@ AskedCase looked_at(const Case& single, const BodiesRequest& request) {
   return fault.empty() ? asked : throw InputError(single.id, 0, fault);
 }
 
+void say_about_hulls(const AskedCase& asked, bool in_text) {
+  const std::string sentence = shapes::about_hulls(asked.bodies.hull, asked.bodies.sizes.one_body);
+  if (!sentence.empty()) in_text ? print(fitted(sentence, 2)) : talk(sentence);
+}
+
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius) {
   files::GivenPose pose = files::read_pose(text, option, decimals);
   tell_of(pose, option, has_radius);
@@ -178,10 +183,8 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   if (reply.keep) reply.keep();
   progress.answered();
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
-  if (const std::string dents = shapes::dents_text(asked.bodies.hull);
-      !dents.empty() && !(replies.names_dents && !request.json))
-    talk(dents);
   if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, request.one_body, progress);
+  say_about_hulls(asked, !request.json && replies.header.empty());
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);
   return reply.code;

@@ -59,8 +59,6 @@ struct Replies {
   std::string refuses_shapes = {};
   /// As in StreamWork.
   std::string refuses_unions = {};
-  /// Whether replies in text name the meshes that are not convex; else standard error does.
-  bool names_dents = false;
 };
 
 /// Why no width takes a union.
@@ -80,6 +78,10 @@ Case asked_case(const BodiesRequest& request, const std::string& refuses_unions 
 /// Returns the case with what is known of its bodies. Throws InputError if the request wants convex
 /// meshes and one is not.
 AskedCase looked_at(const Case& single, const BodiesRequest& request);
+
+/// Says that the answer is about hulls, unless the bodies are these: as the first line of an answer
+/// in text, else on standard error.
+void say_about_hulls(const AskedCase& asked, bool in_text);
 
 /// Returns the work that gives these replies to the cases of a stream, on as many threads as the
 /// request says. The request must outlive it.

@@ -84,7 +84,7 @@ std::optional<std::string> hull_note(const Case& input, bool one_body) {
 enum class NoteKind { field, pose, sizes, dents };
 inline constexpr std::array<std::string_view, 4> later_notes = {
     "fields that look misspelt", "poses that are no rotations", "bodies of very different sizes",
-    "meshes that are not convex"};
+    "meshes that are not their hulls"};
 struct StreamNote {
   NoteKind kind;
   std::string text;
@@ -495,7 +495,7 @@ std::string wrong_bodies(const Case& single, bool one_body, const std::string& r
 }
 
 std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex) {
-  const std::string dents = require_convex ? shapes::dents_text(facts) : "";
+  const std::string dents = require_convex ? shapes::dents_text(facts, false) : "";
   return dents.empty() ? "" : "expected convex meshes, as --require-convex says: " + dents;
 }
 

@@ -407,8 +407,7 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
                                                   bounds->a, bounds->b));
     rows.emplace_back("hulls", root_text(bounds->hulls));
   }
-  if (unions(answer)) add_hull(rows, answered.bodies.hull);
-  else add_bodies(rows, answered.bodies);
+  if (!unions(answer)) rows.emplace_back("sizes", shapes::sizes_text(answered.bodies.sizes));
   if (std::string method = method_text(answer, form); !method.empty()) rows.emplace_back("method", std::move(method));
   if (std::string flat = flat_text(answered.facts, form.width); !flat.empty())
     rows.emplace_back("flat", std::move(flat));
@@ -452,6 +451,7 @@ std::string answer_line(const AnsweredCase& answered, const AnswerForm& form) {
     parts.push_back("deepest pair " + root_text(bounds->deepest_pair));
   if (form.counters)
     for (const auto& [label, text] : counter_rows(answer)) parts.push_back(label + " " + text);
+  if (std::string dents = shapes::dents_text(answered.bodies.hull); !dents.empty()) parts.push_back(std::move(dents));
   return case_line(answered.id, parts);
 }
 

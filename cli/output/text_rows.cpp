@@ -178,15 +178,6 @@ Row flat_note() {
           "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"};
 }
 
-void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies) {
-  rows.emplace_back("sizes", shapes::sizes_text(bodies.sizes));
-  add_hull(rows, bodies.hull);
-}
-
-void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts) {
-  if (const std::string dents = shapes::dents_text(facts); !dents.empty()) rows.emplace_back("hull", dents);
-}
-
 std::string enclosure_text(const Enclosure& enclosure) {
   return fmt::format("[{}, {}]", enclosure.low, enclosure.high);
 }

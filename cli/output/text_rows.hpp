@@ -103,10 +103,6 @@ std::string flat_text(const BodyFacts& facts, bool same_body = false);
 /// Explains why a flat A may have a positive depth.
 Row flat_note();
 
-/// Adds the rows "sizes" and, if a mesh is not convex, "hull".
-void add_bodies(std::vector<Row>& rows, const output::AboutBodies& bodies);
-void add_hull(std::vector<Row>& rows, const shapes::HullFacts& facts);
-
 /// "[low, high]".
 std::string enclosure_text(const Enclosure& enclosure);
 /// Returns the enclosure of the root, to that many digits.

@@ -85,7 +85,8 @@ FATHOM_API int fathom_body_from_numbers(const char* const* xyz, size_t count, fa
  * frustum, ellipsoid and halfspace too. docs/shapes.md lists their fields. */
 FATHOM_API int fathom_body_from_shape(const char* shape, int decimals, fathom_body** body);
 
-/** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body. */
+/** Reads the file of a mesh: OFF, OBJ, PLY, STL, or points alone. Its hull is the body: whether the
+ * mesh is another one, fathom_answer_dents tells. */
 FATHOM_API int fathom_body_from_mesh(const char* path, int decimals, fathom_body** body);
 
 /** Makes the union of `count` convex pieces, from 1 to 2^31, each a body: the hull of points.
@@ -253,6 +254,12 @@ FATHOM_API int fathom_answer_deepest_pair(const fathom_answer* answer, double* d
 
 /** Of unions, sets the depth of their convex hulls, which is at least that of the unions. */
 FATHOM_API int fathom_answer_hulls(const fathom_answer* answer, double* depth);
+
+/** Makes the sentence that tells which bodies, or pieces of them, are meshes that are not convex,
+ * or are open: the answer is about their hulls. "A is not convex, its hull is 33 % larger, its
+ * deepest point 1 inside the hull; piece 2 of B (\"lid\") is open". FATHOM_ABSENT if no such mesh
+ * is known. */
+FATHOM_API int fathom_answer_dents(const fathom_answer* answer, char** text);
 
 /* Where the bodies touch: found by the first of these functions, which fathom_options::stop does
  * not end. Each is FATHOM_ABSENT where it is left out, by a word: "curved", a core is neither a

@@ -67,24 +67,26 @@ Json finite_array(const std::optional<std::array<double, 3>>& values) {
       [&v = *values](JsonStream& out) { out.open('[').decimal(v[0]).decimal(v[1]).decimal(v[2]).close(']'); });
 }
 
-Json object_of(const polytope::Dents& dents) {
-  return {{"convex", Json::boolean(false)},
-          {"volume_ratio", dents.volume_ratio ? number(*dents.volume_ratio) : Json()},
-          {"deepest", dents.deepest
-                          ? Json{{"point", dents.deepest->point}, {"depth", length(dents.deepest->squared_depth, {})}}
-                          : Json()}};
-}
-
 Json object_of(const polytope::MeshConvexity& found) {
-  return found.dents ? object_of(*found.dents) : Json{{"convex", Json::boolean(true)}};
+  Json object = {{"convex", Json::boolean(!found.dents)}};
+  if (const auto& dents = found.dents) {
+    object["volume_ratio"] = dents->volume_ratio ? number(*dents->volume_ratio) : Json();
+    object["deepest"] =
+        dents->deepest ? Json{{"point", dents->deepest->point}, {"depth", length(dents->deepest->squared_depth, {})}}
+                       : Json();
+  }
+  if (found.open) object["open"] = Json::boolean(true);
+  return object;
 }
 
 /// Of a union: its pieces that are not convex.
 Json array_of(const shapes::DentedPieces& pieces) {
   Json result = Json::array();
-  for (const auto& [piece, dents] : pieces) {
-    Json object = object_of(dents);
-    object["piece"] = piece;
+  for (const shapes::DentedPiece& piece : pieces) {
+    if (!piece.found.dents) continue;
+    Json object = object_of(piece.found);
+    object["piece"] = piece.piece;
+    if (!piece.name.empty()) object["name"] = piece.name;
     result.push_back(object);
   }
   return result;

@@ -2,6 +2,7 @@
 #include "reference/shapes/body_notes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,21 @@
 #include <vector>
 
 #include "fathom/numbers.hpp"
+#include "reference/files/piece_files.hpp"
 #include "reference/polytope/lattice.hpp"
+#include "reference/text/json.hpp"
 
 namespace fathom::shapes {
 namespace {
 
-constexpr double shown_as_excess = 0.005;  // "1 + 2e-16 times": three digits would show 1
-
-std::string volume_text(const mpq_class& ratio) {
-  const double excess = round_binary64(mpq_class(ratio - 1));
-  if (excess < shown_as_excess) return fmt::format("the hull holds 1 + {:.2g} times its volume", excess);
-  return fmt::format("the hull holds {:.3g} times its volume", round_binary64(ratio));
+/// By how many percent the hull is larger, rounded down to two digits.
+std::string excess_text(const mpq_class& ratio) {
+  const mpq_class percent = 100 * (ratio - 1);
+  return enclose_root(mpq_class(percent * percent), 2).low;
 }
+
+/// What could be said of the mesh is said.
+bool is_told(const polytope::MeshConvexity& found, bool open_too) { return found.dents || (open_too && found.open); }
 
 using Lengths = std::array<double, 3>;
 
@@ -94,15 +98,6 @@ std::string text_of(const std::optional<Lengths>& lengths) {
 
 }  // namespace
 
-std::string dents_of(std::string_view body, const polytope::Dents& dents) {
-  std::string text =
-      fmt::format("{} is not convex: {}", body,
-                  dents.volume_ratio ? volume_text(*dents.volume_ratio) : std::string("its faces are not closed"));
-  if (!dents.deepest) return text;
-  if (dents.deepest->squared_depth == 0) return text + ", all its points are on the hull";
-  return text + fmt::format(", its deepest point is {:.3g} inside", root_binary64(dents.deepest->squared_depth));
-}
-
 std::optional<Lengths> extent(const Body& body) {
   if (body.pieces) return extent_of(polytope::joined(*body.pieces));
   if (!body.shape)
@@ -142,7 +137,7 @@ std::optional<DentedPieces> dented_pieces(const Body& body) {
   if (!body.pieces) {
     std::optional<polytope::MeshConvexity> fact = hull_fact(body);
     if (!fact) return std::nullopt;
-    return fact->dents ? DentedPieces{{0, *std::move(fact->dents)}} : DentedPieces{};
+    return is_told(*fact, true) ? DentedPieces{{.found = *std::move(fact)}} : DentedPieces{};
   }
   if (!body.faces) return std::nullopt;
   const MeshFaces& all = *body.faces;
@@ -163,25 +158,60 @@ std::optional<DentedPieces> dented_pieces(const Body& body) {
     before += points.size();
     if (faces.ends.empty()) continue;
     polytope::MeshConvexity compared = polytope::mesh_convexity(points, faces);
-    if (compared.tried && compared.dents) found.emplace_back(i, *std::move(compared.dents));
+    if (is_told(compared, true)) found.push_back({i, files::piece_name(body, i), std::move(compared)});
   }
   return found;
 }
 
-std::string dents_text(std::string_view body, const DentedPieces& pieces) {
-  if (pieces.empty()) return "";
-  std::string text = dents_of(fmt::format("piece {} of {}", pieces[0].first, body), pieces[0].second);
-  return pieces.size() == 1 ? text : fmt::format("{} (and {} more of its pieces are not)", text, pieces.size() - 1);
+std::string dents_of(std::string_view body, const polytope::MeshConvexity& found) {
+  if (!is_told(found, true)) return "";
+  if (!found.dents) return fmt::format("{} is open", body);
+  std::string text = fmt::format("{} is {}not convex", body, found.open ? "open and " : "");
+  const polytope::Dents& dents = *found.dents;
+  if (dents.volume_ratio) text += fmt::format(", its hull is {} % larger", excess_text(*dents.volume_ratio));
+  if (dents.deepest && dents.deepest->squared_depth > 0)
+    text += fmt::format(", its deepest point {:.3g} inside the hull", root_binary64(dents.deepest->squared_depth));
+  return text;
 }
 
-std::string dents_text(const HullFacts& facts) {
-  std::string result;
-  const auto add = [&](const std::string& text) { result += (result.empty() || text.empty() ? "" : "; ") + text; };
-  if (facts.a && facts.a->dents) add(dents_of("A", *facts.a->dents));
-  if (facts.pieces_a) add(dents_text("A", *facts.pieces_a));
-  if (facts.b && facts.b->dents) add(dents_of("B", *facts.b->dents));
-  if (facts.pieces_b) add(dents_text("B", *facts.pieces_b));
-  return result;
+std::string dents_text(std::string_view body, const DentedPieces& pieces) {
+  constexpr std::size_t most = 8;
+  std::vector<std::string> texts;
+  for (const DentedPiece& piece : pieces) {
+    if (texts.size() == most) {
+      texts.push_back(fmt::format("{} more of its pieces likewise", pieces.size() - most));
+      break;
+    }
+    const std::string name = piece.name.empty() ? "" : fmt::format(" ({})", text::Json(piece.name).text());
+    texts.push_back(dents_of(fmt::format("piece {} of {}{}", piece.piece, body, name), piece.found));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string dents_text(const HullFacts& facts, bool open_too) {
+  std::vector<std::string> texts;
+  const auto add = [&](const char* body, const auto& fact, const std::optional<DentedPieces>& pieces) {
+    if (fact && is_told(*fact, open_too)) texts.push_back(dents_of(body, *fact));
+    if (!pieces) return;
+    DentedPieces told = *pieces;
+    std::erase_if(told, [&](const DentedPiece& piece) { return !is_told(piece.found, open_too); });
+    if (!told.empty()) texts.push_back(dents_text(body, told));
+  };
+  add("A", facts.a, facts.pieces_a);
+  add("B", facts.b, facts.pieces_b);
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string about_hulls(const HullFacts& facts, bool width) {
+  const std::string dents = dents_text(facts);
+  if (dents.empty()) return "";
+  if (width) return "about the convex hull, which is as wide: " + dents;
+  const auto is_solid = [](const polytope::MeshConvexity& mesh) { return mesh.dents && mesh.dents->volume_ratio; };
+  const auto has_solid = [&](const auto& mesh, const std::optional<DentedPieces>& pieces) {
+    return (mesh && is_solid(*mesh)) || (pieces && std::ranges::any_of(*pieces, is_solid, &DentedPiece::found));
+  };
+  const bool other = has_solid(facts.a, facts.pieces_a) || has_solid(facts.b, facts.pieces_b);
+  return "about the convex hulls: " + dents + (other ? " (depth --solid asks about the mesh itself)" : "");
 }
 
 }  // namespace fathom::shapes

@@ -16,10 +16,6 @@
 
 namespace fathom::shapes {
 
-/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", of the
-/// body so called.
-std::string dents_of(std::string_view body, const polytope::Dents& dents);
-
 /// The lengths of a body's box along x, y and z, rounded to the nearest binary64, infinity
 /// included; of bodies with discs or balls, upper bounds that are off by a few units in the last
 /// place at most. nullopt of a half-space.
@@ -42,8 +38,13 @@ std::optional<std::string> sizes_note(const BodySizes& sizes);
 /// Compares the body with its hull; nullopt if it has no faces, or that was not tried.
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
-/// The pieces of a union that are no hulls of their own, by their numbers.
-using DentedPieces = std::vector<std::pair<std::size_t, polytope::Dents>>;
+/// A mesh that is not convex, or is open, beside its hull.
+struct DentedPiece {
+  std::size_t piece = 0;            ///< its number in a union
+  std::string name = {};            ///< of its group or file, "" if there is none
+  polytope::MeshConvexity found{};  ///< has dents, or is open
+};
+using DentedPieces = std::vector<DentedPiece>;
 
 /// Compares the pieces with their hulls, or a mesh as the only one; nullopt if there are no faces.
 /// A piece of which that was not tried is left out.
@@ -55,12 +56,18 @@ struct HullFacts {
   std::optional<DentedPieces> pieces_a = std::nullopt, pieces_b = std::nullopt;
 };
 
-/// "A is not convex: the hull holds 2.2 times its volume, its deepest point is 0.7 inside", for
-/// each body that is not, joined by "; "; or "". Of a union the first such piece is told of, and
-/// how many there are.
-std::string dents_text(const HullFacts& facts);
+/// "A is not convex, its hull is 33 % larger, its deepest point 1 inside the hull", "A is open", of
+/// the body so called; "" if it is neither. The percentage is rounded down to two digits.
+std::string dents_of(std::string_view body, const polytope::MeshConvexity& found);
 
-/// The same of one union, called `body`.
+/// The same of each piece of a union, called `body`, joined by "; ": of the first eight.
 std::string dents_text(std::string_view body, const DentedPieces& pieces);
+
+/// The same of each body. What is merely open is left out unless `open_too`.
+std::string dents_text(const HullFacts& facts, bool open_too = true);
+
+/// The sentence that an answer begins with: that it is about hulls, and what else could be asked;
+/// of the width, which is that of the hull, that as well. "" if the bodies are their hulls.
+std::string about_hulls(const HullFacts& facts, bool width = false);
 
 }  // namespace fathom::shapes

@@ -22,6 +22,34 @@ using namespace testing;  // handles
 
 std::string text_of(const Point& p) { return exact_text(p.x) + " " + exact_text(p.y) + " " + exact_text(p.z); }
 
+// ---- meshes that are not their hulls ----
+
+std::string dents(const fathom_body* a, const fathom_body* b, int expected) {
+  fathom_answer* answer = nullptr;
+  EXPECT_EQ(fathom_depth(a, b, nullptr, &answer), FATHOM_OK) << fathom_last_error();
+  char* text = nullptr;
+  EXPECT_EQ(fathom_answer_dents(answer, &text), expected);
+  fathom_answer_free(answer);
+  return taken(text);
+}
+
+TEST(Dents, AreToldOfMeshesAndOfPiecesThatAreMeshes) {
+  const std::string tent = R"({"vertices":[[0,0,0],[4,0,0],[0,4,0],[0,0,4],[1,1,1]],"faces":)"
+                           R"([[0,2,1],[0,1,3],[0,3,2],[1,2,4],[2,3,4],[3,1,4]]})",
+                    lid = R"({"vertices":[[0,0,0],[4,0,0],[0,4,0],[0,0,4]],"faces":[[0,2,1],[0,1,3],[0,3,2]]})";
+  fathom_body *a = nullptr, *b = nullptr, *pieces = nullptr;
+  ASSERT_EQ(fathom_bodies_from_case((R"({"a":)" + tent + R"(,"b":)" + lid + "}").c_str(), &a, &b), FATHOM_OK);
+  const BodyHandle dented(a), open(b), points = body_of({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  const std::string how = " not convex, its hull is 33 % larger, its deepest point 0.577 inside the hull";
+  EXPECT_EQ(dents(a, b, FATHOM_OK), "A is" + how + "; B is open");
+  EXPECT_EQ(dents(points.get(), points.get(), FATHOM_ABSENT), "");
+  fathom_body* const both[] = {points.get(), a};
+  ASSERT_EQ(fathom_body_from_pieces(both, 2, &pieces), FATHOM_OK);
+  const BodyHandle united(pieces);
+  EXPECT_EQ(dents(points.get(), pieces, FATHOM_OK), "piece 1 of B is" + how);
+  EXPECT_EQ(fathom_answer_dents(nullptr, nullptr), FATHOM_BAD_INPUT);
+}
+
 // ---- answers ----
 
 void expect_optima(const AnswerHandle& answer, const UnionDepth& expected, const std::string& name) {

@@ -24,7 +24,7 @@ class Tent:  # as trimesh has it: a tetrahedron with one face pushed in
 
 
 def test_meshes_that_are_not_convex():
-    with pytest.warns(fathom.NotConvexWarning, match="A is not convex: the hull holds 1.33 times its volume"):
+    with pytest.warns(fathom.NotConvexWarning, match="^A is not convex, its hull is 33 % larger, its deepest point 0.577 inside the hull$"):
         hit = fathom.depth(Tent, CUBE)
     assert hit.notes and hit.status == "penetrating"
     with pytest.warns(fathom.NotConvexWarning, match="B is not convex"):
@@ -49,6 +49,25 @@ def test_meshes_that_are_not_convex():
     flat.faces = [(0, 1, 5)]
     with pytest.raises(ValueError, match="a: face 0: expected an index below 5, found 5"):
         fathom.depth(flat, CUBE)
+
+
+@pytest.mark.parametrize("ask", [
+    fathom.depth, fathom.distance, fathom.overlap, fathom.growth, fathom.approx, fathom.study, fathom.union_depth,
+    lambda a, b: fathom.closer_than(a, b, 1), lambda a, b: fathom.ray(a, b, (1, 0, 0)), lambda a, b: fathom.metric(a, b, CUBE - 0.5),
+    lambda a, b: fathom.judge(a, b, overlap=True), lambda a, b: fathom.depths([(a, b)])])
+def test_no_question_is_about_a_hull_by_silence(ask):
+    with pytest.warns(fathom.NotConvexWarning, match="^A is not convex, its hull is 33 % larger") as told:
+        ask(Tent, CUBE)
+    assert len(told) == 1 and told[0].filename == __file__
+    with pytest.warns(fathom.NotConvexWarning, match="^B is open"):
+        lid = Tent()
+        lid.vertices, lid.faces = Tent.vertices[:4], Tent.faces[:3]
+        ask(CUBE, lid)
+
+
+def test_prepared_meshes_are_told_of():
+    with pytest.warns(fathom.NotConvexWarning, match="^the body is not convex"):
+        fathom.Prepared(Tent)
 
 
 def test_extents():

@@ -20,7 +20,10 @@ DEFAULT_BITS, MOST_BITS, MOST_THREADS = 64, 1000, 1024
 
 
 class NotConvexWarning(UserWarning):
-    """A mesh is not convex: the answer is that of its hull. `warnings.simplefilter("error", fathom.NotConvexWarning)` makes it an error."""
+    """A mesh is not convex, or is open: the answer is that of its hull.
+
+    `warnings.simplefilter("error", fathom.NotConvexWarning)` makes it an error.
+    """
 
 
 class Root(NamedTuple):

@@ -274,20 +274,12 @@ void bind_shapes(py::module_& module) {
 
 // ---- unions of pieces ----
 
-/// Says that a mesh is not convex, to the caller of the function of Python that called.
-void warn(const std::string& sentence) {
-  constexpr py::ssize_t caller = 2;
-  const py::object category = py::module_::import("fathom").attr("NotConvexWarning");
-  if (PyErr_WarnEx(category.ptr(), sentence.c_str(), caller) != 0) throw py::error_already_set();
-}
-
 /// The points of a convex body, "piece 3 of A" as a warning calls it, and "a: piece 3" an error.
 std::vector<Point> piece_from(py::handle from, const std::string& called, const std::string& name) {
   const Body body = body_from(from, py::none(), name.c_str());
   if (body.shape)
     throw py::value_error(name + ": expected a polytope, found another shape: pieces are neither round nor curved");
-  const std::optional<polytope::MeshConvexity> fact = fact_of(body);
-  if (fact && fact->dents) warn(shapes::dents_of(called, *fact->dents));
+  warn_of_dents(body, called);
   return body.points.exact();
 }
 
@@ -373,11 +365,16 @@ Body union_from(py::handle from, const std::string& called, const std::string& n
 }
 
 void warn_of_dents(const Body& body, const std::string& called) {
-  const std::optional<shapes::DentedPieces> dented = [&] {
+  const std::string sentence = [&]() -> std::string {
     const py::gil_scoped_release unlocked;
-    return shapes::dented_pieces(body);
+    if (body.pieces) return shapes::dents_text(called, shapes::dented_pieces(body).value_or(shapes::DentedPieces()));
+    const std::optional<polytope::MeshConvexity> fact = hull_fact(body);
+    return fact ? shapes::dents_of(called, *fact) : "";
   }();
-  if (dented && !dented->empty()) warn(shapes::dents_text(called, *dented));
+  if (sentence.empty()) return;
+  constexpr py::ssize_t caller = 2;  // of the function of Python that called
+  const py::object category = py::module_::import("fathom").attr("NotConvexWarning");
+  if (PyErr_WarnEx(category.ptr(), sentence.c_str(), caller) != 0) throw py::error_already_set();
 }
 
 void bind_bodies(py::module_& module) {

@@ -73,7 +73,7 @@ auto named(const std::string& name, Work work) try {
 /// `called` is "A", an error "a: piece 3" where `name` is "a".
 Body union_from(py::handle from, const std::string& called, const std::string& name);
 
-/// Warns of the pieces of a union that are not convex, where faces tell it.
+/// Warns if the body is a mesh that is not convex, or is open, or a union of such pieces.
 void warn_of_dents(const Body& body, const std::string& called);
 
 /// Body, Pose, read_mesh, read_pieces, union; sphere and its like.

@@ -33,18 +33,28 @@ struct Pair {
   Body a, b;
 };
 
-/// Two polytopes.
-Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
+/// Two bodies but unions. Warns of meshes that are not their hulls.
+Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
   Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
+  warn_of_dents(pair.a, "A");
+  warn_of_dents(pair.b, "B");
+  return pair;
+}
+
+/// Two polytopes. Warns as that does.
+Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
+  Pair pair = any_pair_from(a, b, pose_a, pose_b);
   points_of(pair.a, "a");
   points_of(pair.b, "b");
   return pair;
 }
 
-/// A body of any kind.
+/// A body of any kind. Warns as that does.
 Body any_body_from(const py::object& from, const py::object& pose, const char* name) {
   const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
-  return is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name);
+  Body body = is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name);
+  warn_of_dents(body, *name == 'a' ? "A" : "B");
+  return body;
 }
 
 py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
@@ -224,7 +234,7 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a,
                   const py::object& pose_b) {
-  Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
+  Pair pair = any_pair_from(a, b, pose_a, pose_b);
   return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed)
                                       : study_of_polytopes(std::move(pair), listed);
 }
@@ -499,7 +509,12 @@ bool closer_than_of_prepared(const Prepared& a, const Prepared& b, const py::obj
 void bind_questions(py::module_& module) {
   using py::arg;
   py::class_<Prepared>(module, "Prepared")
-      .def(py::init([](const py::object& body) { return Prepared(body_from(body, py::none(), "body")); }), arg("body"))
+      .def(py::init([](const py::object& from) {
+             const Body body = body_from(from, py::none(), "body");
+             warn_of_dents(body, "the body");
+             return Prepared(body);
+           }),
+           arg("body"))
       .def_property_readonly("body", &Prepared::body)
       .def_property_readonly("extreme_points",
                              [](const Prepared& prepared) { return py::tuple(py::cast(prepared.extreme_points())); })
