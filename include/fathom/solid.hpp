@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -32,5 +33,30 @@ struct Solid {
   bool overlaps = false;       ///< the surface goes around some points more than once
   std::size_t bent_faces = 0;  ///< faces whose corners do not lie in one plane
 };
+
+/// Cuts the solid of a mesh into convex pieces. Exact, whatever the mesh looks like: corners are
+/// the same where their coordinates are, however they are numbered; components may touch, overlap
+/// and lie in cavities of others; edges may meet faces or have more than two of them; a face that
+/// is there once each way is not there; points that are no corners do not count. A mesh that is
+/// inside out as a whole is turned. The same mesh gives the same pieces. Throws
+/// std::invalid_argument, with a sentence that names a place, if the body is no mesh with faces, is
+/// not closed, or its winding number is negative somewhere and positive elsewhere, or if the solid
+/// is empty.
+Solid solid_of(const Body& mesh);
+
+/// The volume of the solid: what is covered several times counts once. Exact.
+mpq_class volume(const Solid& solid);
+
+/// The pieces as a union's (fathom/union.hpp): their corners, those of one that is listed several
+/// times once.
+Pieces pieces_of(const Solid& solid);
+
+/// What its mesh has that people may not expect, a sentence each: faces that are not flat, that
+/// looked inwards, or that go around some points more than once.
+std::vector<std::string> notes(const Solid& solid);
+
+/// The pieces as an OBJ file, one group each, for read_pieces, which finds the same points: where a
+/// coordinate is no integer it is written as a ratio p/q.
+std::string pieces_obj(const Solid& solid);
 
 }  // namespace fathom

@@ -127,6 +127,16 @@ int side(const OrientedPlaneIn<Numbers>& plane, const RationalPointIn<Numbers>& 
 }
 
 template <class Numbers>
+int compare(const RationalPointIn<Numbers>& p, const RationalPointIn<Numbers>& q, int axis) {
+  const double of_p = coordinate(p.image, axis), of_q = coordinate(q.image, axis);
+  const double size = std::fabs(of_p) + std::fabs(of_q);
+  if (const auto sure = sure_sign(of_p - of_q, of_side * size + of_underflow)) return to_int(*sure);
+  using Product = typename Numbers::Product;
+  return cmp(Product(as<Product>(coordinate(p.v, axis)) * as<Product>(q.w)),
+             Product(as<Product>(coordinate(q.v, axis)) * as<Product>(p.w)));
+}
+
+template <class Numbers>
 int compare(const RationalPointIn<Numbers>& p, const SquaredDistanceIn<Numbers>& squared) {
   const double difference = p.image_square - squared.image;
   if (const auto sure = sure_sign(difference, of_order * (p.image_square + squared.image) + of_underflow))
@@ -153,6 +163,7 @@ template RationalPointIn<AnyNumbers> rational_point<AnyNumbers>(const Vec3<AnyNu
                                                                 const AnyNumbers::Product&, long);
 template SquaredDistanceIn<AnyNumbers> squared_distance(const RationalPointIn<AnyNumbers>&);
 template int side(const OrientedPlaneIn<AnyNumbers>&, const RationalPointIn<AnyNumbers>&);
+template int compare(const RationalPointIn<AnyNumbers>&, const RationalPointIn<AnyNumbers>&, int);
 template int compare(const RationalPointIn<AnyNumbers>&, const SquaredDistanceIn<AnyNumbers>&);
 template bool farther(const OrientedPlaneIn<AnyNumbers>&, const SquaredDistanceIn<AnyNumbers>&);
 
@@ -162,6 +173,7 @@ template RationalPointIn<FixedNumbers> rational_point<FixedNumbers>(const Vec3<F
                                                                     const FixedNumbers::Product&, long);
 template SquaredDistanceIn<FixedNumbers> squared_distance(const RationalPointIn<FixedNumbers>&);
 template int side(const OrientedPlaneIn<FixedNumbers>&, const RationalPointIn<FixedNumbers>&);
+template int compare(const RationalPointIn<FixedNumbers>&, const RationalPointIn<FixedNumbers>&, int);
 template int compare(const RationalPointIn<FixedNumbers>&, const SquaredDistanceIn<FixedNumbers>&);
 template bool farther(const OrientedPlaneIn<FixedNumbers>&, const SquaredDistanceIn<FixedNumbers>&);
 

@@ -105,6 +105,9 @@ SquaredDistanceIn<Numbers> squared_distance(const RationalPointIn<Numbers>& p);
 /// The sign of <normal, p> - height. Exact.
 template <class Numbers>
 int side(const OrientedPlaneIn<Numbers>& plane, const RationalPointIn<Numbers>& p);
+/// The sign of p - q along coordinate `axis`: 0, 1, 2 for x, y, z. Exact.
+template <class Numbers>
+int compare(const RationalPointIn<Numbers>& p, const RationalPointIn<Numbers>& q, int axis);
 /// The sign of |p|^2 - squared. Exact.
 template <class Numbers>
 int compare(const RationalPointIn<Numbers>& p, const SquaredDistanceIn<Numbers>& squared);

@@ -40,7 +40,7 @@ ORDER = [
     ["reference/lines"],
     ["reference/depth"],
     ["reference/solve"],
-    ["reference/approximate", "reference/shapes", "reference/unions"],
+    ["reference/approximate", "reference/shapes", "reference/solids", "reference/unions"],
     ["reference/curved"],
     ["reference/rounded"],
     ["reference/patch"],

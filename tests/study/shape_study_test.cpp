@@ -286,10 +286,10 @@ TEST(RootVector, IsParallelToItsMultiplesAlone) {
   EXPECT_FALSE(parallel(u, {{1, 0, 0}, {0, -1, 0}, 2}));
 }
 
-RootSum height(const Solid& solid, const Vector& u) { return support_face(solid.terms(), u).height; }
+RootSum height(const ShapeSolid& solid, const Vector& u) { return support_face(solid.terms(), u).height; }
 
 /// Whether h(u) - <c,u> has the same value at -u.
-bool mirrored(const Solid& solid, const RationalVector& c, const Vector& u) {
+bool mirrored(const ShapeSolid& solid, const RationalVector& c, const Vector& u) {
   RootSum difference = height(solid, u);
   difference.add(height(solid, -u), -1);
   difference.add(-2 * dot(c, rational_vector(u)));
@@ -306,7 +306,7 @@ Vector turned(const Vector& axis, const mpz_class& w, const Vector& u) {
 
 /// Whether h, seen from the axis, is the same in two directions that a turn about the axis maps to
 /// each other.
-bool turns(const Solid& solid, const Line& axis, const Vector& u, const mpz_class& w) {
+bool turns(const ShapeSolid& solid, const Line& axis, const Vector& u, const mpz_class& w) {
   const mpz_class length = w * w + dot(axis.direction, axis.direction);
   const Vector v = turned(axis.direction, w, u);
   EXPECT_EQ(dot(v, v), length * length * dot(u, u));
@@ -317,14 +317,14 @@ bool turns(const Solid& solid, const Line& axis, const Vector& u, const mpz_clas
   return difference.is_zero();
 }
 
-TEST(Solid, CentresAndAxesAreThoseOfTheSupport) {
+TEST(ShapeSolid, CentresAndAxesAreThoseOfTheSupport) {
   const std::set<std::string_view> with_centre{"ellipsoid",        "cylinder",        "box",           "disc", "ball",
                                                "rounded_cylinder", "ellipsoid + box", "flat ellipsoid"};
   const std::set<std::string_view> with_axis{"cylinder", "cone", "frustum", "tapered_capsule", "rounded_cylinder"};
   testing::ShapeMaker maker{families::Random(11), 20};
   for (int i = 0; i < 20; ++i) {
     for (const std::string_view kind : testing::ShapeMaker::kinds) {
-      const Solid solid = solid_of(maker.posed(maker.shape(kind), 3));
+      const ShapeSolid solid = solid_of(maker.posed(maker.shape(kind), 3));
       EXPECT_EQ(solid.centre.has_value(), with_centre.contains(kind)) << kind;
       EXPECT_EQ(solid.axis.has_value(), with_axis.contains(kind)) << kind;
       for (int k = 0; k < 10; ++k) {
@@ -337,14 +337,14 @@ TEST(Solid, CentresAndAxesAreThoseOfTheSupport) {
 }
 
 // Affine images of balls and discs whose axes are not orthogonal: of revolution as a set.
-TEST(Solid, FindsTheAxisOfASpheroidInAnyForm) {
+TEST(ShapeSolid, FindsTheAxisOfASpheroidInAnyForm) {
   families::Random random(17);
   for (int i = 0; i < 200; ++i) {
     const Quaternion q{random_rational(random), random_rational(random), random_rational(random), mpq_class(1)};
     const mpq_class thick = families::ratio(random.between(1, 9), 4),
                     high = thick + families::ratio(random.between(1, 9), 4);
     const Shape egg = moved(ellipsoid({thick, thick, high}), rigid_pose(q, {1, 2, 3}));
-    const Solid solid = solid_of(egg);
+    const ShapeSolid solid = solid_of(egg);
     ASSERT_TRUE(solid.axis) << i;
     // The same set by other axes: those of a turn of the unit ball.
     Shape other = egg;
@@ -355,25 +355,25 @@ TEST(Solid, FindsTheAxisOfASpheroidInAnyForm) {
     };
     const mpq_class c(3, 5), s(4, 5);
     atom.axes = {mix(c, m[0], s, m[2]), m[1], mix(-s, m[0], c, m[2])};
-    const Solid again = solid_of(other);
+    const ShapeSolid again = solid_of(other);
     ASSERT_TRUE(again.axis) << i;
     EXPECT_TRUE(again.axis->direction == solid.axis->direction || again.axis->direction == -solid.axis->direction) << i;
     EXPECT_FALSE(solid_of(moved(ellipsoid({thick, high, high + thick}), rigid_pose(q, {}))).axis) << i;
   }
 }
 
-TEST(Solid, AnEllipticCylinderHasNoAxis) {
+TEST(ShapeSolid, AnEllipticCylinderHasNoAxis) {
   Shape drum = cylinder(1, 2);
   for (Atom& atom : std::get<std::vector<Term>>(drum.core).front().atoms)
     atom.axes = {{1, 1, 0}, {-2, 2, 0}};  // as wide along x as along y
-  const Solid solid = solid_of(drum);
+  const ShapeSolid solid = solid_of(drum);
   EXPECT_FALSE(solid.axis);
   EXPECT_TRUE(solid.centre);
   ASSERT_EQ(solid.sides.size(), 1U);
   EXPECT_FALSE(solid.sides.front().radius);
 }
 
-TEST(Solid, FacesOfNamedShapes) {
+TEST(ShapeSolid, FacesOfNamedShapes) {
   const auto faces = [](const Shape& shape) { return solid_of(shape).faces.size(); };
   EXPECT_EQ(faces(box({1, 2, 3})), 6U);
   EXPECT_EQ(faces(with_margin(box({1, 2, 3}), 1)), 6U);

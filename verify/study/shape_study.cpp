@@ -23,7 +23,7 @@ using Kind = ShapeCoincidence;
 Point point(const RationalVector& v) { return {v.x, v.y, v.z}; }
 
 ShapeFeature feature(std::string_view what) { return {what, {}, std::nullopt, std::nullopt}; }
-ShapeFeature centre(const Solid& solid) { return {"centre", {}, point(*solid.centre), std::nullopt}; }
+ShapeFeature centre(const ShapeSolid& solid) { return {"centre", {}, point(*solid.centre), std::nullopt}; }
 ShapeFeature line(std::string_view what, const Line& line) {
   return {what, line.direction, point(line.point), std::nullopt};
 }
@@ -38,7 +38,7 @@ bool on(const Line& line, const RationalVector& p) {
 /// The bodies, and what is found about them.
 class Search {
  public:
-  Search(kernels::Context& context, const Solid& a, const Solid& b, std::size_t listed, ShapeStudy& study)
+  Search(kernels::Context& context, const ShapeSolid& a, const ShapeSolid& b, std::size_t listed, ShapeStudy& study)
       : context_(context), a_(a), b_(b), listed_(listed), study_(study) {}
 
   void run() {
@@ -104,7 +104,7 @@ class Search {
   }
 
   /// Of faces of `flat`: what `other` shows them.
-  void find_what_faces_meet(const Solid& flat, const Solid& other, bool flat_is_a) {
+  void find_what_faces_meet(const ShapeSolid& flat, const ShapeSolid& other, bool flat_is_a) {
     if (other.half_space() != nullptr) return;
     for (std::size_t i = 0; i < flat.faces.size(); ++i) {
       context_.report("faces", static_cast<double>(i) / static_cast<double>(flat.faces.size()));
@@ -137,12 +137,12 @@ class Search {
   /// axis.
   void find_tangent_cones() {
     std::vector<RationalVector> generators;
-    for (const Solid* solid : {&a_, &b_})
+    for (const ShapeSolid* solid : {&a_, &b_})
       for (const Generators& side : solid->sides) generators.push_back(rational_vector(side.axis.direction));
     for (const RationalVector& p : a_.apexes)
       for (const RationalVector& q : b_.apexes) generators.push_back(q - p);
     for (const RationalVector& g : generators) {
-      for (const Solid* solid : {&a_, &b_}) {
+      for (const ShapeSolid* solid : {&a_, &b_}) {
         if (!solid->axis) continue;
         const RationalVector n = cross(g, cross(rational_vector(solid->axis->direction), g));
         if (is_zero(n)) continue;
@@ -191,7 +191,7 @@ class Search {
     const bool touching = depth.status() == Status::touching;
     if (touching && rho > 0 && cores != nullptr && cores->distance())
       add(Kind::distance_of_radii, radius({depth.radius_a, 0}), radius({depth.radius_b, 0}));
-    const auto face_of = [](const Solid& solid, const Vector& u) { return support_face(solid.terms(), u); };
+    const auto face_of = [](const ShapeSolid& solid, const Vector& u) { return support_face(solid.terms(), u); };
     const SupportFace of_a = a_.half_space() ? SupportFace{} : face_of(a_, -n),
                       of_b = b_.half_space() ? SupportFace{} : face_of(b_, n);
     const std::string_view word_a = a_.half_space() ? "face" : word_of(a_, of_a),
@@ -217,7 +217,7 @@ class Search {
   }
 
   kernels::Context& context_;
-  const Solid &a_, &b_;
+  const ShapeSolid &a_, &b_;
   std::size_t listed_;
   ShapeStudy& study_;
 };
@@ -244,7 +244,7 @@ ShapeStudy study_shapes(kernels::Context& context, const Shape& a, const Shape& 
   result.a = size_of(a);
   result.b = size_of(b);
   context.report("features");
-  const Solid solid_a = solid_of(a), solid_b = solid_of(b);
+  const ShapeSolid solid_a = solid_of(a), solid_b = solid_of(b);
   Search(context, solid_a, solid_b, options.listed, result).run();
   if (std::holds_alternative<Depth>(result.depth.core)) {
     const auto points_a = shapes::polytope_points(shapes::simplified(a), most_expanded_points),

@@ -215,7 +215,7 @@ struct Candidates {
   }
 };
 
-void find_faces(Solid& solid) {
+void find_faces(ShapeSolid& solid) {
   if (const HalfSpace* half = solid.half_space()) {
     const Vector n = primitive_along(rational_vector(half->normal));
     const RationalVector m = rational_vector(half->normal);
@@ -273,12 +273,12 @@ std::optional<RationalVector> centre_of(std::span<const Term> terms) {
 
 // ---- radii, generators ----
 
-void add_radius(Solid& solid, Surd radius) {
+void add_radius(ShapeSolid& solid, Surd radius) {
   if (std::none_of(solid.radii.begin(), solid.radii.end(), [&](const Surd& r) { return compare(r, radius) == 0; }))
     solid.radii.push_back(std::move(radius));
 }
 
-void find_radii(Solid& solid) {
+void find_radii(ShapeSolid& solid) {
   if (solid.half_space() != nullptr) return;
   if (solid.shape.radius > 0) add_radius(solid, {solid.shape.radius, 0});
   if (solid.terms().size() > 1) return;
@@ -286,7 +286,7 @@ void find_radii(Solid& solid) {
     if (const std::optional<mpq_class> square = round_square(atom)) add_radius(solid, {solid.shape.radius, *square});
 }
 
-void find_sides(Solid& solid) {
+void find_sides(ShapeSolid& solid) {
   if (solid.half_space() != nullptr || solid.terms().size() > 1) return;
   const std::vector<Atom>& atoms = solid.terms().front().atoms;
   const auto line = [](const Atom& p, const Atom& q) {
@@ -319,7 +319,7 @@ std::optional<mpq_class> factor_between(const Atom& p, const Atom& q) {
   return factor == 1 ? std::nullopt : std::optional(factor);
 }
 
-void find_apexes(Solid& solid) {
+void find_apexes(ShapeSolid& solid) {
   if (solid.half_space() != nullptr || solid.terms().size() > 1 || solid.is_polytope) return;
   const std::vector<Atom>& atoms = solid.terms().front().atoms;
   for (const Atom& p : atoms) {
@@ -335,8 +335,8 @@ void find_apexes(Solid& solid) {
 
 }  // namespace
 
-Solid solid_of(const Shape& shape) {
-  Solid solid{shapes::simplified(shape), false, {}, {}, {}, {}, {}, {}};
+ShapeSolid solid_of(const Shape& shape) {
+  ShapeSolid solid{shapes::simplified(shape), false, {}, {}, {}, {}, {}, {}};
   if (const auto points = shapes::polytope_points(solid.shape, most_expanded_points)) {
     solid.is_polytope = true;
     solid.shape.core = std::vector<Term>{term_of(*points)};
@@ -351,7 +351,7 @@ Solid solid_of(const Shape& shape) {
   return solid;
 }
 
-std::string_view word_of(const Solid& solid, const SupportFace& face) {
+std::string_view word_of(const ShapeSolid& solid, const SupportFace& face) {
   const bool rounded = solid.shape.radius > 0;
   if (face.spanning.size() == 2) return "face";
   if (face.spanning.size() == 1) return face.of_points && !rounded ? "edge" : "generator";

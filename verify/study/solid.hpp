@@ -95,7 +95,7 @@ struct Generators {
   std::optional<Surd> radius;  ///< if it is a circular cylinder about the axis
 };
 
-struct Solid {
+struct ShapeSolid {
   Shape shape;                           ///< simplified: a polytope as one term of its extreme points
   bool is_polytope = false;              ///< the core
   std::optional<RationalVector> centre;  ///< of symmetry
@@ -114,11 +114,11 @@ struct Solid {
 inline constexpr std::size_t most_line_directions = 500;
 
 /// The shape keeps the laws that signed_depth demands.
-Solid solid_of(const Shape& shape);
+ShapeSolid solid_of(const Shape& shape);
 
 /// What the face of the body in this direction is called: "vertex", "apex", "rim point", "smooth
 /// point", "edge", "generator", "face".
-std::string_view word_of(const Solid& solid, const SupportFace& face);
+std::string_view word_of(const ShapeSolid& solid, const SupportFace& face);
 
 // ---- revolution ----
 

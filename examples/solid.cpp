@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A closed mesh that is not convex: its volume, its convex pieces, and its depth in another one.
+#include <fathom/files.hpp>
+#include <fathom/solid.hpp>
+#include <fathom/union.hpp>
+#include <fstream>
+#include <iostream>
+
+// An L: two of its faces are polygons that are not convex.
+constexpr std::string_view ell = R"(OFF
+12 8 0
+0 0 0
+2 0 0
+2 1 0
+1 1 0
+1 2 0
+0 2 0
+0 0 1
+2 0 1
+2 1 1
+1 1 1
+1 2 1
+0 2 1
+6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+)";
+
+int main() {
+  const fathom::Solid solid = fathom::solid_of(fathom::parse_mesh(ell, "ell.off"));
+  std::cout << solid.pieces.size() << " pieces, volume " << fathom::volume(solid) << ", " << fathom::notes(solid).size()
+            << " notes\n";
+  std::ofstream("ell_pieces.obj") << fathom::pieces_obj(solid);
+  const fathom::Pieces pieces = fathom::pieces_of(solid);
+  const fathom::UnionDepth depth = fathom::union_depth(pieces, fathom::read_pieces("ell_pieces.obj"));
+  std::cout << "in itself: depth^2 = " << depth.squared() << '\n';
+
+  try {
+    fathom::solid_of(fathom::parse_mesh("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2", "open.off"));
+  } catch (const std::exception& error) {
+    std::cout << error.what() << '\n';
+  }
+}
+
+//> 2 pieces, volume 3, 0 notes
+//> in itself: depth^2 = 1
+//> the mesh is not closed: 3 edges have more faces on one side than on the other, such as (0, 0, 0) -> (1, 0, 0). A solid has no hole in its surface

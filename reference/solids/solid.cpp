@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh becomes chains, which say whether it is closed; planes through reflex edges cut it until
+// every part is convex; parts that fit are joined again.                      [proofs/solids.md]
+#include "fathom/solid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "kernels/float_environment.hpp"
+#include "kernels/messages.hpp"
+#include "kernels/number/rational.hpp"
+#include "reference/polytope/lattice.hpp"
+#include "reference/solids/arrangement.hpp"
+#include "reference/solids/chain.hpp"
+
+namespace fathom::solids {
+namespace {
+
+using Corners = std::array<PointId, 3>;
+
+/// "(0, 1, 0.5)"; with "near" before it where these decimals are not the point.
+std::string place_text(const Point& p) {
+  std::string text;
+  bool exact = true;
+  for (const mpq_class* c : {&p.x, &p.y, &p.z}) {
+    const double nearest = round_binary64(*c);
+    exact = exact && kernels::in_binary64(*c).has_value();
+    text += fmt::format("{}{}", text.empty() ? "(" : ", ", nearest);
+  }
+  return (exact ? "" : "near ") + text + ")";
+}
+
+/// Calls f with the corners of each face of a mesh of so many points.
+template <class F>
+void for_each_face(const MeshFaces& faces, std::size_t points, F f) {
+  std::vector<std::uint32_t> corners = faces.corners;
+  if (corners.empty() && faces.ends.empty())
+    for (std::uint32_t i = 0; i < points; ++i) corners.push_back(i);
+  const std::span<const std::uint32_t> all = corners;
+  if (faces.ends.empty())
+    for (std::size_t i = 0; i + 2 < all.size(); i += 3) f(all.subspan(i, 3));
+  std::size_t begin = 0;
+  for (const std::uint32_t end : faces.ends) {
+    f(all.subspan(begin, end - begin));
+    begin = end;
+  }
+}
+
+/// The mesh as a closed chain.
+class MeshChain {
+ public:
+  /// Throws std::invalid_argument if it is not closed or holds no volume.
+  MeshChain(Arrangement& space, const polytope::PlacedPair& placed, const MeshFaces& faces)
+      : space_(space), placed_(placed) {
+    for (std::size_t i = 0; i < placed.a.size(); ++i) ids_.push_back(space.point(placed.a[i]));
+    for_each_face(faces, ids_.size(), [&](std::span<const std::uint32_t> face) { add_face(face); });
+    require_closed();
+    mpz_class volume;
+    for (const auto& [p, q, r] : triangles_) volume += det(space_[p].v, space_[q].v, space_[r].v);
+    if (volume < 0) turn();
+    for (auto& [side, edges] : edges_)
+      if (std::vector<ChainEdge> reduced = normalised(space_, edges); !reduced.empty())
+        surface_.push_back({side, std::move(reduced)});
+  }
+
+  [[nodiscard]] const Chunk& surface() const { return surface_; }
+  [[nodiscard]] const std::vector<Corners>& triangles() const { return triangles_; }
+  [[nodiscard]] bool turned() const { return turned_; }
+  [[nodiscard]] std::size_t bent_faces() const { return bent_faces_; }
+
+ private:
+  // All triangles of a flat face look to one side, so that those of its fan that turn the other way
+  // cancel.
+  void add_face(std::span<const std::uint32_t> face) {
+    std::vector<std::pair<Corners, PlaneSide>> fan;
+    Vector sum{0, 0, 0};
+    for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+      const Corners c{ids_[face[0]], ids_[face[i]], ids_[face[i + 1]]};
+      const std::optional<PlaneSide> side = space_.plane(c[0], c[1], c[2]);
+      if (!side) continue;
+      fan.emplace_back(c, *side);
+      const Vector& origin = space_[c[0]].v;
+      sum = sum + cross(space_[c[1]].v - origin, space_[c[2]].v - origin);
+    }
+    const bool flat = std::ranges::all_of(fan, [&](const auto& t) { return t.second.plane == fan[0].second.plane; });
+    if (!flat) ++bent_faces_;
+    for (auto& [corners, side] : fan) {
+      if (flat && !is_zero(sum)) side.reversed = lexicographically_less(sum, {0, 0, 0});
+      triangles_.push_back(corners);
+      for (std::size_t k = 0; k < 3; ++k) add_edge(side, corners[k], corners[(k + 1) % 3]);
+    }
+  }
+
+  void add_edge(PlaneSide side, PointId p, PointId q) {
+    const LineId line = space_.line(p, q);
+    if (space_.before(line, p, q)) edges_[side].push_back({line, p, q, 1});
+    else edges_[side].push_back({line, q, p, -1});
+  }
+
+  void turn() {
+    turned_ = true;
+    for (Corners& t : triangles_) std::swap(t[1], t[2]);
+    std::map<PlaneSide, std::vector<ChainEdge>> edges;
+    for (auto& [side, all] : edges_) {
+      for (ChainEdge& e : all) e.times = -e.times;
+      edges[side.opposite()] = std::move(all);
+    }
+    edges_ = std::move(edges);
+  }
+
+  void require_closed() const {
+    std::vector<ChainEdge> all;
+    for (const auto& [side, edges] : edges_) all.insert(all.end(), edges.begin(), edges.end());
+    if (all.empty()) throw std::invalid_argument("the mesh encloses no volume: its faces have no area");
+    const std::vector<ChainEdge> open = normalised(space_, all);
+    if (open.empty()) return;
+    const auto doubled = std::ranges::find_if(open, [](const ChainEdge& e) { return e.times > 1 || e.times < -1; });
+    const ChainEdge& shown = doubled == open.end() ? open.front() : *doubled;
+    const auto place = [&](PointId p) { return place_text(placed_.position(space_[p].v)); };
+    const std::string edge = place(shown.from()) + " -> " + place(shown.to());
+    const std::string edges = kernels::counted(open.size(), "edge", "edges");
+    std::string fault =
+        fmt::format("the mesh is not closed: {} {} more faces on one side than on the other, such as {}", edges,
+                    open.size() == 1 ? "has" : "have", edge);
+    if (doubled != open.end()) fault += ", where two faces run in the same direction: one of them is turned over";
+    else if (given_twice()) fault += "; a face is given twice";
+    throw std::invalid_argument(fault + ". A solid has no hole in its surface");
+  }
+
+  [[nodiscard]] bool given_twice() const {
+    std::set<Corners> known;
+    return std::ranges::any_of(triangles_, [&](Corners t) {
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      return !known.insert(t).second;
+    });
+  }
+
+  Arrangement& space_;
+  const polytope::PlacedPair& placed_;
+  std::vector<PointId> ids_;
+  std::vector<Corners> triangles_;
+  std::map<PlaneSide, std::vector<ChainEdge>> edges_;
+  Chunk surface_;
+  bool turned_ = false;
+  std::size_t bent_faces_ = 0;
+};
+
+/// Where the surface goes around a part inwards.
+struct InvertedPart {
+  std::vector<PointId> corners;
+  std::int64_t times;
+};
+
+/// Cuts a closed surface into convex parts.
+class Decomposition {
+ public:
+  explicit Decomposition(Arrangement& space) : space_(space), cutter_(space) {}
+
+  /// Returns false as soon as a part is inverted.
+  bool run(const Chunk& surface) {
+    std::vector<Chunk> todo{surface};
+    while (!todo.empty()) {
+      Chunk chunk = std::move(todo.back());
+      todo.pop_back();
+      std::vector<Chunk> parts = cutter_.components(std::move(chunk));
+      chunk = std::move(parts.back());
+      parts.pop_back();
+      std::ranges::move(parts, std::back_inserter(todo));
+      const std::vector<PointId> points = Cutter::points_of(chunk);
+      if (const std::optional<PlaneId> plane = best_cut(chunk, points)) {
+        cutter_.look(*plane, points);
+        auto [above, below] = cutter_.cut(std::move(chunk), *plane);
+        for (Chunk* part : {&above, &below})
+          if (!part->empty()) todo.push_back(std::move(*part));
+      } else if (!add_part(chunk, points)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<ConvexPart>& parts() { return parts_; }
+  [[nodiscard]] const std::optional<InvertedPart>& inverted() const { return inverted_; }
+
+ private:
+  static constexpr std::size_t most_candidates = 8;
+
+  // Planes at reflex edges: those at most of them, and as many from all the others.
+  static std::vector<PlaneId> candidates(const std::vector<ReflexEdge>& reflex) {
+    constexpr std::size_t half = most_candidates / 2;
+    std::map<PlaneId, int> uses;
+    for (const ReflexEdge& e : reflex) ++uses[e.first], ++uses[e.second];
+    std::vector<std::pair<int, PlaneId>> order;
+    for (const auto& [plane, count] : uses) order.emplace_back(-count, plane);
+    std::ranges::sort(order);
+    std::vector<PlaneId> result;
+    for (std::size_t i = 0; i < std::min(order.size(), half); ++i) result.push_back(order[i].second);
+    const std::size_t rest = order.size() - result.size(), more = std::min(rest, half);
+    for (std::size_t i = 0; i < more; ++i) result.push_back(order[half + (2 * i + 1) * rest / (2 * more)].second);
+    return result;
+  }
+
+  // By how much more reflex edges lie in the plane that was looked at than it crosses, and how few
+  // others it crosses.
+  long score(const Chunk& chunk, const std::vector<ReflexEdge>& reflex) const {
+    constexpr long per_reflex_edge = 50;
+    long sum = 0;
+    for (const ReflexEdge& e : reflex) {
+      const int low = cutter_.side(e.low), high = cutter_.side(e.high);
+      if (low == 0 && high == 0) sum += per_reflex_edge;
+      if (low * high < 0) sum -= per_reflex_edge;
+    }
+    for (const ChainFacet& facet : chunk)
+      for (const ChainEdge& e : facet.edges) sum -= cutter_.side(e.low) * cutter_.side(e.high) < 0 ? 1 : 0;
+    return sum;
+  }
+
+  // The best plane of several; nullopt if the chunk lies on one side of the planes of all its
+  // facets.
+  std::optional<PlaneId> best_cut(const Chunk& chunk, const std::vector<PointId>& points) {
+    const std::vector<ReflexEdge> reflex = reflex_edges(space_, chunk);
+    std::optional<PlaneId> best;
+    long best_score = 0;
+    std::size_t found = 0;
+    const auto consider = [&](PlaneId plane) {
+      if (!cutter_.look(plane, points).both()) return;
+      const long of_plane = score(chunk, reflex);
+      if (++found > 1 && of_plane <= best_score) return;
+      best = plane;
+      best_score = of_plane;
+    };
+    for (const PlaneId plane : candidates(reflex)) consider(plane);
+    if (best) return best;
+    std::set<PlaneId> tried;
+    for (const ChainFacet& facet : chunk)
+      if (found < most_candidates && tried.insert(facet.side.plane).second) consider(facet.side.plane);
+    return best;
+  }
+
+  // All points lie on one side of each facet's plane, so the winding number is one number inside
+  // their hull.
+  bool add_part(const Chunk& chunk, const std::vector<PointId>& points) {
+    std::map<PlaneId, std::vector<ChainEdge>> edges;
+    for (const ChainFacet& facet : chunk)
+      edges[facet.side.plane].insert(edges[facet.side.plane].end(), facet.edges.begin(), facet.edges.end());
+    ConvexPart part;
+    for (const auto& [plane, all] : edges) {
+      ChainFacet facet{{plane, cutter_.look(plane, points).above}, normalised(space_, all)};
+      if (facet.edges.empty()) continue;
+      const ChainEdge& first = facet.edges.front();
+      const auto next = std::ranges::find_if(facet.edges, [&](const ChainEdge& e) { return e.from() == first.to(); });
+      if (next == facet.edges.end()) throw std::logic_error("the chain of a facet is not closed");
+      const int turn = space_.turn(facet.side, first.from(), first.to(), next->to());
+      const std::int64_t times = turn * (first.times < 0 ? -first.times : first.times);
+      if (times == 0 || (part.times != 0 && part.times != times))
+        throw std::logic_error("the winding number of a convex part is not one number");
+      part.times = times;
+      for (ChainEdge& e : facet.edges) {
+        e.times = (e.times < 0) == (times < 0) ? 1 : -1;
+        part.corners.push_back(e.from());
+      }
+      part.facets.push_back(std::move(facet));
+    }
+    if (part.facets.empty()) return true;
+    std::ranges::sort(part.corners);
+    part.corners.erase(std::unique(part.corners.begin(), part.corners.end()), part.corners.end());
+    if (part.times < 0) {
+      inverted_ = InvertedPart{part.corners, part.times};
+      return false;
+    }
+    parts_.push_back(std::move(part));
+    return true;
+  }
+
+  Arrangement& space_;
+  Cutter cutter_;
+  std::vector<ConvexPart> parts_;
+  std::optional<InvertedPart> inverted_;
+};
+
+/// A point in the interior of the hull of these points, which is not flat.
+Point inner_point(const Arrangement& space, const polytope::PlacedPair& placed, const std::vector<PointId>& corners) {
+  Point sum;
+  for (const PointId p : corners) sum = sum + placed.position(space[p].v, space[p].w);
+  return mpq_class(1, static_cast<unsigned long>(corners.size())) * sum;
+}
+
+std::vector<ConvexPart> convex_parts(Arrangement& space, const polytope::PlacedPair& placed, const MeshChain& mesh) {
+  Decomposition decomposition(space);
+  if (decomposition.run(mesh.surface())) return std::move(decomposition.parts());
+  const InvertedPart& part = *decomposition.inverted();
+  const long times = static_cast<long>(mesh.turned() ? -part.times : part.times);
+  std::string place = place_text(inner_point(space, placed, part.corners));
+  if (!place.starts_with("near ")) place = "at " + place;
+  throw std::invalid_argument(fmt::format(
+      "the mesh crosses itself, or a part of it is inside out: the sum of all is {}, and its winding number is {} {}",
+      mesh.turned() ? "negative" : "positive", times, place));
+}
+
+/// The solid as users read it: points by numbers, facets by their corners.
+class SolidWriter {
+ public:
+  SolidWriter(const Arrangement& space, const polytope::PlacedPair& placed)
+      : space_(space), placed_(placed), numbers_(space.point_count(), PointId::none().value) {}
+
+  Solid run(const MeshChain& mesh, const std::vector<ConvexPart>& parts) {
+    for (const Corners& t : mesh.triangles()) solid_.triangles.push_back({number(t[0]), number(t[1]), number(t[2])});
+    for (const ConvexPart& part : parts) {
+      Solid::Piece piece;
+      for (const ChainFacet& facet : part.facets) piece.facets.push_back(corners_in_order(facet));
+      solid_.pieces.insert(solid_.pieces.end(), static_cast<std::size_t>(part.times), piece);
+      solid_.overlaps = solid_.overlaps || part.times > 1;
+    }
+    solid_.turned = mesh.turned();
+    solid_.bent_faces = mesh.bent_faces();
+    return std::move(solid_);
+  }
+
+ private:
+  std::uint32_t number(PointId p) {
+    std::uint32_t& n = numbers_[p.value];
+    if (n != PointId::none().value) return n;
+    n = static_cast<std::uint32_t>(solid_.points.size());
+    solid_.points.push_back(placed_.position(space_[p].v, space_[p].w));
+    return n;
+  }
+
+  std::vector<std::uint32_t> corners_in_order(const ChainFacet& facet) {
+    std::map<PointId, PointId> next;
+    for (const ChainEdge& e : facet.edges) next[e.from()] = e.to();
+    std::vector<std::uint32_t> corners;
+    PointId p = next.begin()->first;
+    do {
+      corners.push_back(number(p));
+      p = next.at(p);
+    } while (p != next.begin()->first);
+    return corners;
+  }
+
+  const Arrangement& space_;
+  const polytope::PlacedPair& placed_;
+  std::vector<std::uint32_t> numbers_;
+  Solid solid_;
+};
+
+}  // namespace
+}  // namespace fathom::solids
+
+namespace fathom {
+
+Solid solid_of(const Body& mesh) {
+  const kernels::DefaultFloatEnvironment environment;
+  if (mesh.shape || mesh.pieces) throw std::invalid_argument("expected a mesh, found a shape or a union of pieces");
+  if (!mesh.faces) throw std::invalid_argument("expected a mesh with faces, found points alone");
+  const std::vector<Point>& points = mesh.points.exact();
+  const polytope::PlacedPair placed = polytope::place(points, std::span(points).first(1));
+  solids::Arrangement space(placed.exponent());
+  const solids::MeshChain chain(space, placed, *mesh.faces);
+  const std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::convex_parts(space, placed, chain));
+  if (parts.empty()) throw std::invalid_argument("the mesh encloses no volume: its faces cancel");
+  return solids::SolidWriter(space, placed).run(chain, parts);
+}
+
+}  // namespace fathom
