@@ -106,6 +106,7 @@ constexpr Example general_examples[] = {
     {"fathom study a.off b.stl", "what is degenerate about two bodies, by name and in counts"},
     {"fathom stages --json a.off b.stl", "what the exact method makes on its way: the data of all pictures"},
     {"fathom explain a.off b.stl -o page.html", "why? one page with pictures of every stage"},
+    {"fathom solid a.off -o pieces.obj", "a closed mesh that is not convex, cut into convex pieces"},
     {"fathom cases --family near_ties", "test cases by name, as input for the others"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
     {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},
@@ -196,6 +197,13 @@ constexpr Example explain_examples[] = {
     {"fathom explain --times a.off b.stl -o page.html", "with the seconds that each stage took"},
 };
 
+constexpr Example solid_examples[] = {
+    {"fathom solid a.off", "is the mesh closed? how large is what it goes around, and of how many convex pieces?"},
+    {"fathom solid -o pieces.obj a.off", "and the pieces, one group each"},
+    {"fathom solid --exact --exact-decimals a.obj", "0.1 means 1/10, so that flat faces stay flat; the volume exactly"},
+    {"fathom solid --json a.stl", "one JSON object"},
+};
+
 constexpr Example cases_examples[] = {
     {"fathom cases --list", "the families, with a line on each"},
     {"fathom cases --family near_ties --count 100 --seed 7",
@@ -282,6 +290,10 @@ constexpr std::string_view usual_notes[] = {
     "fathom/case/1.",
     "Results go to standard output, everything else to standard error.",
 };
+constexpr std::string_view solid_notes[] = {
+    "Meshes: OFF, OBJ, PLY, STL. The solid of a mesh is where its winding number is positive. A mesh that is not "
+    "closed, or has a part inside out, is refused; nothing is mended.",
+};
 constexpr std::string_view check_notes[] = {
     "Checks certificates of how deep two convex bodies lie in each other, exactly; - is standard input. FORMAT.md says "
     "what they look like "
@@ -306,6 +318,8 @@ constexpr CommandHelp commands[] = {
     {"explain", "Why the depth is what it is, as a page with pictures.",
      "fathom explain [OPTIONS] A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html", explain_examples, usual_exits,
      usual_notes},
+    {"solid", "Convex pieces of the solid that a closed mesh bounds, exactly.", "fathom solid [OPTIONS] MESH",
+     solid_examples, usual_exits, solid_notes},
     {"cases", "Test cases by name, or from two meshes.",
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE",
      cases_examples, usual_exits, usual_notes},

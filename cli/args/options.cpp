@@ -36,6 +36,7 @@ Option file(std::string commands, std::string names, std::string value, FileUse 
 constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,explain",
                      *on_streams = "depth,width,approx,ray,metric,study,stages",
                      *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
+                     *with_meshes = "depth,width,approx,ray,metric,study,stages,explain,cases,solid",
                      *of_two = "depth,approx,ray,metric,study,stages,explain,cases";
 
 // Meanings that two commands share.
@@ -127,9 +128,9 @@ std::vector<Option> make_table() {
            "the "
            "placed points are rounded once to binary64"),
 
-      {with_bodies, "first", "", ""},
+      {with_meshes, "first", "", ""},
       {with_bodies, "second", "", ""},
-      flag(with_bodies, "--exact-decimals", "decimals in text meshes are exact, instead of the nearest binary64"),
+      flag(with_meshes, "--exact-decimals", "decimals in text meshes are exact, instead of the nearest binary64"),
       file(of_two, "--pose-a", "POSE", FileUse::read, pose),
       file("width", "--pose-a,--pose", "POSE", FileUse::read, pose),
       file(of_two, "--pose-b", "POSE", FileUse::read, "the same for B"),
@@ -149,7 +150,7 @@ std::vector<Option> make_table() {
            "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with "
            "--along: the curve"),
       flag("depth,width", "--counters", "add what the run did, in counts"),
-      flag("depth,width,approx,ray,metric", "--exact",
+      flag("depth,width,approx,ray,metric,solid", "--exact",
            "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals "
            "stand"),
       {"approx,ray", "--digits", "N", "add an enclosure of the length to N significant digits", {wrong_digits}},
@@ -225,6 +226,9 @@ std::vector<Option> make_table() {
            "draw both charts as SVG to FILE, in longitude and latitude; for a stream: a directory, one file for each "
            "case"),
       file("explain", "-o,--output", "FILE", FileUse::written, "the page: one HTML file, which needs no network"),
+      file("solid", "-o,--output", "FILE", FileUse::written,
+           "the pieces: an OBJ file with a group for each, exactly, for --pieces and for other programs"),
+      flag("solid", "--json", "one JSON object, schema fathom/solid/1"),
       flag("explain", "--times", "add how long each stage took: then the page differs from run to run"),
 
       {"certify", "--subject", "COMMAND",

@@ -105,6 +105,7 @@ std::string wrong_inputs(const Given& given) {
     return inputs.size() == 1
                ? ""
                : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
+  if (given.command == "solid") return inputs.size() == 1 ? "" : "solid expects one mesh, " + found;
   const std::string expected =
       given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
   if (inputs.empty()) return expected + found;

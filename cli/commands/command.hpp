@@ -31,6 +31,7 @@ ExitCode run_study(const Given& given);
 ExitCode run_sweep(const Given& given);
 ExitCode run_stages(const Given& given);
 ExitCode run_explain(const Given& given);
+ExitCode run_solid(const Given& given);
 ExitCode run_cases(const Given& given);
 ExitCode run_certify(const Given& given);
 /// certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a claim is

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// fathom solid MESH
+// Convex pieces that tile what a closed mesh goes around.
+
+#include "fathom/solid.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cli/commands/command.hpp"
+#include "cli/io/certificate_file.hpp"
+#include "cli/io/output.hpp"
+#include "cli/output/text_rows.hpp"
+#include "fathom/files.hpp"
+#include "reference/output/json_values.hpp"
+
+namespace fathom::cli {
+namespace {
+
+struct SolidRequest {
+  explicit SolidRequest(const Given& given)
+      : mesh(given.inputs()[0]),
+        output(given.text("--output")),
+        decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
+        exact(given.flag("--exact")),
+        json(given.flag("--json")) {}
+
+  std::string mesh, output;
+  Decimals decimals;
+  bool exact, json;
+};
+
+/// How many points are the mesh's.
+std::size_t given_points(const Solid& solid) {
+  std::set<std::uint32_t> corners;
+  for (const auto& triangle : solid.triangles) corners.insert(triangle.begin(), triangle.end());
+  return corners.size();
+}
+
+/// Several lines; without the last newline.
+std::string solid_block(const Solid& solid, bool exact) {
+  const std::size_t given = given_points(solid);
+  const mpq_class size = volume(solid);
+  std::vector<Row> rows{
+      {"pieces", fmt::format("{}", solid.pieces.size())},
+      {"points", fmt::format("{} of the mesh, {} where it is cut", given, solid.points.size() - given)},
+      {"triangles", fmt::format("{}", solid.triangles.size())},
+      {"volume", fmt::format("{}", round_binary64(size))}};
+  if (exact) rows.emplace_back("exactly", exact_text(size));
+  for (const std::string& note : notes(solid)) rows.emplace_back("note", note);
+  return aligned("solid", rows);
+}
+
+/// One line, without its newline.
+std::string solid_json(const std::string& id, const Solid& solid) {
+  output::Json object = {{"schema", "fathom/solid/1"}, {"id", id}, {"pieces", solid.pieces.size()}};
+  object["points"] = {{"of_mesh", given_points(solid)}, {"all", solid.points.size()}};
+  object["triangles"] = solid.triangles.size();
+  object["volume"] = output::number(volume(solid));
+  object["bent_faces"] = solid.bent_faces;
+  object["turned"] = output::Json::boolean(solid.turned);
+  object["overlaps"] = output::Json::boolean(solid.overlaps);
+  return object.text();
+}
+
+Solid read_solid(const SolidRequest& request) try {
+  return solid_of(read_mesh(request.mesh, request.decimals));
+} catch (const std::invalid_argument& error) {
+  throw InputError(request.mesh, 0, error.what());
+}
+
+}  // namespace
+
+ExitCode run_solid(const Given& given) {
+  const SolidRequest request(given);
+  const std::unique_ptr<CertificateFile> pieces = wanted_file(request.output, "pieces");
+  const Solid solid = read_solid(request);
+  if (pieces) pieces->write(pieces_obj(solid));
+  print(request.json ? solid_json(request.mesh, solid) : solid_block(solid, request.exact));
+  return fine;
+}
+
+}  // namespace fathom::cli
