@@ -33,20 +33,24 @@ constexpr std::string_view ell = R"(OFF
 
 int main() {
   const fathom::Solid solid = fathom::solid_of(fathom::parse_mesh(ell, "ell.off"));
-  std::cout << solid.pieces.size() << " pieces, volume " << fathom::volume(solid) << ", " << fathom::notes(solid).size()
+  std::cout << fathom::given_points(solid) << " of " << solid.points.size() << " points are the mesh's, "
+            << solid.pieces.size() << " pieces, volume " << fathom::volume(solid) << ", " << fathom::notes(solid).size()
             << " notes\n";
   std::ofstream("ell_pieces.obj") << fathom::pieces_obj(solid);
   const fathom::Pieces pieces = fathom::pieces_of(solid);
   const fathom::UnionDepth depth = fathom::union_depth(pieces, fathom::read_pieces("ell_pieces.obj"));
   std::cout << "in itself: depth^2 = " << depth.squared() << '\n';
+  const fathom::Body body = fathom::solid_body(fathom::parse_mesh(ell, "ell.off"));
+  std::cout << "as a body: " << body.pieces->size() << " pieces\n";
 
   try {
-    fathom::solid_of(fathom::parse_mesh("OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2", "open.off"));
+    fathom::solid_of(fathom::parse_mesh("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "open.off"));
   } catch (const std::exception& error) {
     std::cout << error.what() << '\n';
   }
 }
 
-//> 2 pieces, volume 3, 0 notes
+//> 12 of 14 points are the mesh's, 2 pieces, volume 3, 0 notes
 //> in itself: depth^2 = 1
+//> as a body: 2 pieces
 //> the mesh is not closed: 3 edges have more faces on one side than on the other, such as (0, 0, 0) -> (1, 0, 0). A solid has no hole in its surface

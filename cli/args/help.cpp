@@ -129,6 +129,7 @@ constexpr Example depth_examples[] = {
     {"fathom depth --along 1,0,0 --steps 64 --svg curve.svg a.off b.off",
      "the signed depth while A moves along x, and a chart of it"},
     {"fathom depth --pieces a.obj b.obj", "bodies that are not convex, as unions of the groups in their files"},
+    {"fathom depth --solid a.obj b.stl", "closed meshes as they are, not their hulls"},
     {"fathom depth cases.jsonl", "a stream: one line per case"},
     {"fathom depth --certificate proofs cases.jsonl", "and one file for each case in the folder proofs"},
     {"cat cases.jsonl | fathom depth --json -", "the same from standard input"},

@@ -196,6 +196,10 @@ std::vector<Option> make_table() {
       {"depth,explain", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
       flag("explain", "--pieces", pieces),
+      flag("depth,explain", "--solid",
+           "each body is what its closed mesh goes around, convex or not, with cavities: cut into convex pieces, "
+           "exactly. A mesh that is not closed, or has a part inside out, is an error. With depth --json one object, "
+           "schema fathom/union/1"),
       {"depth,study,stages,explain", "--case", "ID", "one case of a stream alone: the first with this id"},
       flag("study", "--all", "list every coincidence, not the first 20 of a kind (in tables: the first)"),
       flag("study", "--json", "one JSON object per line, schema fathom/study/1"),

@@ -123,13 +123,17 @@ std::string first_of(const Given& given, std::initializer_list<const char*> opti
   return found == options.end() ? "" : *found;
 }
 
-std::string wrong_pieces(const Given& given) {
+std::string wrong_unions(const Given& given) {
+  const std::string asked = given.flag("--solid") ? "--solid" : "--pieces";
   const std::string other = first_of(given, {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along",
                                              "--steps", "--times", "--csv", "--case", "--threads"});
-  if (!other.empty()) return "--pieces is about unions, and cannot be combined with " + other;
-  if (given.inputs().size() != 2)
-    return "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one input";
-  return "";
+  if (!other.empty()) return asked + " is about unions, and cannot be combined with " + other;
+  if (asked == "--solid" && given.flag("--pieces"))
+    return "--solid cuts meshes, and --pieces takes groups as they are: choose one";
+  if (given.inputs().size() == 2) return "";
+  return asked == "--solid" ? "--solid expects two closed meshes, or shapes, found one input"
+                            : "--pieces expects two bodies: OBJ files, folders of meshes, meshes or shapes, found one "
+                              "input";
 }
 
 std::string wrong_along(const Given& given) {
@@ -162,7 +166,7 @@ std::string wrong_sweep(const Given& given) {
 /// Of a curve or a chart.
 std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
-  if (given.flag("--pieces")) return wrong_pieces(given);
+  if (given.flag("--pieces") || given.flag("--solid")) return wrong_unions(given);
   if (given.command == "depth") return wrong_along(given);
   return given.command == "study" ? wrong_sweep(given) : "";
 }
@@ -172,6 +176,8 @@ std::string wrong_page(const Given& given) {
   if (writes_page && given.text("--html") == "-")
     return given.command == "study" ? "--html writes a file; standard output has the answers"
                                     : "--html writes a file, found - for standard output";
+  if (given.command == "solid" && given.text("--output") == "-")
+    return "-o writes a file; standard output has the answer";
   if (given.command != "explain") return "";
   if (!given.has("--output")) return "explain writes a page: expected -o FILE, with the name of an HTML file";
   return given.text("--output") == "-" ? "-o writes a file, found - for standard output" : "";

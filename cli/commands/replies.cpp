@@ -13,6 +13,7 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "fathom/files.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/file_io.hpp"
@@ -30,11 +31,19 @@ Body body_of_input(const std::string& input, const BodiesRequest& request) {
   if (!files::is_shape_text(input))
     return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
   Body body = files::parse_shape(input, request.decimals);
-  if (request.pieces && body.shape)
+  const bool is_union = request.pieces || request.solids;
+  if (is_union && body.shape)
     throw InputError(
         input, 0,
         "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
-  return request.pieces ? files::union_of({body}) : body;
+  return is_union ? files::union_of({body}) : body;
+}
+
+/// Cuts the mesh where it stands.
+Body solid_of_input(const std::string& input, const Body& mesh) try {
+  return mesh.pieces ? mesh : solid_body(mesh);
+} catch (const std::invalid_argument& error) {
+  throw InputError(input, 0, error.what());
 }
 
 /// A single body is neither of two.
@@ -62,7 +71,7 @@ Case single_case(const BodiesRequest& request) {
       }
       tell_of(pose, option, result.shape && result.shape->radius > 0);
     }
-    return result;
+    return request.solids ? solid_of_input(input, result) : result;
   };
   Case single = request.one_body ? Case{request.inputs[0], body(0), {}}
                                  : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
@@ -118,6 +127,7 @@ BodiesRequest::BodiesRequest(const Given& given)
     : inputs(given.inputs()),
       one_body(given.command == "width"),
       pieces(given.flag("--pieces")),
+      solids(given.flag("--solid")),
       decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
       pose_a(given.value("--pose-a")),
       pose_b(given.value("--pose-b")),

@@ -28,6 +28,7 @@ struct BodiesRequest {
   std::vector<std::string> inputs;            ///< meshes or shapes, or one stream
   bool one_body = false;                      ///< `width` looks at one body, against itself
   bool pieces = false;                        ///< the bodies are unions of the pieces in their files
+  bool solids = false;                        ///< the bodies are the solids of their meshes
   Decimals decimals = Decimals::binary64;     ///< of text meshes; cases say it themselves
   std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
   bool require_convex = false;                ///< of bodies with faces

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/command.hpp"
@@ -35,13 +35,6 @@ struct SolidRequest {
   bool exact, json;
 };
 
-/// How many points are the mesh's.
-std::size_t given_points(const Solid& solid) {
-  std::set<std::uint32_t> corners;
-  for (const auto& triangle : solid.triangles) corners.insert(triangle.begin(), triangle.end());
-  return corners.size();
-}
-
 /// Several lines; without the last newline.
 std::string solid_block(const Solid& solid, bool exact) {
   const std::size_t given = given_points(solid);
@@ -58,14 +51,8 @@ std::string solid_block(const Solid& solid, bool exact) {
 
 /// One line, without its newline.
 std::string solid_json(const std::string& id, const Solid& solid) {
-  output::Json object = {{"schema", "fathom/solid/1"}, {"id", id}, {"pieces", solid.pieces.size()}};
-  object["points"] = {{"of_mesh", given_points(solid)}, {"all", solid.points.size()}};
-  object["triangles"] = solid.triangles.size();
-  object["volume"] = output::number(volume(solid));
-  object["bent_faces"] = solid.bent_faces;
-  object["turned"] = output::Json::boolean(solid.turned);
-  object["overlaps"] = output::Json::boolean(solid.overlaps);
-  return object.text();
+  output::Json object = output::solid_object(solid);
+  return output::Json{{"schema", "fathom/solid/1"}, {"id", id}, {"solid", std::move(object)}}.text();
 }
 
 Solid read_solid(const SolidRequest& request) try {

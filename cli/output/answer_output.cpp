@@ -407,7 +407,8 @@ std::string answer_block(const AnsweredCase& answered, const AnswerForm& form) {
                                                   bounds->a, bounds->b));
     rows.emplace_back("hulls", root_text(bounds->hulls));
   }
-  if (!unions(answer)) rows.emplace_back("sizes", shapes::sizes_text(answered.bodies.sizes));
+  if (unions(answer)) add_solids(rows, answered.bodies);
+  else rows.emplace_back("sizes", shapes::sizes_text(answered.bodies.sizes));
   if (std::string method = method_text(answer, form); !method.empty()) rows.emplace_back("method", std::move(method));
   if (std::string flat = flat_text(answered.facts, form.width); !flat.empty())
     rows.emplace_back("flat", std::move(flat));

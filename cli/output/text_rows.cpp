@@ -11,6 +11,8 @@
 #include "cli/args/values.hpp"
 #include "cli/io/output.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/solid.hpp"
+#include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/text/json.hpp"
@@ -176,6 +178,15 @@ std::string flat_text(const BodyFacts& facts, bool same_body) {
 Row flat_note() {
   return {"note",
           "A has no interior; this is the depth of O in B (+) (-A), where the wording by interiors would give 0"};
+}
+
+void add_solids(std::vector<Row>& rows, const output::AboutBodies& bodies) {
+  for (const auto& [name, solid] : {std::pair("A", bodies.solid_a), std::pair("B", bodies.solid_b)}) {
+    if (!solid) continue;
+    rows.emplace_back("solid", fmt::format("{}: {} triangles, {}", name, solid->triangles.size(),
+                                           kernels::counted(solid->pieces.size(), "piece", "pieces")));
+    for (const std::string& note : notes(*solid)) rows.emplace_back("", note);
+  }
 }
 
 std::string enclosure_text(const Enclosure& enclosure) {

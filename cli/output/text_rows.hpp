@@ -103,6 +103,9 @@ std::string flat_text(const BodyFacts& facts, bool same_body = false);
 /// Explains why a flat A may have a positive depth.
 Row flat_note();
 
+/// Of bodies that are solids of meshes, a row "solid" each, and what people may not expect of it.
+void add_solids(std::vector<Row>& rows, const output::AboutBodies& bodies);
+
 /// "[low, high]".
 std::string enclosure_text(const Enclosure& enclosure);
 /// Returns the enclosure of the root, to that many digits.

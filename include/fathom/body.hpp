@@ -20,6 +20,7 @@ namespace fathom {
 namespace files {
 struct NamedBody;
 }
+struct Solid;
 
 /// Points in the form in which they were given: in binary64, as exact points, or as what makes
 /// these. Read like a const std::vector<Point>: the exact points of the other forms are made when
@@ -98,6 +99,9 @@ struct Body {
   /// Then it is the union of these, and there are no points and no shape. Only what takes unions
   /// takes it (fathom/union.hpp).
   std::shared_ptr<const Pieces> pieces = nullptr;
+  /// Then it is that of a closed mesh, and the pieces tile it (fathom/solid.hpp). Whoever changes
+  /// the pieces takes it away.
+  std::shared_ptr<const Solid> solid = nullptr;
 };
 
 }  // namespace fathom

@@ -15,5 +15,6 @@
 #include "fathom/prepared.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/solid.hpp"
 #include "fathom/study.hpp"
 #include "fathom/union.hpp"

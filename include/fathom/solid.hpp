@@ -44,12 +44,18 @@ struct Solid {
 /// is empty.
 Solid solid_of(const Body& mesh);
 
+/// How many of its points are corners of the mesh: the first.
+std::size_t given_points(const Solid& solid);
+
 /// The volume of the solid: what is covered several times counts once. Exact.
 mpq_class volume(const Solid& solid);
 
 /// The pieces as a union's (fathom/union.hpp): their corners, those of one that is listed several
 /// times once.
 Pieces pieces_of(const Solid& solid);
+
+/// The solid of a mesh as a body: the union of its pieces. Throws as solid_of does.
+Body solid_body(const Body& mesh);
 
 /// What its mesh has that people may not expect, a sentence each: faces that are not flat, that
 /// looked inwards, or that go around some points more than once.

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fathom/numbers.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/case_fields.hpp"
 #include "reference/files/mesh_formats.hpp"
@@ -88,6 +89,8 @@ class Reader {
   void round(Shape& shape, const std::string& path);
   Body piece(const JsonValue& json, const std::string& path);
   Body union_of(const JsonValue& json, const std::string& path, bool rounded);
+  Body solid_of(const JsonValue& json, const std::string& path, bool rounded);
+  void place_parts(std::vector<Body>& parts, const JsonValue& json, const std::string& path, bool rounded);
   bool is_rounded(const JsonValue& json, const std::string& path);
 };
 
@@ -303,7 +306,23 @@ Body Reader::piece(const JsonValue& json, const std::string& path) {
   return body;
 }
 
-// Its pieces, each where its own pose puts it, all of them where the body's does.
+// Moves the parts, each of which stands where its own pose puts it, to where the body's does.
+void Reader::place_parts(std::vector<Body>& parts, const JsonValue& json, const std::string& path, bool rounded) {
+  rounded = is_rounded(json, path) || rounded;
+  std::optional<GivenPose> placing;
+  if (const JsonValue* const there = given(json, "pose"); there && fault.empty())
+    placing = pose(*there, path + ".pose");
+  for (std::size_t i = 0; fault.empty() && i < parts.size(); ++i)
+    for (Point& p : parts[i].points.edit()) {
+      if (placing) p = placed(p, exact_pose(*placing));
+      if (rounded && !round_to_binary64(p))
+        report(path + ".pieces[" + std::to_string(i) + "]", "points within binary64 once placed", "a larger one");
+    }
+  if (!fault.empty() || !placing) return;
+  if (const std::string note = pose_note(*placing, false); !note.empty())
+    notes.push_back({CaseNote::pose, path + ".pose: " + note});
+}
+
 Body Reader::union_of(const JsonValue& json, const std::string& path, bool rounded) {
   for (const auto& [key, value] : json.fields())
     if (is_field_of_shapes(key) && key != "pieces" && !value->is_null())
@@ -311,24 +330,28 @@ Body Reader::union_of(const JsonValue& json, const std::string& path, bool round
   const JsonValue& pieces = *json.find("pieces");
   if (!pieces.is_array() || pieces.items().empty())
     report(path + ".pieces", "an array of convex pieces", found(pieces));
-  rounded = is_rounded(json, path) || rounded;
-  std::optional<GivenPose> placing;
-  if (const JsonValue* const there = given(json, "pose"); there && fault.empty())
-    placing = pose(*there, path + ".pose");
   std::vector<Body> read;
-  for (std::size_t i = 0; fault.empty() && i < pieces.items().size(); ++i) {
-    const std::string place = path + ".pieces[" + std::to_string(i) + "]";
-    read.push_back(piece(pieces.items()[i], place));
-    for (Point& p : read.back().points.edit()) {
-      if (placing) p = placed(p, exact_pose(*placing));
-      if (rounded && !round_to_binary64(p)) report(place, "points within binary64 once placed", "a larger one");
-    }
-  }
+  for (std::size_t i = 0; fault.empty() && i < pieces.items().size(); ++i)
+    read.push_back(piece(pieces.items()[i], path + ".pieces[" + std::to_string(i) + "]"));
+  place_parts(read, json, path, rounded);
+  return fault.empty() ? files::union_of(read) : Body();
+}
+
+// It is cut where it stands in the end.
+Body Reader::solid_of(const JsonValue& json, const std::string& path, bool rounded) {
+  for (const auto& [key, value] : json.fields())
+    if (is_field_of_shapes(key) && key != "solid" && !value->is_null())
+      report(path + "." + std::string(key), "no such field beside 'solid'", "one");
+  std::vector<Body> mesh;
+  if (fault.empty()) mesh.push_back(piece(*json.find("solid"), path + ".solid"));
+  place_parts(mesh, json, path, rounded);
   if (!fault.empty()) return {};
-  if (placing)
-    if (const std::string note = pose_note(*placing, false); !note.empty())
-      notes.push_back({CaseNote::pose, path + ".pose: " + note});
-  return files::union_of(read);
+  try {
+    return solid_body(mesh.front());
+  } catch (const std::invalid_argument& error) {
+    refuse(path + ".solid: " + error.what());
+    return {};
+  }
 }
 
 bool Reader::is_rounded(const JsonValue& json, const std::string& path) {
@@ -340,6 +363,7 @@ bool Reader::is_rounded(const JsonValue& json, const std::string& path) {
 
 Body Reader::body(const JsonValue& json, const std::string& path, bool rounded) {
   if (given(json, "pieces")) return union_of(json, path, rounded);
+  if (given(json, "solid")) return solid_of(json, path, rounded);
   NamedBody words;
   Shape shape = unplaced(json, path, words);
   shape = placed_shape(std::move(shape), json, path, words);

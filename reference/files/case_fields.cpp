@@ -19,8 +19,8 @@ using Names = std::vector<std::string_view>;
 
 constexpr std::array<std::string_view, 9> of_cases = {"schema", "id",    "a",      "b",      "pose_rounding",
                                                       "twist",  "flags", "source", "comment"};
-constexpr std::array<std::string_view, 7> of_bodies = {"vertices", "faces",         "pose",  "shape",
-                                                       "margin",   "pose_rounding", "pieces"};
+constexpr std::array<std::string_view, 8> of_bodies = {"vertices", "faces",         "pose",   "shape",
+                                                       "margin",   "pose_rounding", "pieces", "solid"};
 constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat",
                                                       "xyzw",        "rpy",        "unit"};
 
@@ -82,7 +82,7 @@ std::string expected_at(CasePlace place) {
     case CasePlace::rounding:
     case CasePlace::body_rounding: return "\"binary64\"";
     case CasePlace::twist: return "an object with 'a' or 'b'";
-    case CasePlace::body: return "an object with 'vertices', 'shape' or 'pieces'";
+    case CasePlace::body: return "an object with 'vertices', 'shape', 'pieces' or 'solid'";
     case CasePlace::vertices: return "an array of points";
     case CasePlace::vertex: return "three coordinates";
     case CasePlace::faces: return "an array of faces";
@@ -294,7 +294,7 @@ CasePlace field_of_body(std::string_view key) {
 }
 
 bool is_field_of_shapes(std::string_view key) {
-  constexpr std::array<std::string_view, 6> others = {"shape", "axis", "vertices", "faces", "terms", "pieces"};
+  constexpr std::array<std::string_view, 7> others = {"shape", "axis", "vertices", "faces", "terms", "pieces", "solid"};
   return std::ranges::find(others, key) != others.end() || number_field(key) != nullptr;
 }
 

@@ -44,10 +44,11 @@ CasePlace field_of_case(std::string_view key);
 CasePlace field_of_body(std::string_view key);
 
 /// Returns whether some body has a field called `key` that tells what it is: a number field, or
-/// "shape", "axis", "vertices", "faces", "terms", "pieces".
+/// "shape", "axis", "vertices", "faces", "terms", "pieces", "solid".
 bool is_field_of_shapes(std::string_view key);
 
-/// Returns whether this shape has that field. Each has a name and a margin; none has pieces.
+/// Returns whether this shape has that field. Each has a name and a margin; none has pieces, or a
+/// solid.
 bool has_field(const ShapeName& shape, std::string_view key);
 
 /// Returns whether an unknown field of a case, or of a body, has a name near that of a known one.

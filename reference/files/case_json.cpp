@@ -2,7 +2,10 @@
 #include "reference/files/case_json.hpp"
 
 #include <array>
+#include <span>
 #include <stdexcept>
+
+#include "fathom/solid.hpp"
 
 namespace fathom::files {
 namespace {
@@ -35,7 +38,14 @@ Json body_json(const Body& body, const std::optional<Pose>& pose) {
   if (body.words && !pose) return body_json(*body.words);
   if (body.shape) throw std::invalid_argument("a shape without words has no text");
   const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, point_json)}}; };
-  Json result = body.pieces ? Json{{"pieces", Json::array_of(*body.pieces, vertices)}} : vertices(body.points);
+  const auto solid = [](const Solid& s) {
+    const auto indices = [](const auto& t) { return Json(std::vector<std::uint32_t>(t.begin(), t.end())); };
+    const std::span mesh(s.points.data(), given_points(s));
+    return Json{{"vertices", Json::array_of(mesh, point_json)}, {"faces", Json::array_of(s.triangles, indices)}};
+  };
+  Json result = body.solid    ? Json{{"solid", solid(*body.solid)}}
+                : body.pieces ? Json{{"pieces", Json::array_of(*body.pieces, vertices)}}
+                              : vertices(body.points);
   if (pose) result["pose"] = matrix_json(*pose);
   return result;
 }

@@ -313,6 +313,7 @@ void place(Body& body, const GivenPose& given) {
     for (std::vector<Point>& piece : pieces)
       for (Point& point : piece) point = placed(point, pose);
     body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+    body.solid = nullptr;
     return;
   }
   for (Point& point : body.points.edit()) point = placed(point, pose);

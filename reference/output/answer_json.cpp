@@ -283,7 +283,8 @@ std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, co
                       {"nearest_points", c.nearest_points},
                       {"pairs", c.pairs},
                       {"pairs_touched", c.pairs_touched}},
-                     hull_object(answered.bodies.hull)};
+                     hull_object(answered.bodies.hull),
+                     solids_object(answered.bodies)};
   if (shown.certificate && depth.complete) result.certificate = answered.certificate;
   add_manifold(result, answered, shown);
   return line_of("fathom/union/1", FATHOM_VERSION, result);

@@ -190,7 +190,9 @@ Json flat_array(const BodyFacts& facts) {
 AboutBodies about_bodies(const Case& input, bool one_body) {
   if (input.a.pieces || input.b.pieces)
     return {shapes::sizes_of(input.a, input.b),
-            {{}, {}, shapes::dented_pieces(input.a), shapes::dented_pieces(input.b)}};
+            {{}, {}, shapes::dented_pieces(input.a), shapes::dented_pieces(input.b)},
+            input.a.solid,
+            input.b.solid};
   if (one_body) return {shapes::sizes_of(input.a), {shapes::hull_fact(input.a), std::nullopt}};
   return {shapes::sizes_of(input.a, input.b), {shapes::hull_fact(input.a), shapes::hull_fact(input.b)}};
 }
@@ -209,6 +211,24 @@ std::optional<Json> hull_object(const shapes::HullFacts& facts) {
   if (facts.pieces_a) hull["a"] = array_of(*facts.pieces_a);
   if (facts.pieces_b) hull["b"] = array_of(*facts.pieces_b);
   return hull;
+}
+
+Json solid_object(const Solid& solid) {
+  return {{"pieces", solid.pieces.size()},
+          {"points", {{"of_mesh", given_points(solid)}, {"all", solid.points.size()}}},
+          {"triangles", solid.triangles.size()},
+          {"volume", number(volume(solid))},
+          {"bent_faces", solid.bent_faces},
+          {"turned", Json::boolean(solid.turned)},
+          {"overlaps", Json::boolean(solid.overlaps)}};
+}
+
+std::optional<Json> solids_object(const AboutBodies& bodies) {
+  if (!bodies.solid_a && !bodies.solid_b) return std::nullopt;
+  Json solids = Json::object();
+  if (bodies.solid_a) solids["a"] = solid_object(*bodies.solid_a);
+  if (bodies.solid_b) solids["b"] = solid_object(*bodies.solid_b);
+  return solids;
 }
 
 std::string error_object(std::string_view schema, const std::string& id, std::size_t line, std::string_view error) {

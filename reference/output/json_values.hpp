@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/files.hpp"
 #include "fathom/signed_depth.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/rounded/coordinates.hpp"
@@ -90,6 +92,7 @@ Json flat_array(const BodyFacts& facts);
 struct AboutBodies {
   shapes::BodySizes sizes;
   shapes::HullFacts hull;
+  std::shared_ptr<const Solid> solid_a = nullptr, solid_b = nullptr;  ///< of bodies that are solids of meshes
 };
 
 AboutBodies about_bodies(const Case& input, bool one_body);
@@ -97,6 +100,10 @@ AboutBodies about_bodies(const Case& input, bool one_body);
 Json sizes_object(const shapes::BodySizes& sizes);
 /// Of bodies that are meshes with faces, or have such pieces.
 std::optional<Json> hull_object(const shapes::HullFacts& facts);
+/// Of bodies that are solids of meshes.
+std::optional<Json> solids_object(const AboutBodies& bodies);
+/// What its mesh has that people may not expect, and into how many pieces it was cut.
+Json solid_object(const Solid& solid);
 
 // ---- no result ----
 

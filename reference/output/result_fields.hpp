@@ -109,7 +109,7 @@ struct UnionResult {
   std::string_view status;
   bool complete;
   Json depth, low, high, optima, apart, deepest_pair, hulls, counters;
-  std::optional<Json> hull = {};
+  std::optional<Json> hull = {}, solids = {};
   std::optional<std::string> certificate = {};
   std::optional<Json> manifold = {}, derivative = {};
 };
@@ -130,6 +130,7 @@ inline constexpr std::tuple union_result_fields{
     field("hulls", &UnionResult::hulls, "length", "The depth of the hulls of the bodies: never less than the depth."),
     field("counters", &UnionResult::counters, "", "What the search did, in counts that do not depend on the machine."),
     field("hull", &UnionResult::hull, "", "Of bodies whose pieces are meshes with faces."),
+    field("solids", &UnionResult::solids, "", "Of bodies that are the solids of closed meshes, cut into the pieces."),
     field("certificate", &UnionResult::certificate, "",
           "With --embed-certificate, if complete: the text of the answer's certificate (verify/check/FORMAT.md, "
           "section 12)."),

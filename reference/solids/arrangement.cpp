@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/predicates/direction.hpp"
 #include "reference/polytope/hull.hpp"
 
 namespace fathom::solids {
@@ -71,7 +72,7 @@ LineId Arrangement::line(Vector direction, Vector moment) {
       lines_, known_lines_, hash_value(direction) * 31 + hash_value(moment),
       [&](const SpaceLine& l) { return l.direction == direction && l.moment == moment; },
       [&] {
-        return SpaceLine{direction, moment, axis};
+        return SpaceLine{direction, moment, axis, {kernels::direction_image(direction), 0}};
       });
 }
 
@@ -93,7 +94,9 @@ PointId Arrangement::meeting(LineId l, PlaneId e) {
 
 int Arrangement::turn(PlaneSide e, PlaneSide f, LineId l) const {
   const kernels::OrientedPlane &g = planes_[e.plane], &h = planes_[f.plane];
-  const int sign = sgn(det(g.normal, h.normal, lines_[l].direction));
+  const SpaceLine& line = lines_[l];
+  const std::optional<kernels::Sign> sure = kernels::MeetingLine(g.image, h.image).leads_beyond(line.image);
+  const int sign = sure ? to_int(*sure) : sgn(det(g.normal, h.normal, line.direction));
   return e.reversed == f.reversed ? sign : -sign;
 }
 

@@ -37,7 +37,8 @@ struct PlaneSide {
 /// have no common factor, and the first component of `direction` that is not 0 is positive.
 struct SpaceLine {
   Vector direction, moment;
-  int axis;  ///< of that component
+  int axis;                   ///< of that component
+  kernels::PlaneImage image;  ///< of the direction, as if it were a plane's normal
 };
 
 /// All of them. Coordinates of points are at most 2^exponent in size.

@@ -45,6 +45,10 @@ void for_each_face(const MeshFaces& faces, std::size_t points, F f) {
   std::vector<std::uint32_t> corners = faces.corners;
   if (corners.empty() && faces.ends.empty())
     for (std::uint32_t i = 0; i < points; ++i) corners.push_back(i);
+  const bool ordered =
+      std::ranges::is_sorted(faces.ends) && (faces.ends.empty() || faces.ends.back() <= corners.size());
+  if (!ordered || std::ranges::any_of(corners, [&](std::uint32_t i) { return i >= points; }))
+    throw std::invalid_argument("expected faces of points of the mesh, found an index that is none of them");
   const std::span<const std::uint32_t> all = corners;
   if (faces.ends.empty())
     for (std::size_t i = 0; i + 2 < all.size(); i += 3) f(all.subspan(i, 3));

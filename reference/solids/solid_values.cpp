@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <span>
 
 #include "fathom/numbers.hpp"
@@ -13,12 +14,9 @@
 namespace fathom {
 namespace {
 
-/// The pieces that are not listed before: equal ones follow one another.
-std::vector<const Solid::Piece*> distinct_pieces(const Solid& solid) {
-  std::vector<const Solid::Piece*> pieces;
-  for (const Solid::Piece& piece : solid.pieces)
-    if (pieces.empty() || pieces.back()->facets != piece.facets) pieces.push_back(&piece);
-  return pieces;
+/// Whether the piece of that number is listed before: equal ones follow one another.
+bool is_repeated(const Solid& solid, std::size_t i) {
+  return i > 0 && solid.pieces[i].facets == solid.pieces[i - 1].facets;
 }
 
 std::vector<std::uint32_t> corners_of(const Solid::Piece& piece) {
@@ -37,25 +35,39 @@ mpq_class det_at(const Solid& solid, std::uint32_t p, std::uint32_t q, std::uint
 
 }  // namespace
 
+std::size_t given_points(const Solid& solid) {
+  std::uint32_t count = 0;
+  for (const auto& triangle : solid.triangles) count = std::max(count, *std::ranges::max_element(triangle) + 1);
+  return count;
+}
+
+// What the mesh goes around several times is taken away: of the rest, numbers are short.
 mpq_class volume(const Solid& solid) {
   mpq_class sum;
-  if (!solid.overlaps) {
-    for (const auto& [p, q, r] : solid.triangles) sum += det_at(solid, p, q, r);
-    return sum / 6;
+  for (const auto& [p, q, r] : solid.triangles) sum += det_at(solid, p, q, r);
+  for (std::size_t k = 0; k < solid.pieces.size(); ++k) {
+    if (!is_repeated(solid, k)) continue;
+    for (const std::vector<std::uint32_t>& facet : solid.pieces[k].facets)
+      for (std::size_t i = 1; i + 1 < facet.size(); ++i) sum -= det_at(solid, facet[0], facet[i], facet[i + 1]);
   }
-  for (const Solid::Piece* piece : distinct_pieces(solid))
-    for (const std::vector<std::uint32_t>& facet : piece->facets)
-      for (std::size_t i = 1; i + 1 < facet.size(); ++i) sum += det_at(solid, facet[0], facet[i], facet[i + 1]);
   return sum / 6;
 }
 
 Pieces pieces_of(const Solid& solid) {
   Pieces pieces;
-  for (const Solid::Piece* piece : distinct_pieces(solid)) {
+  for (std::size_t k = 0; k < solid.pieces.size(); ++k) {
+    if (is_repeated(solid, k)) continue;
     std::vector<Point>& points = pieces.emplace_back();
-    for (const std::uint32_t i : corners_of(*piece)) points.push_back(solid.points[i]);
+    for (const std::uint32_t i : corners_of(solid.pieces[k])) points.push_back(solid.points[i]);
   }
   return pieces;
+}
+
+Body solid_body(const Body& mesh) {
+  Body body;
+  body.solid = std::make_shared<const Solid>(solid_of(mesh));
+  body.pieces = std::make_shared<const Pieces>(pieces_of(*body.solid));
+  return body;
 }
 
 std::vector<std::string> notes(const Solid& solid) {
@@ -74,9 +86,10 @@ std::string pieces_obj(const Solid& solid) {
   for (const Point& p : solid.points)
     text += fmt::format("v {} {} {}\n", exact_text(p.x), exact_text(p.y), exact_text(p.z));
   std::size_t number = 0;
-  for (const Solid::Piece* piece : distinct_pieces(solid)) {
-    text += fmt::format("g piece_{}\n", ++number);
-    for (const std::vector<std::uint32_t>& facet : piece->facets) {
+  for (std::size_t k = 0; k < solid.pieces.size(); ++k) {
+    if (is_repeated(solid, k)) continue;
+    text += fmt::format("g piece_{}\n", number++);
+    for (const std::vector<std::uint32_t>& facet : solid.pieces[k].facets) {
       text += 'f';
       for (const std::uint32_t i : facet) text += fmt::format(" {}", i + 1);
       text += '\n';

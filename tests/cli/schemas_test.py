@@ -64,7 +64,10 @@ TEETH = {
             (["predicates", "x_order", "decided_by"], [{"monomial": "e1", "name": "E44", "count": 1}])]),
         ({"signed_depth": PRESENT}, {"cores"}, [
             (["more"], 1), (["status"], "inside"), (["contact", "a", "feature"], "nose")])],
-    "union": [({"status": "penetrating"}, {"hull"}, [
+    "solid": [({"solid": PRESENT}, set(), [
+        (["more"], 1), (["solid", "pieces"], 0), (["solid", "points", "all"], 3), (["solid", "volume", "exact"], "0.5"),
+        (["solid", "turned"], 1), (["solid", "more"], 1), (["solid"], None)])],
+    "union": [({"status": "penetrating"}, {"hull", "solids"}, [
         (["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["extra"], 1),
         (["optima", 0, "translation", 0], 0.5), (["deepest_pair", "pieces"], [0])])],
 }

@@ -111,7 +111,8 @@ TEST(BadCase, AMillionRepetitionsOfAField) {
   std::string text = "{";
   for (const char* field : {"\"a\":0,", "\"b\":0,"})
     for (int i = 0; i < 1'000'000; ++i) text += field;
-  EXPECT_EQ(complaint(text + good_b + "}"), "a: expected an object with 'vertices', 'shape' or 'pieces', found 0");
+  EXPECT_EQ(complaint(text + good_b + "}"),
+            "a: expected an object with 'vertices', 'shape', 'pieces' or 'solid', found 0");
 }
 
 TEST(BadCase, TheIdIsToldWhereverItStands) {

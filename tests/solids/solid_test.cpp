@@ -168,6 +168,7 @@ TEST(Solid, RefusesWithAPlace) {
   EXPECT_EQ(fault_of({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}),
             "the mesh encloses no volume: its faces have no area");
   EXPECT_THROW(solid_of(Body{GivenPoints(cube(0, 1).points)}), std::invalid_argument);
+  EXPECT_NE(fault_of({cube(0, 1).points, {{0, 1, 8}}}).find("expected faces of points"), std::string::npos);
   EXPECT_THROW(solid_of(Body{}), std::invalid_argument);
 }
 

@@ -42,7 +42,7 @@ except ImportError as fault:
 
 from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
 from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh,
-                            read_pieces, sphere, tapered_capsule, union)
+                            read_pieces, solid, sphere, tapered_capsule, union)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
 from fathom._patches import Derivative, Gradient, OptimalCone, Patch, PatchCorner, VertexWeights
@@ -56,4 +56,4 @@ __all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", 
            "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width", "approx",
            "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "cylinder", "depth", "depths", "distance", "ellipsoid",
            "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray", "read_mesh", "read_pieces",
-           "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]
+           "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]

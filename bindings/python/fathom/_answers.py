@@ -20,7 +20,7 @@ DEFAULT_BITS, MOST_BITS, MOST_THREADS = 64, 1000, 1024
 
 
 class NotConvexWarning(UserWarning):
-    """A mesh is not convex, or is open: the answer is that of its hull.
+    """A mesh is not convex, or is open: the answer is that of its hull; `fathom.solid(mesh)` is the mesh itself.
 
     `warnings.simplefilter("error", fathom.NotConvexWarning)` makes it an error.
     """

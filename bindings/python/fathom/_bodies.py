@@ -13,7 +13,7 @@ from fathom._fathom import Body, Pose
 from fathom._types import BodyLike, Number, Triple
 
 __all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "cylinder", "ellipsoid", "frustum", "halfspace", "pose",
-           "read_mesh", "read_pieces", "sphere", "tapered_capsule", "union"]
+           "read_mesh", "read_pieces", "solid", "sphere", "tapered_capsule", "union"]
 
 
 def _body_of_state(*state: Any) -> Body:
@@ -110,6 +110,22 @@ def union(pieces: Iterable[BodyLike]) -> Body:
     <fathom.Body, a union of 2 pieces>
     """
     return _fathom.union(pieces)
+
+
+def solid(mesh: BodyLike) -> Body:
+    """What a closed mesh goes around, convex or not: the union of convex pieces into which it is cut, exactly.
+
+    mesh  a body with faces, as `read_mesh` reads it, or anything with `vertices` and `faces`; a mesh that is not closed, or has a part
+          inside out, raises ValueError with a place (docs/solids.md)
+
+    >>> import fathom
+    >>> spanner = fathom.solid(fathom.read_mesh("tests/data/decompositions/spanner.off"))
+    >>> spanner
+    <fathom.Body, a union of 11 pieces>
+    >>> fathom.union_depth(spanner, fathom.solid(fathom.read_mesh("tests/data/cube.off"))).status
+    'penetrating'
+    """
+    return _fathom.solid(mesh)
 
 
 def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Body:

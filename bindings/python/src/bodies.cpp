@@ -14,6 +14,7 @@
 #include "bindings/python/src/numbers.hpp"
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
+#include "fathom/solid.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
@@ -429,6 +430,16 @@ void bind_bodies(py::module_& module) {
   bind_shapes(module);
   module.def(
       "union", [](const py::object& pieces) { return union_from(pieces, "the body", "pieces"); }, py::arg("pieces"));
+  module.def(
+      "solid",
+      [](const py::object& mesh) {
+        const Body body = body_from(mesh, py::none(), "mesh");
+        return named("mesh", [&] {
+          const py::gil_scoped_release unlocked;
+          return solid_body(body);
+        });
+      },
+      py::arg("mesh"));
   module.def("read_pieces", union_in_files, py::arg("path"), py::arg("decimals"));
   module.def(
       "read_mesh",

@@ -76,7 +76,7 @@ Body union_from(py::handle from, const std::string& called, const std::string& n
 /// Warns if the body is a mesh that is not convex, or is open, or a union of such pieces.
 void warn_of_dents(const Body& body, const std::string& called);
 
-/// Body, Pose, read_mesh, read_pieces, union; sphere and its like.
+/// Body, Pose, read_mesh, read_pieces, union, solid; sphere and its like.
 void bind_bodies(py::module_& module);
 
 }  // namespace fathom::python
