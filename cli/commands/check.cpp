@@ -91,9 +91,9 @@ class Text {
     }
     result_ += '\n';
   }
-  void facets(const fathom_check::Facets& facets) { this->facets(facets, 0, facets.size()); }
-  void facets(const fathom_check::Facets& facets, std::size_t first, std::size_t last) {
-    announce("facets", last - first, "");
+  /// Those from number `first` to `last`.
+  void facets(const fathom_check::Facets& facets, std::size_t first, std::size_t last, const char* name = "facets") {
+    announce(name, last - first, "");
     for (std::size_t f = first; f < last; ++f) {
       add(facets.ends[f] - facets.begin_of(f));
       for (std::size_t k = facets.begin_of(f); k < facets.ends[f]; ++k) {
@@ -173,6 +173,7 @@ void write_claim(Text& text, const Certificate& c) {
     case Claim::disjoint: return text.line("claim disjoint");
     case Claim::apart: return text.line("claim apart", c.low);
     case Claim::signed_bounds: return text.line("claim signed_bounds", c.low, c.high);
+    case Claim::solid: return text.line("claim solid");
   }
 }
 
@@ -197,6 +198,7 @@ void write_body(Text& text, const Body& body, const char* name) {
       });
       break;
     }
+    case Body::Core::solid: text.part(std::string("solid_") + name, body.points.items, point); break;
   }
   if (body.radius.num.sign() != 0) text.line(std::string("radius_") + name, body.radius);
 }
@@ -246,6 +248,20 @@ void write_proof_of_unions(Text& text, const Certificate& c) {
   text.tree(parts.tree.items);
 }
 
+/// All of format 5.
+void write_solid(Text& text, const Certificate& c) {
+  write_body(text, c.a, "a");
+  text.part("mesh", c.of_solid.mesh.items, [&](const fathom_check::SolidParts::Triangle& t) {
+    text.line(std::size_t{t[0]}, std::size_t{t[1]}, std::size_t{t[2]});
+  });
+  std::size_t first = 0;
+  text.part("pieces", c.of_solid.pieces, [&](const fathom_check::List& piece) {
+    text.facets(c.facets.items, first, piece.end, "piece");
+    first = piece.end;
+  });
+  write_claim(text, c);
+}
+
 /// The patches and rates of format 4.
 void write_patches(Text& text, const fathom_check::PatchParts& parts) {
   const auto sides = [&](const fathom_check::PatchParts::Side& side) {
@@ -272,6 +288,10 @@ std::string text_of(const Certificate& c) {
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
   const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
   const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
+  if (c.format == 5) {
+    write_solid(text, c);
+    return std::move(text).ended(c.format);
+  }
   write_body(text, c.a, "a");
   write_body(text, c.b, "b");
   write_claim(text, c);
@@ -286,7 +306,7 @@ std::string text_of(const Certificate& c) {
   }
   if (c.proof == fathom_check::Proof::facets) {
     text.part("vertices", c.vertices.items, pair);
-    text.facets(c.facets.items);
+    text.facets(c.facets.items, 0, c.facets.items.size());
   } else if (c.proof == fathom_check::Proof::weights) {
     text.part("weights_a", c.weights_a.items, weight);
     text.part("weights_b", c.weights_b.items, weight);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/body.hpp"
@@ -64,5 +65,10 @@ std::vector<std::string> notes(const Solid& solid);
 /// The pieces as an OBJ file, one group each, for read_pieces, which finds the same points: where a
 /// coordinate is no integer it is written as a ratio p/q.
 std::string pieces_obj(const Solid& solid);
+/// The text of a certificate that the pieces tile what the mesh encloses, which checkers read:
+/// format 5, verify/check/FORMAT.md. It lists the points that are used; triangles, pieces and
+/// facets stand in it in their order. Whether it is true is for the checkers to say: it is, if the
+/// solid is what its type promises. Throws std::out_of_range for an index that names no point.
+std::string certificate_text(const Solid& solid, std::string_view id = {});
 
 }  // namespace fathom

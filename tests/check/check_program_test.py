@@ -81,10 +81,20 @@ class Certificates(ProgramTest):
             "s VERIFIED penetrating signed_depth=sqrt(1)+0 optima=1 patches=4 rates=2 two%20cubes",
             "s VERIFIED penetrating signed_depth=sqrt(1)+0 optima=2 patches=5+5 rates=3 two%20ways%20out"]))
 
-    def test_the_faults_of_format_4(self):
+    def test_accepted_of_format_5(self):
+        files = sorted((DATA / "format_5").glob("*.cert"))
+        self.assertEqual(self.both(*files), (0, [
+            "s VERIFIED solid triangles=24 pieces=6 a%20cube%20with%20a%20cavity",
+            "s VERIFIED solid triangles=24 pieces=2 a%20cube%20twice",
+            "s VERIFIED solid triangles=20 pieces=2 an%20L",
+            "s VERIFIED solid triangles=15 pieces=1 a%20cube%20with%20a%20T-junction%20and%20a%20flap",
+            "s VERIFIED solid triangles=24 pieces=2 boxes%20that%20share%20an%20edge",
+            "s VERIFIED solid triangles=4 pieces=2 two%20tetrahedra"]))
+
+    def test_the_faults_of_formats_4_and_5(self):
         """Those of faults.jsonl, as check.py sees them too."""
         for row in map(json.loads, (ROOT / "tests" / "check" / "faults.jsonl").read_text().splitlines()):
-            if row["of"].startswith("format_4/") or "fathom-certificate 4" in str(row["edits"]):
+            if row["of"].startswith(("format_4/", "format_5/")) or "fathom-certificate 4" in str(row["edits"]):
                 text = (DATA / row["of"]).read_text() if row["of"] else ""
                 for before, after in row["edits"]:
                     text = text.replace(before, after, 1)
@@ -96,7 +106,7 @@ class Certificates(ProgramTest):
         page = (ROOT / "verify" / "check" / "FORMAT.md").read_text()
         blocks = [block for block in re.findall(r"(?:^    .+\n)+", page, re.MULTILINE) if block.startswith("    fathom-certificate")]
         files = [re.sub("^#.*\n", "", file.read_text(), flags=re.MULTILINE) for file in DATA.rglob("*.cert")]
-        self.assertEqual(len(blocks), 4)
+        self.assertEqual(len(blocks), 5)
         for block in blocks:
             text = "".join(re.sub("  .*", "", line[4:]) + "\n" for line in block.splitlines())
             found = [file for file in files if re.sub("^id .*\n", "", file,
@@ -161,7 +171,7 @@ class Certificates(ProgramTest):
                          (2, ["s MALFORMED two%20cubes:21", APART_OK]))
         self.assertEqual(self.both("-", stdin="x\ny\n" + APART + "z\n" + APART),
                          (2, ["s MALFORMED <stdin>:1", APART_OK, f"s MALFORMED <stdin>:{LENGTH + 3}", APART_OK]))
-        self.assertEqual(self.both("-", stdin="fathom-certificate 5\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
+        self.assertEqual(self.both("-", stdin="fathom-certificate 6\nid x\n" + APART), (2, ["s MALFORMED <stdin>:1", APART_OK]))
         self.assertEqual(self.both("-", stdin="fathom-certificate 2\nid x\n" + APART), (2, ["s MALFORMED x:3", APART_OK]))
         self.assertEqual(self.both("-", stdin=APART + "fathom-certificate 1"), (2, [APART_OK, f"s MALFORMED <stdin>:{LENGTH + 1}"]))
 
@@ -220,6 +230,19 @@ class Options(ProgramTest):
             "c rate 1 0 0 0 0 0 1 1", "c rate 0 0 0 0 1 0 1 4"]))
         code, lines, _ = self.run_program(CHECK, "--echo", DATA / "format_4" / "capsule_on_floor.cert")
         self.assertEqual((code, lines[7:10]), (0, ["c patch 2", "c a 0 0 1/2", "c a 2 0 1/2"]))
+
+    def test_a_solid_is_compared_with_nothing(self):
+        solid = DATA / "format_5" / "two_tetrahedra.cert"
+        code, lines, _ = self.run_program(CHECK, "--echo", solid)
+        self.assertEqual((code, lines[:3], lines[6:-1]), (0, ["c id two%20tetrahedra", "c solid_a 5", "c 0 0 0"], [
+            "c 2 0 0", "c mesh 4", "c 0 2 4", "c 0 4 1", "c 0 1 2", "c 1 4 2", "c claim solid"]))
+        case = self.file("case.json", json.dumps({"a": {"vertices": [[0, 0, 0]]}, "b": {"vertices": [[0, 0, 0]]}}))
+        results = self.file("results.jsonl", json.dumps({"status": "solid", "certificate": solid.read_text()}))
+        for words, expected in ((["--width", solid], "solids have no width here: it is that of a convex body"),
+                                (["--case", case, solid], "a solid is not what a case holds"),
+                                (["--results", results], "a solid is no result")):
+            code, lines, _ = self.run_program(CHECK, *words)
+            self.assertEqual((code, reason(lines[0])), (1, expected))
 
     def test_case_of_format_2(self):
         folder = DATA / "format_2"

@@ -32,7 +32,7 @@ rm -rf found corpus
 with_a_first_byte corpus/mesh "$root"/tests/data/wedge*
 mapfile -t cases < <(find "$root/tests/data" -maxdepth 1 -name '*.json*' -size -20k)
 with_a_first_byte corpus/cases "${cases[@]}" "$root/examples/shapes.jsonl"
-mkdir -p corpus/check && cp "$root"/tests/fuzz/corpus/check/* "$root"/tests/data/certificates/format_[234]/* corpus/check
+mkdir -p corpus/check && cp "$root"/tests/fuzz/corpus/check/* "$root"/tests/data/certificates/format_[2345]/* corpus/check
 
 run() {
   local target=$1 corpus=$2

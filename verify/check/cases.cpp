@@ -225,6 +225,7 @@ const CaseFile::Bodies& CaseFile::find(const Certificate& certificate,
 }
 
 void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
+  if (certificate.format == 5) throw refused(certificate.a.line, "a solid is not what a case holds");
   const Bodies& own = find(certificate, result_id);
   compare_body(certificate.a, own.a, "a");
   if (!width) compare_body(certificate.b, own.b, "b");
@@ -232,6 +233,7 @@ void CaseFile::compare(const Certificate& certificate, bool width, const std::op
 
 void require_width(const Certificate& certificate) {
   const Body &a = certificate.a, &b = certificate.b;
+  if (a.core == Body::Core::solid) throw refused(a.line, "solids have no width here: it is that of a convex body");
   if (a.core == Body::Core::pieces) throw refused(a.line, "unions have no width here: it is that of a convex body");
   const bool equal =
       a.core == b.core && same(a.points.items, b.points.items) && same(a.terms, b.terms) && same(a.radius, b.radius);

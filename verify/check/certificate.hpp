@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A certificate as it was read: nothing in it is believed yet.
-//                                                           [FORMAT.md, sections 2, 3, 12 and 13]
+//                                                       [FORMAT.md, sections 2, 3, 12, 13 and 14]
 #pragma once
 
 #include <gmpxx.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -30,7 +31,7 @@ struct RationalPoint {
   Rational x, y, z;
 };
 
-enum class Claim { depth, bounds, touching, disjoint, apart, signed_bounds };
+enum class Claim { depth, bounds, touching, disjoint, apart, signed_bounds, solid };
 
 /// Indices as read; one too large for any list has become `no_index`.
 constexpr std::uint32_t no_index = UINT32_MAX;
@@ -82,7 +83,7 @@ struct Place {
 
 /// A core, the radius around it, and what the proof says about the core alone.
 struct Body {
-  enum class Core { points, shape, half_space, pieces };
+  enum class Core { points, shape, half_space, pieces, solid };
 
   Core core = Core::points;
   std::size_t line = 0;                     ///< that announces the core
@@ -161,6 +162,14 @@ struct PatchParts {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : corners.items[k - 1].end_b; }
 };
 
+/// What a certificate of format 5 says; its points are those of `a`.
+struct SolidParts {
+  using Triangle = std::array<std::uint32_t, 3>;
+  Part<std::vector<Triangle>> mesh;
+  std::vector<List> pieces;  ///< of facets of the certificate
+  std::size_t line = 0;      ///< that announces the pieces
+};
+
 struct Certificate {
   Arena integers;  ///< where all below lie
   int format = 1;
@@ -180,6 +189,7 @@ struct Certificate {
   Part<std::vector<Pair>> differences;
   UnionParts of_unions;
   PatchParts of_patches;
+  SolidParts of_solid;
   mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };

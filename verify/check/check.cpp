@@ -38,11 +38,13 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
   const char* const what = v.format == 2 || v.format == 4 ? " signed_depth"
                            : v.distance_squared.empty()   ? " depth_squared"
                                                           : " distance_squared";
-  std::string line = "s VERIFIED " + v.status + what;
-  if (v.at_least.empty()) {
-    line += "=" + v.depth_squared + v.distance_squared + v.signed_depth;
+  std::string line = "s VERIFIED " + v.status;
+  if (v.format == 5) {
+    line += " triangles=" + std::to_string(v.triangles);
+  } else if (v.at_least.empty()) {
+    line += what + ("=" + v.depth_squared + v.distance_squared + v.signed_depth);
   } else {
-    line += "_in=[" + v.at_least + "," + v.at_most + "]";
+    line += what + ("_in=[" + v.at_least + "," + v.at_most + "]");
   }
   if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
   if (!v.cone.empty()) line += " cone=" + v.cone;

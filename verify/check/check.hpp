@@ -18,9 +18,10 @@ struct Verdict {
   std::string id;                      ///< as written in the certificate, percent-escaped; empty if it has none
 
   // If verified:
-  std::string status;  ///< "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open
+  /// "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open; "solid"
+  std::string status;
   /// of the certificate: 1 sets depth_squared, 2 and 4 signed_depth, unless it claims bounds; 3 one
-  /// of the squares
+  /// of the squares; 5 none
   int format = 1;
   std::string depth_squared;      ///< exact, in lowest terms: "1/4"
   std::string distance_squared;   ///< exact, of unions that are apart
@@ -33,7 +34,8 @@ struct Verdict {
   /// claimed
   std::string cone;
 
-  std::string pieces;     ///< of unions: "2x5", of a and of b
+  std::string pieces;         ///< of unions: "2x5", of a and of b; of a solid: "5"
+  std::size_t triangles = 0;  ///< of the mesh of a solid
   std::string patches;    ///< "4+1": how many corners the contact patch of each direction has; empty if none is claimed
   std::size_t rates = 0;  ///< number of derivatives of the signed depth that are claimed
 

@@ -19,7 +19,8 @@ TEXT = re.compile("([!-$&-~]|%[0-9A-Fa-f]{2})+")
 NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of each format: how many a claim has
            2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
            3: {"depth": 1, "touching": 0, "apart": 1},
-           4: {"depth": 1, "touching": 0, "apart": 1}}
+           4: {"depth": 1, "touching": 0, "apart": 1},
+           5: {"solid": 0}}
 ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
 
 
@@ -111,9 +112,9 @@ class Reader:
     def part(self, word, shape, number):
         return self.rows(self.header(word), shape, number)
 
-    def facets(self):
+    def facets(self, word="facets"):
         found = []
-        for _ in self.header("facets"):
+        for _ in self.header(word):
             self.advance()
             row = self.these(*[NATURAL] * len(self.fields()))
             demand(int(row[0]) == len(row) - 1, "expected as many corners as announced", Malformed)
@@ -213,21 +214,27 @@ class Reader:
             c["nearest"] = self.indices("nearest")
             self.weights(c)
 
+    def solid(self, c):
+        c["a"], c["mesh"] = self.part("solid_a", [RATIONAL] * 3, rational), self.part("mesh", [NATURAL] * 3, int)
+        count, c["pieces"] = self.header("pieces"), []
+        self.advance()
+        for _ in count:
+            self.count_numbers(1)
+            c["pieces"].append(self.facets("piece"))
+        self.claim(c)
+
     def weights(self, c):
         c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
         c["weights_b"] = self.part("weights_b", [NATURAL, RATIONAL], rational)
 
     def certificate(self, c):
         self.bytes, self.numbers, self.counts = 0, 0, []
-        c["format"] = int(self.these("fathom-certificate", re.compile("[1234]"))[1])
+        c["format"] = int(self.these("fathom-certificate", re.compile("[12345]"))[1])
         self.advance()
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
             self.advance()
-        if c["format"] == 3:
-            self.union(c)
-        else:
-            self.convex(c)
+        {3: self.union, 5: self.solid}.get(c["format"], self.convex)(c)
         if c["format"] == 4:
             self.patches(c)
         counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
@@ -376,6 +383,18 @@ def require_union_limits(c):
     for x in "ab":
         c["pieces_" + x] = [[scaled(p, c["unit"]) for p in piece] for piece in c["pieces_" + x]]
         c["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + x]]
+
+
+def require_solid_limits(c):
+    """Section 14: the same of a solid. From here on the points are x y z w, integers: x/w, y/w, z/w, with w > 0."""
+    units = [lcm(*(x.denominator for x in p)) for p in c["a"]]
+    c["a"] = [(*scaled(p, unit), unit) for p, unit in zip(c["a"], units)]
+    h = max((p[3].bit_length() + widest(p[:3]) for p in c["a"]), default=0)
+    corners, triangles = sum(len(f) for facets in c["pieces"] for f in facets), len(c["mesh"])
+    demand((len(c["a"]) + 10 * triangles + 4 * corners) * h <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    products = sum(len(facets) * len({k for f in facets for k in f if k < len(c["a"])}) for facets in c["pieces"])
+    work = 3 * (3 * triangles + corners) * cost(4 * h, 4 * h) + products * cost(5 * h, h)
+    demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
 
 
 def scaled(numbers, unit):
@@ -726,6 +745,63 @@ def check_union(c):
     return f"disjoint distance_squared={q} {size}" if q else f"touching depth_squared=0 {size}"
 
 
+def primitive(v):
+    """A vector that is not zero, divided by the greatest common divisor of its entries."""
+    return tuple(x // gcd(*v) for x in v)
+
+
+def unsigned(v):
+    """One for v and -v."""
+    return max(v, minus(v))
+
+
+def edge(p, q):
+    """A positive multiple of q - p; points are x y z w."""
+    return tuple(y * p[3] - x * q[3] for x, y in zip(p[:3], q[:3]))
+
+
+def normal_of(corners):
+    """The primitive vector of which the normals of all triangles are positive multiples that are fanned out from the first corner."""
+    first, *others = corners
+    fan = [cross(edge(first, p), edge(first, q)) for p, q in zip(others, others[1:])]
+    demand(fan and all(map(any, fan)), "fewer than three corners, or some on a line")
+    normal, *others = map(primitive, fan)
+    demand(all(n == normal for n in others), "not a flat and convex polygon")
+    return normal
+
+
+def check_piece(points, facets):
+    """It is the hull of its corners, and each of its faces is one facet. The normals of the facets."""
+    normals = [normal_of([points[k] for k in f]) for f in facets]
+    demand(len(set(normals)) == len(facets) > 0, "no facets, or two with the same normal")
+    corners = [points[k] for k in {k for f in facets for k in f}]
+    for n, (k, *_) in zip(normals, facets):
+        sides = [dot(n, edge(points[k], p)) for p in corners]
+        demand(max(sides) <= 0 > min(sides), "a corner above a facet, or none below")
+    edges = {(u, v) for f in facets for u, v in zip(f, f[1:] + f[:1])}
+    demand(all((v, u) in edges for u, v in edges), "an edge with one facet")
+    return normals
+
+
+def check_solid(c):
+    """Section 14. What is proved, for the verdict line."""
+    points, mesh, pieces = c["a"], c["mesh"], c["pieces"]
+    demand(pieces, "no pieces")
+    demand(all(k < len(points) for facets in [mesh, *pieces] for f in facets for k in f), "there is no point of this number")
+    demand(len(set(points)) == len(points), "a point that is there twice")
+    triangles = [t for t in mesh if any(cross(*(edge(points[t[0]], points[k]) for k in t[1:])))]
+    polygons = [(t, normal_of([points[k] for k in t]), 1) for t in triangles]
+    polygons += [(f, n, -1) for facets in pieces for f, n in zip(facets, check_piece(points, facets))]
+    flags = Counter()
+    for polygon, n, sign in polygons:
+        for u, v in zip(polygon, polygon[1:] + polygon[:1]):
+            along = unsigned(primitive(edge(points[u], points[v])))
+            flags[v, unsigned(n), along] += sign
+            flags[u, unsigned(n), along] -= sign
+    demand(not any(flags.values()), "the pieces do not tile what the mesh encloses")
+    return f"solid triangles={len(mesh)} pieces={len(pieces)}"
+
+
 def place(c, name):
     return f" (in {name})" if c["id"] else ""
 
@@ -742,8 +818,10 @@ def verdicts(file, name):
         c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": [], "patches": [], "rates": []})
         try:
             reader.certificate(c)
-            (require_union_limits if c["format"] == 3 else require_limits)(c)
-            yield 0, f"s VERIFIED {(check_union if c['format'] == 3 else check)(c)} {c['id'] or name}"
+            require, judge = {3: (require_union_limits, check_union), 5: (require_solid_limits, check_solid)}.get(
+                c["format"], (require_limits, check))
+            require(c)
+            yield 0, f"s VERIFIED {judge(c)} {c['id'] or name}"
             reader.advance()
         except Refused as error:
             yield 1, f"s REFUSED {c['id'] or name}:{reader.number}: {error}{place(c, name)}"

@@ -108,9 +108,7 @@ void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squar
     const RationalPoint& p = optima.items[k];
     if (k > 0 && !below(optima.items[k - 1], p))
       throw refused(optima.lines[k], "an optimum must be above the one before it");
-    const mpz_class den = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
-    const auto over = [&den](const Rational& r) { return mpz_class(den / r.den.value() * r.num.value()); };
-    const MutableVector t{over(p.x), over(p.y), over(p.z)};
+    const auto [t, den] = homogeneous(p);
     dot(reached, t, t);
     if (reached * c.low.den.value() != c.low.num.value() * den * den)
       throw refused(optima.lines[k], "the length of this translation is not the depth");

@@ -20,8 +20,8 @@ constexpr int usage_error = 2;
 // In lines of 80 columns.
 constexpr std::string_view about =
     " [OPTIONS] FILE...\n"
-    "Checks certificates of how deep two bodies lie in each other, exactly; - is\n"
-    "standard input. The format and what acceptance proves: FORMAT.md.\n"
+    "Checks certificates of how deep two bodies lie in each other, and of convex\n"
+    "pieces that tile a mesh, exactly; - is standard input. The format and what acceptance proves: FORMAT.md.\n"
     "\n";
 constexpr std::string_view answers =
     "\n"

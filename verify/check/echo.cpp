@@ -36,6 +36,7 @@ void core(std::ostream& out, const char* name, const Body& body) {
     case Body::Core::half_space:
       out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n';
       return;
+    case Body::Core::solid: return;
     case Body::Core::pieces:
       out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
       for (std::size_t k = 0; k < body.pieces.size(); ++k)
@@ -82,6 +83,11 @@ void patches(std::ostream& out, const Certificate& c) {
 std::string echo(const Certificate& c) {
   std::ostringstream out;
   if (!c.id.empty()) out << "c id " << c.id << '\n';
+  if (c.format == 5) {
+    points(out, "solid_a", c.a, 0, c.a.points.items.size());
+    out << "c mesh " << c.of_solid.mesh.items.size() << '\n';
+    for (const auto& [i, j, k] : c.of_solid.mesh.items) out << "c " << i << ' ' << j << ' ' << k << '\n';
+  }
   for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
     core(out, name, *body);
     if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
@@ -90,6 +96,7 @@ std::string echo(const Certificate& c) {
   switch (c.claim) {
     case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
     case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+    case Claim::solid: out << "solid\n"; break;
     case Claim::touching: out << "touching\n"; break;
     case Claim::disjoint: out << "disjoint\n"; break;
     case Claim::apart: out << "apart " << text(c.low) << '\n'; break;

@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "budget.hpp"
+#include "checks.hpp"
 #include "combine.hpp"
+#include "scaled.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {
@@ -179,11 +181,31 @@ void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& li
   c.of_unions.unit = of_optima.denominator();
 }
 
+// The letters are those of section 14.
+void require_limits_of_solid(const Certificate& c, std::size_t line, const Limits& limits) {
+  const Count n = c.a.points.items.size(), f = c.of_solid.mesh.items.size(), corners = c.facets.items.corners.size();
+  Count h = 0, s = 0;
+  for (const RationalPoint& point : c.a.points.items) {
+    const auto [p, d] = homogeneous(point);
+    h = std::max<Count>(h, bits(d) + std::max({bits(p.x), bits(p.y), bits(p.z)}));
+  }
+  const std::vector<List>& pieces = c.of_solid.pieces;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const std::vector<std::uint32_t> named = corners_of_piece(c, k);
+    const auto there = std::lower_bound(named.begin(), named.end(), n) - named.begin();
+    s = sum(s, product(pieces[k].end - begin_of(pieces, k), static_cast<Count>(there)));
+  }
+  if (product(n + 10 * f + 4 * corners, h) > limits.size) throw Width(0, line, limits).too_large();
+  const Count work = product(3 * (3 * f + corners), cost(4 * h, 4 * h));
+  require_work(sum(work, product(s, cost(5 * h, h))), line, limits);
+}
+
 }  // namespace
 
 // The letters are those of section 8.
 void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   if (c.format == 3) return require_limits_of_unions(c, line, limits);
+  if (c.format == 5) return require_limits_of_solid(c, line, limits);
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
   n /= 3;

@@ -62,7 +62,7 @@ class Parser {
   void read_heights(Body& body, const std::string& name);
   void read_inner(Body& body, const std::string& name);
   void read_pairs(Part<std::vector<Pair>>& part, const char* word);
-  void read_facets(Part<Facets>& part);
+  void read_facets(Part<Facets>& part, const char* word = "facets");
   void read_weights(Part<std::vector<Weight>>& part, const char* word);
   void read_proof(Certificate& result);
   void read_convex(Certificate& result);
@@ -73,6 +73,7 @@ class Parser {
   void read_polytopes(Certificate& result);
   void read_tree(Part<Nodes>& part);
   void read_nearest(Certificate& result);
+  void read_solid(Certificate& result);
   void read_patches(PatchParts& parts);
   void read_corner(PatchParts& parts);
   std::size_t read_weights_of_corner(std::vector<Weight>& weights, std::size_t first);

@@ -24,7 +24,7 @@ bool is_id(std::string_view text) {
 bool is_header(std::string_view line) {
   constexpr std::string_view start = "fathom-certificate ";
   return line.size() == start.size() + 1 && line.substr(0, start.size()) == start && line.back() >= '1' &&
-         line.back() <= '4';
+         line.back() <= '5';
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void Parser::read(Certificate& result) {
   integers_ = &result.integers;
   const bool whole = lines_->kind() == Lines::Kind::whole;
   if (!whole || !is_header(lines_->text())) {
-    const Fault fault = wrong("'fathom-certificate' and a format: 1, 2, 3 or 4");
+    const Fault fault = wrong("'fathom-certificate' and a format: 1 to 5");
     if (at_header()) lines_->advance();  // it is this certificate's own
     throw fault;
   }
@@ -43,8 +43,12 @@ void Parser::read(Certificate& result) {
   bytes_ += lines_->text().size();
   advance();
   if (at("id")) read_id(result);
-  result.format == 3 ? read_unions(result) : read_convex(result);
-  if (result.format == 4) read_patches(result.of_patches);
+  switch (result.format) {
+    case 3: read_unions(result); break;
+    case 4: read_convex(result), read_patches(result.of_patches); break;
+    case 5: read_solid(result); break;
+    default: read_convex(result);
+  }
   read_footer(result);
   require_limits(result, lines_->number(), limits_);
 }
@@ -84,6 +88,26 @@ std::size_t Parser::header(const std::string& word, const char* number, std::siz
 
 RationalPoint Parser::point(std::size_t first) const {
   return {rational(fields_[first]), rational(fields_[first + 1]), rational(fields_[first + 2])};
+}
+
+void Parser::read_solid(Certificate& result) {
+  result.a.core = result.b.core = Body::Core::solid;
+  result.a.line = lines_->number();
+  read_rows(result.a.points, header("solid_a", "the number of its points"), 3, "a point: three rational numbers",
+            [this](auto& points) { points.push_back(point(0)); });
+  SolidParts& parts = result.of_solid;
+  read_rows(parts.mesh, header("mesh", "the number of its triangles"), 3, "a triangle: three indices of points",
+            [this](auto& mesh) {
+              mesh.push_back({index_number(fields_[0]), index_number(fields_[1]), index_number(fields_[2])});
+            });
+  parts.line = lines_->number();
+  std::size_t left = header("pieces");
+  for (advance(); left > 0; --left) {
+    count_numbers(1);
+    read_facets(result.facets, "piece");
+    parts.pieces.push_back({result.facets.items.size(), result.facets.line});
+  }
+  read_claim(result);
 }
 
 void Parser::read_body(Body& body, const std::string& name, int format) {
@@ -144,22 +168,25 @@ void Parser::read_claim(Certificate& result) {
   if (result.format == 1) expected = "'claim depth Q', 'claim bounds LO HI', 'claim touching' or 'claim disjoint'";
   if (shapes) expected = "'claim signed_bounds LO HI'";
   if (result.format > 2) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
+  if (result.format == 5) expected = "'claim solid'";
   require_line(expected);
   result.claim_line = lines_->number();
   if (fields_.size() < 2 || fields_[0] != "claim") throw wrong(expected);
   const auto is = [&](std::string_view word, std::size_t numbers, bool there) {
     return there && fields_[1] == word && fields_.size() == 2 + numbers;
   };
-  const bool first = result.format == 1, second = result.format == 2;
-  if (is("depth", 1, !shapes)) {
+  const bool first = result.format == 1, second = result.format == 2, solid = result.format == 5;
+  if (is("solid", 0, solid)) {
+    result.claim = Claim::solid;
+  } else if (is("depth", 1, !shapes && !solid)) {
     result.claim = Claim::depth;
-  } else if (is("touching", 0, !shapes)) {
+  } else if (is("touching", 0, !shapes && !solid)) {
     result.claim = Claim::touching;
   } else if (is("bounds", 2, first)) {
     result.claim = Claim::bounds;
   } else if (is("disjoint", 0, first)) {
     result.claim = Claim::disjoint;
-  } else if (is("apart", 1, !first && !shapes)) {
+  } else if (is("apart", 1, !first && !shapes && !solid)) {
     result.claim = Claim::apart;
   } else if (is("signed_bounds", 2, second)) {
     result.claim = Claim::signed_bounds;
@@ -208,10 +235,10 @@ void Parser::read_pairs(Part<std::vector<Pair>>& part, const char* word) {
   });
 }
 
-void Parser::read_facets(Part<Facets>& part) {
+void Parser::read_facets(Part<Facets>& part, const char* word) {
   constexpr const char* facet = "a facet: the number of its corners, and that many indices of vertices";
   part.line = lines_->number();
-  for (std::size_t left = header("facets"); left > 0; --left) {
+  for (std::size_t left = header(word); left > 0; --left) {
     next(facet);
     if (count(0, facet) != fields_.size() - 1) throw wrong(facet);
     count_numbers(fields_.size());

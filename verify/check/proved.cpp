@@ -21,6 +21,7 @@ const char* status(const Certificate& c) {
     case Claim::disjoint: return of_sign(-1);
     case Claim::touching: return of_sign(sgn(radii(c)));
     case Claim::apart: return of_sign(cmp(radii(c) * radii(c), value(c.low)));
+    case Claim::solid: return "solid";
     case Claim::signed_bounds: break;
   }
   if (c.low.num.sign() > 0 || c.high.num.sign() < 0) return of_sign(c.low.num.sign());

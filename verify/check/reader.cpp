@@ -34,7 +34,10 @@ Verdict verified(const Certificate& c) {
   Verdict verdict;
   verdict.status = status(c);
   verdict.format = c.format;
-  if (c.format == 3) {
+  if (c.format == 5) {
+    verdict.triangles = c.of_solid.mesh.items.size();
+    verdict.pieces = std::to_string(c.of_solid.pieces.size());
+  } else if (c.format == 3) {
     const auto pieces = [](const Body& body) { return std::to_string(body.pieces.size()); };
     verdict.pieces = pieces(c.a) + "x" + pieces(c.b);
     (c.claim == Claim::apart ? verdict.distance_squared : verdict.depth_squared) = text(c.low);

@@ -180,6 +180,7 @@ void compare(const Result& result, const Certificate& c) {
   const auto demand = [&c](bool right, const char* fault) {
     if (!right) throw refused(c.claim_line, fault);
   };
+  demand(c.format != 5, "a solid is no result");
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id,
          "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");

@@ -26,6 +26,7 @@ class Scaling {
         break;
       case Body::Core::shape: make_shape(body, result); break;
       case Body::Core::half_space: make_half_space(body, result); break;
+      case Body::Core::solid: break;
     }
     return result;
   }
@@ -117,6 +118,12 @@ void make_words(ScaledBody& body) {
 }
 
 }  // namespace
+
+Homogeneous homogeneous(const RationalPoint& p) {
+  const mpz_class w = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
+  const auto over = [&w](const Rational& r) { return mpz_class(w / r.den.value() * r.num.value()); };
+  return {{over(p.x), over(p.y), over(p.z)}, w};
+}
 
 Scaled scaled(const Certificate& certificate, Arithmetic arithmetic) {
   if (certificate.a.core == Body::Core::half_space && certificate.b.core == Body::Core::half_space)

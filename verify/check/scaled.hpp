@@ -12,6 +12,13 @@
 
 namespace fathom_check {
 
+/// A point over a common denominator of its own.
+struct Homogeneous {
+  MutableVector x;
+  mpz_class w;  ///< positive, the least there is
+};
+Homogeneous homogeneous(const RationalPoint& p);
+
 /// In units of 1 / certificate.scale.
 struct ScaledBody {
   std::vector<Vector> points;                           ///< the core points: none of a half-space; of all pieces
