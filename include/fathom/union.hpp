@@ -64,8 +64,8 @@ struct UnionBounds {
 struct UnionCounters {
   std::uint64_t nodes = 0;           ///< cells that were split
   std::uint64_t nearest_points = 0;  ///< least-norm problems of cells that were solved
-  std::uint64_t pairs = 0;           ///< pairs of pieces
-  std::uint64_t pairs_touched = 0;   ///< of these, looked at closely
+  std::uint64_t pairs = 0;           ///< pairs of pieces: all that there are
+  std::uint64_t pairs_touched = 0;   ///< of these, looked at closely: boxes or a direction did not tell
 };
 
 /// The answer about two unions.

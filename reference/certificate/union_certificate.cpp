@@ -50,21 +50,15 @@ class UnionWriter {
   }
 
   // The first pair of pieces that touch has a common point.
-  std::string touching(kernels::Context& context) {
+  std::string touching(const PieceContact& first) {
     const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
     out_.word("claim").word("touching").end();
-    write_separations(unions::separations(unions::UnionSearch(pieces), {}));
-    for (std::uint32_t i = 0; i < a_.size(); ++i) {
-      for (std::uint32_t j = 0; j < b_.size(); ++j) {
-        context.check();
-        const polytope::PlacedPair pair = pieces.pair(i, j);
-        const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
-        if (origin.position != polytope::Position::boundary) continue;
-        write_nearest(i, j, origin.a, origin.b);
-        return end();
-      }
-    }
-    contradiction("no pieces touch");
+    write_separations(unions::separations(pieces, {}));
+    const polytope::PlacedPair pair = pieces.pair(first.a, first.b);
+    const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
+    if (origin.position != polytope::Position::boundary) contradiction("pieces that do not touch");
+    write_nearest(first.a, first.b, origin.a, origin.b);
+    return end();
   }
 
   // Each pair has a direction in which it is as far apart as it is; the first nearest one has the
@@ -78,7 +72,8 @@ class UnionWriter {
         context.check();
         const polytope::PlacedPair pair = pieces.pair(i, j);
         polytope::NearestPoints found = polytope::nearest_points(pair.a, pair.b);
-        const mpq_class squared = pieces.squared(found.height * found.height, dot(found.normal, found.normal));
+        const mpq_class squared =
+            kernels::ratio(found.height * found.height, dot(found.normal, found.normal)) * pair.unit() * pair.unit();
         if (squared < answer.distance.squared) contradiction("nearer pieces");
         directions.push_back(found.normal);
         if (std::pair(i, j) != std::pair(answer.a, answer.b)) continue;
@@ -143,7 +138,7 @@ std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth&
   if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");
   certificate::UnionWriter writer(a, b, id);
   if (answer.status == Status::penetrating) return writer.penetrating(context, answer);
-  if (answer.status == Status::touching) return writer.touching(context);
+  if (answer.status == Status::touching) return writer.touching(answer.optima.at(0).contacts.at(0));
   return writer.disjoint(context, answer.apart.value());
 }
 

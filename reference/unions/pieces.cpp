@@ -25,21 +25,126 @@ void require_points(const Pieces& pieces, const std::string& body) {
     if (pieces[i].empty()) throw std::invalid_argument("piece " + std::to_string(i) + " of " + body + " has no points");
 }
 
-std::vector<kernels::PointCloud> parted(const kernels::PointCloud& whole, const Pieces& pieces,
-                                        const std::string& body) {
-  std::vector<kernels::PointCloud> clouds;
+void require_interior(const std::vector<Vector>& points, std::size_t i, const std::string& body) {
+  if (polytope::affine_rank(points) < 3)
+    throw std::invalid_argument("piece " + std::to_string(i) + " of " + body +
+                                " is flat: the pieces of a union need interiors");
+}
+
+std::vector<PlacedPiece> parted(const kernels::PointCloud& whole, const Pieces& pieces, const std::string& body) {
+  std::vector<PlacedPiece> placed;
   auto from = whole.points().begin();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const auto to = std::next(from, static_cast<std::ptrdiff_t>(pieces[i].size()));
     std::vector<Vector> points(from, to);
-    if (polytope::affine_rank(points) < 3)
-      throw std::invalid_argument("piece " + std::to_string(i) + " of " + body +
-                                  " is flat: the pieces of a union need interiors");
-    clouds.emplace_back(std::move(points), whole.exponent());
+    require_interior(points, i, body);
+    placed.push_back({kernels::PointCloud(std::move(points), whole.exponent())});
     from = to;
   }
-  return clouds;
+  return placed;
 }
+
+// ---- lattices of their own ----
+
+constexpr long most_shared_bits = 128;
+
+template <class F>
+void for_each_coordinate(const Pieces& pieces, F f) {
+  for (const std::vector<Point>& piece : pieces)
+    for (const Point& p : piece)
+      for (const mpq_class* c : {&p.x, &p.y, &p.z}) f(*c);
+}
+
+// A multiple of the shortest denominators: what most pieces share when some of their points were
+// there before they were cut.
+mpz_class shared_denominator(const Pieces& a, const Pieces& b) {
+  std::vector<mpz_class> all;
+  for (const Pieces* body : {&a, &b}) {
+    for_each_coordinate(*body, [&](const mpq_class& c) {
+      if (kernels::bit_length(c.get_den()) <= most_shared_bits) all.push_back(c.get_den());
+    });
+  }
+  std::sort(all.begin(), all.end());
+  mpz_class shared = 1;
+  for (const mpz_class& denominator : all) {
+    mpz_class both = lcm(shared, denominator);
+    if (kernels::bit_length(both) <= most_shared_bits) shared = std::move(both);
+  }
+  return shared;
+}
+
+mpz_class floored(const mpq_class& q) {
+  mpz_class n;
+  mpz_fdiv_q(n.get_mpz_t(), q.get_num_mpz_t(), q.get_den_mpz_t());
+  return n;
+}
+
+PlacedPiece placed_alone(const std::vector<Point>& piece, const mpz_class& denominator, const Point& origin) {
+  std::vector<Point> moved;
+  mpz_class factor = 1;
+  for (const Point& p : piece) {
+    moved.push_back(denominator * (p - origin));
+    for (const mpq_class* c : {&moved.back().x, &moved.back().y, &moved.back().z}) factor = lcm(factor, c->get_den());
+  }
+  const auto multiple = [&](const mpq_class& c) { return mpz_class(c.get_num() * (factor / c.get_den())); };
+  std::vector<Vector> points;
+  for (const Point& p : moved) points.push_back({multiple(p.x), multiple(p.y), multiple(p.z)});
+  const long exponent = kernels::binary_exponent(points);
+  return {kernels::PointCloud(std::move(points), exponent), std::move(factor)};
+}
+
+// An upper bound of the exponent of a piece's coordinates in the common unit.
+long common_exponent(const PlacedPiece& piece) {
+  return piece.cloud.exponent() - kernels::bit_length(piece.factor) + 1;
+}
+
+PlacedPieces place_each(const Pieces& a, const Pieces& b) {
+  PlacedPieces placed;
+  mpz_class& denominator = placed.whole.denominator = shared_denominator(a, b);
+  const auto on_lattice = [&](const mpq_class& c) { return kernels::ratio(floored(c * denominator), denominator); };
+  long exponent = -1;
+  while (exponent < 0) {
+    const Point& first = b[0][0];
+    placed.whole.origin = {on_lattice(first.x), on_lattice(first.y), on_lattice(first.z)};
+    for (const auto& [from, to] : {std::pair(&a, &placed.a), std::pair(&b, &placed.b)}) {
+      to->clear();
+      for (std::size_t i = 0; i < from->size(); ++i) {
+        to->push_back(placed_alone((*from)[i], denominator, placed.whole.origin));
+        require_interior(to->back().cloud.points(), i, from == &a ? "A" : "B");
+        exponent = std::max(exponent, common_exponent(to->back()));
+      }
+    }
+    if (exponent < 0) denominator <<= static_cast<unsigned long>(-exponent);
+  }
+  for (std::vector<PlacedPiece>* body : {&placed.a, &placed.b}) {
+    for (PlacedPiece& piece : *body) {
+      long power = 0;
+      const double mantissa = mpz_get_d_2exp(&power, piece.factor.get_mpz_t());
+      piece.scale = std::ldexp(1 / mantissa, static_cast<int>(piece.cloud.exponent() - power - exponent));
+    }
+  }
+  placed.whole.a = placed.whole.b = kernels::PointCloud({}, exponent);
+  return placed;
+}
+
+std::vector<Vector> multiples(const PlacedPiece& piece, const mpz_class& factor) {
+  const mpz_class by = factor / piece.factor;
+  std::vector<Vector> points;
+  for (const Vector& p : piece.cloud.points()) points.push_back(by * p);
+  return points;
+}
+
+// The least and the greatest coordinate of a piece along an axis, in the common unit.
+std::pair<mpq_class, mpq_class> extent(const PlacedPiece& piece, int axis) {
+  const auto before = [&](const Vector& p, const Vector& q) {
+    return kernels::coordinate(p, axis) < kernels::coordinate(q, axis);
+  };
+  const auto [low, high] = std::minmax_element(piece.cloud.points().begin(), piece.cloud.points().end(), before);
+  return {kernels::ratio(kernels::coordinate(*low, axis), piece.factor),
+          kernels::ratio(kernels::coordinate(*high, axis), piece.factor)};
+}
+
+// ---- pairs ----
 
 constexpr std::size_t most_separations = 14;
 
@@ -64,18 +169,41 @@ polytope::NarrowDifferences<polytope::NarrowInteger> differences_of(FixedNumbers
 
 }  // namespace
 
-PlacedPieces place_pieces(const Pieces& a, const Pieces& b) {
+PlacedPieces place_pieces(const Pieces& a, const Pieces& b, Lattices lattices) {
   require_points(a, "A");
   require_points(b, "B");
-  PlacedPieces placed;
-  placed.whole = polytope::place(polytope::joined(a), polytope::joined(b));
-  placed.a = parted(placed.whole.a, a, "A");
-  placed.b = parted(placed.whole.b, b, "B");
-  return placed;
+  const std::vector<Point> all_a = polytope::joined(a), all_b = polytope::joined(b);
+  polytope::require_bodies(all_a, all_b);
+  std::optional<polytope::PlacedPair> whole;
+  if (lattices == Lattices::one) whole = polytope::place(all_a, all_b);
+  if (lattices == Lattices::fitting) whole = polytope::place_if_slim(all_a, all_b);
+  if (!whole) return place_each(a, b);
+  return {*whole, parted(whole->a, a, "A"), parted(whole->b, b, "B")};
 }
 
+mpz_class PlacedPieces::factor(std::uint32_t i, std::uint32_t j) const { return lcm(a[i].factor, b[j].factor); }
+
 polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const {
-  return {whole.denominator, whole.origin, a[i], b[j]};
+  if (on_one_lattice()) return {whole.denominator, whole.origin, a[i].cloud, b[j].cloud};
+  const mpz_class finer = factor(i, j);
+  polytope::PlacedPair pair = polytope::place_integers(multiples(a[i], finer), multiples(b[j], finer));
+  pair.denominator = whole.denominator * finer;
+  pair.origin = whole.origin;
+  return pair;
+}
+
+mpq_class PlacedPieces::squared_of_boxes(std::uint32_t i, std::uint32_t j) const {
+  std::optional<mpq_class> least;
+  mpq_class gaps = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low_a, high_a] = extent(a[i], axis);
+    const auto [low_b, high_b] = extent(b[j], axis);
+    for (const mpq_class& margin : {mpq_class(high_a - low_b), mpq_class(high_b - low_a)}) {
+      if (!least || margin < *least) least = margin;
+      if (margin < 0) gaps += margin * margin;
+    }
+  }
+  return (gaps > 0 ? mpq_class(-gaps) : mpq_class(*least * *least)) / (whole.denominator * whole.denominator);
 }
 
 Point PlacedPieces::translation(const kernels::RationalPoint& p) const {
@@ -84,29 +212,67 @@ Point PlacedPieces::translation(const kernels::RationalPoint& p) const {
 }
 
 kernels::RationalPoint PlacedPieces::point(const Point& t) const {
-  const mpz_class w = lcm(lcm(t.x.get_den(), t.y.get_den()), t.z.get_den());
-  const auto over_w = [&](const mpq_class& x) {
-    return mpz_class(x.get_num() * (w / x.get_den()) * whole.denominator);
-  };
-  return kernels::rational_point({over_w(t.x), over_w(t.y), over_w(t.z)}, w, exponent());
+  const Point p = whole.denominator * t;
+  const mpz_class w = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
+  const auto over_w = [&](const mpq_class& x) { return mpz_class(x.get_num() * (w / x.get_den())); };
+  return kernels::rational_point({over_w(p.x), over_w(p.y), over_w(p.z)}, w, exponent());
 }
 
 mpq_class PlacedPieces::squared(const mpz_class& numerator, const mpz_class& denominator) const {
   return kernels::ratio(numerator, denominator * whole.denominator * whole.denominator);
 }
 
+double PlacedPieces::image_above(const mpq_class& squared) const {
+  const mpq_class in_units = squared * whole.denominator * whole.denominator;
+  return kernels::root_from_above(in_units.get_num(), in_units.get_den(), exponent());
+}
+
 template <class Numbers>
-PiecePairIn<Numbers>::PiecePairIn(const kernels::PointCloud& a, const kernels::PointCloud& b)
-    : differences_(differences_of(Numbers{}, a, b, memory_)) {
+PiecePairIn<Numbers>::PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, std::uint32_t j)
+    : a(i),
+      b(j),
+      factor_(pieces.factor(i, j)),
+      exponent_(pieces.exponent()),
+      own_(pieces.on_one_lattice() ? std::nullopt : std::optional(pieces.pair(i, j))),
+      differences_(
+          differences_of(Numbers{}, own_ ? own_->a : pieces.a[i].cloud, own_ ? own_->b : pieces.b[j].cloud, memory_)) {
   using Integer = typename DifferencesIn<Numbers>::Integer;
   for (int k = 0; k < 3; ++k) {
     for (const long sign : {1L, -1L}) {
       const Vec3<Integer> u = axis<Integer>(k, sign);
       const Integer height = dot(u, differences_[differences_.extreme(u)]);
       using OfPlane = typename Numbers::OfPlane;
-      separations_.push_back(kernels::oriented_plane<Numbers>(as<OfPlane>(u), as<OfPlane>(height), a.exponent()));
+      separations_.push_back(outwards(as<OfPlane>(u), as<OfPlane>(height)));
     }
   }
+}
+
+// A plane on the pair's lattice as one on the common lattice: <n, factor x> = h, reduced.
+template <class Numbers>
+typename PiecePairIn<Numbers>::Plane PiecePairIn<Numbers>::outwards(const Vec3<typename Numbers::OfPlane>& normal,
+                                                                    const typename Numbers::OfPlane& height) const {
+  Plane plane = kernels::oriented_plane<Numbers>(normal, height, differences_.exponent());
+  if constexpr (std::is_same_v<Numbers, AnyNumbers>) {
+    if (!own_) return plane;
+    const mpz_class shared = gcd(factor_, plane.height);
+    plane.normal = mpz_class(factor_ / shared) * plane.normal;
+    plane.height /= shared;
+    const long bits = kernels::bit_length(plane.normal);
+    plane.image = {kernels::image(plane.normal, bits), kernels::image(plane.height, bits + exponent_)};
+  }
+  return plane;
+}
+
+// The way back; in `room`, if it is another plane.
+template <class Numbers>
+const typename PiecePairIn<Numbers>::Plane& PiecePairIn<Numbers>::inwards(const Plane& plane, Plane& room) const {
+  if constexpr (std::is_same_v<Numbers, AnyNumbers>) {
+    if (factor_ == 1) return plane;
+    const mpz_class shared = gcd(gcd(plane.normal.x, plane.normal.y), plane.normal.z);
+    room = {primitive(plane.normal), plane.height * factor_ / shared, plane.image};
+    return room;
+  }
+  return plane;
 }
 
 template <class Numbers>
@@ -128,9 +294,7 @@ void PiecePairIn<Numbers>::start() {
 template <class Numbers>
 void PiecePairIn<Numbers>::add(expanding::TriangleId triangle) {
   const expanding::ExactPlane<typename Numbers::OfPlane>& exact = surface_.plane(triangle);
-  Plane plane = kernels::oriented_plane<Numbers>(exact.normal, exact.height, differences_.exponent());
-  Plane reversed = plane.reversed();
-  facets_.push_back(&all_.emplace_back(Facet{triangle, std::move(plane), std::move(reversed)}));
+  facets_.push_back(&all_.emplace_back(triangle, outwards(exact.normal, exact.height)));
 }
 
 template <class Numbers>
@@ -178,9 +342,11 @@ void PiecePairIn<Numbers>::remember(Plane plane) {
 // a plane in that direction separates the point from P_ij; then it returns false.
 template <class Numbers>
 bool PiecePairIn<Numbers>::step_towards(const Place& p, Facet& facet) {
-  const Plane& plane = facet.plane;
+  Plane room;
+  const Plane& plane = inwards(facet.plane, room);
   using OfPlane = typename Numbers::OfPlane;
-  const Product of_p = dot(as<Product>(plane.normal), as<Product>(p.v));
+  Product of_p = dot(as<Product>(plane.normal), as<Product>(p.v));
+  if constexpr (std::is_same_v<Numbers, AnyNumbers>) of_p *= factor_;
   const auto inside = [&](const OfPlane& height) {
     return cmp(of_p, Product(as<Product>(height) * as<Product>(p.w))) < 0;
   };
@@ -191,7 +357,7 @@ bool PiecePairIn<Numbers>::step_towards(const Place& p, Facet& facet) {
     height = dot(plane.normal, next.exact);
     if (!inside(height)) {
       facet.supports = height == plane.height;
-      remember(kernels::oriented_plane<Numbers>(plane.normal, height, differences_.exponent()));
+      remember(outwards(plane.normal, height));
       return false;
     }
   }
@@ -226,7 +392,8 @@ double PiecePairIn<Numbers>::margin(const Place& p) const {
 template <class Numbers>
 bool PiecePairIn<Numbers>::settle(Facet& facet) {
   if (facet.supports) return true;
-  const Plane& plane = facet.plane;
+  Plane room;
+  const Plane& plane = inwards(facet.plane, room);
   const auto is_above = [&](const Corner& c) { return cmp(dot(plane.normal, c.exact), plane.height) > 0; };
   Corner next = corner(differences_.likely_extreme(plane.image.normal));
   if (!is_above(next)) next = corner(differences_.extreme(as<typename DifferencesIn<Numbers>::Integer>(plane.normal)));
@@ -248,7 +415,7 @@ std::vector<Vector> PiecePairIn<Numbers>::normals_at(const Place& p) {
     const int above = kernels::side(f->plane, p);
     if (above > 0) return {};
     if (above < 0) continue;
-    Vector normal = as<mpz_class>(f->plane.normal);
+    Vector normal = primitive(as<mpz_class>(f->plane.normal));
     if (std::find(normals.begin(), normals.end(), normal) == normals.end()) normals.push_back(std::move(normal));
   }
   return normals;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pieces of two unions: all their points as integers in one common unit; and of each pair of
-// pieces the polytope P_ij.
+// The pieces of two unions: their points as integers in one common unit, or, where that would be
+// very short, of each piece in a unit of its own; and of a pair of pieces the polytope P_ij.
+//                                                    [proofs/unions.md, "Lattices of their own"]
 #pragma once
 
 #include <cstdint>
 #include <deque>
+#include <memory>
+#include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fathom/union.hpp"
@@ -15,25 +19,50 @@
 
 namespace fathom::unions {
 
-/// All clouds have one exponent. Points of the lattice are translations of A too.
+/// A point p of the cloud stands for origin + p / (denominator * factor).
+struct PlacedPiece {
+  kernels::PointCloud cloud;
+  mpz_class factor = 1;  ///< > 0
+  double scale = 1;      ///< makes images of the cloud images in 2^exponent of the common unit; at most 2, within 2^-51
+};
+
+/// Translations of A are points of the common lattice, over any denominators.
 struct PlacedPieces {
-  polytope::PlacedPair whole;  ///< all points of either body, piece after piece
-  std::vector<kernels::PointCloud> a, b;
+  /// The common unit, origin and exponent, that of all coordinates in this unit; and all points of
+  /// either body, piece after piece, unless pieces have lattices of their own.
+  polytope::PlacedPair whole;
+  std::vector<PlacedPiece> a, b;
 
+  [[nodiscard]] bool on_one_lattice() const { return whole.a.size() > 0; }
   [[nodiscard]] long exponent() const { return whole.exponent(); }
-  /// Piece i of A and piece j of B, on the common lattice.
+  /// The factor by which the lattice of piece i of A and piece j of B is finer than the common one;
+  /// and the two pieces on it.
+  [[nodiscard]] mpz_class factor(std::uint32_t i, std::uint32_t j) const;
   [[nodiscard]] polytope::PlacedPair pair(std::uint32_t i, std::uint32_t j) const;
+  /// What the boxes about two pieces say, in the unit of the input: the squared depth of the boxes,
+  /// or minus their squared distance. That of the pieces is not larger.
+  [[nodiscard]] mpq_class squared_of_boxes(std::uint32_t i, std::uint32_t j) const;
 
-  /// A point of the lattice in the unit of the input, and back.
+  /// A point of the common lattice in the unit of the input, and back.
   [[nodiscard]] Point translation(const kernels::RationalPoint& p) const;
   [[nodiscard]] kernels::RationalPoint point(const Point& translation) const;
   /// A squared length on the lattice, numerator / denominator, in the unit of the input.
   [[nodiscard]] mpq_class squared(const mpz_class& numerator, const mpz_class& denominator) const;
+  /// A length in the unit of the input, by its square, as one of images: an upper bound, a lower
+  /// one if it is lowered by below_raised.
+  [[nodiscard]] double image_above(const mpq_class& squared) const;
+};
+
+/// Which lattices pieces are put on.
+enum class Lattices {
+  fitting,  ///< one, if its denominator is in proportion to the coordinates; else their own
+  one,      ///< one of all pieces, however fine
+  own,      ///< each its own
 };
 
 /// Throws std::invalid_argument if a body has no pieces, a piece has no points or no interior, or a
-/// coordinate is not in lowest terms.
-PlacedPieces place_pieces(const Pieces& a, const Pieces& b);
+/// coordinate is not in lowest terms; InputError if one lattice is asked for and would be too fine.
+PlacedPieces place_pieces(const Pieces& a, const Pieces& b, Lattices lattices = Lattices::fitting);
 
 // A piece of A and a piece of B: the polytope P_ij = B_j (+) (-A_i), known by a polytope Q inside
 // it and by planes that hold it. Both grow towards the points that are asked about, by the steps of
@@ -47,10 +76,20 @@ using DifferencesIn = std::conditional_t<std::is_same_v<Numbers, kernels::FixedN
 /// A facet of Q, or a part of one.
 template <class Numbers>
 struct PieceFacetIn {
+  PieceFacetIn(expanding::TriangleId of, kernels::OrientedPlaneIn<Numbers> on) : triangle(of), plane(std::move(on)) {}
+
   expanding::TriangleId triangle;
-  kernels::OrientedPlaneIn<Numbers> plane;     ///< its normal points out of Q
-  kernels::OrientedPlaneIn<Numbers> reversed;  ///< the same plane, from the other side
-  bool supports = false;                       ///< whether the plane is known to hold a facet of P_ij
+  kernels::OrientedPlaneIn<Numbers> plane;  ///< its normal points out of Q
+  bool supports = false;                    ///< whether the plane is known to hold a facet of P_ij
+
+  /// The same plane, from the other side. It stays where it is.
+  [[nodiscard]] const kernels::OrientedPlaneIn<Numbers>& reversed() {
+    if (!reversed_) reversed_ = std::make_unique<kernels::OrientedPlaneIn<Numbers>>(plane.reversed());
+    return *reversed_;
+  }
+
+ private:
+  std::unique_ptr<kernels::OrientedPlaneIn<Numbers>> reversed_;  // few facets are asked for it
 };
 using PieceFacet = PieceFacetIn<kernels::AnyNumbers>;
 
@@ -63,8 +102,10 @@ class PiecePairIn {
   using Facet = PieceFacetIn<Numbers>;
   using Surface = expanding::Surface<typename Numbers::OfPlane>;
 
-  /// The clouds have one exponent and outlive it. Their hulls have interiors.
-  PiecePairIn(const kernels::PointCloud& a, const kernels::PointCloud& b);
+  /// Of piece i of A and piece j of B. `pieces` must outlive it.
+  PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, std::uint32_t j);
+
+  const std::uint32_t a, b;  ///< i and j
 
   /// Whether the point lies in the interior of P_ij. Exact; Q grows until it tells.
   bool contains(const Place& p);
@@ -86,14 +127,15 @@ class PiecePairIn {
   std::vector<Vector> normals_at(const Place& p);
   /// Q, its coplanar parts merged. Sets `facet_of` to the merged facet of each of facets().
   InnerPolytope inner(std::vector<std::uint32_t>& facet_of);
-  /// Whether a point was ever asked about for which Q was needed.
-  [[nodiscard]] bool touched() const { return started_; }
   [[nodiscard]] const Surface& surface() const { return surface_; }
 
  private:
   using Corner = expanding::SurfaceVertex<typename Numbers::OfPlane>;
   using Product = typename Numbers::Product;
 
+  [[nodiscard]] Plane outwards(const Vec3<typename Numbers::OfPlane>& normal,
+                               const typename Numbers::OfPlane& height) const;
+  [[nodiscard]] const Plane& inwards(const Plane& plane, Plane& room) const;
   void start();
   [[nodiscard]] Corner corner(polytope::Difference d) const;
   void add(expanding::TriangleId triangle);
@@ -103,6 +145,9 @@ class PiecePairIn {
   void remember(Plane plane);
   bool step_towards(const Place& p, Facet& facet);
 
+  mpz_class factor_;                         // by which the lattice of the pair is finer than the common one
+  long exponent_;                            // of the common lattice
+  std::optional<polytope::PlacedPair> own_;  // the points on the pair's lattice, if that is not the common one
   kernels::ScanMemory memory_;
   DifferencesIn<Numbers> differences_;
   bool started_ = false;

@@ -2,10 +2,12 @@
 // The answer about two unions: where O lies, the search, and what touches at each optimum.
 //                                                                                [proofs/unions.md]
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <stdexcept>
 #include <utility>
 
+#include "kernels/filters/error_bounds.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
@@ -93,8 +95,9 @@ struct HullDepth {
 template <class Numbers>
 class UnionRun {
  public:
-  UnionRun(kernels::Context& context, const PlacedPieces& pieces, bool bounds)
-      : context_(context), pieces_(pieces), bounds_(bounds), search_(pieces) {}
+  UnionRun(kernels::Context& context, const Pieces& a, const Pieces& b, const PlacedPieces& pieces, bool bounds,
+           bool all_pairs)
+      : context_(context), a_(a), b_(b), pieces_(pieces), bounds_(bounds), search_(pieces, all_pairs) {}
 
   UnionDepth run() {
     if (search_.starts_free()) {
@@ -102,14 +105,14 @@ class UnionRun {
     } else {
       answer_overlap();
     }
+    const std::uint64_t distances = result_.counters.pairs_touched;
     result_.counters = search_.counts();
+    result_.counters.pairs_touched += distances;
     return std::move(result_);
   }
 
  private:
   using Place = kernels::RationalPointIn<Numbers>;
-
-  [[nodiscard]] std::uint32_t columns() const { return static_cast<std::uint32_t>(pieces_.b.size()); }
 
   // Pieces meet, or they are apart.
   void answer_free() {
@@ -120,13 +123,28 @@ class UnionRun {
       result_.optima.push_back(std::move(here));
       return;
     }
-    for (std::uint32_t i = 0; i < pieces_.a.size(); ++i) {
-      for (std::uint32_t j = 0; j < columns(); ++j) {
-        context_.check();
-        const Depth depth = depth::apart_depth(context_, pieces_.pair(i, j), true);
-        if (result_.apart && depth.distance()->squared >= result_.apart->distance.squared) continue;
-        result_.apart = UnionDistance{i, j, *depth.distance()};
-      }
+    find_nearest_pair();
+  }
+
+  // Boxes tell which pairs cannot be nearer; nor can one that comes later and is as near at best.
+  void find_nearest_pair() {
+    std::optional<UnionDistance>& apart = result_.apart;
+    const auto is_nearer = [&](const RankedPair& pair, const mpq_class& squared) {
+      if (!apart || squared < apart->distance.squared) return true;
+      return squared == apart->distance.squared && std::pair(pair.a, pair.b) < std::pair(apart->a, apart->b);
+    };
+    double least = 0;
+    RankedPairs pairs = search_.table().ranked(Place{});
+    for (auto ranked = pairs.next(); ranked && !(apart && -ranked->bound > least); ranked = pairs.next()) {
+      context_.check();
+      if (apart && std::isfinite(ranked->bound) &&
+          !is_nearer(*ranked, std::max<mpq_class>(0, -pieces_.squared_of_boxes(ranked->a, ranked->b))))
+        continue;
+      ++result_.counters.pairs_touched;
+      const Depth depth = depth::apart_depth(context_, pieces_.pair(ranked->a, ranked->b), true);
+      if (!is_nearer(*ranked, depth.distance()->squared)) continue;
+      apart = UnionDistance{ranked->a, ranked->b, *depth.distance()};
+      least = pieces_.image_above(apart->distance.squared);
     }
   }
 
@@ -149,26 +167,34 @@ class UnionRun {
   }
 
   HullDepth hull_depth() {
-    const Depth depth = solve::depth_by_method(context_, pieces_.whole, {});
+    const std::vector<Point> a = polytope::joined(a_), b = polytope::joined(b_);
+    const Depth depth = pieces_.on_one_lattice() ? solve::depth_by_method(context_, pieces_.whole, {})
+                                                 : solve::placed_depth(context_, a, b, {}).depth;
     HullDepth result{depth.squared(), {}};
-    for (const Optimum& o : depth.optima()) {
-      const mpz_class height(o.support * pieces_.whole.denominator);
-      const Vector& n = o.direction;
-      result.optima.push_back(kernels::rational_point(height * n, dot(n, n), pieces_.exponent()));
-    }
+    for (const Optimum& o : depth.optima()) result.optima.push_back(pieces_.point(o.translation()));
     return result;
   }
 
   // Returns false if it was stopped; then the deepest pair so far is known.
   bool find_deepest_pair() try {
     UnionBounds& bounds = *result_.bounds;
-    for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
-      if (!search_.pairs()[k]->contains(Place{})) continue;
-      const std::uint32_t i = k / columns(), j = k % columns();
+    const auto is_deeper = [&](const RankedPair& pair, const mpq_class& squared) {
+      if (squared != bounds.deepest_pair) return squared > bounds.deepest_pair;
+      return squared > 0 && std::pair(pair.a, pair.b) < std::pair(bounds.a, bounds.b);
+    };
+    double most = 0;
+    RankedPairs pairs = search_.table().ranked(Place{});
+    for (auto ranked = pairs.next(); ranked && ranked->bound >= most; ranked = pairs.next()) {
+      const auto& [bound, i, j] = *ranked;
+      if (std::isfinite(bound) && !is_deeper(*ranked, pieces_.squared_of_boxes(i, j))) continue;
+      PiecePairIn<Numbers>* pair = search_.table().find(*ranked, Place{});
+      if (pair == nullptr || !pair->contains(Place{})) continue;
       Options options;
       options.optima = 1;
       mpq_class squared = solve::depth_by_method(context_, pieces_.pair(i, j), options).squared();
-      if (squared > bounds.deepest_pair) bounds = {std::move(squared), i, j, bounds.hulls};
+      if (!is_deeper(*ranked, squared)) continue;
+      bounds = {std::move(squared), i, j, bounds.hulls};
+      most = pieces_.image_above(bounds.deepest_pair) * kernels::error_bound::below_raised;
     }
     return true;
   } catch (const Interrupted&) {
@@ -179,17 +205,27 @@ class UnionRun {
   UnionOptimum optimum(const Place& p) {
     UnionOptimum optimum{pieces_.translation(kernels::converted<AnyNumbers>(p)), true, {}};
     std::vector<TangentCone> cones;
-    for (std::uint32_t k = 0; k < search_.pairs().size(); ++k) {
-      PiecePairIn<Numbers>& pair = *search_.pairs()[k];
-      if (pair.contains(p)) throw std::logic_error("a translation out of a union lies inside");
-      if (kernels::side(pair.separation(), p) > 0) continue;
-      TangentCone cone = pair.normals_at(p);
+    for (PiecePairIn<Numbers>* pair : near(p)) {
+      if (pair->contains(p)) throw std::logic_error("a translation out of a union lies inside");
+      if (kernels::side(pair->separation(), p) > 0) continue;
+      TangentCone cone = pair->normals_at(p);
       if (cone.empty()) continue;
-      optimum.contacts.push_back(contact(k / columns(), k % columns(), cone));
+      optimum.contacts.push_back(contact(pair->a, pair->b, cone));
       cones.push_back(std::move(cone));
     }
     optimum.clearance = !cover_space(cones);
     return optimum;
+  }
+
+  // All pairs that may touch at a point, in their order.
+  std::vector<PiecePairIn<Numbers>*> near(const Place& p) {
+    std::vector<PiecePairIn<Numbers>*> found;
+    RankedPairs pairs = search_.table().ranked(p);
+    for (auto ranked = pairs.next(); ranked && ranked->bound >= 0; ranked = pairs.next())
+      if (PiecePairIn<Numbers>* pair = search_.table().find(*ranked, p)) found.push_back(pair);
+    std::sort(found.begin(), found.end(),
+              [](const auto* x, const auto* y) { return std::pair(x->a, x->b) < std::pair(y->a, y->b); });
+    return found;
   }
 
   // The sum of the normals of the facets that meet at a point lies in the interior of the cone of
@@ -202,25 +238,23 @@ class UnionRun {
   }
 
   kernels::Context& context_;
+  const Pieces &a_, &b_;
   const PlacedPieces& pieces_;
   bool bounds_;
   UnionSearchIn<Numbers> search_;
   UnionDepth result_;
 };
 
-// With integers that hold everything.
-UnionDepth answer(const Pieces& a, const Pieces& b, const UnionOptions& options, long most_fixed_bits) {
-  kernels::Context context(options.monitor);
-  const PlacedPieces pieces = place_pieces(a, b);
-  if (pieces.exponent() <= most_fixed_bits) return UnionRun<FixedNumbers>(context, pieces, options.bounds).run();
-  return UnionRun<AnyNumbers>(context, pieces, options.bounds).run();
-}
-
 }  // namespace
 
-UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options) {
+// With integers that hold everything.
+UnionDepth union_depth_twin(const UnionWork& work, const Pieces& a, const Pieces& b, const UnionOptions& options) {
   const kernels::DefaultFloatEnvironment environment;
-  return answer(a, b, options, -1);
+  kernels::Context context(options.monitor);
+  const PlacedPieces pieces = place_pieces(a, b, work.lattices);
+  if (!work.any_size && pieces.on_one_lattice() && pieces.exponent() <= FixedNumbers::most_bits)
+    return UnionRun<FixedNumbers>(context, a, b, pieces, options.bounds, work.all_pairs).run();
+  return UnionRun<AnyNumbers>(context, a, b, pieces, options.bounds, work.all_pairs).run();
 }
 
 }  // namespace fathom::unions
@@ -238,8 +272,7 @@ Pieces pieces_of(const Body& body) {
 }
 
 UnionDepth union_depth(const Pieces& a, const Pieces& b, const UnionOptions& options) {
-  const kernels::DefaultFloatEnvironment environment;
-  return unions::answer(a, b, options, kernels::FixedNumbers::most_bits);
+  return unions::union_depth_twin({}, a, b, options);
 }
 
 }  // namespace fathom

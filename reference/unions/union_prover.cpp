@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -63,7 +64,7 @@ constexpr std::size_t most_tried = 4;  // polytopes of a pair, the newest first
 class Prover {
  public:
   Prover(kernels::Context& context, const PlacedPieces& pieces, UnionSearch& search)
-      : context_(context), pieces_(pieces), search_(search), polytopes_(search.pairs().size()) {}
+      : context_(context), pieces_(pieces), search_(search) {}
 
   UnionProof run() {
     prove_cell(RationalPoint{});
@@ -83,6 +84,7 @@ class Prover {
     std::uint32_t index;  // in the proof
     std::vector<Facet> facets;
   };
+  using Ids = std::pair<std::uint32_t, std::uint32_t>;  // of a pair's pieces
   // A polytope that splits the cell of the path, and the facets with a child, in their order.
   struct Opened {
     const Polytope* polytope;
@@ -97,17 +99,14 @@ class Prover {
     if (known) return close_at(p);
     PiecePair* pair = search_.deepest(p);
     if (pair == nullptr) throw std::logic_error("a translation out of a union is shorter than its depth");
-    split(static_cast<std::size_t>(std::find_if(search_.pairs().begin(), search_.pairs().end(),
-                                                [&](const auto& other) { return other.get() == pair; }) -
-                                   search_.pairs().begin()),
-          p);
+    split({pair->a, pair->b}, p);
   }
 
-  // Splits the cell of the path, whose nearest point p lies in the interior of P_ij number k. The
-  // facets that open a cell with points near enough come first: what lies beyond the others is
-  // shown with the fewest constraints so.
-  void split(std::size_t k, const RationalPoint& p) {
-    const Opened opened = open(k, p);
+  // Splits the cell of the path, whose nearest point p lies in the interior of P_ij. The facets
+  // that open a cell with points near enough come first: what lies beyond the others is shown with
+  // the fewest constraints so.
+  void split(Ids ids, const RationalPoint& p) {
+    const Opened opened = open(ids, p);
     const std::size_t before = path_.size();
     proof_.nodes.push_back({true, opened.polytope->index, opened.order});
     for (const std::uint32_t f : opened.order) {
@@ -120,14 +119,14 @@ class Prover {
 
   // A polytope of the proof that splits the cell, or else a new one, as coarse as it can be: that
   // of the search has more facets, which other cells asked for.
-  Opened open(std::size_t k, const RationalPoint& p) {
-    std::deque<Polytope>& known = polytopes_[k];
+  Opened open(Ids ids, const RationalPoint& p) {
+    std::deque<Polytope>& known = polytopes_[ids];
     for (std::size_t i = 0; i < known.size() && i < most_tried; ++i)
       if (std::optional<Opened> opened = opened_by(known[known.size() - 1 - i], p)) return *std::move(opened);
-    PiecePair pair(pieces_.a[k / pieces_.b.size()], pieces_.b[k % pieces_.b.size()]);
+    PiecePair pair(pieces_, ids.first, ids.second);
     pair.contains(p);
     search_.open_facets(pair, path_);
-    return opened_by(known.emplace_back(add_polytope(k, pair)), p).value();
+    return opened_by(known.emplace_back(add_polytope(pair)), p).value();
   }
 
   // Returns nullopt if p does not lie inside, or a facet that opens a cell is none of P_ij.
@@ -149,16 +148,15 @@ class Prover {
     return opened;
   }
 
-  Polytope add_polytope(std::size_t k, PiecePair& pair) {
+  Polytope add_polytope(PiecePair& pair) {
     std::vector<std::uint32_t> facet_of;
     Polytope polytope{static_cast<std::uint32_t>(proof_.polytopes.size()), {}};
-    proof_.polytopes.push_back({static_cast<std::uint32_t>(k / pieces_.b.size()),
-                                static_cast<std::uint32_t>(k % pieces_.b.size()), pair.inner(facet_of)});
+    proof_.polytopes.push_back({pair.a, pair.b, pair.inner(facet_of)});
     polytope.facets.resize(proof_.polytopes.back().inner.facets.size());
     for (std::size_t i = 0; i < facet_of.size(); ++i) {
       const PieceFacet& part = *pair.facets()[i];
       Facet& facet = polytope.facets[facet_of[i]];
-      facet = {part.plane, part.reversed, facet.supports || part.supports};
+      facet = {part.plane, part.plane.reversed(), facet.supports || part.supports};
     }
     return polytope;
   }
@@ -208,7 +206,7 @@ class Prover {
   void add_optimum(const RationalPoint& p) {
     ProofOptimum& optimum = proof_.optima.emplace_back();
     optimum.translation = pieces_.translation(p);
-    optimum.directions = separations(search_, p);
+    optimum.directions = separations(pieces_, p);
   }
 
   kernels::Context& context_;
@@ -216,16 +214,20 @@ class Prover {
   UnionSearch& search_;
   UnionProof proof_;
   std::vector<Barrier> path_;
-  std::vector<std::deque<Polytope>> polytopes_;  // of each pair; the path holds their planes
+  std::map<Ids, std::deque<Polytope>> polytopes_;  // the path holds their planes
 };
 
 }  // namespace
 
-std::vector<Vector> separations(const UnionSearch& search, const RationalPoint& p) {
+// Pair by pair, without keeping them.
+std::vector<Vector> separations(const PlacedPieces& pieces, const RationalPoint& p) {
   std::vector<Vector> directions;
-  for (const auto& pair : search.pairs()) {
-    if (pair->contains(p)) throw std::logic_error("a translation out of a union lies inside");
-    directions.push_back(pair->separation().normal);
+  for (std::uint32_t i = 0; i < pieces.a.size(); ++i) {
+    for (std::uint32_t j = 0; j < pieces.b.size(); ++j) {
+      PiecePair pair(pieces, i, j);
+      if (pair.contains(p)) throw std::logic_error("a translation out of a union lies inside");
+      directions.push_back(primitive(pair.separation().normal));
+    }
   }
   return directions;
 }

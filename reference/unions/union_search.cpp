@@ -14,6 +14,8 @@ using kernels::AnyNumbers;
 using kernels::as;
 using kernels::FixedNumbers;
 
+constexpr int most_compared = 8;  // pairs that hold a point
+
 template <class Numbers>
 bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::RationalPointIn<Numbers>& q) {
   using Product = typename Numbers::Product;
@@ -31,10 +33,8 @@ bool is_before(const Point& p, const Point& q) {
 }
 
 template <class Numbers>
-UnionSearchIn<Numbers>::UnionSearchIn(const PlacedPieces& pieces) : pieces_(pieces) {
-  for (const kernels::PointCloud& a : pieces.a)
-    for (const kernels::PointCloud& b : pieces.b)
-      recent_.push_back(pairs_.emplace_back(std::make_unique<Pair>(a, b)).get());
+UnionSearchIn<Numbers>::UnionSearchIn(const PlacedPieces& pieces, bool all_pairs)
+    : pieces_(pieces), table_(pieces, all_pairs) {
   push(Place{}, none);
 }
 
@@ -45,10 +45,12 @@ bool UnionSearchIn<Numbers>::starts_free() {
 
 template <class Numbers>
 bool UnionSearchIn<Numbers>::is_free(const Place& p) {
-  for (std::size_t i = 0; i < recent_.size(); ++i) {
-    if (!recent_[i]->contains(p)) continue;
-    std::rotate(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(i),
-                recent_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+  if (last_ != nullptr && last_->contains(p)) return false;
+  RankedPairs pairs = table_.ranked(p);
+  for (auto ranked = pairs.next(); ranked && ranked->bound >= 0; ranked = pairs.next()) {
+    Pair* pair = table_.find(*ranked, p);
+    if (pair == nullptr || !pair->contains(p)) continue;
+    last_ = pair;
     return false;
   }
   return true;
@@ -76,11 +78,16 @@ template <class Numbers>
 typename UnionSearchIn<Numbers>::Pair* UnionSearchIn<Numbers>::deepest(const Place& p) {
   Pair* found = nullptr;
   double most = 0;
-  for (const auto& pair : pairs_) {
-    if (!pair->contains(p)) continue;
+  int compared = 0;
+  RankedPairs pairs = table_.ranked(p);
+  for (auto ranked = pairs.next(); ranked && ranked->bound >= 0; ranked = pairs.next()) {
+    if (found != nullptr && (ranked->bound <= most || compared == most_compared)) break;
+    Pair* pair = table_.find(*ranked, p);
+    if (pair == nullptr || !pair->contains(p)) continue;
+    ++compared;
     const double margin = pair->margin(p);
     if (found != nullptr && margin <= most) continue;
-    found = pair.get();
+    found = pair;
     most = margin;
   }
   return found;
@@ -186,9 +193,9 @@ void UnionSearchIn<Numbers>::split(const Cell& cell) {
       links_.push_back({&facet->plane, before});
       push(std::move(nearest), static_cast<std::uint32_t>(links_.size() - 1));
     }
-    links_.push_back({&facet->reversed, before});
+    links_.push_back({&facet->reversed(), before});
     link = static_cast<std::uint32_t>(links_.size() - 1);
-    cell_.insert(cell_.begin(), &facet->reversed);
+    cell_.insert(cell_.begin(), &facet->reversed());
   }
 }
 
@@ -245,8 +252,8 @@ mpq_class UnionSearchIn<Numbers>::squared_low() const {
 template <class Numbers>
 UnionCounters UnionSearchIn<Numbers>::counts() const {
   UnionCounters counts = counts_;
-  counts.pairs = pairs_.size();
-  for (const auto& pair : pairs_) counts.pairs_touched += pair->touched();
+  counts.pairs = table_.size();
+  counts.pairs_touched = table_.made();
   return counts;
 }
 

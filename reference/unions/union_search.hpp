@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "fathom/union.hpp"
 #include "kernels/context.hpp"
 #include "reference/unions/least_norm.hpp"
+#include "reference/unions/pair_table.hpp"
 #include "reference/unions/pieces.hpp"
 
 namespace fathom::unions {
@@ -31,8 +31,8 @@ class UnionSearchIn {
   using Wall = BarrierIn<Numbers>;
   using Distance = kernels::SquaredDistanceIn<Numbers>;
 
-  /// `pieces` must outlive it.
-  explicit UnionSearchIn(const PlacedPieces& pieces);
+  /// `pieces` must outlive it. If `all_pairs`, each point is asked of all of them.
+  explicit UnionSearchIn(const PlacedPieces& pieces, bool all_pairs = false);
 
   /// Whether O itself lies in the interior of no P_ij.
   bool starts_free();
@@ -54,8 +54,7 @@ class UnionSearchIn {
   [[nodiscard]] std::optional<mpq_class> squared_best() const;
   [[nodiscard]] mpq_class squared_low() const;
   [[nodiscard]] UnionCounters counts() const;
-  /// Of piece i of A and piece j of B: at i * (number of pieces of B) + j.
-  [[nodiscard]] std::span<const std::unique_ptr<Pair>> pairs() const { return pairs_; }
+  [[nodiscard]] PairTableIn<Numbers>& table() { return table_; }
   /// The facets of Q that a cell's point has to pass in the cell, nearest first, each with its
   /// nearest point; every one supports P_ij. No facet that is left out lets a point of the cell
   /// pass that is as near as best().
@@ -64,7 +63,7 @@ class UnionSearchIn {
     Place nearest;
   };
   std::vector<OpenFacet> open_facets(Pair& pair, std::span<const Wall> cell);
-  /// The pair in whose interior a point lies deepest, or null if it is free.
+  /// A pair in whose interior a point lies, the deepest of those compared; or null if it is free.
   Pair* deepest(const Place& p);
   /// How a cell's nearest point is found when it is cut by one more wall, with best() as the limit.
   CellEnd cut(std::span<const Wall> cell, Wall wall, Place& nearest);
@@ -91,8 +90,8 @@ class UnionSearchIn {
   void accept(const Place& p);
 
   const PlacedPieces& pieces_;
-  std::vector<std::unique_ptr<Pair>> pairs_;
-  std::vector<Pair*> recent_;  // those that held a point last come first
+  PairTableIn<Numbers> table_;
+  Pair* last_ = nullptr;  // that held a point
   std::vector<Link> links_;
   std::vector<Cell> open_;  // a heap
   std::vector<Wall> cell_;
@@ -109,8 +108,12 @@ bool same_point(const kernels::RationalPointIn<Numbers>& p, const kernels::Ratio
 /// Whether p comes before q in lexicographic order.
 bool is_before(const Point& p, const Point& q);
 
-/// union_depth in integers of any size, also where the lattice is so narrow that those of a fixed
-/// size would do: its twin.
-UnionDepth union_depth_in_mpz(const Pieces& a, const Pieces& b, const UnionOptions& options = {});
+/// How the twins of union_depth work; as it does by default.
+struct UnionWork {
+  bool any_size = false;   ///< in integers of any size, also where those of a fixed size would do
+  bool all_pairs = false;  ///< no pair is left out because of its box
+  Lattices lattices = Lattices::fitting;
+};
+UnionDepth union_depth_twin(const UnionWork& work, const Pieces& a, const Pieces& b, const UnionOptions& options = {});
 
 }  // namespace fathom::unions

@@ -18,6 +18,7 @@
 #include "reference/unions/pieces.hpp"
 #include "reference/unions/union_search.hpp"
 #include "tests/unions/pieces.hpp"
+#include "tests/unions/same_union.hpp"
 #include "verify/check/check.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/union_pairs.hpp"
@@ -140,52 +141,14 @@ TEST(LeastNorm, EndsBeyondTheLimitExactly) {
 
 constexpr long most_bits = kernels::FixedNumbers::most_bits;
 
-void expect_same(const std::vector<UnionOptimum>& fixed, const std::vector<UnionOptimum>& any) {
-  ASSERT_EQ(fixed.size(), any.size());
-  for (std::size_t i = 0; i < fixed.size(); ++i) {
-    EXPECT_EQ(fixed[i].translation, any[i].translation);
-    EXPECT_EQ(fixed[i].clearance, any[i].clearance);
-    ASSERT_EQ(fixed[i].contacts.size(), any[i].contacts.size());
-    for (std::size_t k = 0; k < fixed[i].contacts.size(); ++k) {
-      const PieceContact &x = fixed[i].contacts[k], &y = any[i].contacts[k];
-      EXPECT_EQ(x.a, y.a);
-      EXPECT_EQ(x.b, y.b);
-      EXPECT_EQ(x.direction, y.direction);
-      EXPECT_EQ(x.contact, y.contact);
-    }
-  }
-}
-
-void expect_same(const UnionDepth& fixed, const UnionDepth& any) {
-  EXPECT_EQ(fixed.status, any.status);
-  EXPECT_EQ(fixed.complete, any.complete);
-  EXPECT_EQ(fixed.low, any.low);
-  EXPECT_EQ(fixed.high, any.high);
-  expect_same(fixed.optima, any.optima);
-  ASSERT_EQ(fixed.apart.has_value(), any.apart.has_value());
-  if (fixed.apart) {
-    EXPECT_EQ(fixed.apart->a, any.apart->a);
-    EXPECT_EQ(fixed.apart->b, any.apart->b);
-    EXPECT_EQ(fixed.apart->distance.squared, any.apart->distance.squared);
-    EXPECT_EQ(fixed.apart->distance.direction, any.apart->distance.direction);
-    EXPECT_EQ(fixed.apart->distance.contact, any.apart->distance.contact);
-  }
-  ASSERT_EQ(fixed.bounds.has_value(), any.bounds.has_value());
-  if (fixed.bounds) {
-    EXPECT_EQ(fixed.bounds->deepest_pair, any.bounds->deepest_pair);
-    EXPECT_EQ(fixed.bounds->a, any.bounds->a);
-    EXPECT_EQ(fixed.bounds->b, any.bounds->b);
-    EXPECT_EQ(fixed.bounds->hulls, any.bounds->hulls);
-  }
+UnionDepth expect_twins(const Pieces& a, const Pieces& b) {
+  UnionDepth fixed = union_depth(a, b);
+  const UnionDepth any = union_depth_twin({.any_size = true}, a, b);
+  expect_same(fixed, any);
   EXPECT_EQ(fixed.counters.nodes, any.counters.nodes);
   EXPECT_EQ(fixed.counters.nearest_points, any.counters.nearest_points);
   EXPECT_EQ(fixed.counters.pairs, any.counters.pairs);
   EXPECT_EQ(fixed.counters.pairs_touched, any.counters.pairs_touched);
-}
-
-UnionDepth expect_twins(const Pieces& a, const Pieces& b) {
-  UnionDepth fixed = union_depth(a, b);
-  expect_same(fixed, union_depth_in_mpz(a, b));
   return fixed;
 }
 

@@ -144,9 +144,9 @@ void add_sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const u
         fmt::format("Of the {} differences of pieces that are listed {} are not drawn.", stages.sums.size(), left));
 }
 
-Hulls hulls_of(const std::vector<kernels::PointCloud>& clouds) {
+Hulls hulls_of(const std::vector<unions::PlacedPiece>& pieces) {
   Hulls hulls;
-  for (const kernels::PointCloud& cloud : clouds) hulls.push_back(polytope::convex_hull(cloud.points()));
+  for (const unions::PlacedPiece& piece : pieces) hulls.push_back(polytope::convex_hull(piece.cloud.points()));
   return hulls;
 }
 
@@ -168,7 +168,7 @@ void require_drawable(const Hulls& a, const Hulls& b) {
 UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   if (!depth.complete) throw std::invalid_argument("the search was stopped before its end");
-  const unions::PlacedPieces placed = unions::place_pieces(a, b);
+  const unions::PlacedPieces placed = unions::place_pieces(a, b, unions::Lattices::one);
   const Placing placing(placed.whole);
   const Hulls of_a = hulls_of(placed.a), of_b = hulls_of(placed.b);
   require_drawable(of_a, of_b);
