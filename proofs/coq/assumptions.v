@@ -1,9 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
-  rates_moving.
+  rates_moving crossings tiles_winding tilings.
 From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
-  patch_example.
+  patch_example tiling_sound tiling_example.
 
 Print Assumptions check_sound.
 Print Assumptions verdict_sound.
@@ -64,3 +64,11 @@ Print Assumptions rate_half_space_moves.
 Print Assumptions cubes_patch.
 Print Assumptions cubes_rates.
 Print Assumptions patch_forgeries_refused.
+Print Assumptions tiling_verdict_sound.
+Print Assumptions tiling.
+Print Assumptions same_flags_same_winding.
+Print Assumptions piece_winding.
+Print Assumptions tiled_overlap.
+Print Assumptions halves_tile.
+Print Assumptions tilings_refused.
+Print Assumptions tilings_accepted.

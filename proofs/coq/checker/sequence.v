@@ -102,3 +102,9 @@ Proof.
   induction l as [|d l IH]; simpl; intros a z u v [E|E]; try (inversion E; subst; tauto); try tauto.
   apply IH in E. simpl in E. tauto.
 Qed.
+
+Lemma pairs_map : forall (T U : Type) (f : T -> U) l a, pairs (f a) (map f l) = map (fun e => (f (fst e), f (snd e))) (pairs a l).
+Proof. intros T U f l. induction l as [|b l IH]; intros a; simpl; [|rewrite IH]; auto. Qed.
+Lemma chain_map : forall (T U : Type) (f : T -> U) l a z, chain (f a) (map f l) (f z) = map (fun e => (f (fst e), f (snd e))) (chain a
+  l z).
+Proof. intros T U f l. induction l as [|b l IH]; intros a z; simpl; [|rewrite IH]; auto. Qed.

@@ -8,33 +8,33 @@ From Fathom.geometry Require Import meaning space meshes norm flats facets seams
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma positive_yes : forall x, 0 < x -> positive x = 1%Z.
-Proof. intros x H. unfold positive. destruct (Rlt_dec 0 x); [reflexivity|lra]. Qed.
-Lemma positive_no : forall x, x <= 0 -> positive x = 0%Z.
-Proof. intros x H. unfold positive. destruct (Rlt_dec 0 x); [lra|reflexivity]. Qed.
-Lemma positive_times : forall k x, 0 < k -> positive (k * x) = positive x.
-Proof. intros k x H. destruct (Rlt_dec 0 x); [rewrite !positive_yes|rewrite !positive_no]; auto; nra. Qed.
+Lemma unit_step_yes : forall x, 0 < x -> unit_step x = 1%Z.
+Proof. intros x H. unfold unit_step. destruct (Rlt_dec 0 x); [reflexivity|lra]. Qed.
+Lemma unit_step_no : forall x, x <= 0 -> unit_step x = 0%Z.
+Proof. intros x H. unfold unit_step. destruct (Rlt_dec 0 x); [lra|reflexivity]. Qed.
+Lemma unit_step_times : forall k x, 0 < k -> unit_step (k * x) = unit_step x.
+Proof. intros k x H. destruct (Rlt_dec 0 x); [rewrite !unit_step_yes|rewrite !unit_step_no]; auto; nra. Qed.
 Ltac known := repeat match goal with
-  | |- context [positive ?x] => first [rewrite (positive_yes x) by lra|rewrite (positive_no x) by lra]
+  | |- context [unit_step ?x] => first [rewrite (unit_step_yes x) by lra|rewrite (unit_step_no x) by lra]
   end.
 
 (* ---- in the plane: a ray from O, a triangle around it or not ---- *)
-Definition inside (a b c : R) : Z := (positive a * positive b * positive c - positive (- a) * positive (- b) * positive (- c))%Z.
+Definition inside (a b c : R) : Z := (unit_step a * unit_step b * unit_step c - unit_step (- a) * unit_step (- b) * unit_step (- c))%Z.
 (* a: the determinant of an edge's ends; y, z: how far they are above the ray's line *)
-Definition edge_term (a y z : R) : Z := (positive (a * (z - y)) * (positive z - positive y))%Z.
+Definition edge_term (a y z : R) : Z := (unit_step (a * (z - y)) * (unit_step z - unit_step y))%Z.
 
-Lemma edge_up : forall a y z, y < 0 -> 0 < z -> edge_term a y z = positive a.
+Lemma edge_up : forall a y z, y < 0 -> 0 < z -> edge_term a y z = unit_step a.
 Proof.
-  intros a y z Y Z. unfold edge_term. rewrite (positive_yes z), (positive_no y), Rmult_comm, positive_times by lra. lia.
+  intros a y z Y Z. unfold edge_term. rewrite (unit_step_yes z), (unit_step_no y), Rmult_comm, unit_step_times by lra. lia.
 Qed.
-Lemma edge_down : forall a y z, 0 < y -> z < 0 -> edge_term a y z = (- positive (- a))%Z.
+Lemma edge_down : forall a y z, 0 < y -> z < 0 -> edge_term a y z = (- unit_step (- a))%Z.
 Proof.
-  intros a y z Y Z. unfold edge_term. rewrite (positive_yes y), (positive_no z) by lra.
-  replace (a * (z - y)) with ((y - z) * - a) by ring. rewrite positive_times by lra. lia.
+  intros a y z Y Z. unfold edge_term. rewrite (unit_step_yes y), (unit_step_no z) by lra.
+  replace (a * (z - y)) with ((y - z) * - a) by ring. rewrite unit_step_times by lra. lia.
 Qed.
 Lemma edge_level : forall a y z, (0 < y /\ 0 < z) \/ (y < 0 /\ z < 0) -> edge_term a y z = 0%Z.
 Proof. intros a y z [[Y Z]|[Y Z]]; unfold edge_term;
-  [rewrite (positive_yes y), (positive_yes z)|rewrite (positive_no y), (positive_no z)]; try lra; lia. Qed.
+  [rewrite (unit_step_yes y), (unit_step_yes z)|rewrite (unit_step_no y), (unit_step_no z)]; try lra; lia. Qed.
 
 Lemma triangle_crossings : forall a b c p q r, p * b + q * c + r * a = 0 ->
   p <> 0 -> q <> 0 -> r <> 0 -> a <> 0 -> b <> 0 -> c <> 0 ->
@@ -51,18 +51,20 @@ Proof.
 Qed.
 
 (* ---- in space ---- *)
-Record flag := Flag { plane_normal : pt; line_direction : pt; place : pt }.
+Record flag := Flag { plane_normal : pt; line_direction : pt; flag_point : pt }.
 (* the same plane, line and point *)
 Definition alike (f g : flag) : Prop :=
   (exists k, k <> 0 /\ plane_normal f = scal k (plane_normal g))
-  /\ (exists k, k <> 0 /\ line_direction f = scal k (line_direction g)) /\ place f = place g.
+  /\ (exists k, k <> 0 /\ line_direction f = scal k (line_direction g)) /\ flag_point f = flag_point g.
 Definition of_flags (phi : flag -> Z) : Prop := forall f g, alike f g -> phi f = phi g.
 
 (* what an edge from p to q of a facet with normal n adds *)
 Definition edge_sum (phi : flag -> Z) (n p q : pt) : Z := (phi (Flag n (sub q p) q) - phi (Flag n (sub q p) p))%Z.
+(* a triangle without an area has no plane *)
 Definition triangle_sum (phi : flag -> Z) (T : triangle) : Z :=
   let n := front T in
-  (edge_sum phi n (corner_1 T) (corner_2 T) + edge_sum phi n (corner_2 T) (corner_3 T) + edge_sum phi n (corner_3 T) (corner_1 T))%Z.
+  if pt_dec n origin then 0%Z
+  else (edge_sum phi n (corner_1 T) (corner_2 T) + edge_sum phi n (corner_2 T) (corner_3 T) + edge_sum phi n (corner_3 T) (corner_1 T))%Z.
 
 Lemma minus_one : -1 <> 0.
 Proof. lra. Qed.
@@ -89,15 +91,17 @@ Lemma total_map : forall (T U : Type) (f : U -> Z) (g : T -> U) l, total f (map 
 Proof. intros T U f g l. induction l as [|t l IH]; simpl; [reflexivity|]. rewrite IH. reflexivity. Qed.
 
 (* the inner edges of a fan cancel *)
-Lemma fan_sum : forall phi, of_flags phi -> forall n p r a,
+Lemma fan_sum : forall phi, of_flags phi -> forall n p r a, n <> origin ->
   (forall u w, In (u, w) (pairs a r) -> exists k, k <> 0 /\ front (Triangle p u w) = scal k n) ->
   total (triangle_sum phi) (map (fun e => Triangle p (fst e) (snd e)) (pairs a r))
   = total (fun e => edge_sum phi n (fst e) (snd e)) (chain p (a :: r) p).
 Proof.
-  intros phi H n p. induction r as [|b r IH]; intros a F.
+  intros phi H n p r a Hn. revert a. induction r as [|b r IH]; intros a F.
   - simpl. rewrite (edge_sum_back phi H n p a). ring.
   - cbn [pairs map total fold_right fst snd]. unfold total in IH at 1. rewrite IH by (intros; apply F; simpl; auto).
     destruct (F a b) as (k & Hk & E); [simpl; auto|]. unfold triangle_sum. rewrite E. cbn [corner_1 corner_2 corner_3].
+    destruct (pt_dec (scal k n) origin) as [Z|_].
+    { exfalso. apply Hn. apply (f_equal (scal (/ k))) in Z. rewrite scal_scal, Rinv_l, scal_1 in Z by auto. rewrite Z. pteq; ring. }
     rewrite !edge_sum_scal by auto. cbn [chain total fold_right fst snd]. rewrite (edge_sum_back phi H n p b). ring.
 Qed.
 
@@ -105,9 +109,9 @@ Qed.
   and whether the point is
    above that ray's line *)
 Definition seen (x v u : pt) (f : flag) : Z :=
-  (ahead x v (plane_normal f) (place f)
-   * positive (det v (sub (place f) x) (line_direction f) * det v u (line_direction f))
-   * positive (det v u (sub (place f) x)))%Z.
+  (ahead x v (plane_normal f) (flag_point f)
+   * unit_step (det v (sub (flag_point f) x) (line_direction f) * det v u (line_direction f))
+   * unit_step (det v u (sub (flag_point f) x)))%Z.
 
 Lemma square_pos : forall k, k <> 0 -> 0 < k * k.
 Proof. intros k H. nra. Qed.
@@ -118,7 +122,7 @@ Proof.
   replace (dot (scal k n') (sub p' x) * dot (scal k n') v) with (k * k * (dot n' (sub p' x) * dot n' v)) by (unfold dot; simpl; ring).
   replace (det v (sub p' x) (scal l d') * det v u (scal l d')) with (l * l * (det v (sub p' x) d' * det v u d'))
     by (unfold det, dot, cross; simpl; ring).
-  rewrite (positive_times (k * k)), (positive_times (l * l)) by (apply square_pos; auto). reflexivity.
+  rewrite (unit_step_times (k * k)), (unit_step_times (l * l)) by (apply square_pos; auto). reflexivity.
 Qed.
 
 Lemma edge_seen : forall x v u n p q, dot n p = dot n q ->
@@ -144,7 +148,8 @@ Lemma crossing_sum : forall x v u T, clear x v T ->
   det v u (sub (corner_1 T) x) <> 0 -> det v u (sub (corner_2 T) x) <> 0 -> det v u (sub (corner_3 T) x) <> 0 ->
   crossing x v T = triangle_sum (seen x v u) T.
 Proof.
-  intros x v u T (A & B & C & _) P Q R. destruct (front_level T) as (E1 & E2 & E3). unfold triangle_sum. cbv zeta.
+  intros x v u T (A & B & C & D) P Q R. destruct (front_level T) as (E1 & E2 & E3). unfold triangle_sum. cbv zeta.
+  destruct (pt_dec (front T) origin) as [E|_]. { exfalso. apply D. rewrite E. unfold dot; simpl. ring. }
   rewrite !edge_seen by auto. rewrite (ahead_level x v _ (corner_3 T) (corner_1 T)), (ahead_level x v _ (corner_2 T) (corner_1 T)) by
     auto.
   rewrite <- !Z.mul_add_distr_l. unfold crossing. f_equal. symmetry. apply triangle_crossings; auto.
@@ -153,14 +158,10 @@ Qed.
 
 Lemma crossing_flat : forall x v T, front T = origin -> crossing x v T = 0%Z.
 Proof.
-  intros x v T E. unfold crossing, ahead. rewrite E, positive_no; [reflexivity|]. unfold dot; simpl. lra.
+  intros x v T E. unfold crossing, ahead. rewrite E, unit_step_no; [reflexivity|]. unfold dot; simpl. lra.
 Qed.
-Lemma sum_flat : forall x v u T, front T = origin -> triangle_sum (seen x v u) T = 0%Z.
-Proof.
-  intros x v u T E. unfold triangle_sum, edge_sum, seen, ahead. rewrite E; simpl.
-  assert (Z : forall p : pt, positive (dot origin (sub p x) * dot origin v) = 0%Z) by (intros; apply positive_no; unfold dot; simpl; lra).
-  rewrite !Z. reflexivity.
-Qed.
+Lemma sum_flat : forall phi T, front T = origin -> triangle_sum phi T = 0%Z.
+Proof. intros phi T E. unfold triangle_sum. cbv zeta. destruct (pt_dec (front T) origin); [reflexivity|contradiction]. Qed.
 
 Lemma beside_off_line : forall x v p q, beside x v p q <> 0 -> cross (sub p x) v <> origin /\ cross (sub q x) v <> origin.
 Proof.

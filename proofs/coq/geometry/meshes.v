@@ -11,7 +11,7 @@ Record triangle := Triangle { corner_1 : pt; corner_2 : pt; corner_3 : pt }.
 Definition front (T : triangle) : pt := cross (sub (corner_2 T) (corner_1 T)) (sub (corner_3 T) (corner_1 T)).
 
 (* 1 if x > 0, else 0 *)
-Definition positive (x : R) : Z := if Rlt_dec 0 x then 1%Z else 0%Z.
+Definition unit_step (x : R) : Z := if Rlt_dec 0 x then 1%Z else 0%Z.
 
 (* where the line through x along v has the three edges of T; all signs are the same exactly if it goes through T *)
 Definition beside (x v p q : pt) : R := dot v (cross (sub p x) (sub q x)).
@@ -19,9 +19,9 @@ Definition passes (x v : pt) (T : triangle) : Z :=
   let a := beside x v (corner_1 T) (corner_2 T) in
   let b := beside x v (corner_2 T) (corner_3 T) in
   let c := beside x v (corner_3 T) (corner_1 T) in
-  (positive a * positive b * positive c - positive (- a) * positive (- b) * positive (- c))%Z.
+  (unit_step a * unit_step b * unit_step c - unit_step (- a) * unit_step (- b) * unit_step (- c))%Z.
 (* whether it meets the plane of T at x + s v with s > 0 *)
-Definition ahead (x v n p : pt) : Z := positive (dot n (sub p x) * dot n v).
+Definition ahead (x v n p : pt) : Z := unit_step (dot n (sub p x) * dot n v).
 (* 1 if the ray leaves through the front of T, -1 if it enters there, 0 if it misses T (crossing_means in crossings.v) *)
 Definition crossing (x v : pt) (T : triangle) : Z := (ahead x v (front T) (corner_1 T) * passes x v T)%Z.
 

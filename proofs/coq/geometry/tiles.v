@@ -198,7 +198,7 @@ Section Piece.
       Qed.
 
       Lemma passes_term : forall u w, In (u, w) (pairs a (others_of f)) -> 0 < beside x v p a ->
-        passes x v (Triangle p u w) = (positive (beside x v p u) - positive (beside x v p w))%Z.
+        passes x v (Triangle p u w) = (unit_step (beside x v p u) - unit_step (beside x v p w))%Z.
       Proof.
         intros u w H Pa. destruct (pair_in_cycle f u w H) as [Hu Hw]. destruct (Hl _ (fan_in u w H)) as (A & B & C). simpl in A, B, C.
         assert (E := edge_strict u w (fan_edge u w H) B). apply sign_pos in E; auto.
@@ -225,9 +225,9 @@ Section Piece.
         { destruct (Hl (Triangle p a b)) as (A & _); auto. apply fan_in. rewrite Er. simpl. auto. }
         assert (Pa : 0 < beside x v p a). { apply sign_pos; auto. apply ES; simpl; auto. }
         assert (G : forall l c, (forall u w, In (u, w) (pairs c l) -> passes x v (Triangle p u w)
-            = (positive (beside x v p u) - positive (beside x v p w))%Z) ->
+            = (unit_step (beside x v p u) - unit_step (beside x v p w))%Z) ->
           total (passes x v) (map (fun e => Triangle p (fst e) (snd e)) (pairs c l))
-          = (positive (beside x v p c) - positive (beside x v p (last l c)))%Z).
+          = (unit_step (beside x v p c) - unit_step (beside x v p (last l c)))%Z).
         { induction l as [|d l IH]; intros c H; [simpl; lia|]. cbn [pairs map total fold_right fst snd].
           change (fold_right _ _ _) with (total (passes x v) (map (fun e => Triangle p (fst e) (snd e)) (pairs d l))).
           rewrite IH by (intros; apply H; simpl; auto). rewrite (H c d) by (simpl; auto).
@@ -250,7 +250,7 @@ Section Piece.
 
   (* the line goes through the facet once, exactly if it meets its plane in the polytope *)
   Lemma facet_passes : forall x v f, In f Fs -> (forall T, In T (fan_of f) -> threads x v T) -> total (passes x v) (fan_of f) <> 0%Z ->
-    dot (normal_of f) v <> 0 /\ under Fs (hit x v f) /\ total (passes x v) (fan_of f) = (positive (dot (normal_of f) v) - positive (-
+    dot (normal_of f) v <> 0 /\ under Fs (hit x v f) /\ total (passes x v) (fan_of f) = (unit_step (dot (normal_of f) v) - unit_step (-
       dot (normal_of f) v))%Z.
   Proof.
     intros x v f Hf Hl N. destruct (Rtotal_order (dot (normal_of f) v) 0) as [L|[E|L]].

@@ -25,26 +25,26 @@ Section Piece.
   (* ---- all facets and a ray ---- *)
   Definition face_crossing (x v : pt) (f : face) : Z := (ahead x v (normal_of f) (first_of f) * total (passes x v) (fan_of f))%Z.
 
+  (* all triangles of a fan look the same way *)
+  Lemma face_front : forall f u w, In f Fs -> In (u, w) (pairs (second_of f) (others_of f)) ->
+    front (Triangle (first_of f) u w) = scal (det (first_of f) u w / height_of f) (normal_of f).
+  Proof.
+    intros f u w Hf H. assert (D := strict f u w Hf H). destruct (pair_in_cycle f u w H) as [Hu Hw]. assert (C := raised f Hf).
+    set (T := Triangle (first_of f) u w). destruct (front_level T) as (E1 & E2 & E3). cbn [corner_1 corner_2 corner_3 T] in *.
+    assert (Eh : dot (front T) (first_of f) = det (first_of f) u w) by (unfold T, front, det, dot, cross; simpl; ring).
+    apply dot_ext. intros z. assert (K := same_form (front T) (det (first_of f) u w) (normal_of f) (height_of f) (first_of f) u w z).
+    rewrite dot_scal_l. apply Rmult_eq_reg_l with (height_of f); [|lra]. rewrite K; auto; try lra; try (apply level; simpl; auto).
+    field. lra.
+  Qed.
+
   Lemma crossing_face : forall x v f, In f Fs -> total (crossing x v) (fan_of f) = face_crossing x v f.
   Proof.
     intros x v f Hf. unfold face_crossing.
     assert (G : forall T, In T (fan_of f) -> crossing x v T = (ahead x v (normal_of f) (first_of f) * passes x v T)%Z).
-    { intros T HT. apply in_map_iff in HT. destruct HT as ([u w] & <- & H). cbn [fst snd]. unfold crossing. f_equal. cbn [corner_1].
-      assert (D := strict f u w Hf H). destruct (pair_in_cycle f u w H) as [Hu Hw]. assert (C := raised f Hf).
-      set (T := Triangle (first_of f) u w). destruct (front_level T) as (E1 & E2 & E3). cbn [corner_1 corner_2 corner_3 T] in *.
-      set (h := dot (front T) (first_of f)) in *.
-      assert (Eh : h = det (first_of f) u w) by (unfold h, T, front, det, dot, cross; simpl; ring).
-      assert (K : forall z, height_of f * dot (front T) z = h * dot (normal_of f) z).
-      { intros z. apply (same_form _ _ _ _ (first_of f) u w); auto; try lra; apply level; simpl; auto. }
-      unfold ahead. assert (P0 : 0 < (h / height_of f) * (h / height_of f)).
-      { assert (0 < h / height_of f) by (apply Rdiv_lt_0_compat; lra). apply Rmult_lt_0_compat; auto. }
-      rewrite <- (positive_times _ (dot (normal_of f) (sub (first_of f) x) * dot (normal_of f) v) P0). f_equal.
-      assert (K1 := K (sub (first_of f) x)). assert (K2 := K v).
-      replace (dot (front T) (sub (first_of f) x)) with (h / height_of f * dot (normal_of f) (sub (first_of f) x))
-        by (apply Rmult_eq_reg_l with (height_of f); [rewrite K1; field|]; lra).
-      replace (dot (front T) v) with (h / height_of f * dot (normal_of f) v) by (apply Rmult_eq_reg_l with (height_of f); [rewrite K2;
-        field|]; lra).
-      ring. }
+    { intros T HT. apply in_map_iff in HT. destruct HT as ([u w] & <- & H). cbn [fst snd]. unfold crossing, ahead. f_equal.
+      cbn [corner_1]. rewrite (face_front f u w Hf H), !dot_scal_l. set (k := det (first_of f) u w / height_of f).
+      assert (Pk : 0 < k) by (apply Rdiv_lt_0_compat; auto). set (a := dot _ (sub _ _)). set (b := dot _ v).
+      replace (k * a * (k * b)) with (k * k * (a * b)) by ring. apply unit_step_times. apply Rmult_lt_0_compat; auto. }
     revert G. induction (fan_of f) as [|T l IH]; intros G; [simpl; lia|]. cbn [total fold_right].
     unfold total in IH. rewrite IH by (intros; apply G; simpl; auto). rewrite (G T) by (simpl; auto). ring.
   Qed.
@@ -86,13 +86,13 @@ Section Piece.
     destruct (in_split f Fs Hf) as (l & k & EF). assert (N : total (passes x v) (fan_of f) <> 0%Z) by lia.
     assert (Al := alone x v l f k EF (fun T => Hl f T Hf) N).
     assert (F1 : face_crossing x v f = 1%Z).
-    { unfold face_crossing, ahead. rewrite I, positive_yes; [reflexivity|]. rewrite dot_sub_r, (level f (first_of f)) by (simpl; auto).
+    { unfold face_crossing, ahead. rewrite I, unit_step_yes; [reflexivity|]. rewrite dot_sub_r, (level f (first_of f)) by (simpl; auto).
       specialize (Hx f Hf). apply Rmult_lt_0_compat; lra. }
     assert (O : forall g, In g (l ++ k) -> face_crossing x v g = 0%Z).
     { intros g Ig. assert (Hg : In g Fs). { rewrite EF. apply in_app_iff in Ig. apply in_app_iff. simpl. tauto. }
       unfold face_crossing. destruct (Z.eq_dec (total (passes x v) (fan_of g)) 0) as [Z|Z]; [rewrite Z; lia|].
       destruct (passing x v g Hg (fun T => Hl g T Hg) Z) as (Gv & Gu & _).
-      unfold ahead. rewrite positive_no; [reflexivity|]. rewrite dot_sub_r, (level g (first_of g)) by (simpl; auto).
+      unfold ahead. rewrite unit_step_no; [reflexivity|]. rewrite dot_sub_r, (level g (first_of g)) by (simpl; auto).
       specialize (Hx g Hg). destruct (Rlt_dec 0 (dot (normal_of g) v)) as [L|L].
       2: { assert (0 <= (height_of g - dot (normal_of g) x) * - dot (normal_of g) v) by (apply Rmult_le_pos; lra). lra. }
       exfalso.
@@ -140,7 +140,7 @@ Section Piece.
       unfold face_crossing. rewrite passes_of_minus. destruct (Z.eq_dec (total (passes z v) (fan_of g)) 0) as [Z|Z]; [rewrite Z; lia|].
       destruct (passing z v g Hg (fun T => Hl g T Hg) Z) as (Nv & _). specialize (Hz g Hg). unfold ahead.
       rewrite dot_scal_r, dot_sub_r, (level g (first_of g)) by (simpl; auto). set (d := height_of g - dot (normal_of g) z) in *.
-      assert (Pd : 0 < d) by (unfold d; lra). rewrite !positive_times by auto.
+      assert (Pd : 0 < d) by (unfold d; lra). rewrite !unit_step_times by auto.
       destruct (Rlt_dec 0 (dot (normal_of g) v)); known; lia. }
     rewrite G, I, J by auto. reflexivity.
   Qed.
@@ -156,7 +156,7 @@ Section Piece.
     assert (N : total (passes x v) (fan_of f) <> 0%Z) by (intros E; apply Nf; rewrite E; lia).
     assert (Af : 0 < dot (normal_of f) (sub (first_of f) x) * dot (normal_of f) v).
     { destruct (Rlt_dec 0 (dot (normal_of f) (sub (first_of f) x) * dot (normal_of f) v)) as [L|L]; auto. exfalso. apply Nf.
-      unfold ahead. rewrite positive_no by lra. lia. }
+      unfold ahead. rewrite unit_step_no by lra. lia. }
     destruct (in_split f Fs Hf) as (l & k & EF). assert (Al := alone x v l f k EF (fun T => Hl f T Hf) N).
     destruct (passing x v f Hf (fun T => Hl f T Hf) N) as (Nv & Uf & _).
     set (t := dot (normal_of f) (sub (first_of f) x) / dot (normal_of f) v).
@@ -186,7 +186,7 @@ Section Piece.
       set (r := dot (normal_of g) (sub (first_of g) x) / dot (normal_of g) v).
       assert (Er : dot (normal_of g) (sub (first_of g) x) = r * dot (normal_of g) v) by (unfold r; field; auto).
       destruct (Rlt_dec 0 r) as [L|L].
-      - unfold ahead. rewrite Er, positive_yes; [lia|]. replace (r * dot (normal_of g) v * dot (normal_of g) v) with (r * (dot
+      - unfold ahead. rewrite Er, unit_step_yes; [lia|]. replace (r * dot (normal_of g) v * dot (normal_of g) v) with (r * (dot
         (normal_of g) v * dot (normal_of g) v)) by ring.
         apply Rmult_lt_0_compat; auto. apply square_pos. auto.
       - exfalso. apply Hx. intros h Hh. assert (U1 := Uf h Hh). assert (U2 := Ug h Hh). rewrite Ey in U1. unfold hit in U2. fold r in U2.
@@ -281,8 +281,8 @@ Section Moved.
     - unfold ahead. rewrite moved_front. cbn [moved_triangle corner_1]. rewrite moved_ahead, dot_scal_l.
       replace (/ k * / k * / k * dot (front T) (sub (corner_1 T) y) * (/ k * / k * dot (front T) v))
         with (/ k * / k * / k * (/ k * / k) * (dot (front T) (sub (corner_1 T) y) * dot (front T) v)) by ring.
-      apply positive_times. repeat apply Rmult_lt_0_compat; auto.
-    - unfold passes. cbn [moved_triangle corner_1 corner_2 corner_3]. rewrite !moved_beside, !Ropp_mult_distr_r, !positive_times; auto.
+      apply unit_step_times. repeat apply Rmult_lt_0_compat; auto.
+    - unfold passes. cbn [moved_triangle corner_1 corner_2 corner_3]. rewrite !moved_beside, !Ropp_mult_distr_r, !unit_step_times; auto.
   Qed.
 
   Lemma moved_winding : forall N y v, winding (map moved_triangle N) (moved y) v = winding N y v.

@@ -3,7 +3,7 @@
   the
    pieces are its solid. *)
 Require Import Reals Lra Psatz List ZArith Lia.
-From Fathom.geometry Require Import meaning space hulls flats facets norm unions seams meshes crossings.
+From Fathom.geometry Require Import meaning space hulls flats facets difference norm unions seams meshes crossings.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -48,15 +48,15 @@ Lemma ball_centre : forall s e, 0 < e -> norm2 (sub s s) < e * e.
 Proof. intros s e He. replace (norm2 (sub s s)) with 0 by (unfold norm2, dot; simpl; ring). apply Rmult_lt_0_compat; auto. Qed.
 
 Definition same_sign (a b : R) : Prop := a <> 0 /\ (0 < a <-> 0 < b).
-Lemma same_positive : forall a b, b <> 0 -> same_sign a b -> positive a = positive b /\ positive (- a) = positive (- b).
+Lemma same_positive : forall a b, b <> 0 -> same_sign a b -> unit_step a = unit_step b /\ unit_step (- a) = unit_step (- b).
 Proof. intros a b Hb [Ha H]. destruct (Rlt_dec 0 b) as [L|L]; [assert (0 < a) by tauto|assert (~ 0 < a) by tauto]; known; auto. Qed.
 
-Lemma same_product : forall a b k, b <> 0 -> same_sign a b -> positive (a * k) = positive (b * k).
+Lemma same_product : forall a b k, b <> 0 -> same_sign a b -> unit_step (a * k) = unit_step (b * k).
 Proof.
   intros a b k Hb [Ha H]. destruct (Rlt_dec 0 b) as [L|L].
-  - assert (0 < a) by tauto. rewrite !positive_times; auto.
+  - assert (0 < a) by tauto. rewrite !unit_step_times; auto.
   - assert (~ 0 < a) by tauto. replace (a * k) with (- a * - k) by ring. replace (b * k) with (- b * - k) by ring.
-    rewrite !positive_times by lra. reflexivity.
+    rewrite !unit_step_times by lra. reflexivity.
 Qed.
 
 Lemma sign_stays : forall n c s, dot n s <> c -> exists e, 0 < e /\ forall y, norm2 (sub y s) < e * e -> same_sign (dot n y - c) (dot n
@@ -133,7 +133,7 @@ Proof.
   unfold passes. cbv zeta. destruct (Rlt_dec 0 (beside x v (corner_1 T) (corner_2 T))), (Rlt_dec 0 (beside x v (corner_2 T) (corner_3
     T))),
     (Rlt_dec 0 (beside x v (corner_3 T) (corner_1 T))); known; try reflexivity; try (exfalso; lra);
-    unfold positive; repeat destruct (Rlt_dec _ _); try reflexivity; exfalso; lra.
+    unfold unit_step; repeat destruct (Rlt_dec _ _); try reflexivity; exfalso; lra.
 Qed.
 
 Lemma near_direction : forall M x v, general M x v -> exists e, 0 < e /\ forall w, norm2 (sub w v) < e * e ->
@@ -284,3 +284,14 @@ Section Tiling.
         apply (held_count Ls s); [apply counted; auto|]. exists L. auto.
   Qed.
 End Tiling.
+
+(* so what is proved of the pieces is said of the solids *)
+Corollary tiled_overlap : forall MA MB As Bs t, tiled MA As -> tiled MB Bs ->
+  (overlap_at As Bs t <-> exists p, interior (translate (solid_of MA) t) p /\ interior (solid_of MB) p).
+Proof.
+  intros MA MB As Bs t (_ & _ & _ & HA) (_ & _ & _ & HB). unfold overlap_at.
+  assert (EA : forall p, interior (translate (solid_of MA) t) p <-> interior (translate (union As) t) p).
+  { intros p. apply interior_iff. intros x. apply HA. }
+  assert (EB : forall p, interior (solid_of MB) p <-> interior (union Bs) p) by (intros p; apply interior_iff, HB).
+  split; intros (p & Hp & Hq); exists p; (split; [apply EA|apply EB]); auto.
+Qed.

@@ -15,42 +15,52 @@ Section Polytope.
   Let off (f : facet) := IZR (offset f).
   Open Scope R_scope.
 
+  (* what the check of a facet says: of the corners; of the points of its plane below all planes, which lie on no wrong side of an edge *)
+  Lemma facet_parts : forall Fs f, facet_ok qn qd (numbered Fs) f = true -> In f Fs ->
+    exists p a b r, corners f = p :: a :: b :: r /\ 0 < off f /\ q * norm2 (nrm f) <= off f * off f
+    /\ (forall v, In v (corners f) -> dot (nrm f) (inj (fst v)) = off f)
+    /\ (forall u v, In (u, v) (pairs a (b :: r)) -> 0 < det (inj (fst p)) (inj (fst u)) (inj (fst v)))
+    /\ forall u v x, In (u, v) (chain p (a :: b :: r) p) -> below _ nrm off Fs x -> dot (nrm f) x = off f ->
+         0 <= det (inj (fst u)) (inj (fst v)) x.
+  Proof.
+    intros Fs f H Hf. unfold facet_ok in H.
+    destruct (corners f) as [|p [|a [|b r]]] eqn:Ecorners; try discriminate.
+    bsplit. rename H0 into Hedge, H1 into Hfan, H2 into Hplane, H3 into Hfar. exists p, a, b, r. split; auto.
+    assert (Hc : 0 < off f) by (apply IZR_lt; auto).
+    assert (Rqd : 0 < IZR qd) by (apply IZR_lt; auto).
+    assert (Hplane' : forall v, In v (p :: a :: b :: r) -> dot (nrm f) (inj (fst v)) = off f).
+    { intros v Hv. unfold nrm, off. rewrite <- dot_inj. f_equal. apply Z.eqb_eq. exact (forallb_In _ _ _ Hplane v Hv). }
+    split; auto. split; [|split; [exact Hplane'|split]].
+    - apply IZR_le in Hfar. rewrite !mult_IZR, norm2_inj in Hfar. fold (nrm f) (off f) in Hfar.
+      apply Rmult_le_reg_r with (IZR qd); auto. unfold q.
+      replace (IZR qn / IZR qd * norm2 (nrm f) * IZR qd) with (IZR qn * norm2 (nrm f)) by (field; lra). lra.
+    - intros u v Huv. rewrite <- det_inj. apply IZR_lt, Z.ltb_lt. exact (along_pairs_spec _ _ _ _ Hfan _ _ Huv).
+    - intros u v x Huv Hx Nx. assert (E := along_chain_spec _ _ _ _ _ Hedge _ _ Huv). unfold edge_ok in E.
+      set (g := match member (numbered Fs) (snd u) with Some g => g | None => f end) in *.
+      assert (Hg : In g Fs).
+      { unfold g. destruct (member (numbered Fs) (snd u)) as [g0|] eqn:Eg; auto. apply member_in in Eg. auto. }
+      bsplit. rename x0 into w.
+      apply chain_members in Huv. destruct Huv as [Iu Iv].
+      assert (Iv' : In v (p :: a :: b :: r)) by (destruct Iv as [Iv| ->]; simpl in *; tauto).
+      apply (edge_side (nrm f) (off f) (nrm g) (off g) (inj (fst u)) (inj (fst v)) (inj (fst w)) x); auto.
+      + apply Hplane'. rewrite <- Ecorners. auto.
+      + rewrite <- det_inj. apply IZR_lt; auto.
+      + unfold nrm, off. rewrite <- dot_inj. f_equal; auto.
+      + unfold nrm, off. rewrite <- dot_inj. f_equal; auto.
+      + unfold nrm, off. rewrite <- dot_inj. apply IZR_lt; auto.
+  Qed.
+
   Lemma facet_sound : forall Fs f, In f Fs ->
     (forall x, In x (corners f) -> fst x = zzero \/ S (inj (fst x))) ->
     facet_ok qn qd (numbered Fs) f = true ->
     (0 < off f /\ q * norm2 (nrm f) <= off f * off f)
     /\ forall x, below _ nrm off Fs x -> dot (nrm f) x = off f -> hull S x.
   Proof.
-    intros Fs f Hf Hin H. unfold facet_ok in H.
-    destruct (corners f) as [|p [|a [|b r]]] eqn:Ecorners; try discriminate.
-    bsplit. rename H0 into Hedge, H1 into Hfan, H2 into Hplane, H3 into Hfar.
-    assert (Hc : 0 < off f) by (apply IZR_lt; auto).
-    assert (Rqd : 0 < IZR qd) by (apply IZR_lt; auto).
-    assert (Hplane' : forall v, In v (p :: a :: b :: r) -> dot (nrm f) (inj (fst v)) = off f).
-    { intros v Hv. unfold nrm, off. rewrite <- dot_inj. f_equal. apply Z.eqb_eq. exact (forallb_In _ _ _ Hplane v Hv). }
-    split.
-    - split; auto. apply IZR_le in Hfar. rewrite !mult_IZR, norm2_inj in Hfar. fold (nrm f) (off f) in Hfar.
-      apply Rmult_le_reg_r with (IZR qd); auto. unfold q.
-      replace (IZR qn / IZR qd * norm2 (nrm f) * IZR qd) with (IZR qn * norm2 (nrm f)) by (field; lra). lra.
-    - intros x Hx Nx.
-      apply (polygon corner (fun v => inj (fst v)) S (nrm f) (off f) p a (b :: r)); auto.
-      + congruence.
-      + intros v Hv. split; auto. apply hull_in. destruct (Hin v Hv) as [E|E]; auto.
-        exfalso. specialize (Hplane' v Hv). rewrite E in Hplane'. unfold dot in Hplane'; simpl in Hplane'. lra.
-      + intros u v Huv. rewrite <- det_inj. apply IZR_lt, Z.ltb_lt. exact (along_pairs_spec _ _ _ _ Hfan _ _ Huv).
-      + intros u v Huv. assert (E := along_chain_spec _ _ _ _ _ Hedge _ _ Huv). unfold edge_ok in E.
-        set (g := match member (numbered Fs) (snd u) with Some g => g | None => f end) in *.
-        assert (Hg : In g Fs).
-        { unfold g. destruct (member (numbered Fs) (snd u)) as [g0|] eqn:Eg; auto. apply member_in in Eg. auto. }
-        bsplit. rename x0 into w.
-        apply chain_members in Huv. destruct Huv as [Iu Iv].
-        assert (Iv' : In v (p :: a :: b :: r)) by (destruct Iv as [Iv| ->]; simpl in *; tauto).
-        apply (edge_side (nrm f) (off f) (nrm g) (off g) (inj (fst u)) (inj (fst v)) (inj (fst w)) x); auto.
-        * apply Hplane'. rewrite <- Ecorners. auto.
-        * rewrite <- det_inj. apply IZR_lt; auto.
-        * unfold nrm, off. rewrite <- dot_inj. f_equal; auto.
-        * unfold nrm, off. rewrite <- dot_inj. f_equal; auto.
-        * unfold nrm, off. rewrite <- dot_inj. apply IZR_lt; auto.
+    intros Fs f Hf Hin H. destruct (facet_parts Fs f H Hf) as (p & a & b & r & E & Hc & Hfar & Hplane & Hfan & Hedge). split; auto.
+    rewrite E in Hplane, Hin. intros x Hx Nx.
+    apply (polygon corner (fun v => inj (fst v)) S (nrm f) (off f) p a (b :: r)); auto; [congruence|].
+    intros v Hv. split; auto. apply hull_in. destruct (Hin v Hv) as [Z|Z]; auto.
+    exfalso. specialize (Hplane v Hv). rewrite Z in Hplane. unfold dot in Hplane; simpl in Hplane. lra.
   Qed.
 
   Variable Fs : list facet.
