@@ -163,4 +163,25 @@ for counts in '20000 1 1 1' '1 20000 1 1' '1 1 200000 1' '1 1 1 200000'; do
   slab $counts >"$scratch"
   expect 0 "^s VERIFIED penetrating depth_squared=1 optima=1 pieces=${counts%% *}x1 <stdin>\$" - <"$scratch"
 done
+
+# solids: many triangles, pieces, points
+tiling() { # PIECES FLAT-TRIANGLES POINTS-THAT-NOTHING-USES
+  printf 'fathom-certificate 5\nsolid_a %s\n' "$((8 + $3))"
+  box a 0 1 0 1 0 1 | tail -n 8
+  seq -f '%.0f 1/3 2' 1 "$3"
+  echo "mesh $((12 * $1 + $2))"
+  printf '%s\n' '0 4 6' '0 6 2' '1 3 7' '1 7 5' '0 1 5' '0 5 4' '2 6 7' '2 7 3' '0 2 3' '0 3 1' '4 5 7' '4 7 6' | copies "$1"
+  [ "$2" = 0 ] || many '0 1 0' "$2"
+  echo "pieces $1"
+  printf '%s\n' 'piece 6' '4 0 4 6 2' '4 1 3 7 5' '4 0 1 5 4' '4 2 6 7 3' '4 0 2 3 1' '4 4 5 7 6' | copies "$1"
+  echo "claim solid
+end $((8 + $3)) $((12 * $1 + $2)) $1 $(many 6 "$1" | tr '\n' ' ' | sed 's/ $//')"
+}
+for counts in '20000 0 0' '1 200000 0' '1 0 200000'; do
+  # shellcheck disable=SC2086
+  tiling $counts >"$scratch"
+  flat=${counts#* }
+  expect 0 "^s VERIFIED solid triangles=$((12 * ${counts%% *} + ${flat%% *})) pieces=${counts%% *} <stdin>\$" - <"$scratch"
+done
+expect 2 '^s REFUSED a%20box%20in%20thirds:[0-9]+: a solid, which has no width here$' --width -- proved_tilings.cert </dev/null
 exit $bad

@@ -15,7 +15,7 @@ complain() { echo "mutants.sh: $*"; bad=1; }
 build() { # SED-SCRIPT
   rm -rf "$scratch/program" && mkdir "$scratch/program" && cd "$scratch/program" || exit 1
   cp "$here"/program/*.ml "$out"/proved.cmi "$out"/proved.cmx "$out"/proved.o .
-  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml patch_prepare.ml union_limits.ml union_prepare.ml"
+  told="limits.ml prepare.ml signed_limits.ml signed_prepare.ml patch_prepare.ml union_limits.ml union_prepare.ml tiling_prepare.ml"
   # shellcheck disable=SC2086
   cat $told >before
   # shellcheck disable=SC2086
@@ -84,4 +84,11 @@ mutant 's/Some column -> Array\.to_list column/Some column -> Array.to_list (Arr
 mutant 's/if r > 4 then \[\]/if r > 1 then List.map (fun _ -> Z.minus_one) half_spaces/' where%20three%20planes%20meet REFUSED '' <"$unions"
 mutant 's/Places\.find_opt (/(fun _ _ -> Some Z.zero) (/' five%20ways%20out REFUSED '' <"$unions"
 mutant 's/  demand_ranges (size.*/  ();/' a%20vertex%20of%20no%20point REFUSED '' <"$unions"
+# format 5: a wrong unit, flags taken for one another or not found again, facets across an edge that are not, a piece left out
+tilings=$here/examples/proved_tilings.cert
+mutant 's/Z\.lcm m (Tiling_limits/Z.mul Z.zero (Tiling_limits/' a%20box%20in%20thirds REFUSED '' <"$tilings"
+mutant 's/next := Z\.succ slot/next := slot/' a%20box%20in%20thirds REFUSED '' <"$tilings"
+mutant 's/Flags\.find_opt flag !known/(if true then None else Flags.find_opt flag !known)/' a%20box%20in%20thirds REFUSED '' <"$tilings"
+mutant 's/Some g -> Z\.of_int g | None/Some g -> Z.of_int (g mod 2) | None/' a%20box%20in%20thirds REFUSED '' <"$tilings"
+mutant 's/Array\.map (tile g) g\.pieces/Array.map (tile g) (Array.sub g.pieces 0 1)/' a%20box%20in%20thirds REFUSED '' <"$tilings"
 exit $bad

@@ -48,6 +48,14 @@ let counted r word expected item =
 
 let part r word expected item = advance r; counted r word expected item
 
+(* what stands behind the first word *)
+let words_of r expected word item =
+  let f = fields r expected in
+  literal f word;
+  let found = item f in
+  finish f;
+  found
+
 let ratio q = { Proved.num = Q.num q; den = Q.den q }
 
 let point f =
@@ -133,13 +141,14 @@ let footer_at r expected counts =
 
 let footer r counts = advance r; footer_at r "end and the five counts again" counts
 
-(* the first line: 1, 2, 3 or 4 *)
+(* the first line: 1 to 5 *)
 let format_of r =
   begin_certificate r;
-  let f = fields r "fathom-certificate 1, 2, 3 or 4" in
+  let f = fields r "fathom-certificate and a format: 1 to 5" in
   literal f "fathom-certificate ";
   let format =
-    match f.s with "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | "fathom-certificate 4" -> 4 | _ -> 1 in
+    match f.s with
+    | "fathom-certificate 2" -> 2 | "fathom-certificate 3" -> 3 | "fathom-certificate 4" -> 4 | "fathom-certificate 5" -> 5 | _ -> 1 in
   literal f (string_of_int format);
   finish f;
   format

@@ -55,6 +55,10 @@ let union_words (s : Proved.union_statement) =
     | Pieces_apart q -> "disjoint distance_squared=" ^ number q in
   Printf.sprintf "%s pieces=%sx%s" (status s.union_status_is) (Z.to_string s.pieces_a) (Z.to_string s.pieces_b)
 
+(* likewise of format 5: its meaning is soundness/tiling_printed.v's *)
+let tiling_words (s : Proved.tiling_statement) =
+  Printf.sprintf "solid triangles=%s pieces=%s" (Z.to_string s.triangles_told) (Z.to_string s.pieces_told)
+
 let refused name line reason = verdict 1 (Printf.sprintf "s REFUSED %s:%d: %s" name line reason)
 let malformed name line reason = verdict 2 (Printf.sprintf "s MALFORMED %s:%d: %s" name line reason)
 
@@ -113,12 +117,25 @@ let judge_union ~width name (g : Union_grammar.t) =
       let line, reason = Union_prepare.reason g m claim in
       refused name line reason
 
+let judge_tiling ~width name (g : Tiling_grammar.t) =
+  Tiling_limits.within g;
+  match if width then raise (Prepare.Refused (g.points.line, "a solid, which has no width here")) else Tiling_prepare.tiles g with
+  | exception Prepare.Refused (line, reason) -> refused name line reason
+  | tiles ->
+    let points = Tiling_prepare.points g and mesh = Tiling_prepare.mesh g in
+    match Proved.tiling_verdict Tiling_prepare.common (Tiling_prepare.slots ()) points mesh (Array.to_list tiles) with
+    | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (tiling_words statement) name)
+    | None ->
+      let line, reason = Tiling_prepare.reason g tiles in
+      refused name line reason
+
 (* of any format, its last line and its judge *)
 let read ~width r name =
   match Grammar.format_of r with
   | 1 -> let g = Grammar.certificate r name in (g.end_line, fun () -> judge ~width !name g)
   | 2 -> let g = Signed_grammar.certificate r name in (g.end_line, fun () -> judge_signed ~width !name g)
   | 4 -> let g = Patch_grammar.certificate r name in (g.signed.end_line, fun () -> judge_patched ~width !name g)
+  | 5 -> let g = Tiling_grammar.certificate r name in (g.end_line, fun () -> judge_tiling ~width !name g)
   | _ -> let g = Union_grammar.certificate r name in (g.end_line, fun () -> judge_union ~width !name g)
 
 (* one certificate, from its first line on *)

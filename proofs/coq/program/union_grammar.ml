@@ -24,14 +24,6 @@ type t = {
   end_line : int;
 }
 
-(* what stands behind the first word *)
-let words_of r expected word item =
-  let f = fields r expected in
-  literal f word;
-  let found = item f in
-  finish f;
-  found
-
 let node f =
   let rest () =
     let found = ref [] in
