@@ -36,11 +36,14 @@ Proof.
   unfold dot in *; simpl in *. pteq; lra.
 Qed.
 
+(* the line the other way *)
+Lemma beside_back : forall x v p q, beside x (scal (-1) v) p q = - beside x v p q.
+Proof. intros. unfold beside, dot; simpl. ring. Qed.
 Lemma passes_back : forall x v T, passes x (scal (-1) v) T = (- passes x v T)%Z.
+Proof. intros x v T. unfold passes. cbv zeta. rewrite !beside_back, !Ropp_involutive. ring. Qed.
+Lemma total_back : forall x v l, total (passes x (scal (-1) v)) l = (- total (passes x v) l)%Z.
 Proof.
-  intros x v T. unfold passes. cbv zeta.
-  assert (E : forall p q, beside x (scal (-1) v) p q = - beside x v p q) by (intros; unfold beside, dot; simpl; ring).
-  rewrite !E, !Ropp_involutive. ring.
+  intros x v l. induction l as [|T l IH]; [reflexivity|]. cbn [total fold_right]. unfold total in IH. rewrite IH, passes_back. lia.
 Qed.
 
 Lemma beside_along : forall x v s p q, beside (add x (scal s v)) v p q = beside x v p q.
@@ -51,6 +54,8 @@ Proof. intros. unfold passes. cbv zeta. rewrite !beside_along. reflexivity. Qed.
 (* a line in general position: it meets no edge of a triangle *)
 Definition threads (x v : pt) (T : triangle) : Prop :=
   beside x v (corner_1 T) (corner_2 T) <> 0 /\ beside x v (corner_2 T) (corner_3 T) <> 0 /\ beside x v (corner_3 T) (corner_1 T) <> 0.
+Lemma threads_back : forall x v T, threads x v T -> threads x (scal (-1) v) T.
+Proof. intros x v T (A & B & C). unfold threads. rewrite !beside_back. repeat split; lra. Qed.
 
 Lemma last_step : forall (T : Type) (l : list T) c d, last (d :: l) c = last l d.
 Proof. intros T l. induction l as [|e l IH]; intros c d; [reflexivity|]. change (last (e :: l) c = last (e :: l) d). rewrite !IH.
@@ -254,14 +259,9 @@ Section Piece.
       dot (normal_of f) v))%Z.
   Proof.
     intros x v f Hf Hl N. destruct (Rtotal_order (dot (normal_of f) v) 0) as [L|[E|L]].
-    - assert (Hl' : forall T, In T (fan_of f) -> threads x (scal (-1) v) T).
-      { intros T HT. destruct (Hl T HT) as (A & B & C). unfold threads.
-        assert (E : forall p q, beside x (scal (-1) v) p q = - beside x v p q) by (intros; unfold beside, dot; simpl; ring).
-        rewrite !E. repeat split; lra. }
+    - assert (Hl' : forall T, In T (fan_of f) -> threads x (scal (-1) v) T) by (intros T HT; apply threads_back; auto).
       assert (Hv' : 0 < dot (normal_of f) (scal (-1) v)) by (rewrite dot_scal_r; lra).
-      assert (S : total (passes x (scal (-1) v)) (fan_of f) = (- total (passes x v) (fan_of f))%Z).
-      { clear. induction (fan_of f) as [|T l IH]; [reflexivity|]. cbn [total fold_right]. unfold total in IH. rewrite IH, passes_back.
-      lia. }
+      assert (S := total_back x v (fan_of f)).
       destruct (under_dec Fs (hit x v f)) as [U|(g & Hg & U)].
       + assert (I := inside_facet x (scal (-1) v) f Hf Hv' Hl'). rewrite hit_back in I by lra. specialize (I U).
         split; [lra|]. split; auto. known. lia.
@@ -297,13 +297,7 @@ Section Piece.
     assert (V : exists w, hit x w f = hit x v f /\ 0 < dot (normal_of f) w /\ (forall T, In T (fan_of f) -> threads x w T)
       /\ total (passes x w) (fan_of f) <> 0%Z).
     { destruct (Rlt_dec 0 (dot (normal_of f) v)) as [L|L]; [exists v; auto|]. exists (scal (-1) v). rewrite hit_back by auto.
-      split; auto. split; [rewrite dot_scal_r; lra|]. split.
-      - intros T HT. destruct (Hl T HT) as (A & B & C). unfold threads.
-        assert (Eb : forall p q, beside x (scal (-1) v) p q = - beside x v p q) by (intros; unfold beside, dot; simpl; ring).
-        rewrite !Eb. repeat split; lra.
-      - assert (S : total (passes x (scal (-1) v)) (fan_of f) = (- total (passes x v) (fan_of f))%Z); [|lia].
-        clear. induction (fan_of f) as [|T l IH]; [reflexivity|]. cbn [total fold_right]. unfold total in IH. rewrite IH, passes_back.
-        lia. }
+      split; auto. split; [rewrite dot_scal_r; lra|]. split; [intros T HT; apply threads_back; auto|]. rewrite total_back. lia. }
     destruct V as (w & Ew & Pw & Hw & Nw). rewrite <- Ew in U |- *. clear v Ew Hl N Nv. assert (Hh := U g Hg).
     destruct (Req_dec (dot (normal_of g) (hit x w f)) (height_of g)) as [Eg|Eg]; [|lra]. exfalso.
     assert (T : exists u z, In (u, z) (pairs (second_of f) (others_of f)) /\ passes x w (Triangle (first_of f) u z) <> 0%Z).

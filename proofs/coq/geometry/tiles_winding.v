@@ -110,19 +110,10 @@ Section Piece.
 
   Lemma passes_of_z : forall x v s f, total (passes (add x (scal s v)) v) (fan_of f) = total (passes x v) (fan_of f).
   Proof. intros x v s f. apply total_ext. intros T _. apply passes_along. Qed.
-  Lemma passes_of_minus : forall x v f, total (passes x (scal (-1) v)) (fan_of f) = (- total (passes x v) (fan_of f))%Z.
-  Proof.
-    intros x v f. induction (fan_of f) as [|T l IH]; [reflexivity|]. cbn [total fold_right]. unfold total in IH.
-    rewrite IH, passes_back. lia.
-  Qed.
   Lemma clear_along : forall x v s, line_clear x v -> line_clear (add x (scal s v)) v.
   Proof. intros x v s H f T Hf HT. destruct (H f T Hf HT) as (A & B & C). unfold threads. rewrite !beside_along. auto. Qed.
   Lemma clear_back : forall x v, line_clear x v -> line_clear x (scal (-1) v).
-  Proof.
-    intros x v H f T Hf HT. destruct (H f T Hf HT) as (A & B & C). unfold threads.
-    assert (E : forall p q, beside x (scal (-1) v) p q = - beside x v p q) by (intros; unfold beside, dot; simpl; ring).
-    rewrite !E. repeat split; lra.
-  Qed.
+  Proof. intros x v H f T Hf HT. apply threads_back. eauto. Qed.
 
   (* a line through a point inside goes out and in: all its crossings sum to nothing *)
   Lemma line_cancels : forall z v, strictly z -> v <> origin -> line_clear z v -> total (fun f => total (passes z v) (fan_of f)) Fs = 0%Z.
@@ -137,7 +128,7 @@ Section Piece.
     { induction l as [|g l IH]; intros H; [reflexivity|]. cbn [total fold_right]. unfold total in IH at 1 3 4.
       rewrite IH by (intros; apply H; simpl; auto). assert (Hg : In g Fs) by (apply H; simpl; auto).
       assert (K : total (passes z v) (fan_of g) = (face_crossing z v g - face_crossing z (scal (-1) v) g)%Z); [|unfold total in *; lia].
-      unfold face_crossing. rewrite passes_of_minus. destruct (Z.eq_dec (total (passes z v) (fan_of g)) 0) as [Z|Z]; [rewrite Z; lia|].
+      unfold face_crossing. rewrite total_back. destruct (Z.eq_dec (total (passes z v) (fan_of g)) 0) as [Z|Z]; [rewrite Z; lia|].
       destruct (passing z v g Hg (fun T => Hl g T Hg) Z) as (Nv & _). specialize (Hz g Hg). unfold ahead.
       rewrite dot_scal_r, dot_sub_r, (level g (first_of g)) by (simpl; auto). set (d := height_of g - dot (normal_of g) z) in *.
       assert (Pd : 0 < d) by (unfold d; lra). rewrite !unit_step_times by auto.

@@ -122,7 +122,7 @@ let judge_tiling ~width name (g : Tiling_grammar.t) =
   match if width then raise (Prepare.Refused (g.points.line, "a solid, which has no width here")) else Tiling_prepare.tiles g with
   | exception Prepare.Refused (line, reason) -> refused name line reason
   | tiles ->
-    let points = Tiling_prepare.points g and mesh = Tiling_prepare.mesh g in
+    let points = Array.to_list g.points.items and mesh = Array.to_list g.mesh.items in
     match Proved.tiling_verdict Tiling_prepare.common (Tiling_prepare.slots ()) points mesh (Array.to_list tiles) with
     | Some statement -> verdict 0 (Printf.sprintf "s VERIFIED %s %s" (tiling_words statement) name)
     | None ->

@@ -3,7 +3,7 @@
 open Lines
 open Grammar
 
-type triangle = Z.t * Z.t * Z.t
+type triangle = (Z.t * Z.t) * Z.t
 
 type t = {
   points : Proved.point part;
@@ -18,7 +18,7 @@ let triangle f =
   spend f 3;
   let i = natural f in blank f;
   let j = natural f in blank f;
-  (i, j, natural f)
+  ((i, j), natural f)
 
 let certificate r name =
   advance r;

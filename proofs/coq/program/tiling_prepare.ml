@@ -5,9 +5,6 @@ open Grammar
 open Tiling_grammar
 open Prepare
 
-let points g = Array.to_list g.points.items
-let mesh g = List.rev (Array.fold_left (fun l (i, j, k) -> ((i, j), k) :: l) [] g.mesh.items)
-
 (* ---- hints ---- *)
 (* a common denominator of some points *)
 let common points = List.fold_left (fun m p -> Z.lcm m (Tiling_limits.common_denominator p)) Z.one points
@@ -63,7 +60,7 @@ let tiles g =
   let n = Array.length g.points.items in
   demand g.line_of_pieces (Array.length g.pieces > 0) "a solid without pieces";
   Array.iteri
-    (fun k (i, j, l) -> demand g.mesh.lines_of.(k) (List.for_all (in_range n) [ i; j; l ]) "a triangle names a point that is not there")
+    (fun k ((i, j), l) -> demand g.mesh.lines_of.(k) (List.for_all (in_range n) [ i; j; l ]) "a triangle names a point that is not there")
     g.mesh.items;
   ignore (Array.fold_left
       (fun (k, seen) { Proved.qx; qy; qz } ->
@@ -76,7 +73,7 @@ let tiles g =
 
 (* ---- why not: only the wording of a refusal hangs on this ---- *)
 let find g tiles =
-  let table = Proved.numbered (points g) in
+  let table = Proved.numbered (Array.to_list g.points.items) in
   Array.iteri
     (fun k (tile : Proved.tile) ->
        let piece = g.pieces.(k) in
