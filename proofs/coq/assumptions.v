@@ -72,3 +72,4 @@ Print Assumptions tiled_overlap.
 Print Assumptions halves_tile.
 Print Assumptions tilings_refused.
 Print Assumptions tilings_accepted.
+Print Assumptions crossing_means.

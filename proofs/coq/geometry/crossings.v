@@ -4,7 +4,7 @@
    oriented.  So chains of triangles whose flags have the same sums have the same winding number. *)
 Require Import Reals Lra Psatz List ZArith Lia.
 From Fathom.checker Require Import sequence.
-From Fathom.geometry Require Import meaning space meshes norm flats facets seams.
+From Fathom.geometry Require Import meaning space hulls faces meshes norm flats facets seams.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -203,6 +203,84 @@ Lemma total_zero : forall (T : Type) (f : T -> Z) l, (forall t, In t l -> f t = 
 Proof. intros T f l H. induction l as [|t l IH]; simpl; [reflexivity|]. rewrite H, IH; auto; [intros; apply H|]; simpl; auto. Qed.
 Lemma total_concat : forall (T : Type) (f : T -> Z) ls, total f (concat ls) = total (total f) ls.
 Proof. intros T f ls. induction ls as [|l ls IH]; simpl; [reflexivity|]. rewrite total_app, IH. reflexivity. Qed.
+
+(* ---- what the determinants mean ---- *)
+Lemma three_weights : forall p q r y, conv [p; q; r] y -> exists a b c, 0 <= a /\ 0 <= b /\ 0 <= c /\ a + b + c = 1
+  /\ y = add (scal a p) (add (scal b q) (scal c r)).
+Proof.
+  intros p q r y H. apply (H (fun y => exists a b c, 0 <= a /\ 0 <= b /\ 0 <= c /\ a + b + c = 1
+    /\ y = add (scal a p) (add (scal b q) (scal c r)))).
+  - intros u v l Hl (a & b & c & A & B & C & S & ->) (a' & b' & c' & A' & B' & C' & S' & ->).
+    exists (l * a + (1 - l) * a'), (l * b + (1 - l) * b'), (l * c + (1 - l) * c'). split; [nra|]. split; [nra|]. split; [nra|].
+    split; [|pteq; ring].
+    replace (_ + _ + _) with (l * (a + b + c) + (1 - l) * (a' + b' + c')) by ring. rewrite S, S'. ring.
+  - intros z [<-|[<-|[<-|[]]]]; [exists 1, 0, 0|exists 0, 1, 0|exists 0, 0, 1]; repeat split; try lra; pteq; ring.
+Qed.
+
+Lemma weights_meet : forall a b c al be ga, a <> 0 -> b <> 0 -> c <> 0 -> 0 <= al -> 0 <= be -> 0 <= ga -> al + be + ga = 1 ->
+  be * a = ga * c -> al * a = ga * b -> al * c = be * b -> (0 < a /\ 0 < b /\ 0 < c) \/ (a < 0 /\ b < 0 /\ c < 0).
+Proof.
+  intros a b c al be ga A B C P Q R S E1 E2 E3. assert (ga <> 0 \/ be <> 0 \/ al <> 0) as N by lra.
+  assert (sA : a < 0 \/ 0 < a) by lra. assert (sB : b < 0 \/ 0 < b) by lra. assert (sC : c < 0 \/ 0 < c) by lra.
+  destruct sA, sB, sC; try tauto; exfalso; assert (ga = 0) by nra; assert (be = 0) by nra; assert (al = 0) by nra; lra.
+Qed.
+
+(* the ray meets the triangle exactly if the crossing is not 0, and its sign tells through which side it leaves *)
+Theorem crossing_means : forall x v T, clear x v T ->
+  let meets := exists s, 0 < s /\ conv [corner_1 T; corner_2 T; corner_3 T] (add x (scal s v)) in
+  (crossing x v T = 1%Z /\ meets /\ 0 < dot (front T) v) \/ (crossing x v T = (-1)%Z /\ meets /\ dot (front T) v < 0)
+  \/ (crossing x v T = 0%Z /\ ~ meets).
+Proof.
+  intros x v [p q r] (A & B & C & D) meets. cbn [corner_1 corner_2 corner_3] in *. set (n := front (Triangle p q r)) in *.
+  set (a := beside x v p q) in *. set (b := beside x v q r) in *. set (c := beside x v r p) in *. set (t := dot n (sub p x)) in *.
+  assert (Nv : dot n v = a + b + c) by (unfold n, a, b, c, front, beside, dot, cross; simpl; ring).
+  assert (Et : t = det (sub p x) (sub q x) (sub r x)) by (unfold t, n, front, det, dot, cross; simpl; ring).
+  assert (X := cramer_x (sub p x) (sub q x) (sub r x) v). assert (Y := cramer_y (sub p x) (sub q x) (sub r x) v).
+  assert (Z := cramer_z (sub p x) (sub q x) (sub r x) v). rewrite <- Et in X, Y, Z.
+  replace (det v (sub q x) (sub r x)) with b in * by reflexivity.
+  replace (det (sub p x) v (sub r x)) with c in * by (unfold c, beside, det, dot, cross; simpl; ring).
+  replace (det (sub p x) (sub q x) v) with a in * by (unfold a, beside, det, dot, cross; simpl; ring).
+  assert (K : ((0 < a /\ 0 < b /\ 0 < c) \/ (a < 0 /\ b < 0 /\ c < 0)) -> 0 < t * dot n v -> meets).
+  { intros S P0. assert (N0 : a + b + c <> 0) by lra. exists (t / (a + b + c)). split.
+    - replace (t / (a + b + c)) with (t * dot n v * / (dot n v * dot n v)) by (rewrite Nv; field; auto).
+      apply Rmult_lt_0_compat; auto. apply Rinv_0_lt_compat, square_pos. lra.
+    - simpl in X, Y, Z. apply (hull3 _ p q r _ (b / (a + b + c)) (c / (a + b + c)) (a / (a + b + c)) 1); try (apply hull_in; simpl;
+      auto); try lra.
+      1-3: destruct S as [S|S]; [apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra]|].
+      1-3: match goal with |- 0 <= ?k / ?m => replace (k / m) with (- k * / - m) by (field; lra) end;
+        apply Rmult_le_pos; [lra|left; apply Rinv_0_lt_compat; lra].
+      + field. auto.
+      + simpl. apply Rmult_eq_reg_l with (a + b + c); auto. field_simplify; auto. lra.
+      + simpl. apply Rmult_eq_reg_l with (a + b + c); auto. field_simplify; auto. lra.
+      + simpl. apply Rmult_eq_reg_l with (a + b + c); auto. field_simplify; auto. lra. }
+  assert (J : meets -> ((0 < a /\ 0 < b /\ 0 < c) \/ (a < 0 /\ b < 0 /\ c < 0)) /\ 0 < t * dot n v).
+  { intros (s & Hs & H). apply three_weights in H. destruct H as (al & be & ga & P & Q & R & S & E).
+    assert (L : forall m, al * dot m (sub p x) + be * dot m (sub q x) + ga * dot m (sub r x) = s * dot m v).
+    { intros m. apply (f_equal (fun y => dot m (sub y x))) in E. rewrite <- dot_scal_r. transitivity (dot m (sub (add x (scal s v)) x)).
+      - rewrite E. replace x with (scal (al + be + ga) x) at 4 by (rewrite S; apply scal_1). unfold dot; simpl. ring.
+      - unfold dot; simpl. ring. }
+    assert (G : (0 < a /\ 0 < b /\ 0 < c) \/ (a < 0 /\ b < 0 /\ c < 0)).
+    { apply (weights_meet a b c al be ga); auto.
+      - assert (M := L (cross v (sub p x))). unfold a, c, beside, dot, cross in *; simpl in *. lra.
+      - assert (M := L (cross v (sub q x))). unfold a, b, beside, dot, cross in *; simpl in *. lra.
+      - assert (M := L (cross v (sub r x))). unfold b, c, beside, dot, cross in *; simpl in *. lra. }
+    split; auto. assert (M := L n). destruct (front_level (Triangle p q r)) as (E1 & E2 & E3). cbn [corner_1 corner_2 corner_3] in *.
+    fold n in E1, E2, E3. rewrite !(dot_sub_r n) in M. unfold t. rewrite dot_sub_r.
+    assert (Eq : dot n q = dot n p) by lra. assert (Er : dot n r = dot n p) by lra. rewrite Eq, Er in M.
+    replace (dot n p - dot n x) with (s * dot n v).
+    2: { rewrite <- M. transitivity ((al + be + ga) * (dot n p - dot n x)); [ring|rewrite S; ring]. }
+    replace (s * dot n v * dot n v) with (s * (dot n v * dot n v)) by ring. apply Rmult_lt_0_compat; auto.
+    apply square_pos. destruct G; lra. }
+  unfold crossing, ahead, passes. cbv zeta. cbn [corner_1 corner_2 corner_3]. fold n t a b c.
+  destruct (Rlt_dec 0 (t * dot n v)) as [P0|P0].
+  - rewrite (unit_step_yes (t * dot n v)) by auto.
+    assert (sA : a < 0 \/ 0 < a) by lra. assert (sB : b < 0 \/ 0 < b) by lra. assert (sC : c < 0 \/ 0 < c) by lra.
+    destruct sA, sB, sC; known;
+      try (right; right; split; [reflexivity|]; intros W; destruct (J W) as [[?|?] _]; lra).
+    + right. left. split; [reflexivity|]. split; [apply K; auto|lra].
+    + left. split; [reflexivity|]. split; [apply K; auto|lra].
+  - rewrite (unit_step_no (t * dot n v)) by lra. right. right. split; [reflexivity|]. intros W. destruct (J W). lra.
+Qed.
 
 (* chains with the same sums have the same winding number *)
 Theorem same_flags_same_winding : forall M N, (forall phi, of_flags phi -> total (triangle_sum phi) M = total (triangle_sum phi) N) ->

@@ -23,7 +23,7 @@ let within g =
   let named piece = Numbers.fold (fun k named -> if Z.lt k n then named + Z.one else named) (corners_of piece) Z.zero in
   let s = sum (fun piece -> count piece * named piece) in
   let h = Array.fold_left (fun h p -> Z.max h (width p)) Z.zero g.points.items in
-  let four_h = number 4 * h and five = number 5 in
+  let four_h = number 4 * h in
   require g.end_line (Z.leq ((n + (number 10 * f) + (number 4 * c)) * h) most_size);
   require g.end_line
-    (Z.leq ((number 24 * ((number 3 * f) + c) * product four_h four_h) + (five * s * product (five * h) h)) most_work)
+    (Z.leq ((number 3 * ((number 3 * f) + c) * product four_h four_h) + (s * product (number 5 * h) h)) most_work)
