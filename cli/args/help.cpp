@@ -202,6 +202,7 @@ constexpr Example solid_examples[] = {
     {"fathom solid a.off", "is the mesh closed? how large is what it goes around, and of how many convex pieces?"},
     {"fathom solid -o pieces.obj a.off", "and the pieces, one group each"},
     {"fathom solid --exact --exact-decimals a.obj", "0.1 means 1/10, so that flat faces stay flat; the volume exactly"},
+    {"fathom solid --certificate a.cert a.off", "and the proof that the pieces tile what it goes around: fathom check"},
     {"fathom solid --json a.stl", "one JSON object"},
 };
 

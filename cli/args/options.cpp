@@ -232,6 +232,8 @@ std::vector<Option> make_table() {
       file("explain", "-o,--output", "FILE", FileUse::written, "the page: one HTML file, which needs no network"),
       file("solid", "-o,--output", "FILE", FileUse::written,
            "the pieces: an OBJ file with a group for each, exactly, for --pieces and for other programs"),
+      file("solid", "--certificate", "FILE", FileUse::written,
+           "write the proof that the pieces tile what the mesh goes around to FILE"),
       flag("solid", "--json", "one JSON object, schema fathom/solid/1"),
       flag("explain", "--times", "add how long each stage took: then the page differs from run to run"),
 

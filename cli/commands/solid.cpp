@@ -26,11 +26,12 @@ struct SolidRequest {
   explicit SolidRequest(const Given& given)
       : mesh(given.inputs()[0]),
         output(given.text("--output")),
+        certificate(given.text("--certificate")),
         decimals(given.flag("--exact-decimals") ? Decimals::exact : Decimals::binary64),
         exact(given.flag("--exact")),
         json(given.flag("--json")) {}
 
-  std::string mesh, output;
+  std::string mesh, output, certificate;
   Decimals decimals;
   bool exact, json;
 };
@@ -66,8 +67,14 @@ Solid read_solid(const SolidRequest& request) try {
 ExitCode run_solid(const Given& given) {
   const SolidRequest request(given);
   const std::unique_ptr<CertificateFile> pieces = wanted_file(request.output, "pieces");
+  const std::unique_ptr<CertificateFile> proof = wanted_file(request.certificate, "certificate");
   const Solid solid = read_solid(request);
   if (pieces) pieces->write(pieces_obj(solid));
+  if (proof) {
+    const std::string text = certificate_text(solid, request.mesh);
+    require_readable(request.mesh, text);
+    proof->write(text);
+  }
   print(request.json ? solid_json(request.mesh, solid) : solid_block(solid, request.exact));
   return fine;
 }
