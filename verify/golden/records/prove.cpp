@@ -130,6 +130,7 @@ Proved stated(const Certificate& certificate, const HullPair& hulls, bool contac
     case Claim::bounds:
     case Claim::signed_bounds: throw NotProved("the certificate proves bounds only");
     case Claim::touching: proved.status = Status::touching; break;
+    case Claim::solid:
     case Claim::disjoint: throw NotProved("the certificate does not prove how far the bodies are apart");
     case Claim::apart: proved.distance_squared = value_of(certificate.low); break;
   }
@@ -230,6 +231,7 @@ struct WrittenBody {
       case fathom_check::Body::Core::points: return points && same(*points, body.points.items);
       case fathom_check::Body::Core::half_space:
         return half_space() && same(half_space()->normal, body.normal) && half_space()->offset == value_of(body.offset);
+      case fathom_check::Body::Core::solid:
       case fathom_check::Body::Core::pieces: return false;
       case fathom_check::Body::Core::shape: break;
     }
@@ -284,8 +286,7 @@ ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, cons
       if (low == high) truth.value = Surd{low, 0};
       else truth.value = Bounds{low, high};
       return truth;
-    case Claim::bounds:
-    case Claim::disjoint: throw NotProved("the certificate does not prove the signed depth");
+    default: throw NotProved("the certificate does not prove the signed depth");
   }
   for (const Vector& n : directions) truth.translations.push_back({n, (b.height(n) + a.height(-n)) / dot(n, n), rho});
   return truth;
@@ -330,9 +331,7 @@ UnionStatement stated(const Certificate& certificate, const Unions& unions) {
       return truth;
     case Claim::touching: truth.status = Status::touching; return truth;
     case Claim::apart: truth.gap = gap_in(certificate, unions); return truth;
-    case Claim::bounds:
-    case Claim::disjoint:
-    case Claim::signed_bounds: break;
+    default: break;
   }
   throw NotProved("the certificate does not prove the depth of unions");
 }
