@@ -139,8 +139,7 @@ std::string wrong_unions(const Given& given) {
 std::string wrong_along(const Given& given) {
   if (!given.has("--along")) {
     const std::string other = first_of(given, {"--steps", "--csv"});
-    if (!other.empty()) return other + " goes with --along X,Y,Z";
-    return given.has("--patch-slack") && !given.flag("--patch") ? "--patch-slack goes with --patch" : "";
+    return other.empty() ? "" : other + " goes with --along X,Y,Z";
   }
   const std::string other =
       first_of(given, {"--optima", "--digits", "--certificate", "--embed-certificate", "--exact", "--counters",
@@ -166,6 +165,8 @@ std::string wrong_sweep(const Given& given) {
 /// Of a curve or a chart.
 std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
+  if (given.command == "depth" && given.has("--patch-slack") && !given.flag("--patch"))
+    return "--patch-slack goes with --patch";
   if (given.flag("--pieces") || given.flag("--solid")) return wrong_unions(given);
   if (given.command == "depth") return wrong_along(given);
   return given.command == "study" ? wrong_sweep(given) : "";

@@ -41,7 +41,7 @@ std::string solid_block(const Solid& solid, bool exact) {
   const std::size_t given = given_points(solid);
   const mpq_class size = volume(solid);
   std::vector<Row> rows{
-      {"pieces", fmt::format("{}", solid.pieces.size())},
+      {"pieces", fmt::format("{}", pieces_of(solid).size())},
       {"points", fmt::format("{} of the mesh, {} where it is cut", given, solid.points.size() - given)},
       {"triangles", fmt::format("{}", solid.triangles.size())},
       {"volume", fmt::format("{}", round_binary64(size))}};

@@ -184,7 +184,7 @@ void add_solids(std::vector<Row>& rows, const output::AboutBodies& bodies) {
   for (const auto& [name, solid] : {std::pair("A", bodies.solid_a), std::pair("B", bodies.solid_b)}) {
     if (!solid) continue;
     rows.emplace_back("solid", fmt::format("{}: {} triangles, {}", name, solid->triangles.size(),
-                                           kernels::counted(solid->pieces.size(), "piece", "pieces")));
+                                           kernels::counted(pieces_of(*solid).size(), "piece", "pieces")));
     for (const std::string& note : notes(*solid)) rows.emplace_back("", note);
   }
 }

@@ -50,6 +50,12 @@ struct FathomClaim {
     has_manifold: c_int,
     most_contacts: usize,
     contact_margin: c_double,
+    has_patch_slack: c_int,
+    patch_slack: c_double,
+    has_derivative: c_int,
+    derivative: c_double,
+    twist_a: [c_double; 6],
+    twist_b: [c_double; 6],
 }
 
 #[repr(C)]
@@ -65,6 +71,7 @@ struct FathomJudgement {
     deepest_pair: c_double,
     deepest_pieces: [usize; 2],
     of_unions: [c_double; 3], // hulls to deeper
+    of_contacts: [c_double; 4], // extent_missed to derivative_error
 }
 
 #[link(name = "fathom-c")]

@@ -357,8 +357,8 @@ FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, 
 
 /** Verdicts, in order of rank up to FATHOM_VERDICT_PASS; those of distances stand behind
  * FATHOM_VERDICT_TOO_SHALLOW, those of contacts behind FATHOM_VERDICT_WITNESS_OFF, and that of a
- * derivative behind these. Their numbers never change. The first five, and
- * FATHOM_VERDICT_WRONG_DERIVATIVE, FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED,
+ * derivative behind these. Their numbers never change. The first five,
+ * FATHOM_VERDICT_NOT_INVARIANT and FATHOM_VERDICT_UNSUPPORTED
  * come from harnesses only. VERDICTS.md defines them. */
 enum {
   FATHOM_VERDICT_CRASH = 0,

@@ -56,7 +56,7 @@ struct PlaneImage {
 /// The plane <normal, x> = height, and its image.
 template <class Numbers>
 struct OrientedPlaneIn {
-  Vec3<typename Numbers::OfPlane> normal;  ///< primitive
+  Vec3<typename Numbers::OfPlane> normal;  ///< primitive, or without a common factor with the height
   typename Numbers::OfPlane height;
   PlaneImage image;
 

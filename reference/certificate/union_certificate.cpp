@@ -50,10 +50,11 @@ class UnionWriter {
   }
 
   // The first pair of pieces that touch has a common point.
-  std::string touching(const PieceContact& first) {
+  std::string touching(kernels::Context& context, const PieceContact& first) {
+    if (first.a >= a_.size() || first.b >= b_.size()) contradiction("no such pieces");
     const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
     out_.word("claim").word("touching").end();
-    write_separations(unions::separations(pieces, {}));
+    write_separations(unions::separations(context, pieces, {}));
     const polytope::PlacedPair pair = pieces.pair(first.a, first.b);
     const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
     if (origin.position != polytope::Position::boundary) contradiction("pieces that do not touch");
@@ -64,6 +65,7 @@ class UnionWriter {
   // Each pair has a direction in which it is as far apart as it is; the first nearest one has the
   // nearest points.
   std::string disjoint(kernels::Context& context, const UnionDistance& answer) {
+    if (answer.a >= a_.size() || answer.b >= b_.size()) contradiction("no such pieces");
     const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
     std::vector<Vector> directions;
     polytope::NearestPoints nearest;
@@ -138,7 +140,7 @@ std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth&
   if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");
   certificate::UnionWriter writer(a, b, id);
   if (answer.status == Status::penetrating) return writer.penetrating(context, answer);
-  if (answer.status == Status::touching) return writer.touching(answer.optima.at(0).contacts.at(0));
+  if (answer.status == Status::touching) return writer.touching(context, answer.optima.at(0).contacts.at(0));
   return writer.disjoint(context, answer.apart.value());
 }
 

@@ -79,11 +79,10 @@ Json object_of(const polytope::MeshConvexity& found) {
   return object;
 }
 
-/// Of a union: its pieces that are not convex.
+/// Of a union: its pieces that are not convex, or open.
 Json array_of(const shapes::DentedPieces& pieces) {
   Json result = Json::array();
   for (const shapes::DentedPiece& piece : pieces) {
-    if (!piece.found.dents) continue;
     Json object = object_of(piece.found);
     object["piece"] = piece.piece;
     if (!piece.name.empty()) object["name"] = piece.name;
@@ -214,7 +213,7 @@ std::optional<Json> hull_object(const shapes::HullFacts& facts) {
 }
 
 Json solid_object(const Solid& solid) {
-  return {{"pieces", solid.pieces.size()},
+  return {{"pieces", pieces_of(solid).size()},
           {"points", {{"of_mesh", given_points(solid)}, {"all", solid.points.size()}}},
           {"triangles", solid.triangles.size()},
           {"volume", number(volume(solid))},

@@ -37,7 +37,7 @@ struct DeepestPoint {
 /// A mesh whose hull is another body.
 struct Dents {
   /// the hull's volume over what the mesh encloses, if it is closed and that is less; > 1. What the
-  /// surface goes around twice counts twice; a mesh that is inside out encloses as much.
+  /// surface goes around twice counts twice, and what it goes around the other way is taken off.
   std::optional<mpq_class> volume_ratio;
   /// the point deepest inside the hull, of several the first; nullopt if it takes too long to find
   std::optional<DeepestPoint> deepest;

@@ -207,11 +207,14 @@ std::string about_hulls(const HullFacts& facts, bool width) {
   if (dents.empty()) return "";
   if (width) return "about the convex hull, which is as wide: " + dents;
   const auto is_solid = [](const polytope::MeshConvexity& mesh) { return mesh.dents && mesh.dents->volume_ratio; };
-  const auto has_solid = [&](const auto& mesh, const std::optional<DentedPieces>& pieces) {
-    return (mesh && is_solid(*mesh)) || (pieces && std::ranges::any_of(*pieces, is_solid, &DentedPiece::found));
+  const auto one = [&](const auto& mesh) { return mesh && is_solid(*mesh); };
+  const auto any = [&](const std::optional<DentedPieces>& pieces) {
+    return pieces && std::ranges::any_of(*pieces, is_solid, &DentedPiece::found);
   };
-  const bool other = has_solid(facts.a, facts.pieces_a) || has_solid(facts.b, facts.pieces_b);
-  return "about the convex hulls: " + dents + (other ? " (depth --solid asks about the mesh itself)" : "");
+  return "about the convex hulls: " + dents +
+         (one(facts.a) || one(facts.b)                 ? " (depth --solid asks about the mesh itself)"
+          : any(facts.pieces_a) || any(facts.pieces_b) ? " (depth --solid asks about whole meshes)"
+                                                       : "");
 }
 
 }  // namespace fathom::shapes

@@ -135,8 +135,8 @@ class MeshChain {
     std::string fault =
         fmt::format("the mesh is not closed: {} {} more faces on one side than on the other, such as {}", edges,
                     open.size() == 1 ? "has" : "have", edge);
-    if (doubled != open.end()) fault += ", where two faces run in the same direction: one of them is turned over";
-    else if (given_twice()) fault += "; a face is given twice";
+    if (given_twice()) fault += "; a face is given twice";
+    else if (doubled != open.end()) fault += ", where two faces run in the same direction: one of them is turned over";
     throw std::invalid_argument(fault + ". A solid has no hole in its surface");
   }
 
@@ -306,8 +306,9 @@ std::vector<ConvexPart> convex_parts(Arrangement& space, const polytope::PlacedP
   std::string place = place_text(inner_point(space, placed, part.corners));
   if (!place.starts_with("near ")) place = "at " + place;
   throw std::invalid_argument(fmt::format(
-      "the mesh crosses itself, or a part of it is inside out: the sum of all is {}, and its winding number is {} {}",
-      mesh.turned() ? "negative" : "positive", times, place));
+      "the mesh crosses itself, or a part of it is inside out: its winding number is {} {}, and has the other sign "
+      "elsewhere",
+      times, place));
 }
 
 /// The solid as users read it: points by numbers, facets by their corners.

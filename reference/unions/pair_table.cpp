@@ -202,6 +202,12 @@ typename PairTableIn<Numbers>::Pair* PairTableIn<Numbers>::find(const RankedPair
   return entry.pair.get();
 }
 
+template <class Numbers>
+bool PairTableIn<Numbers>::has(const RankedPair& pair) const {
+  const auto entry = entries_.find(std::uint64_t{pair.a} * pieces_.b.size() + pair.b);
+  return entry != entries_.end() && entry->second.pair;
+}
+
 template class PairTableIn<kernels::AnyNumbers>;
 template class PairTableIn<kernels::FixedNumbers>;
 

@@ -80,6 +80,8 @@ class PairTableIn {
   [[nodiscard]] RankedPairs ranked(const Place& p) const { return {tree_a_, tree_b_, p.image, all_}; }
   /// The pair; or null if p is certain to be neither in the interior of P_ij nor on its boundary.
   Pair* find(const RankedPair& ranked, const Place& p);
+  /// Whether the pair was made.
+  [[nodiscard]] bool has(const RankedPair& pair) const;
   /// How many pairs there are, and how many of them were made.
   [[nodiscard]] std::uint64_t size() const { return pieces_.a.size() * pieces_.b.size(); }
   [[nodiscard]] std::uint64_t made() const { return made_; }

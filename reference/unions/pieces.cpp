@@ -227,6 +227,9 @@ double PlacedPieces::image_above(const mpq_class& squared) const {
   return kernels::root_from_above(in_units.get_num(), in_units.get_den(), exponent());
 }
 
+// root_from_above is off by a factor below 1 + 2^-40 + 2^-50.
+double PlacedPieces::image_below(const mpq_class& squared) const { return image_above(squared) * (1 - 0x1p-39); }
+
 template <class Numbers>
 PiecePairIn<Numbers>::PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, std::uint32_t j)
     : a(i),

@@ -23,7 +23,7 @@ namespace fathom::unions {
 struct PlacedPiece {
   kernels::PointCloud cloud;
   mpz_class factor = 1;  ///< > 0
-  double scale = 1;      ///< makes images of the cloud images in 2^exponent of the common unit; at most 2, within 2^-51
+  double scale = 1;      ///< makes images of the cloud images in 2^exponent of the common unit; at most 1, within 2^-51
 };
 
 /// Translations of A are points of the common lattice, over any denominators.
@@ -48,9 +48,10 @@ struct PlacedPieces {
   [[nodiscard]] kernels::RationalPoint point(const Point& translation) const;
   /// A squared length on the lattice, numerator / denominator, in the unit of the input.
   [[nodiscard]] mpq_class squared(const mpz_class& numerator, const mpz_class& denominator) const;
-  /// A length in the unit of the input, by its square, as one of images: an upper bound, a lower
-  /// one if it is lowered by below_raised.
+  /// A length in the unit of the input, by its square, as one of images: an upper bound, and a
+  /// lower one of what is at least 2^-400.
   [[nodiscard]] double image_above(const mpq_class& squared) const;
+  [[nodiscard]] double image_below(const mpq_class& squared) const;
 };
 
 /// Which lattices pieces are put on.
@@ -104,6 +105,8 @@ class PiecePairIn {
 
   /// Of piece i of A and piece j of B. `pieces` must outlive it.
   PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, std::uint32_t j);
+  PiecePairIn(const PiecePairIn&) = delete;
+  PiecePairIn& operator=(const PiecePairIn&) = delete;
 
   const std::uint32_t a, b;  ///< i and j
 

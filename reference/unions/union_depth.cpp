@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "kernels/filters/error_bounds.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "reference/depth/apart.hpp"
@@ -140,7 +139,7 @@ class UnionRun {
       if (apart && std::isfinite(ranked->bound) &&
           !is_nearer(*ranked, std::max<mpq_class>(0, -pieces_.squared_of_boxes(ranked->a, ranked->b))))
         continue;
-      ++result_.counters.pairs_touched;
+      if (!search_.table().has(*ranked)) ++result_.counters.pairs_touched;
       const Depth depth = depth::apart_depth(context_, pieces_.pair(ranked->a, ranked->b), true);
       if (!is_nearer(*ranked, depth.distance()->squared)) continue;
       apart = UnionDistance{ranked->a, ranked->b, *depth.distance()};
@@ -185,6 +184,7 @@ class UnionRun {
     double most = 0;
     RankedPairs pairs = search_.table().ranked(Place{});
     for (auto ranked = pairs.next(); ranked && ranked->bound >= most; ranked = pairs.next()) {
+      context_.check();
       const auto& [bound, i, j] = *ranked;
       if (std::isfinite(bound) && !is_deeper(*ranked, pieces_.squared_of_boxes(i, j))) continue;
       PiecePairIn<Numbers>* pair = search_.table().find(*ranked, Place{});
@@ -194,7 +194,7 @@ class UnionRun {
       mpq_class squared = solve::depth_by_method(context_, pieces_.pair(i, j), options).squared();
       if (!is_deeper(*ranked, squared)) continue;
       bounds = {std::move(squared), i, j, bounds.hulls};
-      most = pieces_.image_above(bounds.deepest_pair) * kernels::error_bound::below_raised;
+      most = pieces_.image_below(bounds.deepest_pair);
     }
     return true;
   } catch (const Interrupted&) {

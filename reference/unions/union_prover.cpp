@@ -206,7 +206,7 @@ class Prover {
   void add_optimum(const RationalPoint& p) {
     ProofOptimum& optimum = proof_.optima.emplace_back();
     optimum.translation = pieces_.translation(p);
-    optimum.directions = separations(pieces_, p);
+    optimum.directions = separations(context_, pieces_, p);
   }
 
   kernels::Context& context_;
@@ -220,10 +220,11 @@ class Prover {
 }  // namespace
 
 // Pair by pair, without keeping them.
-std::vector<Vector> separations(const PlacedPieces& pieces, const RationalPoint& p) {
+std::vector<Vector> separations(kernels::Context& context, const PlacedPieces& pieces, const RationalPoint& p) {
   std::vector<Vector> directions;
   for (std::uint32_t i = 0; i < pieces.a.size(); ++i) {
     for (std::uint32_t j = 0; j < pieces.b.size(); ++j) {
+      context.check();
       PiecePair pair(pieces, i, j);
       if (pair.contains(p)) throw std::logic_error("a translation out of a union lies inside");
       directions.push_back(primitive(pair.separation().normal));

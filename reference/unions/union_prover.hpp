@@ -52,8 +52,8 @@ struct UnionProof {
 };
 
 /// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum.
-/// Throws std::logic_error if p is not free.
-std::vector<Vector> separations(const PlacedPieces& pieces, const kernels::RationalPoint& p);
+/// Throws std::logic_error if p is not free, and Interrupted.
+std::vector<Vector> separations(kernels::Context& context, const PlacedPieces& pieces, const kernels::RationalPoint& p);
 
 /// Proves that these are the optima of unions that penetrate, translations of A in the unit of the
 /// input. Throws std::logic_error if they are not, and Interrupted.

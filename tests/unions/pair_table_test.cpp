@@ -32,6 +32,7 @@ UnionDepth expect_all_twins(const Pieces& a, const Pieces& b) {
     SCOPED_TRACE("lattices of their own");
     expect_same(depth, union_depth_twin({true, all_pairs, Lattices::own}, a, b));
   }
+  EXPECT_LE(depth.counters.pairs_touched, depth.counters.pairs);
   return depth;
 }
 
@@ -172,6 +173,21 @@ TEST(UnionTwins, AgreeWhereNoLatticeIsShort) {
   }
   EXPECT_GT(penetrating, 3U);
   EXPECT_GT(others, 1U);
+}
+
+// The first pair, with the larger box, is 1/4 deep; the second deeper by a 2^-41st.
+TEST(UnionDepth, FindsTheDeepestPairByTheLastBits) {
+  const mpq_class two = 2, below = mpq_class(-1, 16), left = mpq_class(-3, 4);
+  std::vector<Point> prism;
+  for (const int z : {0, 1})
+    for (const auto& [x, y] : {std::pair(two, two), std::pair(two, below), std::pair(left, two)})
+      prism.push_back({x, y, z});
+  const mpq_class deeper = mpq_class(1, 4) + mpq_class(1, mpz_class(1) << 43);
+  const Pieces cube = grid({0, 0, 0}, {1, 1, 1}, 1);
+  std::vector<Point> slab = moved(cube, {1 - deeper, 0, 0})[0];
+  const UnionDepth depth = expect_all_twins(cube, {prism, slab});
+  EXPECT_EQ(depth.bounds->deepest_pair, deeper * deeper);
+  EXPECT_EQ(std::pair(depth.bounds->a, depth.bounds->b), std::pair(0U, 1U));
 }
 
 TEST(UnionDepth, MakesFewOfManyPairs) {

@@ -767,6 +767,7 @@ def normal_of(corners):
     demand(fan and all(map(any, fan)), "fewer than three corners, or some on a line")
     normal, *others = map(primitive, fan)
     demand(all(n == normal for n in others), "not a flat and convex polygon")
+    demand(len(set(corners)) == len(corners), "a corner twice")
     return normal
 
 

@@ -139,6 +139,11 @@ void Tiling::take(Polygon polygon) {
     else if (ascending(normal_, polygon.normal) || ascending(polygon.normal, normal_))
       throw refused(polygon.line, "this facet is not a flat and convex polygon");
   }
+  // Around a corner in its middle the fan of a polygon could go several times.
+  std::vector<std::uint32_t> named(polygon.corners, polygon.corners + polygon.size);
+  std::sort(named.begin(), named.end());
+  if (std::adjacent_find(named.begin(), named.end()) != named.end())
+    throw refused(polygon.line, "this facet has a corner twice");
   polygons_.push_back(polygon);
 }
 

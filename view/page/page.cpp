@@ -149,14 +149,14 @@ std::string command_of(const Data& depth, std::string_view options) {
 }
 
 std::string lead_motion(const Motions& motions) {
-  return std::string(
-             "<p class=\"lead\">A is turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets "
-             "out with "
-             "the velocity v + w x p at its points p, and s = 1 is all of the motion. Each mark is the signed depth "
-             "where A "
-             "stands then, as <code>fathom depth "
-             "--along</code> finds it; the slope of the dashed line is the derivative at s = 0, from this side.") +
-         (motions.of_b ? " B moves likewise; the picture shows A as it is seen from B.</p>\n" : "</p>\n");
+  return fmt::format(
+      "<p class=\"lead\">{} turned by the quaternion (1, s w/2) and then moved by s v, exactly: so it sets out with "
+      "the "
+      "velocity v + w x p at its points p, and s = 1 is all of the motion. Each mark is the signed depth then{}; the "
+      "slope of the dashed line is the derivative at s = 0, from this side.{}</p>\n",
+      motions.of_b ? "A body that moves is" : "A is",
+      motions.of_b ? "" : ", as <code>fathom depth --along</code> finds it",
+      motions.of_b ? " The picture shows A as it is seen from B." : "");
 }
 
 /// The charts, of which the script shows one at a time; or why there are none.
