@@ -106,7 +106,7 @@ constexpr Example general_examples[] = {
     {"fathom study a.off b.stl", "what is degenerate about two bodies, by name and in counts"},
     {"fathom stages --json a.off b.stl", "what the exact method makes on its way: the data of all pictures"},
     {"fathom explain a.off b.stl -o page.html", "why? one page with pictures of every stage"},
-    {"fathom solid a.off -o pieces.obj", "a closed mesh that is not convex, cut into convex pieces"},
+    {"fathom solid a.off", "is a mesh closed, and of how many convex pieces is what it goes around?"},
     {"fathom cases --family near_ties", "test cases by name, as input for the others"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
     {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},

@@ -165,7 +165,7 @@ std::string wrong_sweep(const Given& given) {
 /// Of a curve or a chart.
 std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
-  if (given.command == "depth" && given.has("--patch-slack") && !given.flag("--patch"))
+  if (given.command == "depth" && !given.has("--along") && given.has("--patch-slack") && !given.flag("--patch"))
     return "--patch-slack goes with --patch";
   if (given.flag("--pieces") || given.flag("--solid")) return wrong_unions(given);
   if (given.command == "depth") return wrong_along(given);

@@ -99,7 +99,8 @@ class Along(CliTest):
     def test_bounds_of_curved_bodies(self):
         widths = []
         for bits in (10, 60):
-            depths = [value["signed_depth"] for value in self.curve(*CURVED, "--bits", bits)["values"]]
+            coaxial, *depths = [value["signed_depth"] for value in self.curve(*CURVED, "--bits", bits)["values"]]
+            self.assertEqual(coaxial["exact"], {"sign": 1, "root": "16/5", "plus": "0"})
             self.assertTrue(all(depth["low"] < depth["high"] and "exact" not in depth for depth in depths))
             widths.append(max(depth["high"] - depth["low"] for depth in depths))
         self.assertLess(widths[1], widths[0])

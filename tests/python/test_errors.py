@@ -260,6 +260,9 @@ def ball(n):
     p = rng.normal(size=(n, 3))
     return p / np.linalg.norm(p, axis=1)[:, None]
 a, b = ball(60000), ball(60000)
+def grid(at):
+    cube = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    return [cube + (i + at, j + at, k + at) for i in range(10) for j in range(10) for k in range(10)]
 print("ready", flush=True)
 try:
     fathom.{call}
@@ -270,7 +273,7 @@ except KeyboardInterrupt:
 
 
 @pytest.mark.parametrize("call", ["depth(a, b, method='exact')", "depths([(a, b)] * 8, method='exact')",
-                                  "union_depth([ball(60) + rng.normal(size=3) for _ in range(40)], [ball(60) for _ in range(40)])"])
+                                  "union_depth(grid(0), grid(0.5))"])
 def test_interrupts(call):
     process = subprocess.Popen([sys.executable, "-c", LONG.format(call=call)], stdout=subprocess.PIPE, text=True, env=os.environ)
     assert process.stdout.readline() == "ready\n"

@@ -21,7 +21,8 @@ constexpr int usage_error = 2;
 constexpr std::string_view about =
     " [OPTIONS] FILE...\n"
     "Checks certificates of how deep two bodies lie in each other, and of convex\n"
-    "pieces that tile a mesh, exactly; - is standard input. The format and what acceptance proves: FORMAT.md.\n"
+    "pieces that tile a mesh, exactly; - is standard input. The format and what\n"
+    "acceptance proves: FORMAT.md.\n"
     "\n";
 constexpr std::string_view answers =
     "\n"
