@@ -14,7 +14,7 @@
 namespace fathom::curved {
 namespace {
 
-/// Terms of more atoms have too many pairs.
+/// More atoms, of all terms together, have too many pairs.
 constexpr std::size_t most_tied_atoms = 40;
 constexpr unsigned direction_bits = 128;
 
@@ -83,8 +83,10 @@ std::optional<ArcDepth> depth_of_arcs(const Profile& profile) {
   const std::optional<mpq_class> length = kernels::rational_root(mpq_class(dot(profile.axis, profile.axis)));
   if (!length) return std::nullopt;
   std::vector<std::vector<Arc>> terms;
+  std::size_t atoms = 0;
   for (const std::vector<ProfileAtom>& term : profile.terms) {
-    if (term.size() > most_tied_atoms) return std::nullopt;
+    atoms += term.size();
+    if (atoms > most_tied_atoms) return std::nullopt;
     terms.emplace_back();
     for (const ProfileAtom& atom : term) {
       const std::optional<mpq_class> root = kernels::rational_root(atom.across);
