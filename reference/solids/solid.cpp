@@ -367,6 +367,7 @@ Solid solid_of(const Body& mesh) {
   if (mesh.shape || mesh.pieces) throw std::invalid_argument("expected a mesh, found a shape or a union of pieces");
   if (!mesh.faces) throw std::invalid_argument("expected a mesh with faces, found points alone");
   const std::vector<Point>& points = mesh.points.exact();
+  if (points.empty()) throw std::invalid_argument("expected a mesh with points, found faces alone");
   const polytope::PlacedPair placed = polytope::place(points, std::span(points).first(1));
   solids::Arrangement space(placed.exponent());
   const solids::MeshChain chain(space, placed, *mesh.faces);

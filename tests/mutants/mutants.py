@@ -76,6 +76,7 @@ MUTANTS = [Mutant(*fields) for fields in [
     # unions, curved shapes, what is rounded
     ("reference/unions/union_search.cpp", "kernels::compare(cell.nearest, *best_) <= 0) split(cell)",
      "kernels::compare(cell.nearest, *best_) < 0) split(cell)", "unions_tests"),
+    ("reference/unions/pieces.cpp", "(1 - 0x1p-39)", "(1 - 0x1p-47)", "unions_tests"),
     ("reference/unions/pair_table.cpp", "above > of_separation * largest(u) * (1 + size)", "above > -0.01", "unions_tests"),
     ("reference/unions/pieces.cpp", "    plane.height /= shared;", "", "unions_tests"),
     ("reference/unions/least_norm.cpp", "if (to == 0 || to == -way) return CellEnd::infeasible;",

@@ -172,6 +172,7 @@ TEST(Solid, RefusesWithAPlace) {
   EXPECT_THROW(solid_of(Body{GivenPoints(cube(0, 1).points)}), std::invalid_argument);
   EXPECT_NE(fault_of({cube(0, 1).points, {{0, 1, 8}}}).find("expected faces of points"), std::string::npos);
   EXPECT_THROW(solid_of(Body{}), std::invalid_argument);
+  EXPECT_NE(fault_of({{}, {{0, 1, 2}}}).find("found faces alone"), std::string::npos);
 }
 
 TEST(Solid, PiecesComeBackFromTheirFile) {
