@@ -153,7 +153,8 @@ Pieces with_long_denominators(std::mt19937_64& random, Pieces pieces) {
   for (std::vector<Point>& piece : pieces)
     for (Point& p : piece)
       for (mpq_class* c : {&p.x, &p.y, &p.z}) {
-        const mpz_class denominator = (mpz_class(random()) << 30) + random();
+        mpz_class denominator = random();
+        denominator = (denominator << 30) + random();
         *c += kernels::ratio(random() >> 8U, denominator);
       }
   return pieces;
@@ -165,7 +166,7 @@ TEST(UnionTwins, AgreeWhereNoLatticeIsShort) {
     std::mt19937_64 random(seed);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Pieces a = with_long_denominators(random, random_boxes(random, 1 + seed % 4, 5)),
-                 b = with_long_denominators(random, moved(random_boxes(random, 5, 5), {seed % 3 * 2, 0, 0}));
+                 b = with_long_denominators(random, moved(random_boxes(random, 5, 5), {seed % 3 * 4, 0, 0}));
     ASSERT_FALSE(place_pieces(a, b).on_one_lattice());
     const UnionDepth depth = expect_all_twins(a, b);
     expect_same(depth, union_depth_twin({true, false, Lattices::one}, a, b));
