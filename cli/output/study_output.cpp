@@ -428,14 +428,15 @@ std::string StudyTable::totals() const {
   return boxed("Coincidences of all cases", {"'coincidence", "cases with any", "in all"}, "", rows);
 }
 
+void StudyTable::add_fault(const std::string& sentence) {
+  if (++faults_ <= most_faults) fault_items_ += fmt::format("<li>{}</li>\n", picture::markup(sentence));
+}
+
 std::string StudyTable::without_study() const {
-  if (faults_.empty()) return "";
-  std::string items;
-  for (std::size_t i = 0; i < std::min(faults_.size(), most_faults); ++i)
-    items += fmt::format("<li>{}</li>\n", picture::markup(faults_[i]));
+  if (faults_ == 0) return "";
   const std::string more =
-      faults_.size() > most_faults ? fmt::format("<p>{} more are not listed.</p>\n", faults_.size() - most_faults) : "";
-  return "<section><h2>Cases without a study</h2>\n<ul>\n" + items + "</ul>\n" + more + "</section>\n";
+      faults_ > most_faults ? fmt::format("<p>{} more are not listed.</p>\n", faults_ - most_faults) : "";
+  return "<section><h2>Cases without a study</h2>\n<ul>\n" + fault_items_ + "</ul>\n" + more + "</section>\n";
 }
 
 std::string StudyTable::html(const std::string& command, const std::string& cut_short) const {
@@ -460,11 +461,10 @@ std::string StudyTable::html(const std::string& command, const std::string& cut_
       "ID</code>.</p>\n{}{}{}</section>\n{}</main>\n"
       "<footer><p class=\"soft\">Made by fathom {}. Counts are exact.</p>\n<p "
       "class=\"soft\"><code>{}</code></p></footer>\n",
-      counted(cases_, "case", "cases"),
-      faults_.empty() ? "" : fmt::format(", {}", counted(faults_.size(), "error", "errors")), warning,
-      picture::share_bar(shares, "shares", "Cases by status"), totals(), picture::filter_bar("list", "status", kinds),
-      boxed("Cases", {"'case", "'what coincides"}, " id=\"list\"", rows_), more, without_study(), FATHOM_VERSION,
-      picture::markup(picture::without_folders(command)));
+      counted(cases_, "case", "cases"), faults_ == 0 ? "" : fmt::format(", {}", counted(faults_, "error", "errors")),
+      warning, picture::share_bar(shares, "shares", "Cases by status"), totals(),
+      picture::filter_bar("list", "status", kinds), boxed("Cases", {"'case", "'what coincides"}, " id=\"list\"", rows_),
+      more, without_study(), FATHOM_VERSION, picture::markup(picture::without_folders(command)));
   return picture::page("What coincides", body);
 }
 

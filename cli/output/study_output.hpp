@@ -59,7 +59,7 @@ class StudyTable {
  public:
   void add(const StudyTableRow& row);
   /// A case that has no study.
-  void add_fault(const std::string& sentence) { faults_.push_back(sentence); }
+  void add_fault(const std::string& sentence);
 
   /// The page. `command`: the line that made it; `cut_short`: why it is not about all cases, or
   /// empty.
@@ -75,7 +75,8 @@ class StudyTable {
   std::size_t cases_ = 0;
   std::map<std::string, std::size_t> statuses_;
   std::map<std::string_view, Total> coincidences_;
-  std::vector<std::string> faults_;
+  std::size_t faults_ = 0;
+  std::string fault_items_;  // of the first of them
   std::string rows_;
 };
 
