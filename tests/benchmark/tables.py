@@ -121,15 +121,29 @@ def table(head, rows):
 def certificates(pair):
     rows = [("random_sphere", 20), ("random_sphere", 64), ("random_sphere", 200), ("random_sphere", 1000), ("random_sphere", 100000),
             ("needles", 1000), ("crossed_fans", 1000)]
-    pattern = "^(" + "|".join(f"{name}/{size}" for name, size in rows) + ")/(answer|answer_and_text|check|pipeline|bullet_epa)$"
-    p = pair(lambda build: google_benchmark(build, "certificate_benchmark", pattern))
-    contenders = ("answer", "answer_and_text", "check", "pipeline", "bullet_epa")
+    contenders = ("answer", "text", "check", "pipeline", "bullet_epa")
+    sizes = "|".join(f"{name}/{size}" for name, size in rows)
+    p = pair(lambda build: google_benchmark(build, "certificate_benchmark", f"^({sizes})/({'|'.join(contenders)})$"))
     table(["pairs, vertices a side", "facets", "answer", "with text", "check", "`exact`", "Bullet's EPA"],
           [[f"{name}, {size:,}", count(p.now.get((f"{name}/{size}/answer", "facets"), 0)),
             *(p.cell(f"{name}/{size}/{c}") for c in contenders)] for name, size in rows])
-    base = "random_sphere/20/bullet_epa"
-    table(["20 vertices, as a multiple of Bullet's EPA", "answer", "with text", "check"],
-          [["random_sphere", *(p.ratio(f"random_sphere/20/{c}", base) for c in contenders[:3])]])
+    bullet(pair)
+
+
+def bullet(pair):
+    """All families with 20 points a side as multiples of Bullet's EPA; those that the page names, and the mean."""
+    named = ("random_sphere", "boxes_aligned", "boxes_posed", "exact_ties", "near_ties", "contact_edge_edge", "contact_facet_facet",
+             "needles", "huge_coordinates", "uneven_coordinates", "wild_coordinates")
+    kinds = ("answer", "text", "check")
+    p = pair(lambda build: google_benchmark(build, "certificate_benchmark", "^[^/]*/20/(answer|text|check|bullet_epa)$"))
+    ratios = lambda family: [p.ratio(f"{family}/20/{kind}", f"{family}/20/bullet_epa") for kind in kinds]
+    rows = [[f"`{family}`", *ratios(family)] for family in named]
+    families = sorted({name.split("/")[0] for name in p.now if isinstance(name, str) and name.endswith("/20/bullet_epa")})
+    for side in filter(None, (p.now, p.before)):
+        mean = lambda kind: statistics.geometric_mean([side[f"{f}/20/{kind}"] / side[f"{f}/20/bullet_epa"] for f in families
+                                                       if f"{f}/20/{kind}" in side])
+        rows.append([f"all {len(families)}" + (" (before)" if side is p.before else ""), *(two_digits(mean(kind)) for kind in kinds)])
+    table(["family", "answer", "with text", "check"], rows)
 
 
 def shapes(pair):
@@ -309,7 +323,7 @@ def worst(pair):
           [[i, *(p.cell(f"{i}/{c}") for c in ("automatic", "exact", "approx", "study"))] for i in sorted(inputs)])
 
 
-TABLES = {f.__name__: f for f in (certificates, stream, shapes, exact, lines, rays, shallow, golden, families, worst)}
+TABLES = {f.__name__: f for f in (certificates, bullet, stream, shapes, exact, lines, rays, shallow, golden, families, worst)}
 
 
 def main():
@@ -322,7 +336,7 @@ def main():
     for build in filter(None, (arguments.build, arguments.before)):
         if not (build / "tests/benchmark/depth_benchmark").exists():
             parser.error(f"expected a build with benchmarks in {build}: cmake --preset bench && cmake --build --preset bench")
-    names = [name for name in TABLES if name != "families"] if "all" in arguments.names else arguments.names
+    names = [name for name in TABLES if name not in ("bullet", "families")] if "all" in arguments.names else arguments.names
     for name in names:
         TABLES[name](lambda measure: Pair(measure, arguments.build.resolve(), arguments.before and arguments.before.resolve(),
                                           arguments.repeat))
