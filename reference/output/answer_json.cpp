@@ -196,7 +196,6 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
     optima.push_back({{"direction", i == 0 || !cores ? direction_json : exact(cores->optima[i].direction)},
                       {"translation", i == 0 ? translation_json : place(ways[i])},
                       {"contact", cores ? contact_object(cores->optima[i].contact) : contact}});
-
   Result result{answered.id,
                 answered.answer.status_name(),
                 lengths.signed_depth,
@@ -209,10 +208,8 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
                 translation_f64(translation),
                 witness_f64(shown_witness),
                 optima};
-  if (shown.optima)
-    result.optima_count = cores                           ? cores->optima.size() + cores->unlisted
-                          : status == Status::penetrating ? ways.size()
-                                                          : 0;
+  if (shown.optima && cores) result.optima_count = cores->optima.size() + cores->unlisted;
+  else if (shown.optima) result.optima_count = status == Status::penetrating ? ways.size() : 0;
   if constexpr (std::is_same_v<Found, SignedDepth>) {
     if (found.cone) result.optimal_cone = cone_object(*found.cone);
     if (const Vector* const axis = found.around()) result.around = Json{{"axis", exact(*axis)}};

@@ -10,7 +10,7 @@ first     a source includes the header of its name before all else: so its compi
 cgal      only the files listed in cmake/cgal_files.txt include CGAL, Boost or a *_cgal.hpp, and each of them does
 rounding  rounding modes and interval filters are touched in kernels only
 licence   an SPDX line opens every source, script and CMake file
-length    no source has more than 600 lines
+length    no source has more than 600 lines, and no function of C++ more than 60, but for a table that it returns
 readers   of the headers that are not installed, few have a single reader: their text belongs into it
 width     no comment of C++ has more than 100 columns, and no line of Python more than 140, but for addresses, commands and strings;
           clang-format sees to it that code ends at 120
@@ -78,6 +78,7 @@ CGAL_DOOR = "include/fathom/cgal.hpp"  # the one installed header with CGAL: who
 
 LISTED = "cmake/cgal_files.txt"
 LINES = 600
+FUNCTION_LINES = 60
 COLUMNS = {".py": 140, "": 100}  # of Python, and of comments in C++
 ONE_READER = 19  # headers with a single reader; whoever takes some away lowers it
 SOURCE = (".cpp", ".hpp")
@@ -90,6 +91,7 @@ ROOM_NAMESPACE = re.compile(r"^(?:inline )?namespace fathom::(\w+)", re.MULTILIN
 NAMESPACE_END = re.compile(r"\}  // namespace")
 TYPE = re.compile(r"(?:template <.*> )?(?:struct|class|union|enum class|enum) (?:\[\[\w+\]\] |alignas\(\w+\) )*(\w+)(?![\w<:,])[^;]*(?:\{.*|$)"
                   r"|(?:template <.*> )?using (\w+) =.*")
+TYPE_HEAD = re.compile(r"\s*(?:template <.*> )?(?:struct|class|union|enum)\b.*\{")
 INSTALL = re.compile(r"^[ \t]*install\(([^()]*(?:\([^()]*\)[^()]*)*)\)", re.MULTILINE)
 HEADER = re.compile(r"[\w*]\.h(?:pp)?\b|INCLUDEDIR|(?:^|/)include\b")
 ROUNDING = re.compile(r"\bc?fenv\b|\bfe[gs]etround\b|FENV_ACCESS|\bInterval_nt\w*|Protect_FPU_rounding|\bmpfr\.h\b")
@@ -170,6 +172,8 @@ def source_breaches(root, path, text, listed):
         yield "rounding", f"{hit.group()} outside kernels"
     if (lines := text.count("\n")) > LINES:
         yield "length", f"{lines} lines, more than {LINES}"
+    for line, lines in long_functions(text):
+        yield "length", f"the function in line {line} has {lines} lines, more than {FUNCTION_LINES}"
     room = room_of(name)
     if room and not name.startswith(NAMES_OF_THEIR_OWN):
         own = NAMESPACES.get(room, room.rsplit("/", 1)[-1])
@@ -197,6 +201,28 @@ def name_breaches(definitions):
     for name, where in definitions.items():
         for path in where[1:]:
             yield path, "names", f"{name} is the name of a type in {where[0]} too"
+
+
+def long_functions(text):
+    """(line, lines) of each function of more than FUNCTION_LINES. It relies on the format: what stands inside of a type or a function is
+    indented by two more. One of a single statement or two is a table."""
+    lines = text.split("\n")
+    types, start = 0, 0  # those that are open, and where what stands in the innermost begins
+    for number, line in enumerate(lines):
+        indent = len(line) - len(line.lstrip(" "))
+        if not line or indent > 2 * types or line.lstrip().startswith(("//", "#")):
+            continue
+        if indent < 2 * types:
+            types -= line.lstrip().startswith("}")
+        elif TYPE_HEAD.fullmatch(line):
+            types += 1
+        elif line.strip() != "}":
+            start = number
+        elif number - start + 1 > FUNCTION_LINES:
+            inside = " " * (indent + 2)
+            statements = [x for x in lines[start + 1 : number] if x.startswith(inside) and x[indent + 2] not in " }"]
+            if len(statements) > 2:
+                yield start + 1, number - start + 1
 
 
 def install_breaches(name, text):

@@ -117,6 +117,15 @@ class Layers(unittest.TestCase):
         self.expect("cli/long.cpp", SPDX + "\n" * 599)
         self.expect("cli/long.cpp", SPDX + "\n" * 600, "length")
 
+    def test_length_of_functions(self):
+        def function(indent, lines, inside="  f();"):
+            return "\n".join(indent + line for line in ["void g(int i,", "       int j) {", *[inside] * (lines - 3), "}"]) + "\n"
+        for before, indent, after in (("", "", ""), ("struct X {\n", "  ", "};\n"), ("struct X {\n  struct Y {\n", "    ", "  };\n};\n")):
+            self.expect("cli/long.cpp", SPDX + before + function(indent, 60) + after)
+            self.expect("cli/long.cpp", SPDX + before + function(indent, 61) + after, "length")
+            self.expect("cli/long.cpp", SPDX + before + 3 * function(indent, 30) + after)
+            self.expect("cli/long.cpp", SPDX + before + function(indent, 61, "      {1},") + after)  # a table
+
     def test_headers_with_one_reader(self):
         readers = {"a/x.hpp": {"a/y.cpp"}, "a/z.hpp": {"a/y.cpp", "b/y.cpp"}}
         with unittest.mock.patch.object(layers, "ONE_READER", 0):

@@ -221,44 +221,29 @@ void bind_shapes(py::module_& module) {
         return shape("sphere", {{"radius", one(radius)}});
       },
       arg("radius"));
-  module.def(
-      "capsule",
-      [](Object radius, Object half_length, Text axis) {
-        return shape("capsule", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "tapered_capsule",
-      [](Object low, Object high, Object half_length, Text axis) {
-        return shape("tapered_capsule",
-                     {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
-      },
-      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
+  for (const char* name : {"capsule", "cylinder", "cone"}) {
+    module.def(
+        name,
+        [name](Object radius, Object half_length, Text axis) {
+          return shape(name, {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
+        },
+        arg("radius"), arg("half_length"), arg("axis") = "z");
+  }
+  for (const char* name : {"tapered_capsule", "frustum"}) {
+    module.def(
+        name,
+        [name](Object low, Object high, Object half_length, Text axis) {
+          return shape(name, {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}},
+                       axis);
+        },
+        arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
+  }
   module.def(
       "box",
       [](Object half) {
         return shape("box", {{"half", three(half)}});
       },
       arg("half"));
-  module.def(
-      "cylinder",
-      [](Object radius, Object half_length, Text axis) {
-        return shape("cylinder", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "cone",
-      [](Object radius, Object half_length, Text axis) {
-        return shape("cone", {{"radius", one(radius)}, {"half_length", one(half_length)}}, axis);
-      },
-      arg("radius"), arg("half_length"), arg("axis") = "z");
-  module.def(
-      "frustum",
-      [](Object low, Object high, Object half_length, Text axis) {
-        return shape("frustum",
-                     {{"radius_low", one(low)}, {"radius_high", one(high)}, {"half_length", one(half_length)}}, axis);
-      },
-      arg("radius_low"), arg("radius_high"), arg("half_length"), arg("axis") = "z");
   module.def(
       "ellipsoid",
       [](Object radii) {
@@ -271,6 +256,31 @@ void bind_shapes(py::module_& module) {
         return shape("halfspace", {{"normal", three(normal)}, {"offset", one(offset)}});
       },
       arg("normal"), arg("offset"));
+}
+
+void bind_poses(py::module_& module) {
+  py::class_<files::GivenPose>(
+      module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
+      .def(py::init(&given_pose), py::arg("rows"))
+      .def_property_readonly(
+          "rows",
+          [](const files::GivenPose& given) {
+            py::list rows;
+            for (const auto& row : files::exact_pose(given))
+              rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
+            return py::tuple(rows);
+          })
+      .def_property_readonly("note", [](const files::GivenPose& given) { return files::pose_note(given, false); });
+  module.def(
+      "pose",
+      [](const py::object& quaternion, const py::object& translation) {
+        const auto q = py::reinterpret_borrow<py::sequence>(quaternion);
+        if (!PySequence_Check(quaternion.ptr()) || py::len(quaternion) != 4) refuse("expected a quaternion w, x, y, z");
+        const Quaternion turn = {number_from(q[0]), number_from(q[1]), number_from(q[2]), number_from(q[3])};
+        if (turn == Quaternion{0, 0, 0, 0}) refuse("expected a quaternion that is not 0, found 0");
+        return files::GivenPose{.turn = turn, .place = point_from(translation)};
+      },
+      py::arg("quaternion"), py::arg("translation"));
 }
 
 // ---- unions of pieces ----
@@ -379,28 +389,7 @@ void warn_of_dents(const Body& body, const std::string& called) {
 }
 
 void bind_bodies(py::module_& module) {
-  py::class_<files::GivenPose>(
-      module, "Pose", "An exact affine map: `rows` are three rows of four numbers, or four with the last 0 0 0 1.")
-      .def(py::init(&given_pose), py::arg("rows"))
-      .def_property_readonly(
-          "rows",
-          [](const files::GivenPose& given) {
-            py::list rows;
-            for (const auto& row : files::exact_pose(given))
-              rows.append(py::make_tuple(fraction(row[0]), fraction(row[1]), fraction(row[2]), fraction(row[3])));
-            return py::tuple(rows);
-          })
-      .def_property_readonly("note", [](const files::GivenPose& given) { return files::pose_note(given, false); });
-  module.def(
-      "pose",
-      [](const py::object& quaternion, const py::object& translation) {
-        const auto q = py::reinterpret_borrow<py::sequence>(quaternion);
-        if (!PySequence_Check(quaternion.ptr()) || py::len(quaternion) != 4) refuse("expected a quaternion w, x, y, z");
-        const Quaternion turn = {number_from(q[0]), number_from(q[1]), number_from(q[2]), number_from(q[3])};
-        if (turn == Quaternion{0, 0, 0, 0}) refuse("expected a quaternion that is not 0, found 0");
-        return files::GivenPose{.turn = turn, .place = point_from(translation)};
-      },
-      py::arg("quaternion"), py::arg("translation"));
+  bind_poses(module);
   py::class_<Body>(module, "Body", "A convex body: the hull of `points`, or a shape; or a union of convex `pieces`.")
       .def(py::init([](const py::object& points) { return body_from(points, py::none(), "points"); }),
            py::arg("points"))
