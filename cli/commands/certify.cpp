@@ -31,6 +31,7 @@
 #include "fathom/files.hpp"
 #include "fathom/union.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/cases.hpp"
 #include "verify/harness/examiner.hpp"
 #include "verify/harness/seen_case.hpp"
 #include "verify/harness/two_ways.hpp"
@@ -74,7 +75,7 @@ class CertifyCases {
 std::string wrong_certified(const Case& single) {
   if (std::string wrong = wrong_bodies(single, false, "", ""); !wrong.empty()) return wrong;
   for (const auto& [body, name] : {std::pair(&single.a, 'a'), {&single.b, 'b'}}) {
-    if (!has_union(single)) break;
+    if (!files::has_union(single)) break;
     const Pieces pieces = pieces_of(*body);
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (is_flat(hull(pieces[i])))
@@ -103,7 +104,7 @@ std::optional<Case> CertifyCases::next() {
       fault = InputError(name, item->line, "the id " + kernels::shown(item->id) + " was there before").what();
     if (fault.empty()) {
       Case good = std::get<Case>(std::move(item->outcome));
-      if (has_union(good)) unions_.push_back(good);
+      if (files::has_union(good)) unions_.push_back(good);
       return good;
     }
     ++bad_;

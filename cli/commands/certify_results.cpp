@@ -21,6 +21,7 @@
 #include "cli/io/output.hpp"
 #include "cli/io/progress.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/cases.hpp"
 #include "verify/check/unreadable.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/report/diff.hpp"
@@ -73,7 +74,7 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
     const FailedCase*& so_far = best[{outcome.verdict, outcome.variant}];
     const auto smaller = [&](const FailedCase& than) {
       const auto size = [](const FailedCase& of) {
-        return std::tuple(harness::has_union(of.seen), harness::has_words(of.seen), points_of(of.seen));
+        return std::tuple(files::has_union(of.seen), harness::has_words(of.seen), points_of(of.seen));
       };
       return std::pair(size(failed), outcome.id) < std::pair(size(than), found.outcomes()[than.outcome].id);
     };
@@ -317,7 +318,7 @@ void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner,
       examine =
           harness::examine_variant(in_unit, variant, info.format, request.tolerance, fit, info.conventions.manifold);
     std::vector<std::string> files;
-    if (harness::has_union(failed->seen)) {
+    if (files::has_union(failed->seen)) {
       const std::string path = harness::write_case(request.shrink, std::string(name(verdict)), failed->seen, title);
       talk(fmt::format("{}: cases of unions are not made smaller; the case as it was seen: {}", title, path));
       continue;

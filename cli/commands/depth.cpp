@@ -21,6 +21,7 @@
 #include "fathom/approximate.hpp"
 #include "fathom/certificate.hpp"
 #include "fathom/signed_depth.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
 
@@ -82,7 +83,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
   const Case& single = asked;
   const bool one = request.one_body;
   const Body& b = one ? single.a : single.b;
-  if (has_union(single)) {
+  if (files::has_union(single)) {
     if (request.shallow || request.closest_lines || request.method != Method::automatic || request.form.optima)
       throw InputError(
           single.id, 0,
@@ -102,7 +103,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
     const BodyFacts facts = facts_of(single.a, b, answer);
     return {single.id, std::move(answer), asked.bodies, facts};
   } catch (const std::invalid_argument& error) {
-    if (!has_union(single) && !one) throw;
+    if (!files::has_union(single) && !one) throw;
     throw InputError(single.id, 0, error.what());
   }
 }

@@ -413,7 +413,7 @@ void add_values(HelpPage& page) {
     if (name == "--adapter") std::ranges::transform(adapters(), std::back_inserter(values), &Adapter::name);
     if (name == "--family") {
       values.emplace_back("all");
-      for (const std::string_view family : family_names()) values.emplace_back(family);
+      for (const std::string_view family : families::family_names()) values.emplace_back(family);
     }
     if (name == "--sweep")
       std::ranges::transform(families::families(), std::back_inserter(values),

@@ -33,12 +33,6 @@ bool is_ready(const Adapter& adapter, const fs::path& file) {
 
 }  // namespace
 
-std::vector<std::string_view> family_names() {
-  std::vector<std::string_view> names;
-  for (const families::Family& family : families::all_families()) names.push_back(family.name);
-  return names;
-}
-
 std::vector<std::string_view> nearest_families(std::string_view name, std::vector<std::string_view> names) {
   const std::string_view typed = name.substr(0, longest_name);
   const auto distance = [typed](std::string_view other) {

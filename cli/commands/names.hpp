@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "verify/families/families.hpp"
+
 namespace fathom::cli {
 
-/// The names of all families: of polytopes, then of shapes, then of unions.
-std::vector<std::string_view> family_names();
-
-/// A few of these names. Those that hold `name` come first, then those by the fewest slips.
+/// A few of the names: of families, unless others are given. Those that hold `name` come first, then
+/// those by the fewest slips.
 std::vector<std::string_view> nearest_families(std::string_view name,
-                                               std::vector<std::string_view> names = family_names());
+                                               std::vector<std::string_view> names = families::family_names());
 
 // The subjects that come with fathom, by name.                          [verify/subjects/README.md]
 

@@ -193,7 +193,7 @@ ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies) {
   if (reply.keep) reply.keep();
   progress.answered();
   if (const std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes)) talk(*note);
-  if (!has_shape(single) && !has_union(single)) tell_of_hulls(single, request.one_body, progress);
+  if (!has_shape(single) && !files::has_union(single)) tell_of_hulls(single, request.one_body, progress);
   say_about_hulls(asked, !request.json && replies.header.empty());
   if (!replies.header.empty()) print(replies.header);
   print(reply.text);

@@ -35,7 +35,7 @@ using stages::StagedPair;
 using stages::Stages;
 
 std::string answer_text(const Stages& stages) {
-  const std::string status(stages.status ? name(*stages.status) : "undecided");
+  const std::string status(name(stages.status));
   return stages.depth ? fmt::format("{}; depth {}", status, *stages.depth) : status;
 }
 

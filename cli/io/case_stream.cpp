@@ -224,8 +224,8 @@ void answer_case(StreamedCase& streamed, const std::string& name, const StreamWo
       streamed.notes.push_back({NoteKind::dents, std::move(dents)});
     if (std::optional<std::string> note = shapes::sizes_note(asked.bodies.sizes))
       streamed.notes.push_back({NoteKind::sizes, *std::move(note)});
-    streamed.perhaps_inner =
-        !has_shape(item.value()) && !has_union(item.value()) && may_have_inner_points(item.value(), work.one_body);
+    streamed.perhaps_inner = !has_shape(item.value()) && !files::has_union(item.value()) &&
+                             may_have_inner_points(item.value(), work.one_body);
     if (streamed.perhaps_inner && !hull_told) streamed.hull_note = hull_note(item.value(), work.one_body);
     streamed.reply = work.answer(asked, monitor, memory.workspace);
   } catch (const Interrupted&) {

@@ -119,9 +119,6 @@ struct StreamWork {
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Returns whether a body of the case is a union of pieces.
-inline bool has_union(const Case& single) { return single.a.pieces || single.b.pieces; }
-
 /// Returns what is wrong with the bodies of a case, by the reasons not to take shapes and unions,
 /// each of which may be empty; or "".
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,

@@ -219,14 +219,11 @@ std::string status_text(const Depth& depth) {
   return result + "; " + counted(depth.optima().size(), "optimum", "optima");
 }
 
-/// "penetrating"; "undecided" if the bounds leave it open.
-std::string_view status_name(const SignedDepth& depth) { return depth.status() ? name(*depth.status()) : "undecided"; }
-
 std::string status_text(const SignedDepth& depth) {
   const std::string value =
       depth.exact() ? "signed depth " + kernels::exact_surd_text(*depth.exact())
                     : fmt::format("signed depth from {} to {}", depth.low_binary64(), depth.high_binary64());
-  return fmt::format("{}; {}", status_name(depth), value);
+  return fmt::format("{}; {}", name(depth.status()), value);
 }
 
 std::string size_text(const ShapeSize& size) {
@@ -344,7 +341,7 @@ std::string study_line(const std::string& id, const ShapeStudy& study) {
 
 std::string study_json(const std::string& id, const ShapeStudy& study) {
   Json result = study_head(id);
-  result["status"] = status_name(study.depth);
+  result["status"] = name(study.depth.status());
   result["signed_depth"] = output::signed_depth_object(study.depth);
   result["bodies"] = {{"a", size_object(study.a)}, {"b", size_object(study.b)}};
   result["contact"] = study.contact ? involved_object(*study.contact) : Json();
@@ -394,7 +391,7 @@ StudyTableRow table_row(const std::string& id, const Study& study) {
 }
 
 StudyTableRow table_row(const std::string& id, const ShapeStudy& study) {
-  return row_of(id, status_name(study.depth), status_text(study.depth), shape_coincidence_names, study.coincidences);
+  return row_of(id, name(study.depth.status()), status_text(study.depth), shape_coincidence_names, study.coincidences);
 }
 
 void StudyTable::add(const StudyTableRow& row) {

@@ -314,7 +314,9 @@ std::optional<mpq_class> second_nearest_squared(const Body& a, const Body& b, co
 
 // The words for the values of an answer, the same in every format.
 
-std::string_view name(Status status);     ///< "penetrating", "touching", "disjoint"
+std::string_view name(Status status);  ///< "penetrating", "touching", "disjoint"
+/// The same; "undecided" of none, where bounds leave it open.
+std::string_view name(const std::optional<Status>& status);
 std::string_view name(ContactKind kind);  ///< "facet-vertex": A's feature first
 std::string_view name(Method method);     ///< "automatic", "exact", "naive", "certificate"
 

@@ -46,10 +46,7 @@ std::optional<Status> Answer::status() const {
                     found);
 }
 
-std::string_view Answer::status_name() const {
-  const std::optional<Status> known = status();
-  return known ? name(*known) : "undecided";
-}
+std::string_view Answer::status_name() const { return name(status()); }
 
 bool Answer::complete() const {
   return std::visit(ByKind{[](const Depth&) { return true; }, [](const SignedDepth&) { return true; },

@@ -163,7 +163,7 @@ class Check {
 
   // Touching: one common point.
   void nearest_points() {
-    const Point z = combined(report_, c_.b, c_.weights_b) - combined(report_, c_.a, c_.weights_a);
+    const Point z = expanding::combined(report_, c_.b, c_.weights_b) - expanding::combined(report_, c_.a, c_.weights_a);
     report_.expect(dot(z, z) == c_.low, "the weighted points are not as near as is said");
   }
 
@@ -248,18 +248,6 @@ void write_inner(Writer& out, const InnerPolytope& inner) {
 void write_weights(Writer& out, std::string_view name, const std::vector<Weight>& weights) {
   out.word(name).word(weights.size()).end();
   for (const Weight& w : weights) out.word(std::size_t{w.index}).word(w.weight).end();
-}
-
-Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights) {
-  Point sum;
-  mpq_class total;
-  for (const Weight& w : weights) {
-    if (!report.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
-    total += w.weight;
-    sum = sum + w.weight * points[w.index];
-  }
-  report.expect(total == 1, "weights do not sum to 1");
-  return sum;
 }
 
 std::string escaped(std::string_view id) {

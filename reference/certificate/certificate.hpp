@@ -41,9 +41,6 @@ namespace fathom::certificate {
 /// the checkers.
 void validate_patches(kernels::Report& report, const ShapeCertificate& certificate);
 
-/// The point that weights combine; what is wrong with them goes to the report.
-Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
-
 /// Of bodies that touch: differences b - a that leave no room for optimal directions other than
 /// those of the cone. Each difference is taken from faces of the bodies: O((m + n) r) for r rays.
 ConeProof prove_cone(std::span<const Point> a, std::span<const Point> b, const OptimalCone& cone);

@@ -138,7 +138,7 @@ void validate_patches(kernels::Report& report, const ShapeCertificate& certifica
     const std::vector<Point>& own = a.empty() ? b : a;
     std::vector<Point> corners, expected;
     for (const auto& [of_a, of_b] : certificate.patches[i].corners)
-      corners.push_back(combined(report, own, a.empty() ? of_b : of_a));
+      corners.push_back(expanding::combined(report, own, a.empty() ? of_b : of_a));
     if (a.empty() || b.empty()) {
       expected = OrderedFace(own, a.empty() ? n : -n, n).corners;
     } else {

@@ -241,7 +241,7 @@ class ShapeCheck {
   }
 
   [[nodiscard]] mpq_class squared_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const Point gap = combined(report_, b, c_.weights_b) - combined(report_, a, c_.weights_a);
+    const Point gap = expanding::combined(report_, b, c_.weights_b) - expanding::combined(report_, a, c_.weights_a);
     return dot(gap, gap);
   }
 

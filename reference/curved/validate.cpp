@@ -98,20 +98,9 @@ class Check {
     report_.expect(square(low) >= square(bounds_.low - rho_) * dot(n_, n_), "no inner point shows the lower bound");
   }
 
-  Point combined(const std::vector<Point>& points, const std::vector<Weight>& weights) {
-    Point result;
-    mpq_class total;
-    for (const Weight& w : weights) {
-      if (!report_.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
-      total += w.weight;
-      result = result + w.weight * points[w.index];
-    }
-    report_.expect(total == 1, "weights do not sum to 1");
-    return result;
-  }
-
   void weights() {
-    const Point z = combined(points_b_, p_.weights_b) - combined(points_a_, p_.weights_a);
+    const Point z =
+        expanding::combined(report_, points_b_, p_.weights_b) - expanding::combined(report_, points_a_, p_.weights_a);
     report_.expect(square(rho_ - bounds_.low) >= dot(z, z), "the inner points are too far apart for the lower bound");
   }
 

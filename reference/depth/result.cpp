@@ -25,6 +25,8 @@ std::string_view name(Status status) {
   throw std::logic_error("unknown status");
 }
 
+std::string_view name(const std::optional<Status>& status) { return status ? name(*status) : "undecided"; }
+
 std::string_view name(ContactKind kind) {
   switch (kind) {
     case ContactKind::facet_vertex: return "facet-vertex";

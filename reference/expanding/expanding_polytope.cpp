@@ -280,4 +280,16 @@ kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& 
   return Check(expansion, a, b).run();
 }
 
+Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights) {
+  Point sum;
+  mpq_class total;
+  for (const Weight& w : weights) {
+    if (!report.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
+    total += w.weight;
+    sum = sum + w.weight * points[w.index];
+  }
+  report.expect(total == 1, "weights do not sum to 1");
+  return sum;
+}
+
 }  // namespace fathom::expanding

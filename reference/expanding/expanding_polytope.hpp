@@ -106,6 +106,9 @@ OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowB
 [[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a,
                                        const kernels::PointCloud& b);
 
+/// The point that weights combine; what is wrong with them goes to the report.
+Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
+
 /// Checks by definition, and exactly, that `inner` is a closed convex surface with O below each
 /// facet, whose vertices are differences of points of a and b: of lattice points or of rational
 /// ones. Calls each(n, height) for the plane <n,x> = height of each facet. Quadratic in its size.

@@ -215,8 +215,8 @@ JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
   if (claim.status) {
     const Finding finding = !status ? Finding::open : *status == *claim.status ? Finding::right : Finding::wrong;
     const std::string by = truth.low > 0 ? " by " + text(truth) : truth.high < 0 ? " by " + text(negated(truth)) : "";
-    judged.statements.push_back({std::string(name(*claim.status)), finding,
-                                 fmt::format("they are {}{}", status ? name(*status) : "undecided", by)});
+    judged.statements.push_back(
+        {std::string(name(*claim.status)), finding, fmt::format("they are {}{}", name(status), by)});
   }
   if (claim.depth) judged.statements.push_back(length("depth", positive_part(truth), *claim.depth, claim.tolerance));
   if (claim.distance)

@@ -403,6 +403,12 @@ std::span<const Family> families(Kind kind) { return of_kind(kind); }
 
 std::span<const Family> all_families() { return table; }
 
+std::vector<std::string_view> family_names() {
+  std::vector<std::string_view> names;
+  for (const Family& family : table) names.push_back(family.name);
+  return names;
+}
+
 const Family* find_family(std::string_view name) {
   const auto found = std::ranges::find(table, name, &Family::name);
   return found == std::end(table) ? nullptr : &*found;

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "fathom/files.hpp"
 #include "verify/families/shape_pairs.hpp"
@@ -44,6 +45,8 @@ std::span<const Family> families(Kind kind = Kind::polytopes);
 
 /// Those of all kinds, in the order of Kind. Names are unique.
 std::span<const Family> all_families();
+/// Their names.
+std::vector<std::string_view> family_names();
 
 /// Returns the family, of whatever kind, or null if none has that name.
 const Family* find_family(std::string_view name);

@@ -63,7 +63,7 @@ Json json_of(const std::map<std::string, mpq_class>& rounding) {
 }
 Json json_of(const Triple& t) { return Json::array({json_of(t[0]), json_of(t[1]), json_of(t[2])}); }
 Json json_of(const Between& value) { return {{"low", json_of(value.low)}, {"high", json_of(value.high)}}; }
-Json json_of(const std::optional<Status>& value) { return value ? name(*value) : "undecided"; }
+Json json_of(const std::optional<Status>& value) { return name(value); }
 Json json_of(const UnionBounds& bounds) {
   return {{"squared", exact_text(bounds.deepest_pair)},
           {"pieces", Json::array({bounds.a, bounds.b})}};  // the hulls have a field of their own

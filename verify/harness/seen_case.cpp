@@ -21,6 +21,7 @@
 
 #include "fathom/numbers.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"
@@ -359,7 +360,7 @@ std::optional<Case> as_seen(const Case& pair, const NumberFormat& format, const 
                             std::string* why) {
   std::string reason;
   const SubjectView view{format, shapes, why ? *why : reason};
-  const bool of_unions = has_union(pair);
+  const bool of_unions = files::has_union(pair);
   std::optional<Body> a = of_unions ? view.see_pieces(pair.a, "A") : view.see(pair.a);
   if (!a) return std::nullopt;
   std::optional<Body> b = of_unions ? view.see_pieces(pair.b, "B") : view.see(pair.b);
@@ -402,7 +403,7 @@ long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size) {
 }
 
 judging::Sizes sizes_of(const Case& pair) {
-  if (has_union(pair)) return judging::sizes_of(pieces_of(pair.a), pieces_of(pair.b));
+  if (files::has_union(pair)) return judging::sizes_of(pieces_of(pair.a), pieces_of(pair.b));
   if (!pair.a.shape && !pair.b.shape) return judging::sizes_of(pair.a.points, pair.b.points);
   return judging::sizes_of(files::shape_of(pair.a), files::shape_of(pair.b), judging::usual_bits);
 }
@@ -438,7 +439,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
   outcome.microseconds = answer.microseconds;
   const NumberFormat format = in_unit(info.format, outcome.fit);
   const auto radii = rounding_radii(seen, info, outcome.fit);
-  if (!has_union(seen)) outcome.radii = radii.first + radii.second;
+  if (!files::has_union(seen)) outcome.radii = radii.first + radii.second;
   const auto judged = [&](const Case& asked, std::vector<judging::ContactFault>* faults = nullptr) {
     return judged_by_truth(judged_bodies(asked, info, outcome.fit), radii, *outcome.reply, info, format, judging,
                            faults);
@@ -455,7 +456,7 @@ void judge_answer(Outcome& outcome, const Case& seen, const SubjectAnswer& answe
 
 std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent) {
   constexpr unsigned long fewest_numbers = 1000;  // of the format, over the length of the bodies
-  if (has_union(seen))
+  if (files::has_union(seen))
     return rounds_pieces(info)
                ? "the subject rounds bodies by a radius, and the depth of unions with radii is not known"
                : "";
@@ -471,11 +472,11 @@ std::string obstacle_to(const Case& seen, const SubjectInfo& info, long exponent
 }
 
 bool is_asked_in_pairs(const Case& seen, const SubjectInfo& info) {
-  return has_union(seen) && !info.shapes.contains(pieces_word);
+  return files::has_union(seen) && !info.shapes.contains(pieces_word);
 }
 
 bool is_pair_of(std::string_view text, const Case& pair) {
-  if (!has_union(pair) || !text.starts_with(pair.id + '[')) return false;
+  if (!files::has_union(pair) || !text.starts_with(pair.id + '[')) return false;
   const auto count = [](const Body& body) { return body.pieces ? body.pieces->size() : 1; };
   const char* const end = text.data() + text.size();
   std::uint32_t a = 0, b = 0;

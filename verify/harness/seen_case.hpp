@@ -37,9 +37,6 @@ long exponent_to_fit(const Case& pair, const std::optional<mpq_class>& size);
 /// The lengths of the bodies, those of shapes rounded up.
 judging::Sizes sizes_of(const Case& pair);
 
-/// Whether a body of the case is a union of pieces.
-inline bool has_union(const Case& pair) { return pair.a.pieces || pair.b.pieces; }
-
 /// Whether a body of the case has words, by which a subject is given it.
 inline bool has_words(const Case& pair) { return pair.a.words || pair.b.words; }
 

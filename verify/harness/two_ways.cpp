@@ -20,6 +20,7 @@
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/solve/depth.hpp"
 #include "verify/check/check.hpp"
@@ -224,7 +225,7 @@ std::string accepted_certificate(const std::string& id, const ShapeTruth& truth,
   const bool same = bounds ? verdict.at_least == exact_text(bounds->low) && verdict.at_most == exact_text(bounds->high)
                            : verdict.signed_depth == surd_text(*truth.depth.exact());
   const std::optional<Status> status = truth.depth.status();
-  if (!same || verdict.status != (status ? name(*status) : "undecided"))
+  if (!same || verdict.status != name(status))
     throw std::logic_error(fmt::format("the certificate of {} proves another answer", id));
   return text;
 }
@@ -280,7 +281,7 @@ Solver solver_with_proof() {
 }
 
 std::optional<std::string> difference(const Case& pair, const Solver& x, const Solver& y, Monitor* monitor) {
-  if (!has_union(pair)) return compared(pair, x, y, monitor, &Solver::depth, solve::disagreement);
+  if (!files::has_union(pair)) return compared(pair, x, y, monitor, &Solver::depth, solve::disagreement);
   return compared(pair, x, y, monitor, &Solver::of_unions,
                   [](const UnionsFound& one, const UnionsFound& other) { return disagreement(one, other); });
 }
@@ -289,7 +290,7 @@ KeptDifference keep_difference(const std::string& directory, const Case& pair, c
                                const Solver& x, const Solver& y, const std::function<bool()>& stop) {
   KeptDifference kept;
   write(kept, directory, pair, sentence);
-  if (has_union(pair)) {
+  if (files::has_union(pair)) {
     drop_pieces(kept, directory, x, y, stop);
     return kept;
   }

@@ -301,7 +301,7 @@ void write_bound(text::JsonStream& json, const StagedBound& bound, const Stages&
 void write_head(text::JsonStream& json, const Stages& stages) {
   json.key("schema"), json.string("fathom/stages/1");
   json.key("id"), json.string(stages.id);
-  json.key("status"), json.string(stages.status ? name(*stages.status) : "undecided");
+  json.key("status"), json.string(name(stages.status));
   json.key("depth");
   if (stages.depth) json.number(*stages.depth, 0);
   else json.null();

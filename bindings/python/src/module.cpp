@@ -75,18 +75,12 @@ py::object family_case(const std::string& name, std::uint64_t seed, const std::o
   return py::object(in_python(family->make(seed, size.value_or(family->usual_size))));
 }
 
-std::vector<std::string> family_names() {
-  std::vector<std::string> names;
-  for (const families::Family& family : families::all_families()) names.emplace_back(family.name);
-  return names;
-}
-
 /// Cases, ZstdLines, parse_case; families.
 void bind_files(py::module_& module) {
   using py::arg;
   module.def("parse_case", parsed_case, arg("text"), arg("name"), arg("line"));
   module.def("family_case", family_case, arg("name"), arg("seed"), arg("size"));
-  module.def("family_names", family_names);
+  module.def("family_names", families::family_names);
   py::class_<Cases>(module, "Cases")
       .def(py::init<const std::string&>(), arg("path"))
       .def("__iter__", [](py::object self) { return self; })

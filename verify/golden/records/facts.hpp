@@ -135,6 +135,10 @@ std::string certificate_of(const RecordBodies& bodies, const ContactStatement& f
 
 // ---- records ----
 
+/// The schemas of records: of polytopes, shapes and unions, as in RecordStatement.
+inline constexpr std::array<std::string_view, 3> record_schemas{"fathom/golden/1", "fathom/golden-shapes/1",
+                                                                "fathom/golden-unions/1"};
+
 struct Facts {
   Recipe recipe;
   FormedCase made;

@@ -10,6 +10,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/files/case_json.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/answer_json.hpp"
 #include "reference/text/json.hpp"
@@ -305,15 +306,13 @@ void write_contacts(JsonStream& out, const ContactFacts& contacts) {
 }  // namespace
 
 std::string line_of(const Facts& facts) {
-  constexpr std::array<std::string_view, 3> schemas{"fathom/golden/1", "fathom/golden-shapes/1",
-                                                    "fathom/golden-unions/1"};
   const auto& [recipe, made, in_binary64, in_binary32, truth, sha256, contacts] = facts;
   JsonStream out;
   out.open('{')
       .key("schema")
-      .plain("fathom/case/1")
+      .plain(files::case_schema)
       .key("golden")
-      .plain(schemas.at(truth.index()))
+      .plain(record_schemas.at(truth.index()))
       .key("id")
       .plain(made.id);
   out.key("source").open('{').key("kind").plain(name_of(recipe.source)).key("name").plain(recipe.name);

@@ -110,7 +110,7 @@ namespace {
 using text::JsonValue;
 
 mpq_class number(const JsonValue& value) {
-  ParsedNumber parsed = parse_number(value.string(), Decimals::exact);
+  ParsedNumber parsed = text::exact_number(value);
   if (!parsed.value) throw NotARecord(parsed.error);
   return *std::move(parsed.value);
 }
@@ -250,7 +250,7 @@ std::string first_difference(std::string_view expected, std::string_view found) 
 }
 
 std::string_view id_in(std::string_view line) {
-  for (const std::string_view kind : {"fathom/golden/1", "fathom/golden-shapes/1", "fathom/golden-unions/1"}) {
+  for (const std::string_view kind : record_schemas) {
     const std::string before = R"({"schema":"fathom/case/1","golden":")" + std::string(kind) + R"(","id":")";
     if (!line.starts_with(before)) continue;
     line.remove_prefix(before.size());

@@ -8,6 +8,7 @@
 #include "fathom/signed_depth.hpp"
 #include "kernels/vector.hpp"
 #include "reference/files/case_json.hpp"
+#include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/report/html.hpp"
@@ -215,7 +216,7 @@ std::string derivative_list(const DerivativeJudgement& derivative) {
 /// page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
-  if (seen.a.points.empty() && !has_words(seen) && !has_union(seen)) return "";
+  if (seen.a.points.empty() && !has_words(seen) && !files::has_union(seen)) return "";
   try {
     const std::string line = files::case_json(
         seen, fmt::format("{} of {} {}", name(failure.outcome.verdict), subject.name, subject.version));
@@ -273,7 +274,7 @@ Known known_of(const Case& seen) {
   Known known;
   if (seen.a.shape || seen.b.shape) return known;
   try {
-    if (has_union(seen)) known.unions = truth_about(pieces_of(seen.a), pieces_of(seen.b));
+    if (files::has_union(seen)) known.unions = truth_about(pieces_of(seen.a), pieces_of(seen.b));
     else known.truth = truth_about(seen.a.points, seen.b.points);
   } catch (const std::exception&) {
     return {};

@@ -234,7 +234,7 @@ std::string claim_text(const Outcome& outcome) {
 /// Of shapes.
 std::string truth_text(const Judgement& judgement) {
   const Between& depth = *judgement.signed_depth;
-  const std::string_view word = judgement.status ? name(*judgement.status) : "undecided";
+  const std::string_view word = name(judgement.status);
   return depth.low == depth.high
              ? fmt::format("{}, the signed depth is {}", word, depth.low)
              : fmt::format("{}, the signed depth is between {} and {}", word, depth.low, depth.high);
