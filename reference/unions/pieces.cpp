@@ -86,11 +86,19 @@ PlacedPiece placed_alone(const std::vector<Point>& piece, const mpz_class& denom
     moved.push_back(denominator * (p - origin));
     for (const mpq_class* c : {&moved.back().x, &moved.back().y, &moved.back().z}) factor = lcm(factor, c->get_den());
   }
-  const auto multiple = [&](const mpq_class& c) { return mpz_class(c.get_num() * (factor / c.get_den())); };
+  const auto over = [](const Point& p, const mpz_class& w) {
+    const auto multiple = [&](const mpq_class& c) { return mpz_class(c.get_num() * (w / c.get_den())); };
+    return Vector{multiple(p.x), multiple(p.y), multiple(p.z)};
+  };
   std::vector<Vector> points;
-  for (const Point& p : moved) points.push_back({multiple(p.x), multiple(p.y), multiple(p.z)});
+  std::vector<Homogeneous> reduced;
+  for (const Point& p : moved) {
+    mpz_class w = lcm(lcm(p.x.get_den(), p.y.get_den()), p.z.get_den());
+    points.push_back(over(p, factor));
+    reduced.push_back({over(p, w), std::move(w)});
+  }
   const long exponent = kernels::binary_exponent(points);
-  return {kernels::PointCloud(std::move(points), exponent), std::move(factor)};
+  return {kernels::PointCloud(std::move(points), exponent), std::move(factor), 1, std::move(reduced)};
 }
 
 // An upper bound of the exponent of a piece's coordinates in the common unit.
@@ -155,6 +163,30 @@ using kernels::FixedNumbers;
 template <class Integer>
 Vec3<Integer> axis(int k, long sign) {
   return {Integer(k == 0 ? sign : 0), Integer(k == 1 ? sign : 0), Integer(k == 2 ? sign : 0)};
+}
+
+// The plane <normal, x> = height / w of a primitive normal, without fractions.
+kernels::OrientedPlane over(const Vector& normal, const mpz_class& height, const mpz_class& w, long exponent) {
+  const mpz_class shared = gcd(w, height);
+  kernels::OrientedPlane plane{mpz_class(w / shared) * normal, height / shared, {}};
+  const long bits = kernels::bit_length(plane.normal);
+  plane.image = {kernels::image(plane.normal, bits), kernels::image(plane.height, bits + exponent)};
+  return plane;
+}
+
+// b - a.
+Homogeneous difference(const Homogeneous& a, const Homogeneous& b) { return {a.w * b.v - b.w * a.v, a.w * b.w}; }
+
+// The points of both pieces whose difference is a corner of Q.
+struct Ends {
+  const Homogeneous &a, &b;
+};
+
+// A multiple, by a positive number, of the way from one corner to another.
+Vector way(const Ends& from, const Ends& to) {
+  if (&from.a == &to.a) return difference(from.b, to.b).v;
+  if (&from.b == &to.b) return difference(to.a, from.a).v;
+  return difference(difference(from.a, from.b), difference(to.a, to.b)).v;
 }
 
 polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
@@ -235,7 +267,7 @@ PiecePairIn<Numbers>::PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, s
     : a(i),
       b(j),
       factor_(pieces.factor(i, j)),
-      exponent_(pieces.exponent()),
+      pieces_(pieces),
       own_(pieces.on_one_lattice() ? std::nullopt : std::optional(pieces.pair(i, j))),
       differences_(
           differences_of(Numbers{}, own_ ? own_->a : pieces.a[i].cloud, own_ ? own_->b : pieces.b[j].cloud, memory_)) {
@@ -257,13 +289,29 @@ typename PiecePairIn<Numbers>::Plane PiecePairIn<Numbers>::outwards(const Vec3<t
   Plane plane = kernels::oriented_plane<Numbers>(normal, height, differences_.exponent());
   if constexpr (std::is_same_v<Numbers, AnyNumbers>) {
     if (!own_) return plane;
-    const mpz_class shared = gcd(factor_, plane.height);
-    plane.normal = mpz_class(factor_ / shared) * plane.normal;
-    plane.height /= shared;
-    const long bits = kernels::bit_length(plane.normal);
-    plane.image = {kernels::image(plane.normal, bits), kernels::image(plane.height, bits + exponent_)};
+    return over(plane.normal, plane.height, factor_, pieces_.exponent());
   }
   return plane;
+}
+
+// That of a triangle of Q. Its corners are computed with as they are in the common unit: on the
+// pair's lattice a plane has several times as many digits before it is reduced.
+template <class Numbers>
+typename PiecePairIn<Numbers>::Plane PiecePairIn<Numbers>::plane_of(expanding::TriangleId triangle) {
+  if constexpr (std::is_same_v<Numbers, AnyNumbers>) {
+    if (own_) {
+      const auto corner = [&](int k) {
+        const polytope::Difference d = surface_.vertices()[surface_.triangles()[triangle].corners[k]].from;
+        return Ends{pieces_.a[a].points[d.first], pieces_.b[b].points[d.second]};
+      };
+      const Ends p = corner(0);
+      const Vector normal = primitive(cross(way(p, corner(1)), way(p, corner(2))));
+      const Homogeneous at = difference(p.a, p.b);
+      return over(normal, dot(normal, at.v), at.w, pieces_.exponent());
+    }
+  }
+  const expanding::ExactPlane<typename Numbers::OfPlane>& exact = surface_.plane(triangle);
+  return outwards(exact.normal, exact.height);
 }
 
 // The way back; in `room`, if it is another plane.
@@ -291,20 +339,15 @@ void PiecePairIn<Numbers>::start() {
   const auto first = expanding::starting_tetrahedron(differences_);
   if (!first) throw std::logic_error("a piece of a union is flat");
   surface_.start({corner((*first)[0]), corner((*first)[1]), corner((*first)[2]), corner((*first)[3])});
-  for (const expanding::TriangleId t : surface_.triangles().ids()) add(t);
-}
-
-template <class Numbers>
-void PiecePairIn<Numbers>::add(expanding::TriangleId triangle) {
-  const expanding::ExactPlane<typename Numbers::OfPlane>& exact = surface_.plane(triangle);
-  facets_.push_back(&all_.emplace_back(triangle, outwards(exact.normal, exact.height)));
+  for (const expanding::TriangleId t : surface_.triangles().ids())
+    facets_.push_back(&all_.emplace_back(t, plane_of(t)));
 }
 
 template <class Numbers>
 void PiecePairIn<Numbers>::grow(const Corner& corner, const Facet& facet) {
   const std::vector<expanding::TriangleId>& fresh = surface_.insert(corner, facet.triangle);
   std::erase_if(facets_, [&](const Facet* f) { return !surface_.triangles()[f->triangle].alive; });
-  for (const expanding::TriangleId t : fresh) add(t);
+  for (const expanding::TriangleId t : fresh) facets_.push_back(&all_.emplace_back(t, plane_of(t)));
 }
 
 // The facet that the point is farthest above, by its image, of those that do not have it strictly

@@ -19,11 +19,20 @@
 
 namespace fathom::unions {
 
+/// The point v / w, w > 0.
+struct Homogeneous {
+  Vector v;
+  mpz_class w;
+};
+
 /// A point p of the cloud stands for origin + p / (denominator * factor).
 struct PlacedPiece {
   kernels::PointCloud cloud;
   mpz_class factor = 1;  ///< > 0
   double scale = 1;      ///< makes images of the cloud images in 2^exponent of the common unit; at most 1, within 2^-51
+  /// The points in the common unit, each in lowest terms, if the piece has a lattice of its own:
+  /// that of all its points together is many times as fine as what one of them needs.
+  std::vector<Homogeneous> points = {};
 };
 
 /// Translations of A are points of the common lattice, over any denominators.
@@ -141,15 +150,15 @@ class PiecePairIn {
   [[nodiscard]] const Plane& inwards(const Plane& plane, Plane& room) const;
   void start();
   [[nodiscard]] Corner corner(polytope::Difference d) const;
-  void add(expanding::TriangleId triangle);
+  [[nodiscard]] Plane plane_of(expanding::TriangleId triangle);
   void grow(const Corner& corner, const Facet& facet);
   Facet* worst(const Place& p);
   bool separated(const Place& p);
   void remember(Plane plane);
   bool step_towards(const Place& p, Facet& facet);
 
-  mpz_class factor_;                         // by which the lattice of the pair is finer than the common one
-  long exponent_;                            // of the common lattice
+  mpz_class factor_;  // by which the lattice of the pair is finer than the common one
+  const PlacedPieces& pieces_;
   std::optional<polytope::PlacedPair> own_;  // the points on the pair's lattice, if that is not the common one
   kernels::ScanMemory memory_;
   DifferencesIn<Numbers> differences_;
