@@ -120,7 +120,8 @@ char* text_for_caller(std::string_view text) {
 
 void require_convex(const Body& body, const std::string& name) {
   if (body.pieces)
-    throw std::invalid_argument(name + ": expected a convex body, found a union of pieces: fathom_depth takes those");
+    throw std::invalid_argument(
+        name + ": expected a convex body, found a union of pieces; those of several unions are the pieces of one");
 }
 
 void require_at_most(std::size_t count, const char* what) {

@@ -23,6 +23,7 @@
 #include "fathom/signed_depth.hpp"
 #include "reference/files/cases.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
 
 namespace fathom::cli {
@@ -110,7 +111,7 @@ AnsweredCase answered_by(const AskedCase& asked, const DepthRequest& request, co
 
 Replies exact_replies(const DepthRequest& request) {
   Replies replies;
-  if (request.one_body) replies.refuses_unions = width_of_union;
+  if (request.one_body) replies.refuses_unions = shapes::width_of_union;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
     const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // an unwritable path fails early

@@ -11,8 +11,8 @@
 
 namespace fathom::cli {
 
-/// A few of the names: of families, unless others are given. Those that hold `name` come first, then
-/// those by the fewest slips.
+/// A few of the names: of families, unless others are given. Those that hold `name` come first,
+/// then those by the fewest slips.
 std::vector<std::string_view> nearest_families(std::string_view name,
                                                std::vector<std::string_view> names = families::family_names());
 

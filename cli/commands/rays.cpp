@@ -27,6 +27,7 @@
 #include "fathom/numbers.hpp"
 #include "reference/approximate/ray.hpp"
 #include "reference/output/json_values.hpp"
+#include "reference/shapes/body_notes.hpp"
 
 namespace fathom::cli {
 namespace {
@@ -145,7 +146,7 @@ Replies approximate_replies(const ApproxRequest& request) {
       request.one_body
           ? "width without --delta answers about those, exactly or within bounds as near as --bits asks for"
           : "depth answers about those, exactly or within bounds as near as --bits asks for";
-  replies.refuses_unions = request.one_body ? width_of_union : "depth answers about those, exactly";
+  replies.refuses_unions = request.one_body ? shapes::width_of_union : "depth answers about those, exactly";
   replies.reply = [&request](const AskedCase& asked, Monitor& monitor, Workspace&) -> CaseReply {
     const std::string& id = asked.input.id;
     const ApproxDepth depth = solve(asked, request, monitor);

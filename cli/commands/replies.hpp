@@ -62,10 +62,6 @@ struct Replies {
   std::string refuses_unions = {};
 };
 
-/// Why no width takes a union.
-inline constexpr const char* width_of_union =
-    "its width is that of the hull: give the points of all pieces as one body";
-
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 

@@ -35,6 +35,7 @@
 #include "fathom/signed_depth.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/body_notes.hpp"
 #include "verify/families/families.hpp"
 #include "view/picture/markup.hpp"
 #include "view/plot/plot.hpp"
@@ -366,7 +367,7 @@ ExitCode run_study(const Given& given) {
   const StudyRequest request(given);
   PageFile page(given, request);
   Replies replies;
-  replies.refuses_unions = "the coincidences of a study are those of two convex bodies; study a piece of each";
+  replies.refuses_unions = shapes::study_of_union;
   replies.reply = [&](const AskedCase& pair, Monitor& monitor, Workspace&) {
     if (has_shape(pair)) return page.reply(pair, shape_study_of(pair, request, monitor), monitor);
     return page.reply(pair, study(pair.input.a.points, pair.input.b.points, options_of(request, &monitor)), monitor);

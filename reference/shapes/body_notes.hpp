@@ -66,6 +66,12 @@ std::string dents_text(std::string_view body, const DentedPieces& pieces);
 /// The same of each body. What is merely open is left out unless `open_too`.
 std::string dents_text(const HullFacts& facts, bool open_too = true);
 
+/// Why no width takes a union, and why no study does.
+inline constexpr const char* width_of_union =
+    "its width is that of the hull: give the points of all pieces as one body";
+inline constexpr const char* study_of_union =
+    "the coincidences of a study are those of two convex bodies; study a piece of each";
+
 /// The sentence that an answer begins with: that it is about hulls, and what else could be asked;
 /// of the width, which is that of the hull, that as well. "" if the bodies are their hulls.
 std::string about_hulls(const HullFacts& facts, bool width = false);

@@ -230,16 +230,20 @@ def test_a_list_of_bodies_is_no_convex_body(bodies):
 UNION = fathom.union(BLOCK)
 
 
-@pytest.mark.parametrize("call", [
-    lambda: fathom.depth(UNION, CUBE), lambda: fathom.distance(CUBE, UNION), lambda: fathom.depths([(CUBE, UNION)]),
-    lambda: fathom.width(UNION), lambda: fathom.ray(UNION, CUBE, (1, 0, 0)), lambda: fathom.metric(CUBE, UNION, CUBE - 0.5),
-    lambda: fathom.metric(CUBE, CUBE, UNION), lambda: fathom.approx(UNION, CUBE), lambda: fathom.study(UNION, CUBE),
-    lambda: fathom.convexity(UNION), lambda: UNION.with_margin(1),
-    lambda: UNION + fathom.sphere(1),
-    lambda: fathom.sphere(1) + UNION, lambda: fathom.Body(UNION),
+@pytest.mark.parametrize("call, why", [
+    (lambda: fathom.depth(UNION, CUBE), "union_depth takes those"), (lambda: fathom.distance(CUBE, UNION), "union_depth takes those"),
+    (lambda: fathom.depths([(CUBE, UNION)]), "union_depth takes those"), (lambda: fathom.width(UNION), "its width is that of the hull"),
+    (lambda: fathom.ray(UNION, CUBE, (1, 0, 0)), "how far it must move in one direction is not answered about those"),
+    (lambda: fathom.growth(UNION, CUBE), "by which factor it must grow is not answered about those"),
+    (lambda: fathom.metric(CUBE, UNION, CUBE - 0.5), "union_depth answers about those, in Euclid's norm"),
+    (lambda: fathom.metric(CUBE, CUBE, UNION), "the unit ball of a norm is convex"),
+    (lambda: fathom.approx(UNION, CUBE), "union_depth answers about those, exactly"),
+    (lambda: fathom.study(UNION, CUBE), "the coincidences of a study are those of two convex bodies"),
+    (lambda: fathom.convexity(UNION), ""), (lambda: UNION.with_margin(1), ""), (lambda: UNION + fathom.sphere(1), ""),
+    (lambda: fathom.sphere(1) + UNION, ""), (lambda: fathom.Body(UNION), ""),
 ])
-def test_who_takes_convex_bodies_says_so(call):
-    with pytest.raises(ValueError, match="expected a convex body, found a union of pieces: union_depth takes those"):
+def test_who_takes_convex_bodies_says_so(call, why):
+    with pytest.raises(ValueError, match="expected a convex body, found a union of pieces: " + why):
         call()
 
 

@@ -354,7 +354,7 @@ void bind_answers(py::module_& module) {
   module.def(
       "width",
       [](const py::object& body, const py::object& pose, unsigned bits) {
-        const Body one = body_from(body, pose, "body");
+        const Body one = body_from(body, pose, "body", nullptr, shapes::width_of_union);
         if (one.shape) shapes::require_width(*one.shape);
         return watched([&](Monitor& monitor) { return answer_to({one, one}, {.options = {}, .bits = bits}, monitor); });
       },

@@ -50,12 +50,12 @@ class RememberedFact {
   std::shared_ptr<Last> last_ = std::make_shared<Last>();
 };
 
-Body given_body(py::handle from) {
+Body given_body(py::handle from, const char* no_union) {
   if (py::isinstance<Body>(from)) {
     Body& body = from.cast<Body&>();
     if (body.faces && !std::get_deleter<RememberedFact>(body.faces))
       body.faces = std::shared_ptr<const MeshFaces>(new MeshFaces(*body.faces), RememberedFact());
-    return convex(body);
+    return convex(body, no_union);
   }
   Body body{given_points(from)};
   body.faces = given_faces(from, body.points.size());
@@ -317,8 +317,8 @@ Body union_in_files(const std::string& path, const std::string& decimals) {
 
 }  // namespace
 
-const Body& convex(const Body& body) {
-  if (body.pieces) refuse("expected a convex body, found a union of pieces: union_depth takes those");
+const Body& convex(const Body& body, const char* no_union) {
+  if (body.pieces) refuse(std::string("expected a convex body, found a union of pieces: ") + no_union);
   return body;
 }
 
@@ -347,10 +347,11 @@ std::optional<polytope::MeshConvexity> hull_fact(const Body& body) {
   return remembered ? remembered->of(body) : shapes::hull_fact(body);
 }
 
-Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes) {
+Body body_from(py::handle from, py::handle pose, const char* name, std::vector<std::string>* notes,
+               const char* no_union) {
   return posed(named(name,
                      [&] {
-                       Body body = given_body(from);
+                       Body body = given_body(from, no_union);
                        if (!body.shape && body.points.empty()) refuse("expected at least one point, found none");
                        return body;
                      }),

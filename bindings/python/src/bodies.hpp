@@ -27,18 +27,21 @@ struct MadeCaster : py::detail::type_caster_base<Value> {
   }
 };
 
+inline constexpr const char* union_depth_takes = "union_depth takes those";
+
 /// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays
 /// of floats and sequences of numbers that are binary64 stay in binary64. `faces` beside `vertices`
 /// are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws py::value_error
-/// with a sentence that begins with `name`, and py::type_error; unions of pieces are refused. What
-/// there is to say of the pose goes to `notes`.
-Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
+/// with a sentence that begins with `name`, and py::type_error; a union of pieces is refused for
+/// the reason `no_union`. What there is to say of the pose goes to `notes`.
+Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr,
+               const char* no_union = union_depth_takes);
 
 /// Returns the body, of any kind, moved by the pose. Throws and takes notes as body_from does.
 Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
-/// Returns the same body. Throws py::value_error if it is a union of pieces.
-const Body& convex(const Body& body);
+/// Returns the same body. Throws py::value_error, which says why, if it is a union of pieces.
+const Body& convex(const Body& body, const char* no_union = union_depth_takes);
 
 /// Returns the pose that the object stands for; nullopt for None. Throws as body_from does.
 std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);

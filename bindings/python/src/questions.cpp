@@ -17,6 +17,7 @@
 #include "fathom/prepared.hpp"
 #include "fathom/study.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/shapes/body_notes.hpp"
 #include "verify/judge/fields.hpp"
 #include "verify/judge/truth.hpp"
 #include "verify/judge/words.hpp"
@@ -33,17 +34,20 @@ struct Pair {
   Body a, b;
 };
 
-/// Two bodies but unions. Warns of meshes that are not their hulls.
-Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
-  Pair pair{body_from(a, pose_a, "a"), body_from(b, pose_b, "b")};
+/// Two bodies but unions, which are refused for that reason. Warns of meshes that are not their
+/// hulls.
+Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+                   const char* no_union) {
+  Pair pair{body_from(a, pose_a, "a", nullptr, no_union), body_from(b, pose_b, "b", nullptr, no_union)};
   warn_of_dents(pair.a, "A");
   warn_of_dents(pair.b, "B");
   return pair;
 }
 
 /// Two polytopes. Warns as that does.
-Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b) {
-  Pair pair = any_pair_from(a, b, pose_a, pose_b);
+Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
+               const char* no_union) {
+  Pair pair = any_pair_from(a, b, pose_a, pose_b, no_union);
   points_of(pair.a, "a");
   points_of(pair.b, "b");
   return pair;
@@ -106,7 +110,9 @@ py::object closer_than_of(const py::object& a, const py::object& b, const py::ob
 
 py::dict ray(const py::object& a, const py::object& b, const py::object& direction, const py::object& pose_a,
              const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Pair pair = pair_from(
+      a, b, pose_a, pose_b,
+      "how far it must move in one direction is not answered about those; union_depth says how far in the best one");
   const Point along = point_from(direction);
   const DirectionalDepth found = watched([&](Monitor& monitor) {
     return directional_depth(pair.a.points.exact(), pair.b.points.exact(), along, &monitor);
@@ -123,7 +129,9 @@ py::dict ray(const py::object& a, const py::object& b, const py::object& directi
 
 py::dict growth(const py::object& a, const py::object& b, const py::object& center_a, const py::object& center_b,
                 const py::object& pose_a, const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Pair pair = pair_from(
+      a, b, pose_a, pose_b,
+      "by which factor it must grow is not answered about those; union_depth says how deep they are, or how far apart");
   const auto center = [](const py::object& given) {
     return given.is_none() ? std::nullopt : std::optional(point_from(given));
   };
@@ -143,8 +151,8 @@ py::dict growth(const py::object& a, const py::object& b, const py::object& cent
 
 py::dict metric(const py::object& a, const py::object& b, const py::object& ball, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b);
-  const Body unit_body = body_from(ball, py::none(), "ball");
+  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, in Euclid's norm");
+  const Body unit_body = body_from(ball, py::none(), "ball", nullptr, "the unit ball of a norm is convex");
   const GivenPoints& points = points_of(unit_body, "ball");
   const MetricResult found = watched([&](Monitor& monitor) {
     return metric_depth(pair.a.points.exact(), pair.b.points.exact(), unit_ball(points.exact()), &monitor);
@@ -159,7 +167,7 @@ py::dict metric(const py::object& a, const py::object& b, const py::object& ball
 
 py::dict approx(const py::object& a, const py::object& b, const py::object& delta, const py::object& pose_a,
                 const py::object& pose_b) {
-  const Pair pair = pair_from(a, b, pose_a, pose_b);
+  const Pair pair = pair_from(a, b, pose_a, pose_b, "union_depth answers about those, exactly");
   const mpq_class within = number_from(delta);
   const ApproxDepth found = watched(
       [&](Monitor& monitor) { return approx_depth(pair.a.points.exact(), pair.b.points.exact(), within, &monitor); });
@@ -234,7 +242,7 @@ py::dict study_of_shapes(Pair pair, std::size_t listed) {
 
 py::dict study_of(const py::object& a, const py::object& b, std::size_t listed, const py::object& pose_a,
                   const py::object& pose_b) {
-  Pair pair = any_pair_from(a, b, pose_a, pose_b);
+  Pair pair = any_pair_from(a, b, pose_a, pose_b, shapes::study_of_union);
   return pair.a.shape || pair.b.shape ? study_of_shapes(std::move(pair), listed)
                                       : study_of_polytopes(std::move(pair), listed);
 }
