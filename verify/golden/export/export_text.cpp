@@ -10,6 +10,7 @@
 
 #include "fathom/numbers.hpp"
 #include "kernels/messages.hpp"
+#include "reference/text/json.hpp"
 #include "reference/text/json_value.hpp"
 #include "verify/golden/export/export.hpp"
 #include "verify/golden/records/facts.hpp"
@@ -19,6 +20,7 @@
 namespace fathom::golden {
 namespace {
 
+using text::Json;
 using text::JsonValue;
 using Triples = std::vector<std::array<double, 3>>;
 
@@ -304,30 +306,48 @@ std::string rust_text(const ExportSource& source, const std::vector<ExportCase>&
 
 // ---- JSON and CSV ----
 
-std::string manifold_text(const ExportCase& entry) {
-  if (entry.patches.empty()) return "";
-  return fmt::format(R"(, "patches": [{}], "gradient": {})", listed(entry.patches, ", ", bracketed),
-                     entry.gradient ? bracketed(gradient_of(entry)) : "null");
+Json triple_json(const std::array<double, 3>& triple) {
+  return Json::array_of(triple, [](double x) { return Json(x); });
+}
+Json triples_json(const Triples& triples) { return Json::array_of(triples, triple_json); }
+Json words_json(const std::vector<std::string>& words) {
+  return Json::array_of(words, [](const std::string& word) { return Json(word); });
 }
 
+Json case_json(const ExportCase& entry) {
+  Json result{{"name", entry.name},
+              {"status", entry.status},
+              {"signed_depth", entry.signed_depth},
+              {"squared", entry.squared},
+              {"flags", words_json(entry.flags)},
+              {"size", entry.size},
+              {"largest", entry.largest},
+              {"a", triples_json(entry.a)},
+              {"b", triples_json(entry.b)},
+              {"directions", triples_json(entry.directions)},
+              {"family", entry.group},
+              {"formats", words_json(entry.formats)},
+              {"contacts", words_json(entry.contacts)}};
+  if (entry.patches.empty()) return result;
+  result["patches"] = Json::array_of(entry.patches, triples_json);
+  result["gradient"] = entry.gradient ? triples_json(gradient_of(entry)) : Json();
+  return result;
+}
+
+/// A line for each case.
 std::string json_text(const ExportSource& source, const std::vector<ExportCase>& cases) {
-  const auto entry_text = [](const ExportCase& entry) {
-    return fmt::format(
-        R"({{"name": "{}", "status": "{}", "signed_depth": {}, "squared": "{}", "flags": {}, "size": {}, "largest": {}, "a": {}, "b": {}, )"
-        R"("directions": {}, "family": "{}", "formats": {}, "contacts": {}{}}})",
-        entry.name, entry.status, decimal_text(entry.signed_depth), entry.squared, quoted_list(entry.flags),
-        decimal_text(entry.size), decimal_text(entry.largest), bracketed(entry.a), bracketed(entry.b),
-        bracketed(entry.directions), entry.group, quoted_list(entry.formats), quoted_list(entry.contacts),
-        manifold_text(entry));
-  };
   const bool own = !source.file.empty();  // and not ours to license
-  const std::string from =
-      own ? fmt::format(R"("file": "{}")", source.file)
-          : fmt::format(R"("level": "{}", "seed": "{}", "version": "{}")", source.level, source.seed, source.version);
-  return fmt::format(
-      "{{\"schema\": \"fathom/golden-export/1\",{}\n"
-      "\"source\": {{{}, \"command\": \"{}\"}},\n\"cases\": [\n{}\n]}}\n",
-      own ? "" : R"( "licence": "CC0-1.0",)", from, source.command, listed(cases, ",\n", entry_text));
+  Json head{{"schema", "fathom/golden-export/1"}};
+  if (!own) head["licence"] = "CC0-1.0";
+  Json from = own ? Json{{"file", source.file}}
+                  : Json{{"level", source.level}, {"seed", source.seed}, {"version", source.version}};
+  from["command"] = source.command;
+  head["source"] = from;
+  std::string text = head.text();
+  text.back() = ',';
+  text += "\n\"cases\":[";
+  for (const ExportCase& entry : cases) text += (&entry == cases.data() ? "\n" : ",\n") + case_json(entry).text();
+  return text + "\n]}\n";
 }
 
 std::string csv_text(const std::vector<ExportCase>& cases) {
