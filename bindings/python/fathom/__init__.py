@@ -11,19 +11,19 @@
 (Fraction(-1, 4), Fraction(0, 1), Fraction(0, 1))
 
 A body is the convex hull of an array of points, of a list of points whose coordinates may be Fractions or texts, or of the `vertices` of
-anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. What is given is taken as it is: floats
-stand for their exact values. Every float that comes out is the correctly rounded value; what is exact is under `.exact`.
+anything that has some (trimesh's meshes do); or a shape: `sphere`, `capsule`, `cylinder` and so on. Input is never rounded: floats stand
+for their exact values. Every float of an answer is the correctly rounded value; the exact values are under `.exact`.
 
 A mesh with `faces` that is not convex is answered as its hull, with a NotConvexWarning. `union_depth` takes bodies that are not convex, as
 lists of convex pieces.
 
-Bad input raises ValueError, and what is no number or no body TypeError. Ctrl-C ends any call.
+Bad input raises ValueError, an argument that is no number or no body TypeError. Ctrl-C ends any call.
 """
 import importlib
 
 
 def _refuse_subinterpreters() -> None:
-    """numpy and pybind11 serve the main interpreter alone: in another one their import would wait for ever."""
+    """Raises ImportError in a subinterpreter: numpy and pybind11 support the main interpreter alone, and their import would hang."""
     for name in ("_interpreters", "_xxsubinterpreters"):
         try:
             interpreters = importlib.import_module(name)

@@ -41,20 +41,20 @@ def _simplified(rational: Fraction, root: Fraction) -> Root:
 
 
 class _Kept(types.SimpleNamespace):
-    """What an answer told, without the answer: this is what pickle keeps."""
+    """The fields of an answer, without the answer of C++: what pickle keeps. Methods compute the answer again."""
 
-    __slots__ = ("_asked",)  # what pickle does not keep
+    __slots__ = ("_asked",)  # not pickled
 
     def certificate(self, id: str, patches: bool) -> str:
-        """Asks again."""
+        """Returns the certificate of the answer that is computed again."""
         return self._again().certificate(id, patches)
 
     def manifold(self) -> _fathom.Manifold | None:
-        """Asks again; None of a search that was stopped."""
+        """Returns the manifold of the answer that is computed again; None if its search was stopped."""
         return self._again().manifold() if self.complete else None
 
     def _again(self) -> _fathom.Answer:
-        """The answer, found a second time and no more."""
+        """Returns the answer to the same question, computed again at the first call."""
         if not hasattr(self, "_asked"):
             ask, *arguments = self.question
             self._asked: _fathom.Answer = getattr(_fathom, ask)(*arguments)
@@ -104,7 +104,7 @@ class Exact:
 
     @property
     def bounds(self) -> tuple[Fraction, Fraction] | None:
-        """Proved bounds of the signed depth, if it has no exact form here."""
+        """Proved bounds of the signed depth; None if its exact value is known."""
         return self._answer.bounds
 
     @property
@@ -126,7 +126,7 @@ class Exact:
 
     @property
     def around(self) -> tuple[int, int, int] | None:
-        """The axis of bodies of revolution, if whatever a turn about it makes of the direction is as good."""
+        """The axis of bodies of revolution, if every rotation about it maps the direction to one that is as good; else None."""
         return self._answer.around
 
     @property
@@ -146,7 +146,7 @@ class Exact:
 
 
 class _Answer:
-    """A number that is known, or between bounds."""
+    """A number that is known exactly, or enclosed by bounds."""
 
     __slots__ = ("_answer",)
 
@@ -165,7 +165,7 @@ class _Answer:
 
 
 class PairAnswer(_Answer, ContactAnswer):
-    """What the answers about two bodies tell of all kinds."""
+    """The properties of answers about two bodies of any kind."""
 
     __slots__ = ()
 
@@ -219,12 +219,12 @@ class PairAnswer(_Answer, ContactAnswer):
 
     @property
     def notes(self) -> list[str]:
-        """What may be a slip: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
+        """Warnings about the input: a pose that is no rotation, bodies of very different size, a mesh that is not convex."""
         return self._answer.notes
 
     @property
     def counters(self) -> dict[str, Any]:
-        """What the run did, in counts that do not depend on the machine; "stages": what ran, "predicates": what they were asked. Of unions
+        """Counts of the work, which do not depend on the machine; "stages": those that ran, "predicates": their calls. Of unions
         nodes, nearest_points, pairs, pairs_touched."""
         return self._answer.counters
 
@@ -281,7 +281,7 @@ class Depth(PairAnswer):
 
     @property
     def method(self) -> str | None:
-        """"certificate", "exact" or "naive": what found the answer. None for cylinders and the like."""
+        """The method that found the answer: "certificate", "exact" or "naive". None for cylinders and the like."""
         return self._answer.method
 
 
@@ -328,7 +328,7 @@ def depth(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike
 
 
 def distance(a: BodyLike, b: BodyLike, *, pose_a: PoseLike = None, pose_b: PoseLike = None, bits: int = DEFAULT_BITS) -> Depth:
-    """The answer of `depth`, for those who ask how far bodies are apart: see `distance`, `witness` and `direction` of it.
+    """Returns the answer of `depth`, for callers who need the distance: see its `distance`, `witness` and `direction`.
 
     >>> import fathom
     >>> fathom.distance(fathom.sphere(1), fathom.sphere(1), pose_b=fathom.pose(translation=(3, 0, 0))).distance
@@ -497,7 +497,7 @@ class Checked(NamedTuple):
     status: str  #: of the bodies, if it is accepted
     verdict: str  #: the line that the program fathom-check prints
     reason: str  #: why not, if it is not accepted
-    line: int  #: where
+    line: int  #: the line of the certificate where that was found
 
 
 def check(certificate: str) -> Checked:

@@ -17,7 +17,7 @@ __all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "
 
 
 def _body_of_state(*state: Any) -> Body:
-    return _fathom.body_of_state(*state)  # pickle finds no function of C++ by its name
+    return _fathom.body_of_state(*state)  # pickle cannot look up a function of the C++ module by its name
 
 
 copyreg.pickle(Body, lambda body: (_body_of_state, body.state))
@@ -145,7 +145,7 @@ def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Bod
 
 
 def _readable(number: Fraction | None) -> str:
-    """As a float, which is short."""
+    """Returns the value as a float, which is shorter to print."""
     try:
         return str(None if number is None else float(number))
     except OverflowError:

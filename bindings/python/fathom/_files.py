@@ -79,7 +79,7 @@ def golden(path: str | os.PathLike[str]) -> Iterator[Record]:
         files = sorted(os.path.join(path, name) for name in os.listdir(path) if name.endswith(".jsonl.zst"))
         if not files:
             raise ValueError(f"{path}: expected files .jsonl.zst, found none")
-    return itertools.starmap(_record, itertools.chain.from_iterable(map(_lines, files)))  # goes on behind what cannot be read
+    return itertools.starmap(_record, itertools.chain.from_iterable(map(_lines, files)))  # a bad record does not end the iteration
 
 
 def _lines(file: str) -> Iterator[tuple[str, str, int]]:

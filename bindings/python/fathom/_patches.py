@@ -65,7 +65,7 @@ class OptimalCone(NamedTuple):
 class Derivative(NamedTuple):
     """The one-sided derivative sign * sqrt(root) of the signed depth.
 
-    All is None if `left_out` says why it is not told: as of patches; "unlisted", as fewer `optima` are listed than there are; "touching",
+    All is None if `left_out` gives a reason: that of the patches; "unlisted", as fewer `optima` are listed than there are; "touching",
     of unions that touch; "exact-fit", of unions that turn, where a way out leaves no gap; "many-planes", of unions that turn, where pieces
     have more than one plane between them after a way out.
     """
@@ -83,7 +83,7 @@ class Derivative(NamedTuple):
 
 
 class ContactAnswer:
-    """What answers tell of contacts. It is found when something of it is asked for, once."""
+    """The properties of answers that describe contacts. They are computed once, when the first of them is read."""
 
     __slots__ = ()
     _answer: _fathom.Answer

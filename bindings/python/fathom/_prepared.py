@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Polytopes that are prepared once, and asked about in many poses."""
+"""Polytopes whose hull is computed once, for questions in many poses."""
 from __future__ import annotations
 
 from fathom import _fathom
@@ -8,7 +8,7 @@ from fathom._types import BodyLike, Number, PoseLike
 
 
 class Prepared:
-    """A polytope whose hull is found once, for any number of questions in other poses: the answers are those of `depth`, `overlap` and
+    """A polytope whose hull is computed once, for any number of questions in other poses: the answers are those of `depth`, `overlap` and
     `closer_than`, sooner. Fastest are points of floats, and poses as arrays of floats.
 
     >>> import fathom
@@ -30,7 +30,7 @@ class Prepared:
 
     @property
     def body(self) -> _fathom.Body:
-        """The polytope as it was given."""
+        """The polytope in its original pose."""
         return self._prepared.body
 
     @property

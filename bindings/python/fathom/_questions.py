@@ -55,7 +55,7 @@ def closer_than(a: BodyLike, b: BodyLike, distance: Number, *, proof: bool = Fal
 
 
 class Ray(NamedTuple):
-    """How far A must go along a direction."""
+    """The shortest translation of A along a direction after which the interiors are disjoint."""
 
     status: str
     factor: Fraction  #: of the direction as it was given; 0 unless the bodies penetrate
@@ -79,7 +79,7 @@ def ray(a: BodyLike, b: BodyLike, direction: Triple, *, pose_a: PoseLike = None,
 
 
 class Growth(NamedTuple):
-    """By which factor two bodies grow, or shrink, about their centers until they touch."""
+    """The factor by which two bodies grow, or shrink, about their centers until they touch."""
 
     status: str
     growth: Fraction  #: below 1 the bodies penetrate, at 1 they touch, above 1 they are disjoint
@@ -153,7 +153,7 @@ def approx(a: BodyLike, b: BodyLike, delta: Number = "1/100", *, pose_a: PoseLik
 
 
 class Study(NamedTuple):
-    """What is degenerate about two bodies."""
+    """The degeneracies of two bodies."""
 
     depth: Depth
     coincidences: dict[str, dict[str, Any]]  #: by name: how many, and the first of them with their features

@@ -41,7 +41,7 @@ class UnionDistance(NamedTuple):
 
 
 class UnionBounds(NamedTuple):
-    """What simpler measures say: the deepest pair is never deeper than the unions, their hulls never shallower."""
+    """Bounds by simpler measures: the deepest pair is never deeper than the unions, their hulls never shallower."""
 
     deepest_pair: float  #: the depth of the deepest pair of pieces; if the search was stopped, of those that it came to
     pieces: tuple[int, int]  #: that pair, the first of several; (0, 0) if no two pieces overlap

@@ -43,7 +43,7 @@ py::object bounds(const PairAnswer& asked) {
   return bounds ? py::object(py::make_tuple(fraction(bounds->low), fraction(bounds->high))) : py::object(py::none());
 }
 
-/// Bounds of the squared depth of unions, equal if it is known.
+/// The bounds of the squared depth of unions; both are equal if the depth is known.
 py::object squares(const PairAnswer& asked) {
   const UnionDepth* const unions = asked.of_unions();
   return unions ? py::object(py::make_tuple(fraction(unions->low), fraction(unions->high))) : py::object(py::none());
@@ -64,7 +64,7 @@ py::object around(const PairAnswer& asked) {
   return axis ? py::object(integers(*axis)) : py::object(py::none());
 }
 
-/// Of polytopes and unions; of a search that was stopped the shortest that was found.
+/// The translation of polytopes and unions; of a search that was stopped, the shortest one found.
 std::optional<Point> rational_translation(const PairAnswer& asked) {
   if (const Depth* const depth = asked.depth()) return depth->contact_translation();
   const UnionDepth* const unions = asked.of_unions();
@@ -218,7 +218,8 @@ py::dict checked(const std::string& text) {
                   "verdict"_a = fathom_check::verdict_line(verdict, ""));
 }
 
-/// What makes the answer again: the name of a function of this module, and its arguments.
+/// The question that the answer replies to: the name of a function of this module, and its
+/// arguments. pickle keeps it to compute the answer again.
 py::tuple question_of(const PairAnswer& answer) {
   if (answer.of_unions())
     return py::make_tuple("union_depth", answer.a, answer.b, py::none(), py::none(), answer.question.union_bounds,

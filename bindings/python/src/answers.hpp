@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The answer about two bodies of any kinds, in the words of Python; and long work, which Ctrl-C
-// ends, and which leaves Python's lock to others.
+// The answer about two bodies of any kinds as objects of Python; and long computations, which
+// release Python's global interpreter lock (GIL) and which Ctrl-C ends.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,8 +24,8 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// Asks Python now and then whether a signal came, and `stop`, unless it is None, whether the work
-/// is to end. For the thread that called from Python, which has let the lock go.
+/// Every `pause`, checks for Python's signals, and calls `stop`, unless it is None, to ask whether
+/// the computation is to end. Used by the thread that Python called, which has released the GIL.
 class SignalMonitor final : public Monitor {
  public:
   explicit SignalMonitor(py::object stop) : stop_(std::move(stop)) {}
@@ -42,7 +42,8 @@ class SignalMonitor final : public Monitor {
   static constexpr std::chrono::milliseconds pause{50};
 
  private:
-  /// What `stop` raises is left to whoever asks Python for it.
+  /// Returns whether `stop` returned true. An exception that it raises counts as true, and is kept
+  /// as Python's current error.
   bool told() try { return !stop_.is_none() && py::bool_(stop_()); } catch (py::error_already_set& raised) {
     raised.restore();
     return true;
@@ -53,7 +54,7 @@ class SignalMonitor final : public Monitor {
   bool ended_ = false;
 };
 
-/// Stops when it is told to. For the threads of a batch.
+/// Stops a computation when the flag `stop` is set. Used by the threads of a batch.
 class FlagMonitor final : public Monitor {
  public:
   explicit FlagMonitor(const std::atomic<bool>& stop) : stop_(stop) {}
@@ -64,9 +65,9 @@ class FlagMonitor final : public Monitor {
   const std::atomic<bool>& stop_;
 };
 
-/// Returns work(monitor), with Python's lock let go. After a signal it throws what Python's handler
-/// raised: KeyboardInterrupt. So it does with what `stop` raises. Work that `stop` ended returns
-/// what it has, or throws std::runtime_error if that is nothing.
+/// Returns work(monitor), computed without the GIL. Throws the exception that Python's signal
+/// handler raised (KeyboardInterrupt), or the one that `stop` raised. If `stop` ended the work,
+/// returns the partial result, or throws std::runtime_error if there is none.
 template <class Work>
 auto watched(Work work, py::object stop = py::none()) {
   const bool asked = !stop.is_none();
@@ -85,26 +86,27 @@ auto watched(Work work, py::object stop = py::none()) {
   }
 }
 
-/// Two bodies, and where they are.
+/// Two bodies in their poses.
 struct Asked {
   Body a, b;
   std::optional<files::GivenPose> pose_a = std::nullopt, pose_b = std::nullopt;
 };
 
-/// A manifold, and whether its places are those of an answer about shapes.
+/// A contact manifold. `of_shapes`: its points are those of an answer about shapes.
 struct ToldManifold {
   output::Manifold manifold;
   bool of_shapes = false;
 };
 
-/// Its numbers are computed when they are asked for.
+/// An answer about a pair of bodies; the objects of Python for its numbers are made when they are
+/// read.
 struct PairAnswer {
-  Body a, b;  ///< where they are
+  Body a, b;  ///< in their poses
   Question question;
   Answer answer;
-  std::vector<std::string> notes = {};          ///< on the poses
-  std::string dents = {};                       ///< what is said of meshes that are not convex; else empty
-  std::shared_ptr<ToldManifold> manifold = {};  ///< where the bodies touch, once somebody has asked
+  std::vector<std::string> notes = {};          ///< warnings about the poses
+  std::string dents = {};                       ///< the warning about meshes that are not convex; else empty
+  std::shared_ptr<ToldManifold> manifold = {};  ///< computed when it is first read
 
   /// Returns the depth of two polytopes; of shapes if one is another shape; of unions if one is a
   /// union. Null if the answer is of another kind.
@@ -113,36 +115,37 @@ struct PairAnswer {
   [[nodiscard]] const UnionDepth* of_unions() const { return std::get_if<UnionDepth>(&answer.found); }
 };
 
-/// Returns the question by arguments that Python has checked. Throws py::value_error for an unknown
-/// method.
+/// Returns the question of these arguments, which Python has checked. Throws py::value_error for an
+/// unknown method.
 Question question(const std::string& method, const std::optional<std::size_t>& optima, unsigned bits);
 
-/// Returns the answer about convex bodies. May be called without Python's lock.
+/// Returns the answer about convex bodies. May be called without the GIL.
 PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
 
-/// Returns how often each predicate was asked, by name.
+/// Returns the number of calls of each predicate, by name.
 py::dict predicates(const PredicateCounts& counts);
-/// A dict of kind, a, b; None if there is none.
+/// Returns a dict of kind, a, b; None for nullptr.
 py::object contact(const Contact* contact);
-/// A pair of points, as floats or fractions; None if there is none.
+/// Returns a pair of points, as floats or fractions; None for nullopt.
 py::object witness(const std::optional<Witness>& witness, bool exact);
-/// By the indices of points.
+/// Returns a dict of weights by the indices of the points.
 py::dict weights(const std::vector<Weight>& of_points);
 /// Each component of n / |n|, correctly rounded.
 py::array_t<double> unit(const Vector& n);
-/// Floats, or (p, n, r) for p + r n/|n|.
+/// Returns floats, or (p, n, r) for p + r n/|n| if `exact`.
 py::object rounded_point(const RoundedPoint& p, bool exact);
 
-/// Where the bodies of an answer touch, found the first time; null if the search was stopped.
+/// Returns the contact manifold of an answer, computed at the first call; null if the search was
+/// stopped.
 std::shared_ptr<ToldManifold> manifold_told(PairAnswer& asked);
 
-/// Manifold. To be called before bind_answers.
+/// Defines Manifold. Call it before bind_answers.
 void bind_manifolds(py::module_& module);
-/// Answer, depth, width, union_depth, check.
+/// Defines Answer, depth, width, union_depth, check.
 void bind_answers(py::module_& module);
-/// depths.
+/// Defines depths.
 void bind_batches(py::module_& module);
-/// Prepared, overlap, closer_than, ray, metric, approx, study, judge.
+/// Defines Prepared, overlap, closer_than, ray, metric, approx, study, judge.
 void bind_questions(py::module_& module);
 
 }  // namespace fathom::python

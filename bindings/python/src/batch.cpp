@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many pairs on several threads.
+// Answers to many pairs of bodies, computed by several threads.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -19,18 +19,18 @@
 namespace fathom::python {
 namespace {
 
-/// The answer about a pair, or what was wrong with it.
+/// The answer about a pair, or the exception in its place.
 using MaybeAnswer = std::variant<std::exception_ptr, PairAnswer>;
 
-/// Whether all pairs are answered, wrong ones by what was thrown; or the first that is wrong, by
-/// its place, ends the work and throws.
+/// What a wrong pair does. returned: its exception is its result. thrown: the first wrong pair, by
+/// its index, ends the work and its exception is thrown.
 enum class Faults { returned, thrown };
 
-/// Bodies to be asked about, or what was wrong with them.
+/// The bodies of a pair, or the exception in their place.
 using MaybeAsked = std::variant<std::exception_ptr, Asked>;
 
-/// What the threads of a batch share. They take pairs in order, so that all before the first fault
-/// are finished.
+/// The state that the threads of a batch share. They take pairs in order, so that all pairs before
+/// the first wrong one are finished.
 class Batch {
  public:
   Batch(std::vector<MaybeAsked> pairs, const Question& question, Faults faults, std::atomic<std::size_t>& done)
@@ -43,14 +43,14 @@ class Batch {
 
   std::atomic<bool> stop = false;
 
-  /// Answers pairs until there are no more.
+  /// Answers pairs until none is left.
   void work(Monitor* signals) {
     for (std::size_t i = next_++; i < end_ && !stop; i = next_++) {
       PlaceMonitor monitor(*this, i, signals);
       try {
         outcomes_[i] = answered(i, monitor);
       } catch (const Interrupted&) {
-        continue;  // it is behind a fault, or all is to stop
+        continue;  // the pair comes after a wrong one, or the whole work is to stop
       } catch (...) {
         outcomes_[i] = std::current_exception();
         if (faults_ == Faults::thrown) end_before(i);
@@ -65,7 +65,7 @@ class Batch {
   }
 
  private:
-  /// Ends the work on a pair that is not wanted any more.
+  /// Stops the computation of a pair whose answer is no longer needed.
   class PlaceMonitor final : public Monitor {
    public:
     PlaceMonitor(Batch& batch, std::size_t place, Monitor* signals) : batch_(batch), place_(place), signals_(signals) {}
@@ -98,12 +98,12 @@ class Batch {
   Faults faults_;
   std::atomic<std::size_t>& done_;
   std::vector<MaybeAnswer> outcomes_;
-  std::atomic<std::size_t> next_ = 0, end_;  // no pair at end_ or behind is wanted
+  std::atomic<std::size_t> next_ = 0, end_;  // pairs from index end_ on are not needed
 };
 
-/// Answers all of them with so many threads, or with as many as the system gives. `done` counts
-/// them meanwhile. To be called without Python's lock. Throws Interrupted if the monitor stopped
-/// the work, and only then.
+/// Returns the answers to all pairs, computed by `threads` threads, or by as many as the system can
+/// start, without the GIL. Increments `done` with each answer. Throws Interrupted if and only if
+/// the monitor stopped the work.
 std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Question& question, unsigned threads,
                                     Faults faults, std::atomic<std::size_t>& done, Monitor& monitor) {
   const std::size_t useful = std::min<std::size_t>(threads, pairs.size());
@@ -119,7 +119,7 @@ std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Questio
         --running;
       });
     }
-  } catch (const std::exception&) {  // the system gives no more threads, or no memory for them
+  } catch (const std::exception&) {  // the system cannot start another thread, or has no memory for it
     --running;
     if (workers.empty()) batch.work(&monitor);
   }
@@ -132,7 +132,8 @@ std::vector<MaybeAnswer> answer_all(std::vector<MaybeAsked> pairs, const Questio
   return batch.outcomes();
 }
 
-/// What `make` returns; or, where faults are returned, what it throws. Ctrl-C is no fault.
+/// Returns what `make` returns; with Faults::returned, also the exception that it throws. Ctrl-C is
+/// always thrown.
 template <class Make>
 MaybeAsked asked_or_fault(Faults faults, Make make) {
   try {
@@ -160,7 +161,7 @@ std::vector<MaybeAsked> asked_pairs(const py::iterable& pairs, Faults faults) {
   return result;
 }
 
-/// How many poses there are; nullopt of None.
+/// Returns the number of poses; nullopt for None.
 std::optional<std::size_t> count_of(const py::object& poses, const char* name) {
   if (poses.is_none()) return std::nullopt;
   if (!PySequence_Check(poses.ptr()) || py::isinstance<py::str>(poses))
@@ -168,7 +169,8 @@ std::optional<std::size_t> count_of(const py::object& poses, const char* name) {
   return py::len(poses);
 }
 
-/// One of the two bodies of all pairs: always the same or one of a stack, perhaps each with a pose.
+/// One of the two bodies of all pairs: the same body for all, or one body of a stack for each;
+/// perhaps each with a pose.
 class Side {
  public:
   Side(const py::object& body, const py::object& poses, const char* name)
@@ -179,7 +181,7 @@ class Side {
       count(*of_poses, "poses");
   }
 
-  /// How many there are, and of what; nullopt if it is the same everywhere.
+  /// The number of bodies or poses, with the noun for messages; nullopt if all pairs share them.
   struct Count {
     std::size_t count;
     std::string what, of;
@@ -217,7 +219,7 @@ class Side {
   std::optional<Count> count_;
 };
 
-/// Pairs of two bodies, by as many bodies or poses as there are on either side.
+/// Returns the pairs of two bodies, one for each body of a stack or each pose on either side.
 std::vector<MaybeAsked> asked_sides(const py::object& body_a, const py::object& body_b, const py::object& poses_a,
                                     const py::object& poses_b, Faults faults) {
   const Side a(body_a, poses_a, "a"), b(body_b, poses_b, "b");
@@ -234,14 +236,14 @@ std::vector<MaybeAsked> asked_sides(const py::object& body_a, const py::object& 
   return result;
 }
 
-/// The exception of Python that pybind11 makes of it.
+/// Returns the exception object of Python that pybind11 makes of the C++ exception.
 py::object exception_of(const std::exception_ptr& fault) try {
   return py::cpp_function([&fault] { std::rethrow_exception(fault); })();
 } catch (const py::error_already_set& raised) {
   return raised.value();
 }
 
-/// Asks `progress` in the place of whether the work is to end.
+/// Returns a function for the place of `stop`: it reports to `progress`, and never ends the work.
 py::object told_by(const py::object& progress, const std::atomic<std::size_t>& done, std::size_t total) {
   if (progress.is_none()) return py::none();
   return py::cpp_function([&progress, &done, total] {

@@ -25,13 +25,13 @@
 namespace fathom::python {
 namespace {
 
-/// How the mesh that was last asked about differs from its hull. It is the deleter of the faces,
-/// which all copies of a body share.
+/// Remembers how the mesh differs from its hull, for the points of the last call. It is the deleter
+/// of the faces, because all copies of a body share these.
 class RememberedFact {
  public:
   std::optional<polytope::MeshConvexity> of(const Body& body) const {
     const std::lock_guard lock(last_->mutex);
-    const bool convex = last_->fact && last_->fact->tried && !last_->fact->dents;  // so it is wherever it was moved to
+    const bool convex = last_->fact && last_->fact->tried && !last_->fact->dents;  // convex in every pose
     if (last_->asked && (convex || last_->points == body.points)) return last_->fact;
     last_->fact = shapes::hull_fact(body);
     last_->points = body.points;
@@ -73,7 +73,7 @@ files::GivenPose given_pose(py::handle from) {
     const bool listed = PySequence_Check(from.ptr());
     if (!listed || (py::len(from) != 3 && py::len(from) != 4)) refuse("expected a pose of 3 or 4 rows of 4 numbers");
     for (const py::object row :
-         py::reinterpret_borrow<py::sequence>(from)) {  // an array makes its rows as they are asked for
+         py::reinterpret_borrow<py::sequence>(from)) {  // indexing an array makes each row when it is read
       if (!PySequence_Check(row.ptr()) || py::len(row) != 4) refuse("expected a pose of 3 or 4 rows of 4 numbers");
       const auto entries = py::reinterpret_borrow<py::sequence>(row);
       rows.push_back(
@@ -110,7 +110,7 @@ py::object pieces_in_python(const Body& body) {
   return py::object(std::move(list));
 }
 
-/// Of a union: whether no piece has an interior.
+/// Returns whether the body has no interior; of a union, whether no piece has one.
 bool has_no_interior(const Body& body) {
   if (!body.pieces) return is_flat(files::shape_of(body));
   return std::ranges::all_of(*body.pieces, [](const std::vector<Point>& piece) { return is_flat(hull(piece)); });
@@ -122,7 +122,7 @@ py::object description(const Body& body) {
 
 // ---- what pickle keeps ----
 
-/// The body as a case has it, and the corners and ends of faces.
+/// Returns the body as the JSON of a case, and its faces as corners and their ends.
 py::tuple state_of(const Body& body) {
   const MeshFaces faces = body.faces ? *body.faces : MeshFaces{};
   return py::make_tuple(files::body_json(body).text(), body.faces != nullptr, faces.corners, faces.ends);
@@ -154,7 +154,7 @@ std::optional<polytope::MeshConvexity> fact_of(const Body& body) {
   return hull_fact(body);
 }
 
-/// None if nothing is known.
+/// Returns the facts on convexity; None if there are none.
 py::object convexity(const Body& body) {
   const std::optional<polytope::MeshConvexity> found = fact_of(body);
   if (!found) return py::none();
@@ -165,7 +165,7 @@ py::object convexity(const Body& body) {
   return py::make_tuple(false, ratio, dents.deepest->point, fraction(dents.deepest->squared_depth));
 }
 
-// ---- shapes, with the words by which a case describes them ----
+// ---- shapes, each with the name and the numbers that describe it in a case ----
 
 Axis axis_from(const std::string& axis) {
   if (axis == "x") return Axis::x;
@@ -174,7 +174,8 @@ Axis axis_from(const std::string& axis) {
   throw py::value_error("expected the axis 'x', 'y' or 'z', found '" + axis + "'");
 }
 
-/// The words for a convex body: those that it has, or a hull of its points.
+/// Returns the description of a convex body as a case writes it: its own, or that of a hull of
+/// points.
 files::NamedBody words_of(const Body& body) {
   if (convex(body).words) return *body.words;
   if (body.shape) throw std::logic_error("a shape has no words");
@@ -190,7 +191,7 @@ Numbers three(const py::object& numbers) {
   return {p.x, p.y, p.z};
 }
 
-/// With the words for it.
+/// Returns the shape, with its description for cases.
 Body shape(const char* name, files::NumbersByName numbers, const std::string& axis = "z") {
   return files::body_of(files::named(name, numbers, axis_from(axis)));
 }
@@ -285,7 +286,8 @@ void bind_poses(py::module_& module) {
 
 // ---- unions of pieces ----
 
-/// The points of a convex body, "piece 3 of A" as a warning calls it, and "a: piece 3" an error.
+/// Returns the points of a convex body. `called`: its name in warnings, "piece 3 of A"; `name`:
+/// that in errors, "a: piece 3".
 std::vector<Point> piece_from(py::handle from, const std::string& called, const std::string& name) {
   const Body body = body_from(from, py::none(), name.c_str());
   if (body.shape)
@@ -294,7 +296,7 @@ std::vector<Point> piece_from(py::handle from, const std::string& called, const 
   return body.points.exact();
 }
 
-/// One piece, or as many as there are.
+/// Returns one piece, or a list of them.
 Pieces pieces_from(py::handle from, const std::string& called, const std::string& name) {
   if (is_one_body(from)) return {piece_from(from, called, name)};
   if (py::isinstance<py::str>(from) || !py::isinstance<py::iterable>(from))
@@ -384,7 +386,7 @@ void warn_of_dents(const Body& body, const std::string& called) {
     return fact ? shapes::dents_of(called, *fact) : "";
   }();
   if (sentence.empty()) return;
-  constexpr py::ssize_t caller = 2;  // of the function of Python that called
+  constexpr py::ssize_t caller = 2;  // the frame of the Python function that called this one
   const py::object category = py::module_::import("fathom").attr("NotConvexWarning");
   if (PyErr_WarnEx(category.ptr(), sentence.c_str(), caller) != 0) throw py::error_already_set();
 }

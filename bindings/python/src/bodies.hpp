@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies from Python: arrays, lists, meshes, shapes, each perhaps with a pose.
+// Conversion of bodies from Python: arrays, lists, meshes, shapes, each perhaps with a pose.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@
 
 namespace fathom::python {
 
-/// Loads an object of Python that has its value. Of one that `__new__` made alone pybind11 would
-/// read memory that nobody wrote.
+/// Loads an object of Python that was initialised. Of an object made by `__new__` alone, pybind11
+/// would read uninitialised memory.
 template <class Value>
 struct MadeCaster : py::detail::type_caster_base<Value> {
   bool load(py::handle from, bool convert) {
@@ -27,39 +27,40 @@ struct MadeCaster : py::detail::type_caster_base<Value> {
   }
 };
 
+/// What errors about unions of pieces say unless a question says something else.
 inline constexpr const char* union_depth_takes = "union_depth takes those";
 
-/// Takes a Body; an array or a sequence of points; or anything that has one in `vertices`. Arrays
-/// of floats and sequences of numbers that are binary64 stay in binary64. `faces` beside `vertices`
-/// are kept. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Throws py::value_error
-/// with a sentence that begins with `name`, and py::type_error; a union of pieces is refused for
-/// the reason `no_union`. What there is to say of the pose goes to `notes`.
+/// Returns the body for a Body; an array or a sequence of points; or an object with such
+/// `vertices`, whose `faces`, if any, are kept. Arrays of floats and sequences of binary64 numbers
+/// are stored as binary64. The pose is None, a Pose, a text, or 3 or 4 rows of 4 numbers. Appends
+/// warnings about the pose to `notes`. Throws py::value_error with a sentence that begins with
+/// `name`, and py::type_error; refuses unions of pieces for the reason `no_union`.
 Body body_from(py::handle body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr,
                const char* no_union = union_depth_takes);
 
-/// Returns the body, of any kind, moved by the pose. Throws and takes notes as body_from does.
+/// Returns the body, of any kind, moved by the pose. Throws and appends notes as body_from does.
 Body posed(Body body, py::handle pose, const char* name, std::vector<std::string>* notes = nullptr);
 
 /// Returns the same body. Throws py::value_error, which says why, if it is a union of pieces.
 const Body& convex(const Body& body, const char* no_union = union_depth_takes);
 
-/// Returns the pose that the object stands for; nullopt for None. Throws as body_from does.
+/// Returns the pose of the object; nullopt for None. Throws as body_from does.
 std::optional<files::GivenPose> pose_from(py::handle pose, const char* name);
 
-/// Returns the body moved by a pose that was read. May be called without Python's lock.
+/// Returns the body moved by the pose. May be called without the GIL.
 Body posed(Body body, const std::optional<files::GivenPose>& pose, const char* name, std::vector<std::string>* notes);
 
-/// How the mesh differs from its hull; nullopt if it has no faces, or that was not tried. Found
-/// once for a Body of Python, whoever asks. May be called without Python's lock.
+/// Returns how the mesh differs from its hull; nullopt if it has no faces, or the comparison was
+/// not tried. It is computed once for all copies of a Body. May be called without the GIL.
 std::optional<polytope::MeshConvexity> hull_fact(const Body& body);
 
 /// Returns the points of a polytope. Throws py::value_error for any other body.
 const GivenPoints& points_of(const Body& body, const char* name);
 
-/// Returns how decimals are read, by the word "binary64" or "exact".
+/// Returns the reading of decimals named "binary64" or "exact".
 Decimals decimals_from(const std::string& decimals);
 
-/// Returns what `work` does; each message about what is wrong begins with the name.
+/// Returns the result of `work`; an error message begins with `name`.
 template <class Work>
 auto named(const std::string& name, Work work) try {
   return work();
@@ -71,15 +72,16 @@ auto named(const std::string& name, Work work) try {
   throw py::type_error(name + ": " + fault.what());
 }
 
-/// A union that is there; or one of convex pieces, of one or as many as there are, each as
-/// body_from takes it: polytopes. A warning of pieces that are not convex says "piece 3 of A" where
-/// `called` is "A", an error "a: piece 3" where `name` is "a".
+/// Returns the object's union of pieces; or the union of one convex polytope or of a sequence of
+/// them, each as body_from reads it. In messages `called` and `name` stand for the body: with "A" a
+/// warning about a piece that is not convex says "piece 3 of A", with "a" an error says "a: piece
+/// 3".
 Body union_from(py::handle from, const std::string& called, const std::string& name);
 
 /// Warns if the body is a mesh that is not convex, or is open, or a union of such pieces.
 void warn_of_dents(const Body& body, const std::string& called);
 
-/// Body, Pose, read_mesh, read_pieces, union, solid; sphere and its like.
+/// Defines Body, Pose, read_mesh, read_pieces, union, solid; sphere and the other shapes.
 void bind_bodies(py::module_& module);
 
 }  // namespace fathom::python

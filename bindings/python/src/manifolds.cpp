@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where two bodies touch, and the first order of their signed depth, in the words of Python.
+// Contact manifolds and one-sided derivatives of the signed depth as objects of Python.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -20,12 +20,12 @@ namespace {
 
 using py::literals::operator""_a;
 
-/// As the exact witness of the answer has it.
+/// Returns the point in the form of the answer's exact witness.
 py::object exact_place(const RoundedPoint& p, bool of_shapes) {
   return of_shapes ? rounded_point(p, true) : py::object(fractions(p.core));
 }
 
-/// An array of k x 3, of the corners on one body.
+/// Returns a k x 3 array of the corners on one body.
 py::array_t<double> corner_array(const Patch& patch, RoundedPoint (Patch::*of)(std::size_t) const) {
   py::array_t<double> result({static_cast<py::ssize_t>(patch.corners.size()), py::ssize_t{3}});
   auto view = result.mutable_unchecked<2>();
@@ -36,7 +36,7 @@ py::array_t<double> corner_array(const Patch& patch, RoundedPoint (Patch::*of)(s
   return result;
 }
 
-/// A tuple of indices; None of a half-space.
+/// Returns a tuple of indices; None for a half-space, which has none.
 py::object on_face(const std::vector<std::uint32_t>& ids) {
   return ids.empty() ? py::object(py::none()) : py::object(py::tuple(py::cast(ids)));
 }
@@ -120,7 +120,7 @@ py::dict derivative_in_python(const ToldManifold& told, const py::object& v, con
   if (const LeftOut* const reason = std::get_if<LeftOut>(&found)) return py::dict("left_out"_a = word(*reason));
   const DirectionalDerivative& rate = std::get<DirectionalDerivative>(found);
   const Surd value = rate.value();
-  // + 0.0: a zero is no negative one
+  // Adding 0.0 turns -0.0 into 0.0.
   return py::dict("value"_a = round_binary64(value) + 0.0, "low"_a = round_binary64(value, Rounding::rd) + 0.0,
                   "high"_a = round_binary64(value, Rounding::ru) + 0.0, "sign"_a = rate.sign(),
                   "root"_a = fraction(rate.root()), "direction"_a = unit(rate.direction),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom._fathom: what bindings/python/fathom is made of. Users import fathom, whose docstrings say
-// what everything means. Here its files of cases, golden data, and families; and the module itself.
+// fathom._fathom, the C++ part of the package in bindings/python/fathom. Users import fathom, whose
+// docstrings describe everything. This file defines files of cases, golden data and families, and
+// the module itself.
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -22,11 +23,11 @@
 namespace fathom::python {
 namespace {
 
-/// A case as its id and bodies.
+/// Returns a case as a tuple of its id and bodies.
 py::tuple in_python(Case&& found) { return py::make_tuple(found.id, std::move(found.a), std::move(found.b)); }
 
-/// Iterates over a file of cases. A bad case is raised when it is met, and the next one can still
-/// be read.
+/// Iterates over a file of cases. Raises the error of a bad case in its turn, and can continue with
+/// the next one.
 class Cases {
  public:
   explicit Cases(const std::string& path) : stream_(CaseStream::open(path, std::cin)) {}
@@ -68,14 +69,14 @@ py::str next_line(golden::ZstdReader& reader) {
 
 // ---- families ----
 
-/// The case that `fathom cases` prints; None if there is no such family.
+/// Returns the case that `fathom cases` prints; None if there is no such family.
 py::object family_case(const std::string& name, std::uint64_t seed, const std::optional<unsigned>& size) {
   const families::Family* const family = families::find_family(name);
   if (family == nullptr) return py::none();
   return py::object(in_python(family->make(seed, size.value_or(family->usual_size))));
 }
 
-/// Cases, ZstdLines, parse_case; families.
+/// Defines Cases, ZstdLines, parse_case, and functions on families.
 void bind_files(py::module_& module) {
   using py::arg;
   module.def("parse_case", parsed_case, arg("text"), arg("name"), arg("line"));
@@ -114,7 +115,7 @@ PYBIND11_MODULE(_fathom, module) {
       std::rethrow_exception(thrown);
     } catch (const fathom::InputError& fault) {
       PyErr_SetString(PyExc_ValueError, fault.what());
-    } catch (const pybind11::cast_error& fault) {  // an argument is of another type
+    } catch (const pybind11::cast_error& fault) {  // an argument has another type
       PyErr_SetString(PyExc_TypeError, fault.what());
     }
   });

@@ -19,7 +19,7 @@ mpz_class integer_from(py::handle number) {
   return mpz_class(digits.cast<std::string>(), 0);
 }
 
-/// Imported once: a Fraction is made for every exact number.
+/// Returns the type Fraction, imported once, because every exact number becomes one.
 const py::object& fraction_type() {
   static const py::object& type = *new py::object(py::module_::import("fractions").attr("Fraction"));
   return type;
@@ -40,7 +40,7 @@ mpq_class number_from_text(py::handle text) {
   throw py::type_error("expected a number (float, int, Fraction, Decimal or text), found " + shown(found));
 }
 
-/// The quotient of two ints, which `number` says it is.
+/// Returns numerator / denominator, two ints; `number`, which they belong to, is for messages.
 mpq_class quotient(py::handle number, py::handle numerator, py::handle denominator) {
   if (!PyLong_Check(numerator.ptr()) || !PyLong_Check(denominator.ptr())) refuse_what_is_no_number(number);
   mpq_class value(integer_from(numerator), integer_from(denominator));
@@ -53,12 +53,11 @@ mpq_class quotient(py::handle number, py::handle numerator, py::handle denominat
 py::object integer_ratio(py::handle number) try {
   return number.attr("as_integer_ratio")();
 } catch (py::error_already_set& raised) {
-  if (!raised.matches(PyExc_OverflowError) && !raised.matches(PyExc_ValueError))
-    throw;  // they stand for infinity and NaN
+  if (!raised.matches(PyExc_OverflowError) && !raised.matches(PyExc_ValueError)) throw;  // infinity and NaN
   throw py::value_error("expected a finite number, found " + shown(number));
 }
 
-/// An attribute that is an integer of some type, as an int.
+/// Returns an attribute of some integer type as an int.
 py::object int_attribute(py::handle number, const char* name) {
   auto found = py::reinterpret_steal<py::object>(PyNumber_Index(number.attr(name).ptr()));
   if (found) return found;
@@ -77,7 +76,7 @@ bool fits_binary64(const py::dtype& type) {
                             : (type.kind() == 'i' || type.kind() == 'u') && type.itemsize() <= exact_integer;
 }
 
-/// A mask says that some numbers are none: which ones are to count, only the caller knows.
+/// Throws for a masked array: only the caller knows what to do with the numbers that are masked.
 void refuse_masks(py::handle from) {
   if (!py::hasattr(from, "mask")) return;
   const py::object any = py::module_::import("numpy").attr("any")(from.attr("mask"));
@@ -97,7 +96,7 @@ GivenPoints points_from_rows(const double* rows, py::ssize_t count) {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Row after row, of an array of so many dimensions.
+/// Returns the rows of an array of `dimensions` dimensions.
 Rows rows_of(const py::array& array, py::ssize_t dimensions, const char* expected) {
   if (array.ndim() != dimensions || array.shape(dimensions - 1) != 3) {
     std::string shape;
@@ -123,7 +122,7 @@ bool are_binary64(const Point& p) {
   return is(p.x) && is(p.y) && is(p.z);
 }
 
-/// The first item of a sequence that has one and is no text; else None.
+/// Returns the first item of a nonempty sequence that is no text; else None.
 py::object first_of(py::handle from) {
   if (py::isinstance<py::str>(from) || !PySequence_Check(from.ptr())) return py::none();
   auto item = py::reinterpret_steal<py::object>(PySequence_GetItem(from.ptr(), 0));
@@ -150,7 +149,7 @@ GivenPoints points_from_sequence(const py::iterable& sequence) {
   throw py::type_error("expected " + expected + ", found " + py::repr(py::type::of(found)).cast<std::string>());
 }
 
-/// As many indices in each face, three as trimesh has them, or more.
+/// Returns the faces of a mesh. Each has the same number of indices: three, as in trimesh, or more.
 MeshFaces faces_from(py::handle from, std::size_t points) {
   if (py::isinstance<py::array>(from)) refuse_masks(from);
   const auto given = py::array::ensure(from);
@@ -175,13 +174,13 @@ MeshFaces faces_from(py::handle from, std::size_t points) {
   return faces;
 }
 
-/// Whether there is at least one face.
+/// Returns whether there is at least one face.
 bool has_faces(py::handle from) {
   const py::object faces = py::getattr(from, "faces", py::none());
   return !faces.is_none() && !(PySequence_Check(faces.ptr()) && py::len(faces) == 0);
 }
 
-/// Of an array, or of a sequence of points.
+/// Returns the points of an array, or of a sequence of points.
 GivenPoints plain_points(py::handle from) {
   if (py::isinstance<py::array>(from)) {
     refuse_masks(from);
@@ -198,7 +197,7 @@ GivenPoints plain_points(py::handle from) {
 std::string shown(py::handle value) {
   constexpr std::size_t readable = 60;
   const auto ascii = py::reinterpret_steal<py::object>(PyObject_ASCII(value.ptr()));
-  if (!ascii) {  // its own __repr__ raised, or it is an int of too many digits
+  if (!ascii) {  // its __repr__ raised, or it is an int of too many digits
     PyErr_Clear();
     return std::string("an object of type ") + Py_TYPE(value.ptr())->tp_name;
   }
@@ -223,7 +222,7 @@ mpq_class number_from(py::handle number) {
   if (PyBool_Check(number.ptr())) throw py::type_error("expected a number, found " + shown(number));
   if (PyLong_Check(number.ptr())) return integer_from(number);
   if (PyUnicode_Check(number.ptr())) return number_from_text(number);
-  if (py::isinstance(number, decimal_type())) {  // its exponent may be so large that no memory holds it as an int
+  if (py::isinstance(number, decimal_type())) {  // a large exponent would make an int beyond any memory
     if (!number.attr("is_finite")().cast<bool>())
       throw py::value_error("expected a finite number, found " + shown(number));
     return number_from_text(py::str(number));
@@ -233,7 +232,7 @@ mpq_class number_from(py::handle number) {
     if (!PyTuple_Check(ratio.ptr()) || PyTuple_GET_SIZE(ratio.ptr()) != 2) refuse_what_is_no_number(number);
     return quotient(number, PyTuple_GET_ITEM(ratio.ptr(), 0), PyTuple_GET_ITEM(ratio.ptr(), 1));
   }
-  if (py::hasattr(number, "numerator") && py::hasattr(number, "denominator"))  // numpy's integers, numbers.Rational
+  if (py::hasattr(number, "numerator") && py::hasattr(number, "denominator"))  // integers of numpy, numbers.Rational
     return quotient(number, int_attribute(number, "numerator"), int_attribute(number, "denominator"));
   refuse_what_is_no_number(number);
 }
@@ -283,7 +282,7 @@ GivenPoints given_form(std::vector<Point> points) {
 GivenPoints given_points(py::handle from) {
   if (py::isinstance<py::array>(from) || !py::hasattr(from, "vertices")) return plain_points(from);
   const py::object vertices = from.attr("vertices");
-  if (!py::isinstance<py::array>(vertices) && py::hasattr(vertices, "vertices"))  // it may go on like that for ever
+  if (!py::isinstance<py::array>(vertices) && py::hasattr(vertices, "vertices"))  // a chain of them may be endless
     refuse_type("`vertices` to be an array of points", vertices);
   return plain_points(vertices);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact numbers from Python and back; the points and faces of a convex body, from an array, a
-// sequence of points, or an object with `vertices`.
+// Conversion of exact numbers from Python and back; and of the points and faces of a convex body,
+// from an array, a sequence of points, or an object with `vertices`.
 #pragma once
 
 #include <gmpxx.h>
@@ -23,60 +23,62 @@ namespace fathom::python {
 
 namespace py = pybind11;
 
-/// The exact value of a float, an int, a Fraction, a Decimal, anything with as_integer_ratio; or of
-/// a text as parse_number reads it, whose decimals stand for themselves, as those of a Decimal do.
-/// Throws py::value_error with what was found, and py::type_error for what is no number.
+/// Returns the exact value of a float, an int, a Fraction, a Decimal, or an object with
+/// as_integer_ratio; or of a text as parse_number reads it. Decimals are exact, in a text as in a
+/// Decimal. Throws py::value_error with the value found, and py::type_error for an object that is
+/// no number.
 mpq_class number_from(py::handle number);
 
-/// The float that Python makes of a number, which may be NaN. Throws as number_from does, with
-/// `name` before what was expected.
+/// Returns the float that Python makes of a number, which may be NaN. Throws as number_from does;
+/// `name` begins the message.
 double float_from(py::handle number, const std::string& name);
 
-/// The text in UTF-8. Throws py::value_error if it holds half a character, as "\ud800".
+/// Returns the text in UTF-8. Throws py::value_error if it holds half a surrogate pair, as
+/// "\ud800".
 std::string text_from(py::handle text);
 
 [[noreturn]] inline void refuse(const std::string& sentence) { throw py::value_error(sentence); }
 
-/// What messages show of a value: ASCII, and not too long.
+/// Returns how messages show a value: in ASCII, shortened if it is long.
 std::string shown(py::handle value);
 
-/// Three numbers.
+/// Returns the point of three numbers.
 Point point_from(py::handle point);
 
-/// A fractions.Fraction, and an int.
+/// Returns a fractions.Fraction, or an int.
 py::object fraction(const mpq_class& value);
 py::object integer(const mpz_class& value);
 
 py::tuple fractions(const Point& point);
 py::tuple integers(const Vector& vector);
 
-/// An array of three.
+/// Returns an array of three floats.
 py::array_t<double> array(const std::array<double, 3>& values);
-/// Each coordinate correctly rounded.
+/// Returns an array of the coordinates, each correctly rounded.
 py::array_t<double> array(const Point& point);
 
 // ---- points and faces ----
 
-/// The points, in binary64 if all of them are. Throws py::value_error, which names the first bad
-/// point, and py::type_error.
+/// Returns the points, in binary64 if all of them are. Throws py::value_error, which names the
+/// first bad point, and py::type_error.
 GivenPoints given_points(py::handle from);
 
-/// Points, or what is wrong with them.
+/// The points of a body, or the sentence on what is wrong with them.
 using MaybePoints = std::variant<GivenPoints, std::string>;
 
-/// Returns the points of each body of an array of shape (n, m, 3), whose elements are binary64
-/// numbers: no object is made in between. Returns nullopt for anything else.
+/// Returns the points of each body of an array of shape (n, m, 3) whose elements are binary64
+/// numbers, without making objects of Python for them. Returns nullopt for anything else.
 std::optional<std::vector<MaybePoints>> stacked_points(py::handle from);
 
 /// Returns the points, in binary64 if all of them are.
 GivenPoints given_form(std::vector<Point> points);
 
-/// The faces of an object that has some beside its `vertices`, so many points; else null. Throws
-/// py::value_error.
+/// Returns the faces of a mesh with `points` vertices, if the object has `faces` beside its
+/// `vertices`; else null. Throws py::value_error.
 std::shared_ptr<const MeshFaces> given_faces(py::handle from, std::size_t points);
 
-/// Whether it is one convex body rather than a list of some: a Body, an object with `vertices`, or
-/// a sequence of points, the first of which begins with a number.
+/// Returns whether the object is one convex body rather than a list of bodies: a Body, an object
+/// with `vertices`, or a sequence whose first item is a point.
 bool is_one_body(py::handle from);
 
 }  // namespace fathom::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other questions about two bodies, and the judge.
+// Further questions about two bodies, and the judge.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -34,8 +34,8 @@ struct Pair {
   Body a, b;
 };
 
-/// Two bodies but unions, which are refused for that reason. Warns of meshes that are not their
-/// hulls.
+/// Returns two bodies that are no unions, which are refused for the reason `no_union`. Warns of meshes
+/// that are not convex.
 Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
                    const char* no_union) {
   Pair pair{body_from(a, pose_a, "a", nullptr, no_union), body_from(b, pose_b, "b", nullptr, no_union)};
@@ -44,7 +44,7 @@ Pair any_pair_from(const py::object& a, const py::object& b, const py::object& p
   return pair;
 }
 
-/// Two polytopes. Warns as that does.
+/// Returns two polytopes. Warns as any_pair_from does.
 Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
                const char* no_union) {
   Pair pair = any_pair_from(a, b, pose_a, pose_b, no_union);
@@ -53,7 +53,7 @@ Pair pair_from(const py::object& a, const py::object& b, const py::object& pose_
   return pair;
 }
 
-/// A body of any kind. Warns as that does.
+/// Returns a body of any kind. Warns as any_pair_from does.
 Body any_body_from(const py::object& from, const py::object& pose, const char* name) {
   const bool is_union = py::isinstance<Body>(from) && from.cast<const Body&>().pieces;
   Body body = is_union ? posed(from.cast<Body>(), pose, name) : body_from(from, pose, name);
@@ -63,7 +63,7 @@ Body any_body_from(const py::object& from, const py::object& pose, const char* n
 
 py::object normal_of(const Vector& n) { return py::make_tuple(unit(n), integers(n)); }
 
-/// Calls ask(a, b, options).
+/// Returns ask(a, b, options).
 template <class Ask>
 auto asked_with_proof(const py::object& a, const py::object& b, bool proof, const py::object& pose_a,
                       const py::object& pose_b, Ask ask) {
@@ -267,7 +267,7 @@ struct JudgeArguments {
   std::optional<Motion> motion = {};
 };
 
-/// An argument of `judge`, by its name.
+/// Returns the argument of `judge` with this name.
 template <class Value>
 Value argument(const py::dict& claim, const char* name, const char* expected) try {
   return claim[name].cast<Value>();
@@ -291,7 +291,7 @@ Triple triple(py::handle from, const char* name) {
   return {float_from(values[0], name), float_from(values[1], name), float_from(values[2], name)};
 }
 
-/// The items, of which there are two.
+/// Returns the items of a sequence of two.
 py::sequence two_of(py::handle from, const char* expected) {
   if (!PySequence_Check(from.ptr()) || py::len(from) != 2)
     throw py::value_error(std::string("expected ") + expected + ", found " + shown(from));
@@ -317,7 +317,7 @@ Reply reply_from(const py::dict& claim) {
   return reply;
 }
 
-/// How many contacts there are at most, or None, and the margin of their depths.
+/// Returns the most contacts of an answer, or None for no limit, and the margin of their depths.
 std::optional<ContactLimits> manifold_from(const py::handle& from) {
   if (from.is_none()) return std::nullopt;
   const py::sequence two = two_of(from, "a manifold of two: how many contacts at most, or None, and a margin");
@@ -371,7 +371,7 @@ JudgeArguments judge_arguments(const py::dict& claim) {
   return result;
 }
 
-/// A body of any kind, as an implementation of this format sees it.
+/// Returns a body of any kind after rounding to the number format of the program under test.
 Body seen_from(const py::object& from, const py::object& pose, const NumberFormat& format, const char* name) {
   std::optional<Body> body = judging::body_seen(any_body_from(from, pose, name), format);
   if (!body)
@@ -409,7 +409,7 @@ py::object in_python(const std::optional<T>& value) {
   return value ? in_python(*value) : py::object(py::none());
 }
 
-/// By the fields of the struct's table, None for one that it has not.
+/// Returns a dict by the table of fields of the struct; fields without a value are None.
 template <class Struct>
 py::dict in_python_by_fields(const Struct& of) {
   py::dict result;
@@ -440,8 +440,8 @@ py::dict judged(const py::object& a, const py::object& b, const py::dict& claim,
 
 // ---- prepared polytopes ----
 
-/// An array of floats is taken as it is; of anything else the pose is made exact. The fourth row of
-/// an array must be 0 0 0 1 for that.
+/// Returns an array of floats as a pose in binary64, without conversion; nullopt for any other
+/// object, and for an array whose fourth row is not 0 0 0 1: their pose is made exact.
 std::optional<PoseBinary64> array_pose(const py::object& pose) {
   if (!py::isinstance<py::array_t<double>>(pose)) return std::nullopt;
   const auto array = pose.cast<py::array_t<double>>();
@@ -462,7 +462,7 @@ PlacedBody placed_from(const Prepared& prepared, const py::object& pose, const c
   return placed;
 }
 
-/// Calls ask(a, b, monitor, workspace) without Python's lock.
+/// Returns ask(a, b, monitor, workspace), computed without the GIL.
 template <class Ask>
 auto asked_of_prepared(const Prepared& a, const Prepared& b, const py::object& pose_a, const py::object& pose_b,
                        Ask ask) {
