@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of a command line. The only file that knows CLI11: it makes the parser from the table.
+// Reads the words of a command line. No other file uses CLI11, whose parser is made from the table.
 #include "cli/args/arguments.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@
 
 namespace fathom::cli {
 
-extern const char* const built_commit;  ///< "" if the sources are at none: CMake writes it into a file of its own
+extern const char* const built_commit;  ///< "" outside a checkout; CMake writes it into a source file of its own
 
 namespace {
 
@@ -35,7 +35,7 @@ bool is_input(const std::string& word) {
          std::filesystem::is_regular_file(word, fault);
 }
 
-/// Returns the line that is probably meant if there are inputs and no command, as "; did you mean
+/// Returns the command line that is probably meant by inputs without a command, as "; did you mean
 /// 'fathom depth a.obj b.obj'?", or "".
 std::string line_with_command(const std::vector<std::string>& words) {
   std::vector<std::string> inputs;
@@ -72,7 +72,7 @@ std::string version_text() {
 
 constexpr std::size_t longest_sentence = 200;
 constexpr std::size_t longest_list =
-    4000;  // our own checks list what is known, and show of what was typed a readable part
+    4000;  // our own checks list the known words, and a readable part of the text that was typed
 
 std::string wrong_word(const std::string& value, const std::vector<std::string>& words) {
   if (std::ranges::find(words, value) != words.end()) return "";
@@ -80,7 +80,7 @@ std::string wrong_word(const std::string& value, const std::vector<std::string>&
   return fmt::format("{} is unknown (expected {}){}", shown, fmt::join(words, ", "), did_you_mean(value, words));
 }
 
-/// What is wrong with a value of the option, or "".
+/// Returns what is wrong with a value of the option, or "".
 std::string wrong_value(const Option& option, const std::string& value) {
   if (option.values.wrong) return option.values.wrong(value);
   if (option.values.words.empty()) return "";
@@ -91,7 +91,7 @@ std::string wrong_value(const Option& option, const std::string& value) {
   return "";
 }
 
-/// The parser of one command line, with the places that it fills in.
+/// The parser of one command line, with the variables that receive the values.
 class Parser {
  public:
   Parser(std::string before, std::span<const Option> table)
@@ -122,13 +122,13 @@ class Parser {
   }
 
  private:
-  /// An option of a command in the parser.
+  /// An option of a command, and where the parser puts its values.
   struct Place {
     std::string command;
     const Option* option;
     CLI::Option* parsed;
-    const bool* flag = nullptr;                           ///< its value, if it is one
-    const std::vector<std::string>* values_of = nullptr;  ///< of one that is given each time anew
+    const bool* flag = nullptr;                           ///< its value, if it is a flag
+    const std::vector<std::string>* values_of = nullptr;  ///< its values, if it may be given several times
 
     [[nodiscard]] std::vector<std::string> values() const {
       if (values_of) return *values_of;
@@ -159,7 +159,8 @@ class Parser {
       places_.push_back({command, &option, app.add_flag(option.names, texts_.emplace_back())});
       return;
     }
-    // One by one: into a vector, CLI11 would take a file called "[x]" for a list.
+    // Values are passed to a function: for a vector, CLI11 would take a file called "[x]" for a
+    // list.
     const auto one = [](const std::string&) {};
     std::vector<std::string>* each = nullptr;
     const auto several = [](const std::vector<std::string>&) {};
@@ -169,21 +170,21 @@ class Parser {
     else if (option.repeats == Repeats::each) {
       each = &lists_.emplace_back();
       added = app.add_option_function<std::string>(option.names, [each](const std::string& v) { each->push_back(v); });
-      added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->trigger_on_parse();  // it forgets what came before
+      added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->trigger_on_parse();  // CLI11 drops earlier values
     } else added = app.add_option_function<std::string>(option.names, one);
     if (option.repeats == Repeats::lists) added->allow_extra_args(false);  // the next word is an input
     added->check(CLI::Validator([&option](const std::string& value) { return wrong_value(option, value); }, "", ""));
     places_.push_back({command, &option, added->required(option.required), nullptr, each});
   }
 
-  /// The command that was parsed; if there was none, what the words stand behind.
+  /// Returns the command that was parsed; if there was none, the words before it.
   [[nodiscard]] std::string command() const {
     for (const auto& [name, app] : commands_)
       if (app->parsed()) return name;
     return before_;
   }
 
-  /// The names of the options that may be meant.
+  /// Returns the names of all options that the command has.
   [[nodiscard]] std::vector<std::string> known_names() const {
     std::vector<std::string> names = {"-h", "--help"};
     if (command().empty()) names.insert(names.end(), {"-V", "--version"});
@@ -195,14 +196,14 @@ class Parser {
     return names;
   }
 
-  /// The first option that is unknown, as it was typed, or "".
+  /// Returns the first unknown option, as it was typed, or "".
   [[nodiscard]] std::string unknown_option() const {
     for (const std::string& word : app_.remaining(true))
       if (word.starts_with('-') && word != "--") return word.substr(0, word.find('='));
     return "";
   }
 
-  /// What may be meant by an option that is unknown, or "".
+  /// Returns a suggestion for the unknown option, or "".
   [[nodiscard]] std::string suggestion() const {
     const std::vector<std::string> names = known_names();
     const std::string typed = unknown_option();
@@ -210,7 +211,7 @@ class Parser {
     return typed.empty() ? "" : did_you_mean(typed, names);
   }
 
-  /// CLI11's sentence, or a plainer one.
+  /// Returns CLI11's sentence on the error, or a plainer one.
   [[nodiscard]] std::string sentence(const CLI::ParseError& error) const {
     const bool of_a_check = dynamic_cast<const CLI::ValidationError*>(&error) != nullptr;
     const std::string text = kernels::printable(error.what(), of_a_check ? longest_list : longest_sentence);
@@ -231,8 +232,8 @@ class Parser {
   std::deque<std::vector<std::string>> lists_;
 };
 
-/// Returns what is wrong with a word like "--name=", whose value would be taken from the next word,
-/// or "". To be asked first.
+/// Returns what is wrong with a word like "--name=", for which CLI11 would take the next word as
+/// its value, or "". Call it before parsing.
 std::string missing_value(std::span<const std::string> words) {
   for (const std::string& word : words) {
     if (word == "--") break;
@@ -298,7 +299,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   if (words.empty()) return no_command();
   const std::string line = "fathom " + shell_line(words);
   if (parses_itself(words[0])) return {Given{words[0], {}, {words.begin() + 1, words.end()}, line}, "", fine};
-  // A word behind the command where else a stream of cases stands.
+  // `certify diff` has a word where `certify` alone has a stream of cases.
   const bool compares = words.size() > 1 && words[0] == "certify" && words[1] == "diff";
   if (const std::string fault = wrong_command(words); !fault.empty()) return refusal(fault, "");
   Arguments arguments = compares ? read_words("certify diff", common_options(), {words.begin() + 2, words.end()})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options of all commands, as one table: whose they are, how they are called, what they mean,
-// which values they take. The parser, help, manual pages and the completion of shells are made of
-// it. Then what was given of them on a command line, of which each command fills a struct of its
-// own; or help, or a sentence on what is wrong.
+// The table of options of all commands: which commands have them, their names, meanings and values.
+// The parser, help, manual pages and the completion of shells are made from it. And the result of
+// reading a command line: the options that were given, from which each command fills a struct of
+// its own; or a text of help; or a sentence on what is wrong.
 #pragma once
 
 #include <optional>
@@ -16,41 +16,42 @@
 
 namespace fathom::cli {
 
-/// What the value of an option names. wrong_files sees to it that nothing that is
-/// written is read, or written otherwise.
+/// How an option uses the file that it names. wrong_files refuses an output that is also an input,
+/// or another output.
 enum class FileUse {
   none,
   read,
-  read_list,     ///< a file that write_list may bring up to date
-  journal,       ///< a file that grows: its writer never replaces it
+  read_list,     ///< a file that the one of written_list may replace
+  journal,       ///< a file that is only appended to
   written,       ///< a file
   written_list,  ///< a file that may be the one that read_list names
-  placed,        ///< a file; of a stream, a folder for a file of each case, which may be that of another option
-  folder,        ///< a folder for files of names that the command chooses
+  placed,        ///< a file; for a stream, a folder with a file for each case, which other options may share
+  folder,        ///< a folder for files whose names the command chooses
 };
 
 /// How often an option may be given.
 enum class Repeats {
   never,
-  each,   ///< each time with one value more
-  lists,  ///< likewise, and a value is a list with commas
+  each,   ///< any number of times, with one value each
+  lists,  ///< likewise, and each value is a list with commas
 };
 
-/// Which values are good.
+/// The values that an option accepts.
 struct Values {
-  /// a sentence, or ""; null: any text, or one of `words` if there are some
+  /// Returns a sentence on a bad value, or "". Null: any text is good, or one of `words` if there
+  /// are some.
   std::string (*wrong)(const std::string& value) = nullptr;
-  std::vector<std::string> words = {};  ///< that help and completion show
+  std::vector<std::string> words = {};  ///< the values that help and completion show
 };
 
-/// An option; or, if its name has no dash, a place for an input.
+/// An option; or, if its name has no dash, a positional input.
 struct Option {
-  std::string commands;  ///< those that have it, with commas between them: "depth,golden verify"
+  std::string commands;  ///< the commands that have it, with commas between them: "depth,golden verify"
   std::string names;     ///< with commas between them: "-o,--output"
-  /// "NAME"; "" of a flag; "[=LIST]" of a flag whose value, here in braces behind the name, may be
-  /// another
+  /// The placeholder: "NAME"; "" of a flag; "[=LIST]" of a flag with an optional value, whose
+  /// default stands in braces behind its name.
   std::string value;
-  std::string meaning;  ///< white space is no more than that
+  std::string meaning;  ///< help breaks it anew: line ends and spaces are alike
   Values values = {};
   FileUse use = FileUse::none;
   Repeats repeats = Repeats::never;
@@ -61,46 +62,47 @@ struct Option {
   [[nodiscard]] bool belongs_to(std::string_view command) const;
 };
 
-/// The options of the commands that bodies, cases, reports and certificates are for, and of help.
-/// The options of one command are in the order of its help.
+/// The options of commands on bodies, cases, reports and certificates, and of help. Those of one
+/// command are in the order of its help.
 std::span<const Option> common_options();
 
-/// The options of `golden` and its tasks: golden_options.cpp, which fathom-depth has not.
+/// The options of `golden` and its tasks, from golden_options.cpp, which is not part of
+/// fathom-depth.
 std::span<const Option> golden_options();
 
-// The words of a command line, read by the table of options: what was given, or the sentence on
-// what is wrong with it. Whether options go together is the commands' to say.
+// The options of a command line, read by the table; or the sentence on what is wrong. The commands
+// check whether options go together.
 
-/// What was given of one option, or of the places for inputs.
+/// The values given for one option, or for the positional inputs.
 struct GivenOption {
   const Option* option;
-  std::string name;                 ///< the first long one: "--output"; of an input "first"
-  std::vector<std::string> values;  ///< as typed, and good by the table; of a flag "true"
+  std::string name;                 ///< the first long name: "--output"; of an input "first"
+  std::vector<std::string> values;  ///< as typed; the table accepts them; of a flag "true"
 };
 
-/// A command line that was read.
+/// The result of reading a command line.
 struct Given {
   std::string command;               ///< "depth", "golden verify"
-  std::vector<GivenOption> options;  ///< all that the command has, in the order of the table
-  std::vector<std::string> rest;     ///< the words behind a command that reads them itself
+  std::vector<GivenOption> options;  ///< all options of the command, in the order of the table
+  std::vector<std::string> rest;     ///< the words after a command that parses them itself
   std::string command_line;          ///< "fathom depth a.off b.off", quoted for a shell
 
-  /// The command has the option, and it was given.
+  /// Returns whether the option was given; false if the command does not have it.
   [[nodiscard]] bool has(std::string_view name) const { return value(name).has_value(); }
-  /// The first value, or nullopt. `name`: with its dashes.
+  /// Returns the first value, or nullopt. `name`: with its dashes.
   [[nodiscard]] std::optional<std::string> value(std::string_view name) const;
-  /// The first value, or "".
+  /// Returns the first value, or "".
   [[nodiscard]] std::string text(std::string_view name) const { return value(name).value_or(""); }
-  /// All values, lists taken apart.
+  /// Returns all values, with lists split.
   [[nodiscard]] std::vector<std::string> words(std::string_view name) const;
-  /// A flag that is set.
+  /// Returns whether the flag is set.
   [[nodiscard]] bool flag(std::string_view name) const { return text(name) == "true"; }
   [[nodiscard]] std::vector<std::string> inputs() const;
-  /// The first value as an integer, or as a number, or nullopt.
+  /// Returns the first value as an integer, or as a number, or nullopt.
   template <class Integer>
   [[nodiscard]] std::optional<Integer> integer(std::string_view name) const;
   [[nodiscard]] std::optional<mpq_class> number(std::string_view name) const { return typed_number(text(name)); }
-  /// What --twist and --twist-b say; nullopt without either.
+  /// Returns the motion of --twist and --twist-b; nullopt without either.
   [[nodiscard]] std::optional<Motion> motion() const;
 };
 
@@ -110,35 +112,35 @@ std::optional<Integer> Given::integer(std::string_view name) const {
   return text ? std::optional(static_cast<Integer>(typed_integer(*text).value())) : std::nullopt;
 }
 
-/// Either what is to be done, or a text for the user and the exit code that goes with it: help and
-/// version (fine, for standard output), or a refusal (bad_input, for standard error).
+/// What to do; or a text for the user with its exit code: help and version (fine, for standard
+/// output), or a refusal (bad_input, for standard error).
 struct Arguments {
   std::optional<Given> given;
   std::string text;
   ExitCode code = fine;
 };
 
-/// Prints the text where it belongs, and returns the code.
+/// Prints the text to the stream of its exit code, and returns the code.
 ExitCode said(const Arguments& arguments);
 
-/// Reads the words behind "fathom", and refuses options that do not go together. Of commands that
-/// read their words themselves only the first is read. Never throws, whatever the user typed.
+/// Reads the words after "fathom", and refuses options that do not go together. If the command
+/// parses its words itself, reads only the first. Never throws, whatever the user typed.
 Arguments parse_arguments(const std::vector<std::string>& words);
 
-/// Reads the words behind "fathom" and `before`, which is "", "golden" or "certify diff": by the
+/// Reads the words after "fathom" and `before`, which is "", "golden" or "certify diff", by the
 /// table alone. Never throws.
 Arguments read_words(const std::string& before, std::span<const Option> table, const std::vector<std::string>& words);
 
-/// The refusal of a command's words, with the line that prints help.
+/// Returns the refusal of a command's words, with the command line that prints help.
 Arguments refusal(const std::string& sentence, const std::string& command);
 
-/// Says what does not go together of what was given, files included, or "".
+/// Returns a sentence on options and files that do not go together, or "".
 std::string wrong_together(const Given& given);
 
-/// Says which output of the command would destroy an input or another output, standard streams
-/// included; or a file that is named like a mesh or like cases, as where the name of an output was
-/// forgotten; or "". Files are the same by what the file system says, however they are named;
-/// devices and pipes are passed over. `stream`: the command answers a stream of cases.
+/// Returns a sentence, or "", on an output that would destroy an input or another output, standard
+/// streams included; or on an existing mesh or file of cases as output, which is probably an input
+/// after an output whose name was forgotten. Two names are the same file if the file system says
+/// so; devices and pipes are ignored. `stream`: the command answers a stream of cases.
 std::string wrong_files(const Given& given, bool stream);
 
 }  // namespace fathom::cli

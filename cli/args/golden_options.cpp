@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rows of the table of options that are about golden data. In a file of their own, for the
-// program fathom-depth knows nothing of it.
+// The options of golden data. They have a file of their own because the program fathom-depth does
+// not have them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fnmatch.h>
@@ -33,7 +33,7 @@ std::string wrong_binary(const std::string& text) {
   return unless(text == "binary32" || text == "binary64", "binary32 or binary64", text);
 }
 
-/// What is wrong with words of a list: the first that is not known, and the one that is meant.
+/// Returns a sentence on the first word of the list that is unknown, with a suggestion, or "".
 std::string wrong_words(const std::string& list, const std::vector<std::string>& known, std::string_view expected) {
   for (const std::string& word : words_of(list)) {
     const bool pattern = word.find_first_of("*?[") != word.npos;
@@ -50,7 +50,8 @@ std::string wrong_words(const std::string& list, const std::vector<std::string>&
   return "";
 }
 
-/// Those of facets of P: others occur only where bodies do not overlap.
+/// Returns the kinds of contact that facets of P have: others occur only for bodies that do not
+/// overlap.
 std::vector<std::string> kinds_of_contact() {
   std::vector<std::string> known;
   for (int kind = 0; kind <= static_cast<int>(ContactKind::edge_edge); ++kind)

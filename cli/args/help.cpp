@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of --help, of the man pages and of completion: the table of commands. Their options are
-// in options.cpp. Every example is run by a test, on the files in examples/data.
+// The texts of --help, of the man pages and of completion: the table of commands. Options are in
+// options.cpp. A test runs every example on the files in examples/data.
 
 #include "cli/args/help.hpp"
 
@@ -349,14 +349,14 @@ constexpr CommandHelp commands[] = {
 // ---- pages ----
 
 constexpr std::size_t margin = 2;
-constexpr std::size_t wide = 100;           // columns from which on meanings stand beside what they explain
-constexpr std::size_t beside_example = 43;  // where they begin then
+constexpr std::size_t wide = 100;           // at this width and above, meanings stand beside options and commands
+constexpr std::size_t beside_example = 43;  // the column of their meaning at that width
 constexpr std::size_t beside_option = 28, below_option = 6;
 constexpr std::size_t enough_for_options = 60;
 
 using Lines = std::vector<std::string>;
 
-/// A line for a shell, broken behind backslashes where no quotation is open, so that it still runs.
+/// Returns a shell command broken by backslashes outside quotations, so that it still runs.
 std::string broken_line(std::string_view line, std::size_t width) {
   std::string result;
   std::size_t column = 0, last_space = line.npos, begin = 0;
@@ -376,15 +376,15 @@ std::string broken_line(std::string_view line, std::size_t width) {
   return result + std::string(line.substr(begin));
 }
 
-/// The text in one line.
+/// Returns the text as one line.
 std::string joined(std::string_view text) {
   std::string result(text);
   std::ranges::replace(result, '\n', ' ');
   return result;
 }
 
-/// Adds what is explained and, beside it where there is room, else below it, the meaning from
-/// `column` on.
+/// Adds the title and its meaning: beside the title from `column` on if there is room, else below
+/// it.
 void add_explained(Lines& lines, std::string_view title, std::string_view meaning, std::size_t column,
                    std::size_t columns) {
   std::string text = fmt::format("{:{}}{}", "", margin, title);
@@ -404,7 +404,7 @@ void add_examples(Lines& lines, std::span<const Example> examples, std::size_t c
                   columns >= wide ? beside_example : below_option, columns);
 }
 
-/// "-m, --method NAME"; "--metamorphic[=LIST]".
+/// Returns "-m, --method NAME" or "--metamorphic[=LIST]".
 std::string option_title(const OptionHelp& option) {
   return fmt::format("{}{}{}", fmt::join(option.names, ", "),
                      option.value.empty() || option.value.front() == '[' ? "" : " ", option.value);
@@ -455,7 +455,7 @@ std::string full_name(const CommandHelp& command) {
 HelpPage page_of(std::string_view command, std::span<const Option> table) {
   const auto found = std::ranges::find(command_table, command, &CommandHelp::name);
   HelpPage page{found == command_table.end() ? general_help : *found, {}};
-  if (command == "check") {  // the checker has a parser of its own, and says what it takes
+  if (command == "check") {  // the checker has a parser and a page of its own
     for (const auto& [name, value, meaning] : fathom_check::option_texts) {
       page.options.push_back({{std::string(name)}, std::string(value), std::string(meaning)});
       if (name == "--help") page.options.back().names.insert(page.options.back().names.begin(), "-h");

@@ -16,7 +16,7 @@ namespace {
 
 const Values words_of_engines{nullptr, {engine_names.begin(), engine_names.end()}};
 
-/// One policy of each kind: "within=5%".
+/// The values of --policy, with one example of those that have a number: "within=5%".
 Values policies() {
   std::vector<std::string> words;
   for (const auto kind : judging::policy_kinds) words.push_back(judging::policy_text({kind, mpq_class(1, 20)}));
@@ -31,15 +31,15 @@ Option file(std::string commands, std::string names, std::string value, FileUse 
   return {std::move(commands), std::move(names), std::move(value), std::move(meaning), {}, use};
 }
 
-/// The commands on two bodies or a stream, those among them that answer streams on several threads,
-/// and all that place bodies.
+/// The commands on two bodies or a stream; those among them that answer streams with several
+/// threads; and all commands that place bodies by poses.
 constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,explain",
                      *on_streams = "depth,width,approx,ray,metric,study,stages",
                      *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
                      *with_meshes = "depth,width,approx,ray,metric,study,stages,explain,cases,solid",
                      *of_two = "depth,approx,ray,metric,study,stages,explain,cases";
 
-// Meanings that two commands share.
+// Meanings that options of two commands share.
 const std::string pieces =
     "each body is the union of convex pieces, each of which stands for its hull: the groups of an OBJ file, or the "
     "mesh files of a folder; another mesh, or a shape, is one piece";

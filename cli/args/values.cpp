@@ -38,7 +38,7 @@ std::optional<std::vector<unsigned>> typed_range(std::string_view low_text, std:
   return sizes;
 }
 
-/// A number as certify takes it: without blanks around it.
+/// Returns the number that certify accepts: without blanks around it.
 std::optional<mpq_class> bare_number(const std::string& text) { return parse_number(text, Decimals::exact).value; }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::optional<mpq_class> typed_number(std::string_view text) {
 
 namespace {
 
-/// So many numbers with commas between them; else none.
+/// Returns `count` numbers with commas between them; empty for other texts.
 std::vector<mpq_class> typed_numbers(std::string_view text, std::size_t count) {
   std::vector<mpq_class> numbers;
   while (numbers.size() < count) {
@@ -85,7 +85,7 @@ std::optional<Point> typed_vector(std::string_view text) {
 
 std::optional<Twist> typed_twist(std::string_view text) {
   const std::vector<mpq_class> x = typed_numbers(text, 6);
-  if (std::ranges::all_of(x, [](const mpq_class& c) { return c == 0; })) return std::nullopt;  // or there are none
+  if (std::ranges::all_of(x, [](const mpq_class& c) { return c == 0; })) return std::nullopt;  // or x is empty
   return Twist{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
 }
 
@@ -226,9 +226,9 @@ std::string wrong_second_method(const std::string& text) {
 
 namespace {
 
-constexpr std::size_t shortest = 3, longest = 60;  // characters of a word that is worth a look
+constexpr std::size_t shortest = 3, longest = 60;  // lengths of words for which a suggestion is sought
 
-/// No shell makes anything else of it.
+/// Returns whether no shell changes the word.
 bool is_plain(const std::string& word) {
   constexpr std::string_view others = "-_./,:=+%@";
   const auto plain = [&](char c) {

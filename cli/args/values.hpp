@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The values behind options: what a text means, and what is wrong with it. Numbers are meant as
-// typed: decimals are exact, integers are plain digits. And words: misspelt ones, and quoted ones.
+// Parsers for the values of options, and sentences on wrong values. Numbers are exact: decimals as
+// typed, integers as plain digits. And suggestions for misspelt words, and quotation for shells.
 #pragma once
 
 #include <array>
@@ -22,39 +22,40 @@ namespace fathom::cli {
 /// The engines of the closest lines, in the order of ClosestLines.
 inline constexpr std::array<std::string_view, 3> engine_names{"cutting", "sampled", "naive"};
 
-// What a text means, or nullopt if it means nothing of the kind.
+// Parsers: each returns nullopt for a text that is not of its form.
 
 std::optional<std::uint64_t> typed_integer(std::string_view text, std::uint64_t low = 0,
                                            std::uint64_t high = UINT64_MAX);
 std::optional<mpq_class> typed_number(std::string_view text);
-/// Three numbers with commas between them.
+/// Parses three numbers with commas between them.
 std::optional<Point> typed_point(std::string_view text);
-/// The same, not all zero.
+/// Parses the same, not all zero.
 std::optional<Point> typed_vector(std::string_view text);
-/// Six numbers with commas between them, not all zero: v, and w.
+/// Parses six numbers with commas between them, not all zero: v, and w.
 std::optional<Twist> typed_twist(std::string_view text);
-/// Six numbers as those, or three: v alone.
+/// Parses six such numbers, or three: v alone.
 std::optional<Twist> typed_motion(std::string_view text);
-/// "10..10000", or "10,20,50": ascending. Of a range both ends, and 1, 2 and 5 times the powers of
-/// ten between them.
+/// Parses "10..10000", or "10,20,50", which must ascend. A range yields its ends, and 1, 2 and 5
+/// times the powers of ten between them.
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text);
-/// A number of threads.
+/// Parses a number of threads.
 std::optional<unsigned> typed_threads(std::string_view text);
-/// "i/n" with 1 <= i <= n.
+/// Parses "i/n" with 1 <= i <= n.
 std::optional<std::pair<std::size_t, std::size_t>> typed_part(std::string_view text);
-/// The methods behind --method of a command that computes its answers in two ways, which must be
-/// good: each once, in the order of the words.
+/// Returns the methods of these words, which must be valid: each once, in the order of the words.
+/// For commands that compute answers in two ways.
 std::vector<Method> typed_methods(std::span<const std::string> words);
-/// The engine of this name.
+/// Returns the engine of this name.
 std::optional<ClosestLines> typed_engine(std::string_view name);
-/// "a,b" as "a" and "b".
+/// Splits "a,b" into "a" and "b".
 std::vector<std::string> words_of(std::string_view list);
 
-/// Whether the name is that of a mesh, or of cases. Other names may be of cases too.
+/// Returns whether the name is that of a mesh, or of cases. Files of cases may have other names
+/// too.
 bool is_mesh_name(const std::string& path);
 bool is_cases_name(const std::string& path);
 
-// What is wrong with a value, as a sentence, or "".
+// Checks of values: each returns a sentence, or "".
 
 std::string unless(bool good, std::string_view expected, const std::string& text);
 template <std::uint64_t low, std::uint64_t high>
@@ -82,13 +83,13 @@ std::string wrong_integer(const std::string& text) {
   return wrong_integer(text, low, high);
 }
 
-// What a misspelt word may be meant to be.
+// Suggestions for misspelt words.
 
-/// Returns "; did you mean 'word'?" for the one of `words` that alone begins with `typed`, or else
-/// is nearest to it and near; or "".
+/// Returns "; did you mean 'word'?" for the one of `words` that begins with `typed`, if it is
+/// unique, or else for the one with the smallest edit distance, if that is small; or "".
 std::string did_you_mean(const std::string& typed, std::span<const std::string> words);
 
-// Words quoted for /bin/sh.
+// Quotation for /bin/sh.
 
 /// Returns the word in single quotes, with those inside escaped.
 std::string quoted(const std::string& word);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which options, inputs and files of a command do not go together: each function returns the
+// Checks whether options, inputs and files of a command go together. Each function returns a
 // sentence, or "".
 
 #include <fmt/format.h>
@@ -117,7 +117,7 @@ std::string wrong_inputs(const Given& given) {
   return "";
 }
 
-/// The first of the options that was given, or "".
+/// Returns the first of the options that was given, or "".
 std::string first_of(const Given& given, std::initializer_list<const char*> options) {
   const auto found = std::ranges::find_if(options, [&](const char* option) { return given.has(option); });
   return found == options.end() ? "" : *found;
@@ -162,7 +162,7 @@ std::string wrong_sweep(const Given& given) {
   return other.empty() ? "" : "--sweep answers as a table, with --csv and --svg, and cannot be combined with " + other;
 }
 
-/// Of a curve or a chart.
+/// Checks the options of curves and charts.
 std::string wrong_picture(const Given& given) {
   if (given.text("--svg") == "-") return "--svg writes a file, found - for standard output";
   if (given.command == "depth" && !given.has("--along") && given.has("--patch-slack") && !given.flag("--patch"))
@@ -194,7 +194,8 @@ std::string wrong_ray(const Given& given) {
   return given.has("--direction") ? "" : "ray expects --direction X,Y,Z: where A is to move; or --growth";
 }
 
-/// Of approx, ray, metric, and of width within a factor. `asks_exact`: for an answer without one.
+/// Checks approx, ray, metric, and width with --delta. `asks_exact`: an option for exact answers
+/// was given.
 std::string wrong_approximation(const Given& given, bool asks_exact) {
   if (given.command == "ray") return wrong_ray(given);
   if (given.command == "metric" && !given.has("--ball")) return "metric expects --ball Q: a mesh, the unit ball";
@@ -208,7 +209,7 @@ std::string wrong_approximation(const Given& given, bool asks_exact) {
   return "";
 }
 
-/// Of the forms of an answer.
+/// Checks the forms of an answer.
 std::string wrong_forms(const Given& given) {
   if (given.flag("--exact") && given.flag("--json"))
     return "--exact is about text: JSON has every number exactly, and rounded beside it";
@@ -218,7 +219,7 @@ std::string wrong_forms(const Given& given) {
   return "";
 }
 
-/// Of how depth and width are found, and of their certificates.
+/// Checks the methods of depth and width, and their certificates.
 std::string wrong_proof(const Given& given, const std::string& method) {
   if (given.command != "depth" && given.command != "width") return "";
   if (given.has("--closest-lines") && method != "auto" && method != "exact")
@@ -230,11 +231,11 @@ std::string wrong_proof(const Given& given, const std::string& method) {
   return "";
 }
 
-// ---- files that stand in the way of each other: decided before any is opened ----
+// ---- files that would destroy each other, found before any is opened ----
 
 namespace fs = std::filesystem;
 
-/// A file that is there, by its device and number; or the place where one is to be.
+/// An existing file, identified by its device and inode; or the path of a file to be made.
 class FilePlace {
  public:
   explicit FilePlace(const std::string& path) {
@@ -246,25 +247,26 @@ class FilePlace {
     if (fault) path_ = fs::absolute(path, fault).lexically_normal();
     if (!path_.has_filename()) path_ = path_.parent_path();  // "folder/"
   }
-  /// That of an open stream.
+  /// The file of an open stream.
   explicit FilePlace(int descriptor) {
     struct stat found {};
     if (::fstat(descriptor, &found) == 0) take(found);
     else special_ = true;
   }
 
-  /// What is written into a device or a pipe destroys nothing.
+  /// Returns whether both are the same file. Devices and pipes never are: output to them destroys
+  /// nothing.
   [[nodiscard]] bool is(const FilePlace& other) const {
     if (special_ || other.special_) return false;
     return id_ || other.id_ ? id_ == other.id_ : path_ == other.path_;
   }
-  /// Whether it is there, and holds text or the like.
+  /// Returns whether it exists and is a regular file.
   [[nodiscard]] bool is_file() const { return regular_; }
-  /// Whether it lies in that folder, not deeper.
+  /// Returns whether it lies in that folder itself.
   [[nodiscard]] bool is_in(const FilePlace& folder) const {
     return !path_.empty() && path_.parent_path() == folder.path_;
   }
-  /// Whether it is named like a file that goes into folders.
+  /// Returns whether its name is like those that commands choose for files in folders.
   [[nodiscard]] bool has_chosen_name() const {
     const std::string ending = path_.extension().string();
     return ending == ".cert" || ending == ".svg" || ending == ".cpp" ||
@@ -283,20 +285,20 @@ class FilePlace {
   bool special_ = false, regular_ = false;
 };
 
-/// A file of the command line.
+/// A file named by an option or by a positional word.
 struct NamedFile {
-  std::string option, value;  // of positional words no option
+  std::string option, value;  // option is empty for a positional word
   FilePlace place;
   FileUse use;
 
   [[nodiscard]] bool is_read() const { return use == FileUse::read || use == FileUse::read_list; }
 };
 
-/// The files of a folder of pieces, which are read too.
+/// Returns the files of a folder of pieces, which are inputs too.
 std::vector<std::string> files_in(const std::string& folder) {
   try {
     return files::is_folder(folder) ? files::piece_files(folder) : std::vector<std::string>();
-  } catch (const InputError&) {  // who reads it will say so
+  } catch (const InputError&) {  // the command that reads the folder reports it
     return {};
   }
 }
@@ -323,7 +325,7 @@ std::vector<NamedFile> files_of(const Given& given) {
   return found;
 }
 
-/// Whether writing the first would destroy the second.
+/// Returns whether writing `writes` would destroy `other`.
 bool destroys(const NamedFile& writes, const NamedFile& other, bool stream) {
   if (writes.use == FileUse::written_list && other.use == FileUse::read_list) return false;
   const bool folder =
@@ -332,7 +334,7 @@ bool destroys(const NamedFile& writes, const NamedFile& other, bool stream) {
   return writes.place.is(other.place) && !(folder && other.use == FileUse::placed);
 }
 
-/// Whether it would replace what is named like an input.
+/// Returns whether it would replace a file whose name is that of an input.
 bool replaces_a_body(const NamedFile& writes) {
   const bool replaces = writes.use == FileUse::written || writes.use == FileUse::placed;
   return replaces && writes.place.is_file() && (is_mesh_name(writes.value) || is_cases_name(writes.value));
@@ -342,7 +344,7 @@ bool replaces_a_body(const NamedFile& writes) {
 
 std::string wrong_together(const Given& given) {
   const std::size_t inputs = given.inputs().size();
-  const bool stream = inputs == 1 && !given.has("--case");  // of width both are possible: it has one output
+  const bool stream = inputs == 1 && !given.has("--case");  // width has one input in both cases
   const std::string method = given.command == "certify" ? "auto" : given.value("--method").value_or("auto");
   const bool asks_exact = method != "auto" || given.has("--closest-lines") || given.has("--certificate") ||
                           given.flag("--embed-certificate");

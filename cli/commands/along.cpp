@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B --along X,Y,Z[,WX,WY,WZ] --steps N | CASES.jsonl --case ID --along X,Y,Z
-// The signed depth along a path: for people (a table), for programs (JSON, along.schema.json), for
-// spreadsheets (CSV), and as a chart.
+// The signed depth along a path: as a table, as JSON (along.schema.json), as CSV, and as a chart.
 #include "cli/commands/along.hpp"
 
 #include <fmt/format.h>
@@ -40,13 +39,13 @@ constexpr std::string_view open_status = "undecided";
 
 std::string_view status_text(const AlongStep& step) { return step.status ? name(*step.status) : open_status; }
 
-/// "0.25", or "[0.24, 0.26]" if there are bounds only.
+/// Returns "0.25", or "[0.24, 0.26]" if only bounds are known.
 std::string value_text(const AlongStep& step) {
   if (const Surd* exact = std::get_if<Surd>(&step.value)) return surd_text(*exact);
   return fmt::format("[{}, {}]", step.low, step.high);
 }
 
-/// Where a mark is drawn.
+/// Returns the ordinate of a mark in the chart.
 double height(const AlongStep& step) {
   if (const Surd* exact = std::get_if<Surd>(&step.value)) return round_binary64(*exact);
   return step.low / 2 + step.high / 2;
@@ -54,7 +53,8 @@ double height(const AlongStep& step) {
 
 bool turns(const Twist& motion) { return motion.w != Point{}; }
 
-/// What comes before A is moved: "turned by the quaternion (1, s/2 (0, 0, 1)), then "; or nothing.
+/// Returns the rotation that the path begins with, "turned by the quaternion (1, s/2 (0, 0, 1)),
+/// then "; or "".
 std::string turn_text(const Twist& motion) {
   return turns(motion) ? fmt::format("turned by the quaternion (1, s/2 {}), then ", place_text(motion.w, true)) : "";
 }
@@ -63,7 +63,7 @@ std::size_t share_columns(const Path& path) {
   return std::max<std::size_t>(1, 2 * std::to_string(path.steps).size() + 1);
 }
 
-/// "penetrating for s from 0 to 7/16, touching at 1/2, disjoint for s from 9/16 to 1"
+/// Returns "penetrating for s from 0 to 7/16, touching at 1/2, disjoint for s from 9/16 to 1".
 std::string course(const std::vector<AlongStep>& steps) {
   std::string result;
   for (std::size_t begin = 0, end = 0; begin < steps.size(); begin = end) {
@@ -76,8 +76,8 @@ std::string course(const std::vector<AlongStep>& steps) {
   return result;
 }
 
-/// One series of marks for each status, in the order of Status, so that a status has the same look
-/// in all charts; those without places are not shown.
+/// Returns a series of marks for each status that occurs, in the order of Status, so that a status
+/// looks the same in all charts.
 std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
   std::vector<plot::Series> series{{"signed depth", {}, true, false}};
   for (const Status status : {Status::penetrating, Status::touching, Status::disjoint})
@@ -96,7 +96,7 @@ std::vector<plot::Series> series_of(const std::vector<AlongStep>& steps) {
 AlongStep along_step(std::uint32_t number, const mpq_class& share, const Depth& depth) {
   const Surd value{0, signed_square(depth)};
   const Contact* const contact = depth.contact();
-  // + 0.0: a zero is no negative one
+  // Adding 0.0 turns -0.0 into 0.0.
   return {number,
           share,
           depth.status(),
@@ -119,7 +119,7 @@ AlongStep along_step(std::uint32_t number, const mpq_class& share, const SignedD
           contact ? std::optional(*contact) : std::nullopt};
 }
 
-/// The lines of a table of which `path` says how wide it is.
+/// Returns the heading of the table; `path` determines its width.
 std::string along_text_header(const Path& path) {
   return fmt::format("{}along {}\n{:<{}}  {:<11}  {:<23}  contact", turn_text(path.motion.of_a),
                      place_text(path.motion.of_a.v, true), "s", share_columns(path), "status", "signed depth");
@@ -144,7 +144,8 @@ std::string along_csv_row(const AlongStep& step) {
   return row + fmt::format(",{}", step.contact ? name(step.contact->kind) : "");
 }
 
-/// From s = 0 on; cut where it is farther from the curve's values than these are from one another.
+/// Returns the tangent from s = 0 on, cut off where it leaves the range of the curve's values by
+/// half of that range.
 plot::Series tangent_of(const std::vector<plot::Datum>& curve, double slope) {
   const auto [low, high] = std::ranges::minmax(curve, {}, &plot::Datum::y);
   const double room = high.y - low.y, start = curve.front().y;
@@ -153,9 +154,9 @@ plot::Series tangent_of(const std::vector<plot::Datum>& curve, double slope) {
   return {"tangent at s = 0", {{0, start}, {end, start + end * slope}}, true, false};
 }
 
-constexpr std::size_t indent = 4;  // of the further lines of a row, on a narrow terminal
+constexpr std::size_t indent = 4;  // spaces before continued lines of a row, on a narrow terminal
 
-/// Answers at each place of the path.
+/// Computes the answer at each step of the path.
 class Walk {
  public:
   Walk(const Case& pair, const Path& path, const DepthRequest& request, Monitor& monitor)
@@ -171,7 +172,7 @@ class Walk {
     const files::GivenPose pose_a = pose_at(share, path_.motion.of_a), pose_b = pose_at(share, path_.motion.of_b);
     const bool b_moves = path_.motion.of_b != Twist();
     Question question = question_of(request_, monitor_, workspace_);
-    question.options.optima = 1;  // ties are not shown
+    question.options.optima = 1;  // ties are not printed
     if (a_)
       return along_step(
           number, share,
@@ -198,7 +199,7 @@ class Walk {
   const Path& path_;
   const DepthRequest& request_;
   Monitor& monitor_;
-  std::optional<Shape> a_, b_;  // unless both are polytopes
+  std::optional<Shape> a_, b_;  // nullopt if both bodies are polytopes
   Workspace workspace_;
 };
 
@@ -206,7 +207,7 @@ void print_header(const Path& path, const AlongRequest& request) {
   if (!request.json) print(request.csv ? along_csv_header() : fitted(along_text_header(path), indent));
 }
 
-/// Prints rows as soon as they are known; JSON, which is one object, in the end.
+/// Prints each row as soon as it is known; JSON, which is one object, at the end.
 void print_row(const Path& path, const AlongStep& step, const AlongRequest& request) {
   if (request.csv) print(along_csv_row(step));
   else if (!request.json) print(fitted(along_text_row(path, step), indent));
@@ -277,7 +278,7 @@ std::vector<AlongStep> walked(const Case& pair, const Path& path, const DepthReq
 
 ExitCode run_along(const Given& given) {
   const AlongRequest request(given);
-  const auto picture = wanted_file(request.svg, "picture");  // an unwritable path fails early
+  const auto picture = wanted_file(request.svg, "picture");  // fails early for an unwritable path
   const Case pair = asked_case(request, "--along answers about convex bodies; without it depth takes unions");
   const InterruptGuard interrupt_guard;
   Progress progress("steps");

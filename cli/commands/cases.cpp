@@ -29,7 +29,7 @@
 namespace fathom::cli {
 namespace {
 
-/// Prints each failure in the text of FCL's exceptions as a case; "-" is the standard input. Throws
+/// Prints the case of each failure in a text of FCL's exceptions; "-" is the standard input. Throws
 /// InputError if there is none, or a bad one.
 ExitCode print_fcl_cases(const std::string& path) {
   const bool standard = path == "-";
@@ -48,7 +48,7 @@ ExitCode print_fcl_cases(const std::string& path) {
   return fine;
 }
 
-/// What is asked for of the families.
+/// The cases to print.
 struct FamiliesRequest {
   explicit FamiliesRequest(const Given& given)
       : names(given.words("--family")),
@@ -56,21 +56,21 @@ struct FamiliesRequest {
         seed(given.integer<std::uint64_t>("--seed").value_or(1)),
         size(given.integer<unsigned>("--size")) {}
 
-  std::vector<std::string> names;  ///< as typed: or patterns of them; "all"
+  std::vector<std::string> names;  ///< as typed: names, patterns, or "all"
   std::uint64_t count, seed;       ///< the seeds are seed, seed + 1, ...
   std::optional<unsigned> size;    ///< if not set, the family's usual size
 };
 
 constexpr std::string_view every_family = "all";
 
-/// "1/4", "5 - sqrt(25)".
+/// Returns "1/4", "5 - sqrt(25)".
 std::string known_text(const Surd& value) {
   const std::string rational = exact_text(value.rational);
   if (value.root == 0) return rational;
   return fmt::format("{} {} sqrt({})", rational, value.root > 0 ? '+' : '-', exact_text(abs(value.root)));
 }
 
-/// What the square of a catalogue of unions is of.
+/// Returns the name of the square that a catalogue of unions holds.
 std::string known_square(Status status) { return status == Status::disjoint ? "distance_squared" : "depth_squared"; }
 
 using Source = std::vector<std::pair<std::string, std::string>>;
@@ -93,7 +93,7 @@ void print_case_of(const families::Family& family, std::uint64_t seed, const Fam
   else print_case(family.make(seed, size), std::move(source), "");
 }
 
-/// Of all families, the catalogue or the list: those of shapes, of unions, or of polytopes.
+/// Returns the kind of families that the options choose: shapes, unions, or else polytopes.
 families::Kind asked_kind(const Given& given) {
   if (given.flag("--shapes")) return families::Kind::shapes;
   return given.flag("--unions") ? families::Kind::unions : families::Kind::polytopes;
@@ -101,7 +101,7 @@ families::Kind asked_kind(const Given& given) {
 
 using FamilyList = std::vector<const families::Family*>;
 
-/// The families of a name or a pattern.
+/// Returns the families whose names match a pattern.
 FamilyList families_like(const std::string& pattern) {
   FamilyList result;
   for (const families::Family& family : families::all_families())
@@ -114,7 +114,7 @@ FamilyList families_like(const std::string& pattern) {
   return result;
 }
 
-/// Those that were asked for, each once.
+/// Returns the families of these names and patterns, each once.
 FamilyList asked_families(const std::vector<std::string>& names, families::Kind kind) {
   FamilyList result;
   if (names == std::vector<std::string>{std::string(every_family)}) {
@@ -127,7 +127,8 @@ FamilyList asked_families(const std::vector<std::string>& names, families::Kind 
   return result;
 }
 
-/// Each family in turn with the first seed, then each with the second, until there are enough.
+/// Prints one case of each family with the first seed, then with the second, and so on up to the
+/// count.
 ExitCode print_families(const FamiliesRequest& request, families::Kind kind) {
   const FamilyList asked = asked_families(request.names, kind);
   for (std::uint64_t i = 0; i < request.count; ++i)

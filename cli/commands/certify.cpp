@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
-// The cases, each id once, and the run over them; what becomes of its findings stands in
-// certify_results.cpp.
+// Reads the cases, each id once, and runs the subject on them; certify_results.cpp handles the
+// results.
 
 #include "cli/commands/certify.hpp"
 
@@ -47,16 +47,18 @@ class CertifyCases {
   /// interrupted.
   CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
 
-  /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad one and for one with
-  /// an id that was there before. Throws std::bad_alloc and can go on, as CaseStream::next.
+  /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad case, and for one
+  /// whose id occurred before. After std::bad_alloc it can be called again, as CaseStream::next.
   std::optional<Case> next();
 
   [[nodiscard]] std::size_t bad() const { return bad_; }
-  /// The place, for messages, of the case that was read last, or that did not fit into the memory.
+  /// Returns the position, for messages, of the case that was read last, or that did not fit into
+  /// memory.
   [[nodiscard]] std::string place() const;
-  /// Whether a case so far has the id, or two pieces of its unions; see harness::pair_id.
+  /// Returns whether an earlier case has the id, or has unions with two pieces of that id; see
+  /// harness::pair_id.
   [[nodiscard]] bool asked(const std::string& id) const;
-  /// About how many there are in a regular file; nullopt for other inputs. See cases_in.
+  /// Returns about how many cases a regular file has; nullopt for other inputs. See cases_in.
   [[nodiscard]] std::optional<std::size_t> expected() const { return expected_; }
 
  private:
@@ -66,12 +68,12 @@ class CertifyCases {
   std::istream stdin_{&standard_input_};
   CaseStream items_;
   std::set<std::string> ids_;
-  std::vector<Case> unions_;  // of these
+  std::vector<Case> unions_;  // the unions among the cases
   std::size_t bad_ = 0;
   std::optional<std::size_t> expected_;
 };
 
-/// What is wrong with the bodies, or "".
+/// Returns what is wrong with the bodies, or "".
 std::string wrong_certified(const Case& single) {
   if (std::string wrong = wrong_bodies(single, false, "", ""); !wrong.empty()) return wrong;
   for (const auto& [body, name] : {std::pair(&single.a, 'a'), {&single.b, 'b'}}) {
@@ -138,7 +140,7 @@ ExitCode list_adapters() {
   return fine;
 }
 
-/// One run, from the hello to the exit code.
+/// One run, from the subject's hello to the exit code.
 class Certify {
  public:
   Certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere)
@@ -208,7 +210,7 @@ class Certify {
     return settings;
   }
 
-  /// The subject has sent its hello once, so it gets a second chance.
+  /// Starts another examiner. Its subject gets a second chance, because it has sent its hello once.
   std::shared_ptr<Examiner> one_more() {
     try {
       return std::make_shared<Examiner>(command_, settings());
@@ -281,7 +283,7 @@ class Certify {
         if (pair && !info().wants_twist) pair->motion.reset();
         else if (pair && !pair->motion) pair->motion = certify_.motion;
         return pair;
-      } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+      } catch (const std::bad_alloc& error) {  // the case does not fit into memory; the next one may
         ++faults_;
         tell("faults", cases_->place() + ": " + fault_text(error));
       }
@@ -341,8 +343,8 @@ class Certify {
       talk(warning);
   }
 
-  /// Writes the same for a run that ended early, without what the list says of cases that were not
-  /// run.
+  /// Writes the same for a run that ended early, without comparing the list of expected failures,
+  /// as cases are missing.
   void report_so_far(const std::string& why) {
     if (!found_ || reported_ || found_->outcomes().empty()) return;
     std::optional<ExpectedFailures::Check> known;
@@ -384,7 +386,7 @@ class Certify {
   std::mutex telling_;  // guards found_
   bool first_is_taken_ = false, reported_ = false, complete_ = false;
   std::size_t missing_ = 0;
-  std::atomic<std::size_t> faults_ = 0;  // found in reading and in judging
+  std::atomic<std::size_t> faults_ = 0;  // errors in reading and in judging
 };
 
 }  // namespace
@@ -440,7 +442,7 @@ harness::Settings examiner_settings(const CertifyRequest& certify) {
 
 ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere) {
   std::ios::sync_with_stdio(false);
-  constexpr unsigned patience = 5;  // subjects get a second to end, and what was judged is to be written
+  constexpr unsigned patience = 5;  // seconds: subjects get one to end, then results are written
   const InterruptGuard interrupt_guard(patience);
   return Certify(request, elsewhere).work();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run of `fathom certify` is asked for; the part of it that one process and many share; and
-// what it finds: collected while it runs, written at the end, failing cases made small.
+// The request of a run of `fathom certify`; the run itself, within one process or shared by many;
+// and its results: collected while it runs, written at the end, with failing cases reduced.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@
 
 namespace fathom::cli {
 
-/// What a run is asked for.
+/// The options of a run.
 struct CertifyRequest {
   explicit CertifyRequest(const Given& given);
 
@@ -37,64 +37,63 @@ struct CertifyRequest {
   Tolerance tolerance;
   std::optional<mpq_class> fit;  ///< the size that each case is brought to
   std::optional<Motion> motion;  ///< of cases that have none
-  std::vector<Method> methods;   ///< find every truth and judgement again by these
+  std::vector<Method> methods;   ///< by which every truth and judgement is found again
   std::string report;
-  bool resume = false, overwrite = false;  ///< of the report that is there
+  bool resume = false, overwrite = false;  ///< of an existing report
   bool all_rows = false;                   ///< in the table
-  std::string print_input;  ///< the id of the case whose lines are printed, as the subject reads them; empty: none
-  std::string harness;      ///< the user's own program for --shrink; empty: none
-  std::vector<std::string> variants;                                              ///< under which each case is put too
+  std::string print_input;                 ///< the id of the case to print as the subject reads it; empty: none
+  std::string harness;                     ///< the user's own program for --shrink; empty: none
+  std::vector<std::string> variants;       ///< of each case, put too
   std::string expect_fail, write_expect_fail, junit, html, certificates, shrink;  ///< paths; empty: not wanted
   std::optional<std::size_t> max_errors;
 };
 
-/// Processes that examine cases instead of threads of this process.
+/// Other processes that examine the cases, in place of threads.
 struct ExaminersElsewhere {
-  unsigned count = 0;  ///< cases at once; 0: this process examines them
-  /// Examines a case, all lengths times 2^exponent, with a subject whose hello must be `hello`.
-  /// Called from as many threads. Throws as Examiner::examine.
+  unsigned count = 0;  ///< cases examined at once; 0: this process examines them
+  /// Examines a case, with all lengths times 2^exponent, by a subject whose hello must be `hello`.
+  /// May be called by `count` threads at once. Throws as Examiner::examine.
   std::function<harness::Outcome(const Case&, long exponent, const std::string& hello)> examine = {};
 };
 
-/// A run from the hello to the exit code. Throws as run_certify.
+/// Makes a run, from the subject's hello to the exit code. Throws as run_certify.
 ExitCode certify(const CertifyRequest& request, const ExaminersElsewhere& elsewhere);
 
-/// The shell command of the request's subject. Throws InputError if its adapter is unknown or not
-/// built.
+/// Returns the shell command of the request's subject. Throws InputError if its adapter is unknown
+/// or not built.
 harness::SubjectCommand subject_of(const CertifyRequest& certify);
 
 /// Returns the examiner's settings for this request; failures that no case caused are not reported.
 harness::Settings examiner_settings(const CertifyRequest& certify);
 
-// What a run of `fathom certify` finds: collected while it runs, written at the end, failing cases
-// made small.
+// The results of a run: collected while it runs, written at the end, with failing cases reduced.
 
-/// A failing case as the subject saw it.
+/// A failing case after rounding to the subject's number format.
 struct FailedCase {
   std::size_t outcome;  ///< index into outcomes()
   Case seen;
-  Case original;  ///< of a variant, the case that it is a variant of
+  Case original;  ///< the case whose variant it is, or the same case
 };
 
 class Collector {
  public:
-  /// Starts the report, or goes on with an existing one. `expected`: the number of cases, if it is
+  /// Starts the report, or continues an existing one. `expected`: the number of cases, if it is
   /// known.
   Collector(const CertifyRequest& request, const harness::SubjectInfo& info, std::optional<std::size_t> expected);
 
-  /// Returns the outcome that an earlier run left in the report, or nullptr. Any thread.
+  /// Returns the outcome of an earlier run in the report, or nullptr. May be called by any thread.
   [[nodiscard]] const harness::Outcome* known(const std::string& id, const std::string& variant,
                                               const std::string& digest) const;
 
-  /// Takes one outcome, and writes it to the report first of all. `known`: it is in the report
-  /// already.
+  /// Takes one outcome, and first appends it to the report, unless it is `known`, that is in the
+  /// report already.
   void take(const Case& original, const Case& seen, const harness::Outcome& outcome, bool known);
   /// The same for a failure that no case caused; `known`: it is in the report already.
   void take(const harness::Unattributed& unattributed, bool known = false);
   /// Prints a sentence for the user, above the progress bar. Prints the first few of a kind, and
   /// counts the others.
   void tell(const std::string& kind, const std::string& sentence);
-  /// Prints how many sentences were only counted; removes the bar.
+  /// Prints the number of sentences that were counted but not printed; removes the bar.
   void close();
   /// Writes the last line of the report and of --json.
   void complete();
@@ -115,12 +114,12 @@ class Collector {
   std::vector<FailedCase> failed_;
   harness::Summary summary_;
   std::map<std::string, std::size_t> told_;
-  std::size_t cases_ = 0, cases_before_ = 0;  ///< of these: known from an earlier run
-  double worst_ = 0;                          ///< relative error
+  std::size_t cases_ = 0, cases_before_ = 0;  ///< cases_before_: those of them known from an earlier run
+  double worst_ = 0;                          ///< the largest relative error
   Progress progress_;
 };
 
-// What is written at the end of a run of `fathom certify`, and its exit code.
+// The files that are written at the end of a run, and its exit code.
 
 /// Throws InputError if one of the requested files and folders cannot be written. Makes folders.
 void probe_reports(const CertifyRequest& certify);
@@ -131,8 +130,9 @@ harness::ExpectedFailures earlier_list(const CertifyRequest& certify);
 
 /// Names of files, by index of the outcome.
 using CertificateNames = std::map<std::size_t, std::string>;
-/// Writes one for each failing case, if requested; says of which none is written, since no checker
-/// would read it. Throws OutputError, InputError, Interrupted.
+/// Writes a certificate for each failing case, if requested. Prints the ids of cases whose
+/// certificate would exceed the limits of the checkers, and writes none for them. Throws
+/// OutputError, InputError, Interrupted.
 CertificateNames write_certificates(const CertifyRequest& certify, const harness::SubjectInfo& info, Collector& found);
 
 /// Writes JUnit and the page, if requested. `cut_short`: why cases are missing; empty if none is.
@@ -145,8 +145,8 @@ void write_reports(const CertifyRequest& certify, const harness::SubjectInfo& in
 void write_list(const CertifyRequest& certify, const harness::SubjectInfo& info, const Collector& found,
                 const harness::ExpectedFailures& earlier);
 
-/// Returns where to find more than in the table: the reports that were written, and the options for
-/// the others.
+/// Returns sentences on where to find more than in the table: the reports that were written, and
+/// the options for the others.
 std::vector<std::string> where_to_look(const CertifyRequest& certify);
 
 /// Returns the exit code by the verdicts alone: fine, judged_wrong, or incomplete if nothing was
@@ -154,16 +154,16 @@ std::vector<std::string> where_to_look(const CertifyRequest& certify);
 ExitCode code_of(const CertifyRequest& certify, Collector& found,
                  const std::optional<harness::ExpectedFailures::Check>& known);
 
-// fathom certify --shrink: one failing case of each verdict, made small; and one about which fathom
-// itself disagrees.
+// `fathom certify --shrink`: reduces one failing case of each verdict, and one on which two methods
+// of fathom disagree.
 
 /// Reduces, for each verdict and variant that failed, the smallest failing case; writes it to disk
 /// at each step. Prints the names of the files, one a line; with --json on standard error. Throws
 /// Interrupted, SubjectError, InputError.
 void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner, Collector& found);
 
-/// Reduces a case about which two ways to its truth differ, and writes it to the folder at each
-/// step. Says so on standard error. Throws Interrupted, InputError.
+/// Reduces a case on which two methods of fathom disagree, and writes it to the folder at each
+/// step. Prints the names of the files on standard error. Throws Interrupted, InputError.
 void shrink_disagreement(const std::string& folder, const harness::Disagreement& found, Progress& progress);
 
 }  // namespace fathom::cli

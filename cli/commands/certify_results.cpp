@@ -37,7 +37,7 @@
 namespace fathom::cli {
 namespace {
 
-constexpr std::size_t most_told = 5;  // sentences of one kind
+constexpr std::size_t most_told = 5;  // printed sentences of one kind
 
 using harness::ExpectedFailures;
 using harness::HtmlFailure;
@@ -60,13 +60,13 @@ using harness::Shrunk;
 
 std::size_t points_of(const Case& pair) { return pair.a.points.size() + pair.b.points.size(); }
 
-/// "5 points are left", or that bodies have names.
+/// Returns "5 points are left", or "with simpler shapes" for bodies that are described by name.
 std::string left_of(const Case& pair) {
   return harness::has_words(pair) ? "with simpler shapes" : fmt::format("{} points are left", points_of(pair));
 }
 
-/// By verdict and variant, the failing case with the fewest points, of points alone or else of
-/// shapes rather than of unions; of several the one with the least id.
+/// Returns the failing case to reduce for each verdict and variant: polytopes before shapes before
+/// unions, then the fewest points, then the least id.
 std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collector& found) {
   std::map<std::pair<Verdict, std::string>, const FailedCase*> best;
   for (const FailedCase& failed : found.failed()) {
@@ -83,7 +83,7 @@ std::map<std::pair<Verdict, std::string>, const FailedCase*> starts(const Collec
   return best;
 }
 
-/// Whether the subject sees these bodies, and not rounded ones.
+/// Returns whether the subject gets exactly these bodies, without rounding.
 bool is_seen_as_it_is(const Case& pair, const harness::SubjectInfo& info, long exponent) {
   const std::optional<Case> seen = harness::as_seen(pair, harness::in_unit(info.format, exponent), info.shapes);
   return seen && harness::digest_of(*seen) == harness::digest_of(pair);
@@ -104,7 +104,7 @@ constexpr ExitCode newly_failing = static_cast<ExitCode>(1);
 constexpr std::size_t indent = 4;
 
 struct DiffRequest {
-  std::vector<std::string> reports;  ///< the old one and the new one
+  std::vector<std::string> reports;  ///< the old report and the new one
   bool json = false;
   std::string html;          ///< a path; empty: not wanted
   std::string command_line;  ///< quoted for a shell
@@ -285,7 +285,7 @@ ExitCode code_of(const CertifyRequest& certify, Collector& found, const std::opt
   const bool as_listed = !known || known->fixed + known->changed + known->unmet == 0;
   if (!as_listed && certify.write_expect_fail.empty())
     talk("--write-expect-fail " + certify.expect_fail + " brings the list up to date");
-  const bool recorded = !known && !certify.write_expect_fail.empty();  // what fails was asked for, to be written down
+  const bool recorded = !known && !certify.write_expect_fail.empty();  // failures are what --write-expect-fail records
   const std::size_t failures = known ? known->unlisted : recorded ? 0 : summary.failures();
   if (!as_listed || failures > allowed || summary.unattributed() > 0) return judged_wrong;
   if (summary.failures() + summary.passes() > 0) return fine;
@@ -312,8 +312,8 @@ void shrink_failures(const CertifyRequest& request, harness::Examiner& examiner,
                                                     : harness::declined(pair, "rounded");
     };
     harness::Examine examine = [&](const Case& pair) { return in_unit(pair, harness::exponent_to_fit(pair, fit)); };
-    // Only a comparison with the original needs both; a variant that fails by itself is a case like
-    // any other.
+    // Only not_invariant is a comparison with the original case. A variant that fails by itself is
+    // reduced like any other case.
     if (verdict == Verdict::not_invariant)
       examine =
           harness::examine_variant(in_unit, variant, info.format, request.tolerance, fit, info.conventions.manifold);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom check [--proved] [--threads N] CERTIFICATES... Hands over to the independent checkers,
-// which have a parser and a command line of their own. The checker that was extracted from the Coq
-// development runs after the C++ checker: it gets each certificate as that one read it and compared
-// it with the user's cases and results, and must accept it too.
+// Runs the independent checkers, which have a parser and a command line of their own. With
+// --proved, the checker that was extracted from the Coq development runs after the C++ checker: it
+// gets each certificate as that one parsed it and compared it with the user's cases and results,
+// and must accept it too.
 
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ namespace {
 
 inline constexpr const char* proved_program = "fathom-check-proved";
 
-/// Returns the message that the program is missing, and how it is built.
+/// Returns the message that the program is missing, with the command that builds it.
 std::string proved_program_is_missing() {
   return std::string(proved_program) +
          " is not here: it is built from proofs/coq, with Coq and OCaml (Debian: coq, libzarith-ocaml-dev, "
@@ -41,7 +41,7 @@ std::string proved_program_is_missing() {
 
 class ProvedChecker : public fathom_check::SecondChecker {
  public:
-  /// `width`: what it accepts must be about the width of a body.
+  /// `width`: accepts only certificates about the width of a body.
   explicit ProvedChecker(bool width) : width_(width) {}
 
   void hand_over(const fathom_check::Certificate& certificate) override;
@@ -56,7 +56,7 @@ class ProvedChecker : public fathom_check::SecondChecker {
   bool width_;
   std::unique_ptr<harness::Process> process_;
   int format_ = 1;
-  std::string text_;  ///< of the certificate, from its points on
+  std::string text_;  ///< the certificate, from its points on
   std::size_t claim_line_ = 0;
   bool failed_ = false;
 };
@@ -66,7 +66,7 @@ using fathom_check::Certificate;
 using fathom_check::Claim;
 using fathom_check::RationalPoint;
 
-/// Certificates in the words of FORMAT.md, section 2, line by line.
+/// Writes certificates in the syntax of FORMAT.md, section 2, line by line.
 class Text {
  public:
   template <class... Fields>
@@ -91,7 +91,7 @@ class Text {
     }
     result_ += '\n';
   }
-  /// Those from number `first` to `last`.
+  /// Writes the facets `first` to `last`.
   void facets(const fathom_check::Facets& facets, std::size_t first, std::size_t last, const char* name = "facets") {
     announce(name, last - first, "");
     for (std::size_t f = first; f < last; ++f) {
@@ -111,7 +111,7 @@ class Text {
       result_ += '\n';
     }
   }
-  /// Of a corner: two lists on one line, between these numbers.
+  /// Writes the weights of a corner: two lists on one line, between these ends.
   void weights(const std::vector<fathom_check::Weight>& weights, const std::array<std::size_t, 3>& ends) {
     for (const std::size_t list : {0, 1}) {
       result_ += (list == 0 ? "" : " ") + std::to_string(ends[list + 1] - ends[list]);
@@ -122,7 +122,7 @@ class Text {
     }
     result_ += '\n';
   }
-  /// Those of the items from number `first` to `last`.
+  /// Writes the items `first` to `last`.
   template <class Items, class Line>
   void range(const std::string& name, const Items& items, std::size_t first, std::size_t last, const Line& row) {
     announce(name, last - first, "");
@@ -132,7 +132,7 @@ class Text {
     line(name, count, other);
     counts_.insert(counts_.end(), {count, other});
   }
-  /// With the footer, which repeats all counts.
+  /// Returns the text with its footer, which repeats all counts.
   std::string ended(int format) && {
     constexpr std::size_t of_format_1 = 5;
     if (format == 1) counts_.resize(of_format_1);
@@ -216,7 +216,7 @@ void write_proof_of_body(Text& text, const Body& body, const char* name, bool he
   text.part(std::string("inner_") + name, points, [&](const auto& places) { text.row(places); });
 }
 
-/// What stands behind the claim.
+/// Writes the lines after the claim.
 void write_proof_of_unions(Text& text, const Certificate& c) {
   const fathom_check::UnionParts& parts = c.of_unions;
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
@@ -248,7 +248,7 @@ void write_proof_of_unions(Text& text, const Certificate& c) {
   text.tree(parts.tree.items);
 }
 
-/// All of format 5.
+/// Writes all lines of format 5.
 void write_solid(Text& text, const Certificate& c) {
   write_body(text, c.a, "a");
   text.part("mesh", c.of_solid.mesh.items, [&](const fathom_check::SolidParts::Triangle& t) {
@@ -262,7 +262,7 @@ void write_solid(Text& text, const Certificate& c) {
   write_claim(text, c);
 }
 
-/// The patches and rates of format 4.
+/// Writes the patches and rates of format 4.
 void write_patches(Text& text, const fathom_check::PatchParts& parts) {
   const auto sides = [&](const fathom_check::PatchParts::Side& side) {
     text.line(side.of_b ? "b" : "a", side.inward.x, side.inward.y, side.inward.z, std::size_t{side.corner});
@@ -282,7 +282,7 @@ void write_patches(Text& text, const fathom_check::PatchParts& parts) {
               [&](const fathom_check::PatchParts::Rate& rate) { text.line(rate.v, rate.w, rate.sign, rate.root); });
 }
 
-/// All but the first line and the id.
+/// Returns the certificate without its first line and its id.
 std::string text_of(const Certificate& c) {
   Text text;
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
@@ -337,11 +337,11 @@ std::string ProvedChecker::answer(const std::string& name) {
     look_here_first();
     process_ = std::make_unique<Process>(std::string("exec ") + proved_program + (width_ ? " --width -" : " -"));
   }
-  text_.pop_back();  // send() ends the last line
+  text_.pop_back();  // send() appends the last line end
   process_->send("fathom-certificate " + std::to_string(format_) + "\nid " + name + '\n' + text_);
   std::string line;
   if (process_->read_line(line, Process::Clock::time_point::max()) == Process::Got::line) return line;
-  constexpr int no_such_program = 127;  // of a shell
+  constexpr int no_such_program = 127;  // the exit code of a shell
   const auto ending = process_->ending(Process::Clock::time_point::max());
   if (ending && !ending->by_signal && ending->number == no_such_program) throw failure(proved_program_is_missing());
   throw failure(std::string(proved_program) + " " + (ending ? harness::described(*ending) : "is gone"));
@@ -354,7 +354,7 @@ fathom_check::SecondChecker::Opinion ProvedChecker::opinion(const std::string& n
   const bool refused = line.starts_with("s REFUSED ");
   if (!refused && !line.starts_with("s MALFORMED ")) throw failure(std::string(proved_program) + " gives no verdict");
   const std::string start = line.substr(0, line.find(' ', 2)) + end;
-  const std::size_t reason = line.find(": ", start.size());  // behind a line number of the text that was handed over
+  const std::size_t reason = line.find(": ", start.size());  // skips the line number, which is one of the text sent
   return {refused ? fathom_check::Outcome::refused : fathom_check::Outcome::malformed,
           start + ':' + std::to_string(claim_line_) + ": by " + proved_program + " alone" +
               line.substr(std::min(reason, line.size()))};
@@ -366,23 +366,23 @@ struct UsageFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Replaces this process by the checker that was extracted from the Coq development; returns only
-/// if there is none, beside this program or on the path.
+/// Replaces this process by the checker that was extracted from the Coq development. Returns only
+/// if it is found neither beside this program nor on the path.
 ExitCode become_proved(const std::vector<std::string>& words) {
   become(proved_program, words);
   talk(proved_program_is_missing());
   return internal_error;
 }
 
-/// Compares with cases and results first, which the proved checker cannot read; then it must accept
-/// what passes.
+/// Checks certificates with the C++ checker, which also compares them with cases and results. The
+/// proved checker, which cannot read these, must then accept what passes.
 ExitCode compare_and_prove(const std::vector<std::string>& words, bool width) {
   ProvedChecker proved(width);
   const int code = fathom_check::command_line(words, "fathom check", &proved);
   return proved.failed() || !std::cout ? internal_error : static_cast<ExitCode>(code);
 }
 
-/// Runs the checker's work on this program's threads.
+/// Runs the work of the checker on threads of this program.
 class Threads : public fathom_check::Workers {
  public:
   explicit Threads(unsigned threads) : threads_(threads) {}
@@ -400,7 +400,7 @@ class Threads : public fathom_check::Workers {
   unsigned threads_;
 };
 
-/// Takes "--threads N" out of the words. Throws UsageFault.
+/// Removes "--threads N" from the words and returns N. Throws UsageFault.
 std::optional<unsigned> take_threads(std::vector<std::string>& words) {
   const auto option =
       std::find_if(words.begin(), std::find(words.begin(), words.end(), "--"),
@@ -415,8 +415,7 @@ std::optional<unsigned> take_threads(std::vector<std::string>& words) {
   return threads;
 }
 
-/// Throws UsageFault for an option that is misspelt; other unknown ones are the checker's to
-/// refuse.
+/// Throws UsageFault for a misspelt option. The checker refuses other unknown options.
 void refuse_misspelt(const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const OptionHelp& option : page_of("check", common_options()).options)
@@ -446,7 +445,7 @@ ExitCode check(std::vector<std::string> words) {
     Threads workers(threads.value_or(usual_threads()));
     const int code = fathom_check::command_line(words, "fathom check", nullptr, &workers);
     return std::cout ? static_cast<ExitCode>(code)
-                     : internal_error;  // fathom-check, which has no code for internal errors, returns 2
+                     : internal_error;  // fathom-check, which has no code for internal errors, returns 2 here
   }
   if (threads)
     throw UsageFault("--proved checks one certificate after the other, and cannot be combined with --threads");

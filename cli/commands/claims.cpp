@@ -25,7 +25,7 @@
 namespace fathom::cli {
 namespace {
 
-/// One line, and one more for each statement; without the last newline.
+/// Returns one line, and one more for each statement; without the last newline.
 std::string claim_text(const claims::PublishedClaim& claim, const claims::JudgedClaim& judged) {
   std::string text = fmt::format("{}: {}", safe_id(claim.bodies.id), claims::verdict_name(judged.finding()));
   for (const claims::Statement& statement : judged.statements)
@@ -37,7 +37,7 @@ using claims::Finding;
 using claims::JudgedClaim;
 using claims::PublishedClaim;
 
-/// Writes the proofs of the truth about wrong claims, if they are wanted.
+/// Writes certificates of the truth for wrong claims, if requested.
 class Proofs {
  public:
   explicit Proofs(const std::string& folder) {

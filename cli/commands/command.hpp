@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One function per command. Each fills a struct of its own from what was given, which the table of
-// options has checked.
+// One function for each command. Each fills a struct of its own from the options, which the parser
+// has checked against the table.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@
 
 namespace fathom::cli {
 
-/// Runs the command that was given. The two programs differ here: every_command.cpp belongs to
-/// fathom, depth_alone.cpp to fathom-depth.
+/// Runs the command. The two programs differ here: every_command.cpp belongs to fathom,
+/// depth_alone.cpp to fathom-depth.
 ExitCode run_command(const Given& given);
 
-/// The part that the command needs beside the program, as ./fathom calls it, or "".
+/// Returns the part to build for the command beside the program, under its name in ./fathom, or "".
 std::string part_needed(const Given& given);
 
-/// These throw InputError, OutputError, Interrupted; any other exception is an internal error.
+/// These functions throw InputError, OutputError, Interrupted; any other exception is an internal
+/// error.
 ExitCode run_depth(const Given& given);
 /// depth --along
 ExitCode run_along(const Given& given);
@@ -34,15 +35,16 @@ ExitCode run_explain(const Given& given);
 ExitCode run_solid(const Given& given);
 ExitCode run_cases(const Given& given);
 ExitCode run_certify(const Given& given);
-/// certify --claims FILE: judges what was published about pairs of bodies. Returns 1 if a claim is
-/// wrong.
+/// Implements `certify --claims FILE`: judges published statements about pairs of bodies. Returns 1
+/// if a claim is wrong.
 ExitCode run_claims(const Given& given);
 /// certify diff
 ExitCode run_diff(const Given& given);
 
-/// These read the rest of the words themselves, and print what is wrong with them.
+/// These functions parse the rest of the words themselves, and print errors in them.
 ExitCode run_check(const Given& given);
-/// Whether the words behind `check` ask for the checker that was extracted from the Coq proof.
+/// Returns whether the words after `check` ask for the checker that was extracted from the Coq
+/// proof.
 bool asks_for_proved(const std::vector<std::string>& words);
 ExitCode run_golden(const Given& given);
 /// `help`, `man` and `completion`.

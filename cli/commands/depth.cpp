@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B | CASES.jsonl | -
-// The answer.
+// Computes the depth, or the distance, and prints the answer.
 
 #include "cli/commands/depth.hpp"
 
@@ -29,7 +29,7 @@
 namespace fathom::cli {
 namespace {
 
-/// The bits that bounds must have so that their digits can agree.
+/// Returns how many bits the bounds need so that the digits asked for can agree.
 unsigned bits_of(const DepthRequest& request) {
   const unsigned usual = SignedDepthOptions{}.bits;
   if (request.bits || !request.form.digits) return request.bits.value_or(usual);
@@ -37,7 +37,7 @@ unsigned bits_of(const DepthRequest& request) {
   return static_cast<unsigned>(std::clamp<unsigned long>(enough, usual, most_bound_bits));
 }
 
-/// What a run writes beside its replies.
+/// The files of a run: certificates and pictures.
 struct Files {
   FilePlaces certificates, pictures;
 
@@ -76,7 +76,7 @@ Question question_of(const DepthRequest& request, Monitor& monitor, Workspace& w
   question.options.monitor = &monitor;
   question.options.workspace = &workspace;
   question.bits = bits_of(request);
-  question.coaxial = !request.form.certificate;  // a checker compares both
+  question.coaxial = !request.form.certificate;  // a checker compares answer and certificate
   return question;
 }
 
@@ -114,7 +114,7 @@ Replies exact_replies(const DepthRequest& request) {
   if (request.one_body) replies.refuses_unions = shapes::width_of_union;
   replies.reply = [&request, files = std::make_shared<Files>(request)](const AskedCase& asked, Monitor& monitor,
                                                                        Workspace& workspace) -> CaseReply {
-    const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // an unwritable path fails early
+    const std::unique_ptr<CertificateFile> proof = files->certificates.single();  // fails early for an unwritable path
     const std::unique_ptr<CertificateFile> drawing = files->pictures.single();
     AnsweredCase answered = answered_by(asked, request, question_of(request, monitor, workspace));
     if (!answered.answer.complete()) return {text_of(answered, request), {}, interrupted};

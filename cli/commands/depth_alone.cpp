@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program fathom-depth runs: `depth`. It takes half the time of fathom to build, so
-// ./fathom builds it for the first answer.
+// The command of the program fathom-depth: `depth` alone. This program builds in half the time of
+// fathom, so ./fathom builds it for the first answer.
 #include "cli/commands/command.hpp"
 
 namespace fathom::cli {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program fathom runs: every command.
+// The commands of the program fathom: all of them.
 #include <algorithm>
 #include <string>
 #include <string_view>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom explain A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html
-// One page: the answer with its patches, the stages, and how the depth changes along motions.
+// Writes one page: the answer with its patches, the stages, and how the depth changes along
+// motions.
 
 #include "cli/commands/explain.hpp"
 
@@ -36,7 +37,7 @@ std::vector<std::string> notes_on(const AboutBodies& bodies) {
   return notes;
 }
 
-/// What is green in the picture: "the arrow, and where they touch then".
+/// Returns the names of the green parts of the picture: "the arrow, and where they touch then".
 std::string drawn_beside(const picture::PairScene& scene) {
   const bool touching = scene.status == Status::touching;
   const std::string arrow = scene.moves() ? "the arrow" : "";
@@ -51,14 +52,14 @@ std::string drawn_beside(const picture::PairScene& scene) {
 
 constexpr std::uint32_t steps_of_twist = 40, steps_of_usual = 10;
 constexpr int least_turn = -60;            // an exponent of two
-constexpr std::size_t most_points = 2000;  // of both bodies, for motions that nobody asked for
+constexpr std::size_t most_points = 2000;  // of both bodies together, for motions that the user did not ask for
 
 struct NamedMotion {
   std::string name;
   Motion motion;
   std::uint32_t steps;
 
-  /// "A moves along n", "A and B move by the twists".
+  /// Returns "A moves along n", "A and B move by the twists".
   [[nodiscard]] std::string sentence() const {
     const bool b_moves = motion.of_b != Twist(), a_moves = !b_moves || motion.of_a != Twist();
     return fmt::format("{} {}", !b_moves ? "A moves" : a_moves ? "A and B move" : "B moves", name);
@@ -67,7 +68,7 @@ struct NamedMotion {
 
 bool is_length(double value) { return std::isfinite(value) && value > 0; }
 
-/// The longest side of both bodies; 0 if there is none.
+/// Returns the longest side of the bounding boxes of both bodies; 0 if there is none.
 double longest_side(const AnsweredCase& answered) {
   double longest = 0;
   for (const auto& sides : {answered.bodies.sizes.a, answered.bodies.sizes.b})
@@ -75,10 +76,10 @@ double longest_side(const AnsweredCase& answered) {
   return longest;
 }
 
-/// Of A: along the direction, across the contact; and about the axes, through the middle of the
-/// first patch, by half a radian where that is not far from O. These are only to be looked at.
-/// Steps are powers of two, found by exponents: quotients of doubles could vanish or be infinite.
-/// Empty if the bodies have no length that a double holds.
+/// Returns motions of A for illustration: along the direction, across the contact; and, if it is
+/// not far from O, by half a radian about the axes through the middle of the first patch. Steps are
+/// powers of two, found by exponents, because quotients of doubles could underflow or overflow.
+/// Empty if no double holds the size of the bodies.
 std::vector<NamedMotion> usual_motions(const AnsweredCase& answered) {
   const double side = longest_side(answered), depth = std::abs(answered.answer.low_binary64());
   const Point middle = answered.manifold->geometry.patches.front().centroid().a.core;
@@ -104,8 +105,8 @@ std::string twist_text(const Twist& twist) {
   return text;
 }
 
-/// The options with which `fathom depth` makes the same steps; if B moves, which it does not do
-/// there, those with which it finds the same derivative.
+/// Returns the options with which `fathom depth` computes the same steps; if B moves, which --along
+/// does not support, those with which it finds the same derivative.
 std::string repeated_text(const Path& path) {
   const auto& [of_a, of_b] = path.motion;
   if (of_b == Twist()) return fmt::format("--along={} --steps {}", twist_text(of_a), path.steps);
@@ -113,7 +114,7 @@ std::string repeated_text(const Path& path) {
   return fmt::format("{}--twist-b={}", twist_a, twist_text(of_b));
 }
 
-/// What the page shows of the depth while the bodies move.
+/// Returns the section of the page on the depth while the bodies move.
 page::Motions motions_of(const Case& single, const AnsweredCase& answered, const DepthRequest& request,
                          Monitor& monitor) {
   const ContactGeometry& geometry = answered.manifold->geometry;
@@ -156,7 +157,7 @@ page::Motions motions_of(const Case& single, const AnsweredCase& answered, const
 std::string explained_page(const AskedCase& asked, const ExplainRequest& request, Monitor& monitor) {
   Case single = asked;
   if (request.depth.inputs.size() == 2)
-    single.id = picture::without_folders(single.id);  // names of files; a case has its own
+    single.id = picture::without_folders(single.id);  // ids of meshes are names of files
   Workspace workspace;
   AnsweredCase answered = answered_by(asked, request.depth, question_of(request.depth, monitor, workspace));
   const Answer& answer = answered.answer;
@@ -188,7 +189,7 @@ std::string explained_page(const AskedCase& asked, const ExplainRequest& request
 ExitCode run_explain(const Given& given) {
   ExplainRequest request(given);
   request.options.times = given.flag("--times");
-  CertificateFile file(given.text("--output"), "page");  // an unwritable path fails early
+  CertificateFile file(given.text("--output"), "page");  // fails early for an unwritable path
   const Case single = asked_case(request.depth);
   std::string page;
   {

@@ -32,7 +32,8 @@ namespace {
 
 constexpr ExitCode golden_refused = static_cast<ExitCode>(1);
 
-/// Makes the missing shards of the request's part. Returns their number, and that of the release.
+/// Makes the missing shards of the request's part. Returns how many it made, and how many the
+/// release has.
 std::pair<std::size_t, std::size_t> make_shards(const GenerateRequest& request) {
   Progress progress;
   StopOnInterrupt interrupt;
@@ -47,7 +48,7 @@ std::pair<std::size_t, std::size_t> make_shards(const GenerateRequest& request) 
 
 ExitCode generate(const GenerateRequest& request) {
   const InterruptGuard interrupt_guard;
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit on file sizes then fails like one on a full disk
   const auto [made, all] = make_shards(request);
   print(fmt::format(
       "{}: {} of {} shards made; {}", request.folder, made, all,
@@ -63,7 +64,7 @@ std::string verified_line(const golden::Verified& verified, const VerifyRequest&
                      agreed.empty() ? "" : " agreed=", fmt::join(agreed, ","), request.folder);
 }
 
-/// Which records are exported, and how.
+/// Returns which records are exported, and the form of the export.
 golden::ExportRequest export_request(const Given& given) {
   golden::ExportRequest exported;
   exported.format = golden::find_export_format(given.text("--format")).value();
@@ -134,7 +135,7 @@ ExitCode export_golden(const Given& given) {
   const golden::Exported exported =
       own ? golden::export_own_cases(folder, request, &interrupt) : golden::export_release(folder, request, &interrupt);
   if (proofs) proofs->write(exported.certificates);
-  print(exported.text.substr(0, exported.text.size() - 1));  // print ends the last line
+  print(exported.text.substr(0, exported.text.size() - 1));  // print() appends the last line end
   talk(fmt::format("{} of {} fitting records; of all {}, {} are beyond binary64, {} are excluded, {} have more points",
                    exported.chosen, exported.fitting, exported.records, exported.not_doubles, exported.excluded,
                    exported.too_large));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of `fathom golden` that one process and many share.
+// The parts of `fathom golden` that runs in one process and runs under MPI share.
 #pragma once
 
 #include <cstddef>
@@ -33,26 +33,25 @@ struct VerifyRequest {
   std::string folder;
   unsigned jobs;                ///< 0: as many as there are cores
   std::vector<Method> methods;  ///< compute every record again by these too
-  bool state;                   ///< write the page that says so
+  bool state;                   ///< write the page that states the results
 };
 
-/// Does `work` for the task that the words name. Says what is wrong with the words only if
-/// `says_usage`, and what is wrong with folders and files always. Lets other exceptions of `work`
-/// pass.
+/// Calls `work` for the task that the words name. Prints errors in the words only if `says_usage`,
+/// and errors in folders and files always. Other exceptions of `work` pass through.
 ExitCode carry_out_golden(const std::vector<std::string>& words, bool says_usage,
                           const std::function<ExitCode(const Given&)>& work);
 
-/// The shards of the request's part: i, i + n, i + 2 n, ...
+/// Returns the shards of the request's part: i, i + n, i + 2 n, ...
 std::vector<std::size_t> in_part(const std::vector<std::size_t>& shards, const GenerateRequest& request);
 
-/// Verifies and prints what was found. `elsewhere`: see VerifyOptions. Throws FileError if the
+/// Verifies the data and prints the result. `elsewhere`: see VerifyOptions. Throws FileError if the
 /// folder cannot be read, Interrupted.
 ExitCode verify_golden(
     const VerifyRequest& request,
     std::function<void(const std::vector<golden::ShardPlan>&, const golden::TakeShard&)> elsewhere = {});
 
-/// Prints the export, and on standard error how many records it holds and why others do not fit.
-/// Throws FolderError, FileError, InputError, OutputError, Interrupted.
+/// Prints the export, and on standard error its number of records and the reasons why others were
+/// omitted. Throws FolderError, FileError, InputError, OutputError, Interrupted.
 ExitCode export_golden(const Given& given);
 
 }  // namespace fathom::cli

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom help [COMMAND] | man [COMMAND] | man --all DIR | completion SHELL
-// Pages for terminals; as roff, for man; and scripts by which shells complete commands, options and
-// their values.
+// Pages of help for terminals; as roff, for man; and scripts with which shells complete commands,
+// options and their values.
 
 #include "cli/args/help.hpp"
 
@@ -37,12 +37,12 @@ using Lines = std::vector<std::string>;
 
 constexpr const char* shells[] = {"bash", "zsh", "fish"};
 
-/// Whether it is a task of another command: "golden verify".
+/// Returns whether it is a task of another command: "golden verify".
 bool is_task(const CommandHelp& command) { return !parent(command).empty(); }
 
 // ---- manual pages ----
 
-/// Text that roff prints as it is, in one line.
+/// Returns the text as one line, escaped for roff.
 std::string plain(std::string_view text) {
   std::string result = !text.empty() && text.front() == '.' ? "\\&" : "";
   for (const char c : text) {
@@ -63,7 +63,7 @@ std::string plain(std::string_view text) {
 std::string bold(std::string_view text) { return "\\fB" + plain(text) + "\\fR"; }
 std::string italic(std::string_view text) { return text.empty() ? "" : "\\fI" + plain(text) + "\\fR"; }
 
-/// The summary as man's index has it: "exact width of one body".
+/// Returns the summary in the form of man's index: "exact width of one body".
 std::string line_of_index(std::string_view summary) {
   std::string result(summary.substr(0, summary.find_last_not_of('.') + 1));
   if (!result.empty() && result.front() >= 'A' && result.front() <= 'Z')
@@ -94,7 +94,7 @@ void add_examples(Lines& lines, std::span<const Example> examples) {
   }
 }
 
-/// The sections of a page that its tasks have too, as subsections.
+/// Adds the sections that pages of commands and of tasks both have; for a task as subsections.
 void add_sections(Lines& lines, const HelpPage& page, const char* section) {
   const auto heading = [&](const char* title) { lines.push_back(fmt::format("{} {}", section, title)); };
   heading("OPTIONS");
@@ -103,15 +103,15 @@ void add_sections(Lines& lines, const HelpPage& page, const char* section) {
   add_examples(lines, page.command.examples);
 }
 
-/// "fathom", "fathom-depth".
+/// Returns "fathom", "fathom-depth".
 std::string man_name(const CommandHelp& command) {
   std::string name = full_name(command);
   std::ranges::replace(name, ' ', '-');
   return name;
 }
 
-/// The page as roff with the macros of man, and behind it those of the command's tasks. `others`:
-/// the pages to refer to. Without the last newline.
+/// Returns the page as roff with the macros of man, followed by those of the command's tasks,
+/// without the last newline. `others`: the pages to refer to.
 std::string man_page(const HelpPage& page, std::span<const HelpPage> tasks, std::span<const std::string> others) {
   const CommandHelp& command = page.command;
   const std::string name = man_name(command);
@@ -143,12 +143,12 @@ std::string man_page(const HelpPage& page, std::span<const HelpPage> tasks, std:
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-// ---- completion: scripts for shells, made of all pages, that of fathom first, each command's
+// ---- completion: scripts for shells, made from all pages, that of fathom first, each command's
 // before those of its tasks; without the last newline ----
 
 constexpr std::string_view made_by = "# Commands, options and values of fathom; made by `fathom completion`.";
 
-/// What may stand behind an option.
+/// The kind of word that follows an option.
 enum class ValueKind { none, words, list, file, folder, other };
 
 ValueKind value_kind(const OptionHelp& option) {
@@ -158,8 +158,7 @@ ValueKind value_kind(const OptionHelp& option) {
   return option.value == "FILE" || option.value == "CASES" || option.value == "Q" ? ValueKind::file : ValueKind::other;
 }
 
-/// The words, none of which is an option, that may stand behind the command; empty if only files
-/// do.
+/// Returns the words, other than options, that may follow the command; empty if only files may.
 std::vector<std::string> words_behind(const HelpPage& page, std::span<const HelpPage> pages) {
   std::vector<std::string> words;
   if (page.command.name == "completion") return {std::begin(shells), std::end(shells)};
@@ -168,7 +167,7 @@ std::vector<std::string> words_behind(const HelpPage& page, std::span<const Help
   return words;
 }
 
-/// The beginning of a meaning, up to the first stop, in one line.
+/// Returns the beginning of a meaning, up to the first full stop, in one line.
 std::string short_meaning(std::string_view meaning) {
   constexpr std::size_t longest = 70;
   std::string text(meaning.substr(0, std::min(meaning.find(". "), meaning.find("; "))));
@@ -177,7 +176,7 @@ std::string short_meaning(std::string_view meaning) {
   return text.substr(0, text.rfind(' ', longest)) + " ...";
 }
 
-/// `text` with a backslash before each of the characters.
+/// Returns `text` with a backslash before each of the characters.
 std::string escaped(std::string_view text, std::string_view characters) {
   std::string result;
   for (const char c : text) {
@@ -195,7 +194,7 @@ std::string bash_options(const HelpPage& page) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// What is offered behind an option.
+/// Returns the completions for the value of an option.
 std::string bash_offer(const OptionHelp& option) {
   switch (value_kind(option)) {
     case ValueKind::words: return fmt::format("words='{}'", fmt::join(option.choices, " "));
@@ -269,7 +268,7 @@ complete -o filenames -F _fathom fathom)",
 
 // ---- zsh ----
 
-/// What _arguments is to offer for a value.
+/// Returns the action of _arguments for a value.
 std::string zsh_action(const OptionHelp& option) {
   switch (value_kind(option)) {
     case ValueKind::words: return fmt::format(":{}:({})", option.value, fmt::join(option.choices, " "));
@@ -283,7 +282,7 @@ std::string zsh_action(const OptionHelp& option) {
   return "";
 }
 
-/// "    '--method=[how]:NAME:(auto exact)' \" for each name.
+/// Adds "    '--method=[how]:NAME:(auto exact)' \" for each name.
 void add_zsh_options(Lines& lines, const HelpPage& page, const std::string& indent) {
   for (const OptionHelp& option : page.options)
     for (const std::string& name : option.names) {
@@ -294,7 +293,7 @@ void add_zsh_options(Lines& lines, const HelpPage& page, const std::string& inde
     }
 }
 
-/// One branch: the options, then words or files.
+/// Adds one branch of the script: the options, then words or files.
 void add_branch(Lines& lines, const HelpPage& page, std::span<const HelpPage> pages, const std::string& indent) {
   const Lines behind = words_behind(page, pages);
   lines.push_back(fmt::format("{}{})", indent, last_word(page.command)));
@@ -350,7 +349,7 @@ std::string zsh_completion(std::span<const HelpPage> pages) {
 
 std::string fish_quoted(std::string_view text) { return "'" + escaped(text, "'\\") + "'"; }
 
-/// What must have been typed for the page to be meant.
+/// Returns the condition under which the words typed so far select the page.
 std::string fish_condition(const HelpPage& page) {
   if (page.command.name.empty()) return "__fish_use_subcommand";
   std::string result =
@@ -376,14 +375,14 @@ void add_fish_options(Lines& lines, const HelpPage& page) {
   }
 }
 
-/// The words behind a command, offered once: with their summaries if these are commands themselves.
+/// Adds the words that may follow the command, each once; commands with their summaries.
 void add_fish_words(Lines& lines, const HelpPage& page, std::span<const HelpPage> pages) {
   const Lines behind = words_behind(page, pages);
   if (behind.empty()) return;
   std::string when = fish_condition(page);
   if (!page.command.name.empty())
     when += fmt::format("; and not __fish_seen_subcommand_from {}", fmt::join(behind, " "));
-  // Behind `help`, which is a command too, the others have not been typed yet.
+  // `help` is itself a word that it takes, so its condition must not exclude words that were typed.
   if (page.command.name == "help" || page.command.name == "man") when = fish_condition(page);
   if (page.commands.empty())
     lines.push_back(fmt::format("complete -c fathom -f -n {} -a '{}'", fish_quoted(when), fmt::join(behind, " ")));
@@ -405,7 +404,7 @@ std::string fish_completion(std::span<const HelpPage> pages) {
 
 using Pages = std::vector<HelpPage>;
 
-/// Adds the values of options that the parser does not know, as fathom-depth has it too.
+/// Adds the values of options that are not in the table of fathom-depth.
 void add_values(HelpPage& page) {
   for (OptionHelp& option : page.options) {
     std::vector<std::string>& values = option.choices;
@@ -421,8 +420,8 @@ void add_values(HelpPage& page) {
   }
 }
 
-/// Every page: that of fathom first, then the commands in the order of the table, each with its
-/// tasks behind it.
+/// Returns all pages: that of fathom first, then the commands in the order of the table, each
+/// followed by its tasks.
 Pages all_pages() {
   std::vector<Option> table(common_options().begin(), common_options().end());
   std::ranges::copy(golden_options(), std::back_inserter(table));
@@ -437,7 +436,7 @@ ExitCode refused(std::string_view name, const std::string& sentence) {
   return bad_input;
 }
 
-/// The page of this name, or nullptr.
+/// Returns the page of this name, or nullptr.
 const HelpPage* find_page(const Pages& pages, std::string_view name) {
   const auto found = std::ranges::find(pages, name, [](const HelpPage& page) { return page.command.name; });
   return found == pages.end() ? nullptr : &*found;

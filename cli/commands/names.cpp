@@ -23,7 +23,7 @@ constexpr std::size_t suggestions = 3, longest_name = 60;
 
 bool is_script(const Adapter& adapter) { return adapter.program.ends_with(".mjs"); }
 
-// A script runs where npm has put its packages beside it.
+// A script can run if npm has installed its packages beside it.
 bool is_ready(const Adapter& adapter, const fs::path& file) {
   std::error_code fault;
   if (is_script(adapter))

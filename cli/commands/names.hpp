@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names that options take for what comes with fathom: families of cases, and subjects.
+// Names that options accept for parts of fathom: families of cases, and subjects.
 //                                                                       [verify/subjects/README.md]
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace fathom::cli {
 
-/// A few of the names: of families, unless others are given. Those that hold `name` come first,
-/// then those by the fewest slips.
+/// Returns a few names, of families unless others are given, that are similar to `name`: first those
+/// that contain it, then those at the smallest edit distance.
 std::vector<std::string_view> nearest_families(std::string_view name,
                                                std::vector<std::string_view> names = families::family_names());
 
@@ -27,18 +27,18 @@ struct Adapter {
 
 const std::vector<Adapter>& adapters();
 
-/// Returns that of "NAME" or "NAME,key=value,...", or null.
+/// Returns the adapter of "NAME" or "NAME,key=value,...", or null.
 const Adapter* adapter_named(std::string_view words);
 
-/// Returns a sentence on how those come that are not there.
+/// Returns a sentence on how to build or install missing adapters.
 std::string how_adapters_come();
 
 /// Returns the path of the adapter's program: beside fathom's own, or in ../libexec/fathom from
-/// there; "" if it is in neither place, or a script whose packages are not there.
+/// there; "" if it is in neither place, or is a script whose packages are missing.
 std::string program_of(const Adapter& adapter);
 
 /// Returns the shell command for "NAME" or "NAME,key=value,...". Throws InputError if there is no
-/// such adapter, or its program is not built or has not its packages.
+/// such adapter, its program is not built, or its packages are missing.
 std::string adapter_command(const std::string& words);
 
 }  // namespace fathom::cli

@@ -4,8 +4,8 @@
 // fathom ray --direction X,Y,Z A B | CASES.jsonl | -
 // fathom ray --growth [--center-a X,Y,Z] [--center-b X,Y,Z] A B | CASES.jsonl | -
 // fathom metric --ball Q A B | CASES.jsonl | -
-// Lengths that rays find: depths within a factor, in one direction, and in a polyhedral norm or
-// gauge; and growth distances. For people and for programs (JSON: result, ray, growth and
+// Lengths found by shooting rays: depths within a factor, in one direction, and in a polyhedral
+// norm or gauge; and growth distances. As text and as JSON (result, ray, growth and
 // metric.schema.json).
 
 #include <fmt/format.h>
@@ -32,26 +32,28 @@
 namespace fathom::cli {
 namespace {
 
-/// The value as a decimal: that of the root of its square.
+/// Returns the absolute value as root_text prints numbers.
 std::string decimal(const mpq_class& value) { return root_text(value * value); }
 
 // ---- within a factor ----
 
-/// Tells no distance: for disjoint bodies an approximation has only a plane between them.
+/// Returns the label of the direction. Without a distance: of disjoint bodies an approximation
+/// finds only a separating plane.
 std::string direction_label(const ApproxDepth& depth) {
   return depth.status() == Status::disjoint ? "separating normal" : "direction";
 }
 
 std::uint64_t rays(const ApproxDepth& depth) { return depth.penetration() ? depth.penetration()->rays : 0; }
 
-/// How far apart disjoint bodies are, no approximation tells.
+/// Returns the bounds of the signed depth. Of disjoint bodies they exclude only 0, because an
+/// approximation does not find the distance.
 output::SignedDepthBounds signed_bounds(Status status, const kernels::Roundings& least,
                                         const kernels::Roundings& most) {
   if (status == Status::disjoint) return {-std::numeric_limits<double>::infinity(), 0};
   return {least.binary64.rd, most.binary64.ru};
 }
 
-/// Several lines, or one; without the last newline.
+/// Returns several lines, or one; without the last newline.
 std::string approx_block(const ApproxDepth& depth, const output::AboutBodies& bodies, const AnswerForm& form) {
   const std::string what = quantity(form);
   std::vector<Row> rows;
@@ -88,7 +90,7 @@ std::string approx_line(const std::string& id, const ApproxDepth& depth, const A
   return case_line(id, parts);
 }
 
-/// One line, without its newline. Pure ASCII whatever the id holds.
+/// Returns one line, without its newline, in ASCII for any id.
 std::string approx_json(const std::string& id, const ApproxDepth& depth, const output::AboutBodies& bodies,
                         const AnswerForm& form) {
   const ApproxPenetration* const found = depth.penetration();
@@ -122,7 +124,7 @@ struct ApproxRequest : BodiesRequest {
       : BodiesRequest(given), form(given), delta(given.number("--delta").value_or(mpq_class(1, 100))) {}
 
   AnswerForm form;
-  mpq_class delta;  ///< the answer may be wrong by a factor of 1 + delta
+  mpq_class delta;  ///< the answer is within a factor of 1 + delta
 };
 
 ApproxDepth solve(const Case& single, const ApproxRequest& request, Monitor& monitor) {
@@ -130,10 +132,10 @@ ApproxDepth solve(const Case& single, const ApproxRequest& request, Monitor& mon
                           : approx_depth(single.a.points, single.b.points, request.delta, &monitor);
 }
 
-/// Not refused: a run can be interrupted, and its progress is shown.
+/// Warns, but does not refuse: the run can be interrupted, and its progress is shown.
 void warn_of_many_rays(const ApproxRequest& request) {
   constexpr long many = 10'000'000;
-  const mpq_class rays = (request.one_body ? 2 : 4) / request.delta;  // the grid itself takes long to find
+  const mpq_class rays = (request.one_body ? 2 : 4) / request.delta;  // making the grid of directions takes long too
   if (rays > many)
     talk(fmt::format("--delta {} asks for about {} rays a case", exact_text(request.delta), mpz_class(rays).get_str()));
 }
@@ -177,7 +179,7 @@ std::string normal_label(const DirectionalDepth& depth) {
   return depth.status() == Status::disjoint ? "separating normal" : "normal";
 }
 
-/// Several lines, or one; without the last newline.
+/// Returns several lines, or one; without the last newline.
 std::string ray_block(const DirectionalDepth& depth, const RayRequest& request) {
   std::vector<Row> rows{{"depth along", place_text(request.direction, request.form.exact)},
                         {"length", root_text(depth.squared())}};
@@ -206,7 +208,7 @@ std::string ray_line(const std::string& id, const DirectionalDepth& depth, const
   return case_line(id, parts);
 }
 
-/// One line, without its newline. Pure ASCII whatever the id holds.
+/// Returns one line, without its newline, in ASCII for any id.
 std::string ray_json(const std::string& id, const DirectionalDepth& depth, const RayRequest& request) {
   const RayExit* const exit = depth.penetration();
   Json result = {
@@ -242,7 +244,7 @@ struct GrowthRequest : BodiesRequest {
   std::optional<Point> center_a, center_b;
 };
 
-/// Several lines, or one; without the last newline.
+/// Returns several lines, or one; without the last newline.
 std::string growth_block(const GrowthDistance& found, const AnswerForm& form) {
   std::vector<Row> rows{{"growth", decimal(found.growth)}};
   if (form.exact) rows.emplace_back("exactly", exact_text(found.growth));
@@ -273,7 +275,7 @@ Json weights_array(const std::vector<Weight>& weights) {
   return array;
 }
 
-/// One line, without its newline. Pure ASCII whatever the id holds.
+/// Returns one line, without its newline, in ASCII for any id.
 std::string growth_json(const std::string& id, const GrowthDistance& found) {
   Json object = {{"schema", growth_schema}, {"id", id}, {"status", name(found.status())}};
   object["growth"] = output::number(found.growth);
@@ -339,7 +341,7 @@ std::string direction_label(const MetricResult& result) {
   return result.status() == Status::disjoint ? "separating normal" : "direction";
 }
 
-/// Several lines, or one; without the last newline.
+/// Returns several lines, or one; without the last newline.
 std::string metric_block(const MetricResult& result, const UnitBall& ball, const AnswerForm& form) {
   std::vector<Row> rows{{"depth", decimal(result.depth())}};
   if (form.exact) rows.emplace_back("exactly", exact_text(result.depth()));
@@ -372,7 +374,7 @@ std::string metric_line(const std::string& id, const MetricResult& result, const
   return case_line(id, parts);
 }
 
-/// One line, without its newline. Pure ASCII whatever the id holds.
+/// Returns one line, without its newline, in ASCII for any id.
 std::string metric_json(const std::string& id, const MetricResult& result, const UnitBall& ball) {
   Json object = {{"schema", metric_schema}, {"id", id}, {"status", name(result.status())}};
   object["ball"] = {{"kind", kind(ball)}, {"vertices", ball.vertices.size()}};

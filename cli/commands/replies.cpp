@@ -26,7 +26,7 @@
 namespace fathom::cli {
 namespace {
 
-/// A body by its file or folder, or by the words of a shape.
+/// Returns the body in a file or folder, or of the description of a shape.
 Body body_of_input(const std::string& input, const BodiesRequest& request) {
   if (!files::is_shape_text(input))
     return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
@@ -39,20 +39,20 @@ Body body_of_input(const std::string& input, const BodiesRequest& request) {
   return is_union ? files::union_of({body}) : body;
 }
 
-/// Cuts the mesh where it stands.
+/// Cuts the mesh, in its pose, into convex pieces.
 Body solid_of_input(const std::string& input, const Body& mesh) try {
   return mesh.pieces ? mesh : solid_body(mesh);
 } catch (const std::invalid_argument& error) {
   throw InputError(input, 0, error.what());
 }
 
-/// A single body is neither of two.
+/// Returns the option for the pose. A command on one body has no options for A and B.
 std::string pose_option(const BodiesRequest& request, bool of_a) {
   if (request.one_body) return "--pose";
   return of_a ? "--pose-a" : "--pose-b";
 }
 
-/// Says what kind of map the pose is, if it is no rotation.
+/// Prints what kind of map the pose is, if it is no rotation.
 void tell_of(const files::GivenPose& pose, const std::string& option, bool has_radius) {
   if (const std::string note = files::pose_note(pose, has_radius); !note.empty()) talk(option + ": " + note);
 }
@@ -75,13 +75,13 @@ Case single_case(const BodiesRequest& request) {
   };
   Case single = request.one_body ? Case{request.inputs[0], body(0), {}}
                                  : Case{request.inputs[0] + " " + request.inputs[1], body(0), body(1)};
-  single.id = text::valid_utf8(single.id);  // of file names; result and certificate are to agree on it
+  single.id = text::valid_utf8(single.id);  // of names of files: result and certificate must agree on it
   return single;
 }
 
-constexpr std::size_t most_ids = 12;  // that a message lists
+constexpr std::size_t most_ids = 12;  // listed in a message
 
-/// "a, b, c", and how many more.
+/// Returns "a, b, c", and how many more there are.
 std::string ids_text(const std::vector<std::string>& ids, std::size_t count) {
   std::string result;
   for (const std::string& id : ids) result += (result.empty() ? "" : ", ") + kernels::shown(id);
@@ -94,7 +94,7 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
   files::QuickCaseReader reader;
   std::vector<std::string> ids;
   std::size_t count = 0;
-  std::vector<CaseItem> first;  // at most one
+  std::vector<CaseItem> first;  // at most one case
   while (const std::optional<files::UnreadCase> text = texts.next()) {
     CaseItem item = files::read_case(reader, *text, texts.name());
     if (item.id == asked) return item.ok() ? item.value() : throw item.error();
@@ -109,10 +109,10 @@ Case case_of_stream(const std::string& input, const std::optional<std::string>& 
                          : fmt::format("expected a single case, or --case ID with the id of one, {}", found));
 }
 
-/// Whether the input holds cases, of which one may be asked for.
+/// Returns whether the input holds cases, of which the request may choose one.
 bool holds_cases(const BodiesRequest& request) {
   if (!request.one_body) return request.inputs.size() == 1;
-  return request.inputs[0] == "-" || is_cases_name(request.inputs[0]);  // its name tells
+  return request.inputs[0] == "-" || is_cases_name(request.inputs[0]);  // by its name
 }
 
 void refuse_poses_of_stream(const BodiesRequest& request) {

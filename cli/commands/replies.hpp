@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all commands on bodies share: they reply to one case of mesh files, or to each case of a
-// stream.
+// The common part of all commands on bodies: they reply to one case made of mesh files, or to each
+// case of a stream.
 #pragma once
 
 #include <functional>
@@ -20,18 +20,18 @@
 
 namespace fathom::cli {
 
-/// The bodies or cases that a command is asked about, and how it takes them and replies.
+/// The bodies or cases of a request, and how to read them and reply.
 struct BodiesRequest {
   BodiesRequest() = default;
   explicit BodiesRequest(const Given& given);
 
   std::vector<std::string> inputs;            ///< meshes or shapes, or one stream
-  bool one_body = false;                      ///< `width` looks at one body, against itself
+  bool one_body = false;                      ///< `width` is about one body
   bool pieces = false;                        ///< the bodies are unions of the pieces in their files
   bool solids = false;                        ///< the bodies are the solids of their meshes
-  Decimals decimals = Decimals::binary64;     ///< of text meshes; cases say it themselves
-  std::optional<std::string> pose_a, pose_b;  ///< where the two bodies stand, as typed
-  bool require_convex = false;                ///< of bodies with faces
+  Decimals decimals = Decimals::binary64;     ///< of text meshes; cases state it themselves
+  std::optional<std::string> pose_a, pose_b;  ///< the poses of the two bodies, as typed
+  bool require_convex = false;                ///< refuse meshes that are not convex
   std::optional<std::string> case_id;         ///< one case of a stream
   std::optional<unsigned> threads;            ///< for a stream; as many as there are cores unless given
   bool json = false;
@@ -41,8 +41,8 @@ struct BodiesRequest {
 /// its meshes, or one of a stream.
 bool is_stream(const BodiesRequest& request);
 
-/// Returns the pose that an option asks for, and notes on standard error if it is no rotation and
-/// translation, of a body with a radius or without. Throws InputError.
+/// Returns the pose that an option describes. Prints a note on standard error if it is no rotation
+/// with a translation; `has_radius`: of a body with a radius. Throws InputError.
 files::GivenPose asked_pose(const std::string& text, const std::string& option, Decimals decimals, bool has_radius);
 
 /// How a command replies to cases.
@@ -54,7 +54,7 @@ struct Replies {
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line = {};
   /// As in StreamWork.
   std::function<void(const std::string& sentence)> lost = {};
-  /// Printed before all replies, unless empty.
+  /// A line to print before all replies, or "".
   std::string header = {};
   /// As in StreamWork.
   std::string refuses_shapes = {};
@@ -65,31 +65,31 @@ struct Replies {
 /// Throws InputError if both shapes are half-spaces.
 void require_depth(const std::string& id, const Shape& a, const Shape& b);
 
-/// Returns the one case that the request is about: its meshes, where they stand; or of a stream the
-/// case called `case_id`, the first of that id, and if there is no id, its only case. Throws
-/// InputError, with the ids that there are; and if there is a reason not to take a body: a union of
-/// pieces, or a shape.
+/// Returns the one case of the request: that of its meshes in their poses; or of a stream the first
+/// case with the id `case_id`, or its only case if there is no `case_id`. Throws InputError with
+/// the ids of the stream; and, for a union of pieces or a shape, with the reason to refuse it, if
+/// there is one.
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions = "",
                 const std::string& refuses_shapes = "");
 
-/// Returns the case with what is known of its bodies. Throws InputError if the request wants convex
-/// meshes and one is not.
+/// Returns the case with the facts about its bodies. Throws InputError if the request requires
+/// convex meshes and one is not convex.
 AskedCase looked_at(const Case& single, const BodiesRequest& request);
 
-/// Says that the answer is about hulls, unless the bodies are these: as the first line of an answer
+/// Prints that the answer is about hulls, if a mesh is not convex: as the first line of an answer
 /// in text, else on standard error.
 void say_about_hulls(const AskedCase& asked, bool in_text);
 
-/// Returns the work that gives these replies to the cases of a stream, on as many threads as the
-/// request says. The request must outlive it.
+/// Returns the work that replies to the cases of a stream, with as many threads as the request
+/// says. The request must outlive it.
 StreamWork stream_work(const BodiesRequest& request, const Replies& replies);
 
 /// Prints the replies to the request's inputs. Throws as for_each_case does.
 ExitCode reply_to_inputs(const BodiesRequest& request, const Replies& replies);
 
-// Files beside the replies: one of a single case, one for each case of a stream.
+// Files beside the replies: one for a single case, or one for each case of a stream.
 
-/// Where the certificates of a run go, or its pictures: a file, or for a stream a folder.
+/// The path of the certificates, or of the pictures, of a run: a file, or for a stream a folder.
 class FilePlaces {
  public:
   FilePlaces(const BodiesRequest& request, std::string path, std::string what, const std::string& ending)
@@ -98,12 +98,12 @@ class FilePlaces {
   }
 
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
-  /// Returns the file of a single case; null for a stream, or if nothing is to be written.
+  /// Returns the file for a single case; null for a stream, or if none is wanted.
   [[nodiscard]] std::unique_ptr<CertificateFile> single() const {
     return folder_ ? nullptr : wanted_file(path_, what_);
   }
-  /// Writes the file of a case of a stream, if it is to be written. Call it in the order of the
-  /// cases: of two with one id, the first gets the file.
+  /// Writes the file for a case of a stream, if files are wanted. Call it in the order of the
+  /// cases: of two cases with one id, the first gets the file.
   void write_to_folder(const std::string& id, const std::string& text) {
     if (folder_) CertificateFile(folder_->file(id), what_).write(text);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom stages A B | CASES.jsonl | -
-// For people: how large each stage was, and what came of it. For programs there is stages::to_json.
+// Prints the size and the result of each stage as text; stages::to_json writes them as JSON.
 
 #include "view/stages/stages.hpp"
 
@@ -99,7 +99,7 @@ std::string coincidences_text(const Stages& stages) {
   return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Several lines, without the last newline.
+/// Returns several lines, without the last newline.
 std::string stages_block(const Stages& stages) {
   std::vector<Row> rows{{"A", body_text(stages.a)}, {"B", body_text(stages.b)}};
   for (std::size_t i = 0; i < stages.charts.size(); ++i)
@@ -116,7 +116,7 @@ std::string stages_block(const Stages& stages) {
   return aligned(answer_text(stages), rows);
 }
 
-/// One line, without its newline.
+/// Returns one line, without its newline.
 std::string stages_line(const Stages& stages) {
   std::uint64_t crossings = 0;
   for (const StagedPair& pair : stages.pairs) crossings += pair.crossings();
@@ -131,8 +131,8 @@ struct StagesRequest : BodiesRequest {
   explicit StagesRequest(const Given& given)
       : BodiesRequest(given), times(given.flag("--times")), svg(given.text("--svg")) {}
 
-  bool times;       ///< with the seconds that each stage took
-  std::string svg;  ///< the file for the charts, or of a stream the folder; empty: none
+  bool times;       ///< with the seconds of each stage
+  std::string svg;  ///< the file for the charts, or for a stream the folder; empty: none
 };
 
 std::string text_of(const stages::Stages& stages, const StagesRequest& request) {
@@ -140,7 +140,7 @@ std::string text_of(const stages::Stages& stages, const StagesRequest& request) 
   return is_stream(request) ? stages_line(stages) : stages_block(stages);
 }
 
-/// Throws InputError if there is nothing to be drawn.
+/// Returns the picture. Throws InputError if there is nothing to draw.
 std::string picture_of(const Case& pair, const stages::Stages& stages) {
   if (stages.charts.empty())
     throw InputError(pair.id, 0, "--svg draws the charts of polytopes, found a shape that is none");
@@ -155,7 +155,7 @@ ExitCode run_stages(const Given& given) {
   const auto pictures = std::make_shared<FilePlaces>(request, request.svg, "picture", ".svg");
   replies.refuses_unions = "the stages are those of two convex bodies; explain shows how a union was answered";
   replies.reply = [&request, pictures](const Case& pair, Monitor& monitor, Workspace&) {
-    const std::unique_ptr<CertificateFile> drawing = pictures->single();  // an unwritable path fails early
+    const std::unique_ptr<CertificateFile> drawing = pictures->single();  // fails early for an unwritable path
     if (has_shape(pair)) require_depth(pair.id, files::shape_of(pair.a), files::shape_of(pair.b));
     stages::Stages stages = stages::stages_of(pair.a, pair.b, {request.times, &monitor});
     stages.id = pair.id;

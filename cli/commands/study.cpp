@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom study A B | CASES.jsonl | -
 // fathom study --sweep FAMILY --sizes LOW..HIGH
-// What is degenerate; or how the work of the exact method grows: for people (a table), for
-// spreadsheets (CSV), and as a chart.
+// Prints the degeneracies of pairs; or how the work of the exact method grows with the size of the
+// bodies: as a table, as CSV, and as a chart.
 
 #include "verify/study/study.hpp"
 
@@ -45,12 +45,12 @@ namespace {
 
 // ---- --sweep ----
 
-/// The exact method on one pair.
+/// The counts of the exact method on one pair.
 struct SweepRow {
-  unsigned size;  ///< as it was asked for
+  unsigned size;  ///< the size asked for
   Status status;
   Counters counters;
-  std::vector<std::uint64_t> evaluated = {};  ///< pairs of lines, by each engine of the sweep
+  std::vector<std::uint64_t> evaluated = {};  ///< pairs of lines evaluated by each engine of the sweep
   std::optional<double> seconds = {};
 
   [[nodiscard]] std::uint64_t edges() const { return counters.edges_a + counters.edges_b; }
@@ -60,7 +60,7 @@ struct SweepRow {
   }
 };
 
-/// What was asked for.
+/// The options of --sweep.
 struct Sweep {
   explicit Sweep(const Given& given)
       : family(given.text("--sweep")),
@@ -76,17 +76,18 @@ struct Sweep {
   std::vector<unsigned> sizes;  ///< ascending
   std::uint64_t seed;
   bool timed, csv;
-  std::string svg;                    ///< the file of the chart, or ""
-  std::vector<ClosestLines> engines;  ///< that are compared; empty: the usual one alone
+  std::string svg;                    ///< the file for the chart, or ""
+  std::vector<ClosestLines> engines;  ///< the engines to compare; empty: only the default one
 };
 
-/// A count that grows.
+/// A count whose growth is shown.
 struct Column {
-  std::string key, words;  ///< in CSV; in tables and charts
+  std::string key, words;  ///< its name in CSV; and in tables and charts
   std::function<std::uint64_t(const SweepRow&)> of;
 };
 
-/// With several engines, what each of them evaluates stands in the place of one count.
+/// Returns the columns. With several engines, one count is replaced by the pairs that each of them
+/// evaluates.
 std::vector<Column> columns_of(const Sweep& sweep) {
   std::vector<Column> columns{
       {"crossings", "crossings", [](const SweepRow& row) { return row.counters.crossings; }},
@@ -122,7 +123,7 @@ std::vector<plot::Datum> places(const std::vector<SweepRow>& rows, Value value) 
   return result;
 }
 
-/// "1.07", or "-" where there is too little to tell.
+/// Returns "1.07", or "-" if there are too few sizes.
 std::string exponent_text(const std::vector<plot::Datum>& places) {
   const std::optional<double> exponent = plot::growth_exponent(places);
   if (!exponent) return "-";
@@ -153,7 +154,7 @@ std::string sweep_text_row(const Sweep& sweep, const SweepRow& row) {
   return row.seconds ? result + fmt::format("  {:>{}}", seconds_text(*row.seconds), least_width) : result;
 }
 
-/// "growth", and the exponent of each column.
+/// Returns "growth", and the exponent of each column.
 std::string sweep_text_growth(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   std::string result =
       fmt::format("growth: edges to the power {:>{}}", "", size_width + status_width + edges_width + 4 - 27);
@@ -177,7 +178,7 @@ std::string sweep_csv_row(const Sweep& sweep, const SweepRow& row) {
   return row.seconds ? result + "," + seconds_text(*row.seconds) : result;
 }
 
-/// A file of SVG.
+/// Returns the chart as an SVG file.
 std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
   plot::CurvePanel work = panel_of("Counts of the exact method", "count");
   for (const Column& column : columns_of(sweep)) {
@@ -205,9 +206,9 @@ std::string sweep_svg(const Sweep& sweep, const std::vector<SweepRow>& rows) {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double long_enough = 0.2;  // seconds: what is shorter is measured again, and the shortest time counts
+constexpr double long_enough = 0.2;  // seconds: shorter runs are repeated, and the shortest time counts
 constexpr int most_runs = 3;
-constexpr std::size_t behind_size = 9;  // spaces before the further lines of a row, on a narrow terminal
+constexpr std::size_t behind_size = 9;  // spaces before continued lines of a row, on a narrow terminal
 
 const families::Family& family_named(const std::string& name) {
   if (const families::Family* family = families::find_family(name)) {
@@ -235,7 +236,7 @@ SweepRow row_of(const families::Family& family, unsigned size, const Sweep& swee
     row.evaluated.push_back(penetration_depth(pair.a, pair.b, options).counters.pairs_evaluated);
   }
   if (!sweep.engines.empty())
-    options.closest_lines = sweep.engines.front();  // which the other counts and the times are of
+    options.closest_lines = sweep.engines.front();  // the other counts and the times are those of this engine
   for (int run = 0; run < most_runs; ++run) {
     const Clock::time_point begin = Clock::now();
     const Depth depth = penetration_depth(pair.a, pair.b, options);
@@ -249,11 +250,11 @@ SweepRow row_of(const families::Family& family, unsigned size, const Sweep& swee
   return row;
 }
 
-/// Prints each row as soon as it is known, and keeps it. Throws Interrupted.
+/// Prints each row as soon as it is known, and appends it to `rows`. Throws Interrupted.
 void run_sizes(const Sweep& sweep, std::vector<SweepRow>& rows) {
   const families::Family& family = family_named(sweep.family);
   const std::size_t all = std::accumulate(sweep.sizes.begin(), sweep.sizes.end(), std::size_t{0});
-  Progress progress("points of a body");  // time goes with them: it tells how long the rest will take
+  Progress progress("points of a body");  // which determine the time that is left
   print(sweep.csv ? sweep_csv_header(sweep) : fitted(sweep_text_header(sweep), behind_size));
   std::size_t done = 0;
   for (const unsigned size : sweep.sizes) {
@@ -276,8 +277,8 @@ struct StudyRequest : BodiesRequest {
         html(given.text("--html")),
         command_line(given.command_line) {}
 
-  bool csv, all;                   ///< rows of counts; every coincidence, not the first few of each kind
-  std::string html, command_line;  ///< the file of the page, or ""; what the page says of how it was made
+  bool csv, all;                   ///< rows of counts; all coincidences, not the first few of each kind
+  std::string html, command_line;  ///< the file for the page, or ""; the command line, which the page quotes
 };
 
 StudyOptions options_of(const StudyRequest& request, Monitor* monitor) {
@@ -307,8 +308,7 @@ std::string text_of(const std::string& id, const Study& study, const StudyReques
   return is_stream(request) ? study_line(id, study) : study_block(study, request.all);
 }
 
-/// The file of --html: of two bodies the page that `explain` writes, of a stream the table of its
-/// cases.
+/// The file of --html: for two bodies the page of `explain`, for a stream the table of its cases.
 class PageFile {
  public:
   PageFile(const Given& given, const StudyRequest& request) : request_(request), explained_(given) {
@@ -318,7 +318,7 @@ class PageFile {
     explained_.options.most_pairs = std::numeric_limits<std::uint64_t>::max();
   }
 
-  /// The reply, which also adds to the page, once its turn has come.
+  /// Returns the reply to a case. Its `keep` adds the case to the page.
   template <class AnyStudy>
   CaseReply reply(const AskedCase& pair, const AnyStudy& found, Monitor& monitor) {
     CaseReply result{text_of(pair.input.id, found, request_)};
@@ -346,13 +346,13 @@ class PageFile {
 
 ExitCode run_sweep(const Given& given) {
   const Sweep sweep(given);
-  const auto picture = wanted_file(sweep.svg, "picture");  // an unwritable path fails early
+  const auto picture = wanted_file(sweep.svg, "picture");  // fails early for an unwritable path
   const InterruptGuard interrupt_guard;
   std::vector<SweepRow> rows;
   ExitCode code = fine;
   try {
     run_sizes(sweep, rows);
-  } catch (const Interrupted&) {  // what is done is kept
+  } catch (const Interrupted&) {  // rows that are finished are kept
     take_time_to_write();
     code = interrupted;
   }
