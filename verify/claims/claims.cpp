@@ -21,7 +21,7 @@ namespace {
 
 using Json = text::JsonValue;
 
-constexpr std::size_t readable = 40;  // what a message shows of a text
+constexpr std::size_t readable = 40;  // characters of a text that a message shows
 
 std::string shown(const Json& value) { return kernels::printable(value.written().text(), readable); }
 
@@ -30,7 +30,7 @@ std::string text_of(const Json& object, std::string_view field) {
   return value && value->is_string() ? value->text() : "";
 }
 
-/// Thrown and caught here: what is wrong with a field of the claim.
+/// What is wrong with a field of the claim. Thrown and caught in this file.
 struct Fault {
   std::string sentence;
 };
@@ -49,7 +49,7 @@ WrittenNumber written(const std::string& token, const std::string& field) {
 
 Point axis(int i) { return {i == 0 ? 1 : 0, i == 1 ? 1 : 0, i == 2 ? 1 : 0}; }
 
-// "x", "-x", "+-x" are one line; "axis" is any of the three.
+// "x", "-x" and "+-x" name the same line; "axis" allows any of the three.
 void read_direction(const Json& direction, PublishedClaim& claim) {
   if (direction.is_string()) {
     const std::string& text = claim.line_text = direction.text();
@@ -70,7 +70,7 @@ void read_direction(const Json& direction, PublishedClaim& claim) {
   }
 }
 
-/// The field, if it is a number.
+/// Returns the field if it is a number, else null.
 const Json* number_in(const Json& object, std::string_view field) {
   const Json* const value = object.find(field);
   return value && value->is_number() ? value : nullptr;
@@ -92,7 +92,7 @@ void read_statements(const Json& stated, PublishedClaim& claim) {
   if (const Json* const direction = stated.find("direction")) read_direction(*direction, claim);
 }
 
-constexpr std::size_t digits = 40;  // of the enclosures that claims, which have 17 at most, are compared with
+constexpr std::size_t digits = 40;  // of the enclosures to compare with; claims have 17 digits at most
 
 /// low <= value <= high.
 using Interval = Bounds;
@@ -126,7 +126,7 @@ Finding within(const Interval& x, const mpq_class& target, const mpq_class& tole
   return both(at_most(x, target + tolerance), at_most(negated(x), tolerance - target));
 }
 
-// For people, who need no proof of the digits: the claim's verdict does not come from here.
+// Numbers for sentences, rounded without proof: verdicts do not depend on them.
 std::string text(const mpq_class& value) { return fmt::format("{:.6g}", round_binary64(value)); }
 
 std::string text(const Interval& x) {
@@ -144,8 +144,8 @@ Statement length(const std::string& what, const Interval& truth, const WrittenNu
           said};
 }
 
-/// What it costs to leave along one sense of u: h(u)/|u| + rho. Each body is held against a
-/// half-space across u.
+/// Returns the separating distance along one sense of u: h(u)/|u| + rho. Each body is measured
+/// against a half-space across u.
 Interval separating_distance(const Shape& a, const Shape& b, const Point& u) {
   const Point opposite{-u.x, -u.y, -u.z};
   return interval(signed_depth(a, halfspace(u, 0))) + interval(signed_depth(b, halfspace(opposite, 0)));
@@ -157,7 +157,8 @@ Interval lesser_separating_distance(const Shape& a, const Shape& b, const Point&
 
 bool on_an_axis(const Point& u) { return (u.x == 0) + (u.y == 0) + (u.z == 0) == 2; }
 
-/// What rounding the components of a unit vector to binary64 may cost.
+/// Returns how far rounding the components of a unit vector to binary64 may move the separating
+/// distance.
 mpq_class rounding_slack(const Shape& a, const Shape& b, const std::vector<Point>& lines) {
   if (std::all_of(lines.begin(), lines.end(), on_an_axis)) return 0;
   mpq_class largest = 0;
@@ -180,7 +181,8 @@ Statement direction(const PublishedClaim& claim, const Shape& a, const Shape& b,
 
 mpq_class product(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 
-/// Along a line at the angle t to the half-space's normal the way is 1 / cos t times the least one.
+/// Judges a direction out of a half-space: along a line at the angle t to the normal the way is 1 /
+/// cos t times the least one.
 Statement direction(const PublishedClaim& claim, const HalfSpace& half, const Interval& truth) {
   const mpq_class explained(1, mpz_class(1) << 104);  // sin^2 t, if both unit vectors were rounded: proofs/judge.md
   mpq_class cosine = 0;                               // squared, of the line that is nearest to the normal
@@ -204,7 +206,7 @@ const HalfSpace* half_space(const Shape& a, const Shape& b) {
   return half ? half : std::get_if<HalfSpace>(&b.core);
 }
 
-/// Judges with bounds of the truth that are so many bits apart.
+/// Judges with bounds of the truth that have `bits` bits.
 JudgedClaim judge_with(unsigned bits, const PublishedClaim& claim) {
   const Shape a = files::shape_of(claim.bodies.a), b = files::shape_of(claim.bodies.b);
   SignedDepthOptions options;

@@ -14,7 +14,7 @@
 namespace fathom::families {
 namespace {
 
-/// What is known of the answer: its status, the number of optima, and their kind if they have one
+/// The known part of the answer: its status, the number of optima, and their kind if they have one
 /// in common.
 struct Known {
   Status status = Status::penetrating;

@@ -15,7 +15,7 @@ namespace fathom::families {
 
 namespace {
 
-/// A rational direction in the plane: the angle 2 atan(t).
+/// A direction in the plane with rational components: the angle 2 atan(t).
 struct PlaneDirection {
   mpq_class x, y;
 };
@@ -75,7 +75,8 @@ Bodies facing(FeatureKind a, FeatureKind b, const PlaneDirection& edge_a, const 
   return {upper, lower};
 }
 
-/// Now and then the axes stay where they are, so that features lie in coordinate planes.
+/// Turns both bodies by a random rotation; sometimes by none, so that features lie in coordinate
+/// planes.
 Bodies turned(const Bodies& bodies, Random& random) {
   const bool stays = random.between(0, 3) == 0;
   return stays ? bodies : rotated(bodies, random_rotation(random));
@@ -177,7 +178,7 @@ Bodies faces(const mpq_class& tilt, Random& random, unsigned n) {
 
 namespace {
 
-/// Each component at most 1 / divisor.
+/// Returns a vector whose components are at most 1 / divisor.
 Point small_shift(Random& random, long divisor) { return ratio(1, divisor) * random_shift(random, 1); }
 
 Body random_box(Random& random) {

@@ -139,7 +139,7 @@ mpq_class extent(const Bodies& bodies) {
   return most;
 }
 
-/// The multiple of 2^exponent that is nearest, the higher one of two.
+/// Returns the nearest multiple of 2^exponent, of two the higher one.
 mpq_class snapped(const mpq_class& x, long exponent) {
   const mpq_class steps = times_power_of_two(x, -exponent) + ratio(1, 2);
   mpz_class whole;
@@ -218,7 +218,7 @@ constexpr std::size_t window =
 
 const Point pole{0, 0, 1}, y_axis{0, 1, 0};
 
-/// `window` successive members from a random place on; all of a short list, in another order.
+/// Returns `window` successive members from a random place on; a short list whole, rotated.
 template <class T>
 std::vector<T> some(std::vector<T> list, Random& random) {
   if (list.empty()) return list;
@@ -242,7 +242,7 @@ std::vector<Point> negated(const std::vector<Point>& list) {
   return result;
 }
 
-/// A direction and where it is to point.
+/// A direction, and the direction to turn it to.
 struct Turn {
   Point from, to;
 };
@@ -383,7 +383,7 @@ void normal_on_arc(Bodies& bodies, Random& random) {
   turn_normal_of_a(bodies, of_a, middles);
 }
 
-// ---- the ways by name ----
+// ---- the table of all ways ----
 
 constexpr DegradationName names[] = {
     {Degradation::duplicate_points, "duplicate_points", "some points are given again"},

@@ -373,7 +373,7 @@ std::uint64_t hash(std::string_view text) {
   return value;
 }
 
-/// The stream of random numbers of a family's case, and the case's id.
+/// Returns the stream of random numbers for a case of the family.
 Random stream_of(std::string_view family, std::uint64_t seed) { return Random(hash(family) ^ Random(seed).next()); }
 
 std::string case_id(std::string_view family, unsigned size, std::uint64_t seed) {

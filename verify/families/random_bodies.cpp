@@ -13,7 +13,7 @@ namespace {
 constexpr long ball_grid_bits = 20;
 constexpr std::int64_t radius = std::int64_t{1} << ball_grid_bits;
 
-/// A non-zero grid point in the ball of the given radius, by rejection.
+/// Returns a grid point other than 0 in the ball of the given radius, by rejection.
 std::array<std::int64_t, 3> in_ball(Random& random) {
   while (true) {
     const std::array<std::int64_t, 3> p{random.between(-radius, radius), random.between(-radius, radius),
@@ -35,7 +35,7 @@ Body turned(Random& random, const Body& body) { return rotated(body, random_rota
 
 mpq_class random_half_extent(Random& random) { return ratio(random.between(8, 64), 32); }
 
-/// At least three corners; 2 * corners points.
+/// Returns a prism over at least three corners: 2 * corners points.
 Body random_prism(Random& random, unsigned n) {
   const unsigned corners = std::max(3u, (n + 1) / 2);
   const mpq_class half_height = random_half_extent(random);

@@ -34,7 +34,7 @@ NamedBody of_lengths(const char* shape, const mpq_class& radius, const mpq_class
 NamedBody of_ends(const char* shape, const mpq_class& low, const mpq_class& high, const mpq_class& half_length) {
   return named(shape, {{"radius_low", {low}}, {"radius_high", {high}}, {"half_length", {half_length}}});
 }
-/// All that is not above z = 0.
+/// The half-space z <= 0.
 NamedBody ground() {
   return named("halfspace", {{"normal", {mpq_class(0), mpq_class(0), mpq_class(1)}}, {"offset", {mpq_class(0)}}});
 }
@@ -148,7 +148,7 @@ NamedBody leaning_drum() { return posed(drum(), {3, 0, 1, 0}, {}); }
 /// them.
 NamedBody hat() { return of_lengths("cone", 3, 2); }
 
-/// All on the far side of a plane with normal (4, 0, 3).
+/// The half-space on the far side of a plane with normal (4, 0, 3).
 NamedBody slope(const mpq_class& offset) {
   return named("halfspace", {{"normal", {mpq_class(-4), mpq_class(0), mpq_class(-3)}}, {"offset", {-offset}}});
 }

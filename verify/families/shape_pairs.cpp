@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lowest point of A and a highest point of B in some direction are found, nearly where roots are
-// irrational, and B is moved so that they lie in line. Along coordinate axes the points are exact
-// for bodies turned by symmetries of the cube: those pairs touch exactly.
+// Finds a lowest point of A and a highest point of B in some direction, approximately if roots are
+// irrational, and moves B so that they lie in line. Along coordinate axes the points are exact for
+// bodies turned by symmetries of the cube: those pairs touch exactly.
 #include "verify/families/shape_pairs.hpp"
 
 #include <algorithm>
@@ -144,8 +144,8 @@ std::pair<Point, mpq_class> highest(const Atom& atom, const Point& u) {
   return {top, dot(atom.center, u) + length};
 }
 
-/// A point of the shape, which is no half-space, that is highest in direction u, nearly where roots
-/// are irrational.
+/// Returns a point of the shape, which must not be a half-space, that is highest in direction u;
+/// approximately if roots are irrational.
 Point highest(const Shape& shape, const Point& u) {
   Point result = (shape.radius / root(dot(u, u))) * u;
   for (const Term& term : std::get<std::vector<Term>>(shape.core)) {
@@ -224,7 +224,7 @@ mpq_class share(Random& random) { return ratio(random.between(1, 15), 16); }
 
 Point rotated(const Point& p, const Quaternion& turn) { return files::placed(p, rigid_pose(turn, {})); }
 
-/// What becomes (0, 0, 1).
+/// Returns the vector that the rotation takes to (0, 0, 1).
 Point upward(const Quaternion& turn) { return rotated({0, 0, 1}, {turn.w, -turn.x, -turn.y, -turn.z}); }
 
 /// The body turned, and moved so that this point of it comes to O.
@@ -234,7 +234,7 @@ MeetingBody with_top(NamedBody body, const Quaternion& turn, const Point& top, c
   return {std::move(body), inner};
 }
 
-/// With a margin, which the point and the ball inside do not have yet.
+/// Adds a margin, by which the point at the top and the radius of the ball inside grow too.
 MeetingBody with_margin(MeetingBody side, const mpq_class& margin) {
   side.body = rounded(std::move(side.body), margin);
   side.body.place.z -= margin;
@@ -285,7 +285,7 @@ Block block(Random& random) {
 
 mpq_class signed_as(const mpq_class& size, const mpq_class& sign) { return sign < 0 ? mpq_class(-size) : size; }
 
-/// No more than is allowed, which is >= 0.
+/// Returns a random signed depth of at most `allowed` >= 0.
 mpq_class random_depth(Random& random, const mpq_class& allowed) {
   const std::int64_t what = random.between(0, allowed == 0 ? 2 : 4);
   const mpq_class hair = times_power_of_two(1, -random.between(4, 60));

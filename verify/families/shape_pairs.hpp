@@ -21,7 +21,7 @@ using files::posed;
 using files::rounded;
 using files::shape_of;
 
-/// What is known of the answer by construction.
+/// The part of the answer that is known by construction.
 struct KnownDepth {
   Surd signed_depth;
   std::optional<Point> direction = std::nullopt;  ///< one that attains it, of length 1
@@ -37,7 +37,7 @@ struct ShapeCase {
   std::string id;
   NamedPair pair;
 
-  /// What a reader finds in the printed case.
+  /// Returns the bodies as a reader of the printed case gets them.
   [[nodiscard]] Case read() const { return {id, files::body_of(pair.a), files::body_of(pair.b)}; }
 };
 

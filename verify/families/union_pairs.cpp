@@ -24,7 +24,8 @@ Point mean_of(const std::vector<Point>& points) {
   return mpq_class(1, points.size()) * sum;
 }
 
-/// Where the segment from p to q is at `height`: at p it is lower, at q higher.
+/// Returns the point of the segment from p to q where <n, x> = height; <n, p> is less, <n, q>
+/// greater.
 Point crossing(const Vector& n, const mpq_class& height, const Point& p, const Point& q) {
   const mpq_class low = dot(n, p), t = (height - low) / (dot(n, q) - low);
   return p + t * (q - p);

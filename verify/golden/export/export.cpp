@@ -41,19 +41,19 @@ Dataset dataset_in(const fs::path& folder) {
   return *std::move(dataset);
 }
 
-/// Of C0 some are. They are neither told nor counted.
+/// Returns whether the record is of shapes. Level C0 has some; exports skip them without counting.
 bool is_of_shapes(std::string_view line) {
   return line.substr(0, line.find(R"("id")")).find("fathom/golden-shapes/") != std::string_view::npos;
 }
 
-/// The records of a release, one after another.
+/// Iterates over the records of a release.
 class ReleaseRecords {
  public:
   ReleaseRecords(fs::path folder, const Dataset& dataset, Monitor* monitor)
       : folder_(std::move(folder)), dataset_(&dataset), monitor_(monitor) {}
 
-  /// Calls `take` with each, nullopt for one that doubles cannot tell, and what reads its
-  /// certificate, which is not read unless asked for.
+  /// Calls take(record, certificate) with each record. `record` is nullopt if doubles cannot
+  /// represent it; certificate() reads its certificate, which is skipped unless called.
   template <class Take>
   void each(Take take) const {
     for (const Manifest& shard : dataset_->shards) {
@@ -94,7 +94,7 @@ class ReleaseRecords {
   static void expect_content(const ShardFile& file, ZstdReader& reader) {
     if (reader.of_content() != file.content) throw FileError("the content is not what the shard's page says");
   }
-  /// Returns what `action` does, with the file and line before what it says of faults.
+  /// Returns action(), with file and line before the message of an error.
   template <class Action>
   auto guarded(const ShardFile& file, const ZstdReader& reader, Action action) const {
     const std::string path = (folder_ / file.name).string();
@@ -102,7 +102,7 @@ class ReleaseRecords {
       return action();
     } catch (const FileError& error) {
       if (std::string_view(error.what()).find(folder_.string()) != std::string_view::npos)
-        throw;  // it names the file already
+        throw;  // the message has the file's name already
       throw FileError(fmt::format("{}: {}", path, error.what()));
     } catch (const NotARecord& error) {
       throw FileError(fmt::format("{}:{}: {}", path, reader.number(), error.what()));
@@ -114,7 +114,8 @@ class ReleaseRecords {
   Monitor* monitor_;
 };
 
-/// One's own cases. What the records of a release say of them is found here; so is the proof.
+/// The user's own cases, with answers and certificates computed here instead of read from a
+/// release.
 class OwnRecords {
  public:
   OwnRecords(const std::string& path, Monitor* monitor) {
@@ -158,15 +159,15 @@ class OwnRecords {
   std::vector<Own> all_;
 };
 
-/// Returns whether the word is the status, one of the flags, or the first word of one: "flat" is
-/// that of flat_a.
+/// Returns whether the word is the status, one of the flags, or the first word of a flag: "flat"
+/// for flat_a.
 bool has_word(std::string_view word, const ExportCase& entry) {
   return word == entry.status || std::ranges::any_of(entry.flags, [word](const std::string& flag) {
            return word == flag || word == first_word(flag);
          });
 }
 
-/// Whether the request asks for the case at all.
+/// Returns whether the request selects the case.
 bool is_wanted(const ExportCase& entry, const ExportRequest& request) {
   const auto has = [&entry](const std::string& word) { return has_word(word, entry); };
   const auto named = [&entry](const std::string& pattern) {
@@ -183,7 +184,7 @@ bool is_wanted(const ExportCase& entry, const ExportRequest& request) {
          (request.contacts.empty() || std::ranges::any_of(request.contacts, met)) && exact;
 }
 
-/// Whether a case fits; counts why not.
+/// Returns whether a case fits the request; counts the reason if not.
 bool fits(const std::optional<ExportCase>& entry, const ExportRequest& request, Exported& counts) {
   ++counts.records;
   if (!entry) return ++counts.not_doubles, false;
@@ -192,7 +193,7 @@ bool fits(const std::optional<ExportCase>& entry, const ExportRequest& request, 
   return ++counts.fitting, true;
 }
 
-/// `count` <= `size` numbers below `size`, ascending, evenly spaced.
+/// Returns `count` <= `size` numbers below `size`, ascending and evenly spaced.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t size) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < count; ++i)
@@ -200,9 +201,9 @@ std::vector<std::size_t> evenly(std::size_t count, std::size_t size) {
   return result;
 }
 
-/// How many to take of each group, of which so many are there: `count` in all, or all if that is
-/// fewer. No group gets two more than another that has some left; where the last round does not
-/// reach all of them, those that it reaches lie evenly in the order of the groups.
+/// Returns how many cases to take of each group, of which `sizes` are available: `count` in all, or
+/// all if they are fewer. Groups that are not exhausted differ by one at most; those that get the
+/// additional one are evenly spaced.
 std::vector<std::size_t> shares(const std::vector<std::size_t>& sizes, std::size_t count) {
   std::vector<std::size_t> result(sizes.size(), 0);
   while (count > 0) {
@@ -217,8 +218,8 @@ std::vector<std::size_t> shares(const std::vector<std::size_t>& sizes, std::size
   return result;
 }
 
-/// The numbers of the chosen ones among those that fit. `groups`: of each group, the numbers of
-/// those in it.
+/// Returns the numbers of the chosen cases. `groups`: for each group, the numbers of its cases that
+/// fit.
 std::set<std::size_t> chosen_of(const std::vector<std::vector<std::size_t>>& groups, std::size_t count) {
   std::vector<std::size_t> sizes;
   for (const std::vector<std::size_t>& group : groups) sizes.push_back(group.size());
@@ -251,7 +252,7 @@ void refuse_if_none_fits(const fs::path& folder, const Exported& counts) {
                   counts.records, folder.string(), counts.not_doubles, counts.excluded, counts.too_large));
 }
 
-/// The command line that makes the export again, without the folder or file.
+/// Returns the command line that repeats the export, without the folder or file.
 std::string command_of(const ExportRequest& request) {
   std::string command = fmt::format("fathom golden export --format {}", name_of(request.format));
   const auto add = [&command](std::string_view option, const std::vector<std::string>& words) {
@@ -287,7 +288,7 @@ std::vector<std::string> groups_of_releases() {
 
 namespace {
 
-/// `records` can be read twice, so that memory is bounded by the export.
+/// Reads `records` twice, so that memory is bounded by the size of the export.
 template <class Records>
 Exported exported(const Records& records, const fs::path& from, const ExportRequest& request,
                   const ExportSource& source) {
@@ -311,7 +312,7 @@ Exported exported(const Records& records, const fs::path& from, const ExportRequ
   return result;
 }
 
-/// The name of a file without its folder, which comments and JSON can hold as it is.
+/// Returns the name of a file without its folder, escaped so that comments and JSON can hold it.
 std::string plain_name(const std::string& path) {
   std::string name = path == "-" ? "standard input" : fs::path(path).filename().string();
   for (char& c : name)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What exports tell of a record, and the texts that tell it.
+// Reads the fields that exports need from a record; and writes the texts of exports.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,7 +24,7 @@ using text::Json;
 using text::JsonValue;
 using Triples = std::vector<std::array<double, 3>>;
 
-/// A text of the given characters: exports quote it as it is.
+/// Returns a text of the given characters, which needs no escaping.
 std::string plain_text(const JsonValue& value, std::string_view characters) {
   const std::string text = value.is_string() ? value.string() : "";
   if (text.empty() || text.find_first_not_of(characters) != text.npos)
@@ -32,7 +32,7 @@ std::string plain_text(const JsonValue& value, std::string_view characters) {
   return text;
 }
 
-/// A hexadecimal float; from_chars wants it without sign and prefix.
+/// Reads a hexadecimal float; from_chars expects it without sign and prefix.
 double hexadecimal(const JsonValue& value) {
   const std::string text = plain_text(value, "-+.0123456789abcdefinpx");
   std::string_view digits = text;
@@ -59,10 +59,10 @@ Triples points(const JsonValue& body) {
   return result;
 }
 
-/// To nearest.
+/// Returns the unit vector, rounded to nearest.
 std::array<double, 3> unit(const JsonValue& holder) { return triple(holder.at("unit").at("f64").at("rn")); }
 
-/// One subtraction, so it is correctly rounded; and so is the longest.
+/// Returns the longest side: a difference of two doubles, so correctly rounded.
 double longest_side(const Triples& body) {
   double longest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -80,7 +80,7 @@ double largest_coordinate(const Triples& body) {
   return largest;
 }
 
-/// "edge-edge": A's feature first.
+/// Returns "edge-edge", with A's feature first.
 std::string contact_in(const JsonValue& holder) {
   return plain_text(holder.at("contact").at("kind"), "abcdefghijklmnopqrstuvwxyz-");
 }
@@ -113,7 +113,7 @@ std::array<double, 3> rounded_triple(const JsonValue& value) {
   return result;
 }
 
-/// Of records of contacts.
+/// Reads the contact manifold of a record of contacts.
 void read_manifold(const JsonValue& manifold, ExportCase& result) {
   for (const JsonValue& patch : manifold.at("patches").items()) {
     Triples& corners = result.patches.emplace_back();
@@ -186,14 +186,14 @@ namespace {
 
 using Triples = std::vector<std::array<double, 3>>;
 
-constexpr std::size_t longest_c_string = 509;  // that every C89 compiler takes
+constexpr std::size_t longest_c_string = 509;  // the length that every C89 compiler accepts
 
 std::string joined(const std::array<double, 3>& point, std::string_view separator) {
   return fmt::format("{1}{0}{2}{0}{3}", separator, decimal_text(point[0]), decimal_text(point[1]),
                      decimal_text(point[2]));
 }
 
-/// Each element as `text` has it, with separators between.
+/// Returns text(element) of all elements, with separators between them.
 template <class Elements, class Text>
 std::string listed(const Elements& elements, std::string_view separator, Text text) {
   std::string result;
@@ -214,7 +214,7 @@ std::string quoted(const std::string& plain) { return '"' + plain + '"'; }
 
 std::string quoted_list(const std::vector<std::string>& words) { return '[' + listed(words, ", ", quoted) + ']'; }
 
-/// What stands before the cases, in lines that begin with `margin`.
+/// Returns the lines above the cases, each of which begins with `margin`.
 std::string about(const ExportSource& source, std::size_t count, std::string_view margin) {
   if (!source.file.empty())
     return fmt::format("{0}{1} cases of {2} with their exact answers. Made by\n{0}  {3}\n", margin, count, source.file,

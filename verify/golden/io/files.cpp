@@ -81,7 +81,7 @@ int open_locked(const std::filesystem::path& path, const std::filesystem::path& 
       ::close(descriptor);
       throw FileError("cannot write " + final_path.string() + ": another process is writing it");
     }
-    struct stat ours = {}, named = {};  // the one who held the lock before may have renamed or removed the file
+    struct stat ours = {}, named = {};  // another process may have renamed or removed the file before the lock was free
     const bool same =
         ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
     if (same && ::ftruncate(descriptor, 0) == 0) return descriptor;
@@ -100,7 +100,7 @@ NewFile::NewFile(std::filesystem::path folder, std::string name)
       descriptor_(open_locked(hidden_, final_)) {}
 
 NewFile::~NewFile() {
-  if (!committed_) ::unlink(hidden_.c_str());  // under the lock
+  if (!committed_) ::unlink(hidden_.c_str());  // while the lock is held
   ::close(descriptor_);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a release, as the system has them: read block by block, or written so that they
-// appear whole or not at all; and errors.
+// The files of a release: read block by block, or written so that they appear whole or not at all;
+// and errors.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@
 
 namespace fathom::golden {
 
-/// The system refused: full disk, no permission, a file that cannot be read.
+/// The operating system reported an error: full disk, no permission, a file that cannot be read.
 struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
   /// "cannot `action` `path`: " and the system's words for the error `code` (an errno).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What records of contacts tell beside the depth: where the bodies touch, and how the signed depth
-// changes. Found from an answer; and compared with what two other ways find: the bodies turned and
-// exchanged, and faces clipped by each other in rationals.                     [proofs/golden.md]
+// The additional fields of records of contacts: where the bodies touch, and how the signed depth
+// changes. Computed from an answer; and compared with two other computations: of the bodies turned
+// and exchanged, and by clipping faces against each other in rationals. [proofs/golden.md]
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -39,7 +39,7 @@ Body placed(const Pose& frame, const Body& body) {
   return {std::move(points)};
 }
 
-/// The same motion as it is seen in the frame.
+/// Returns the motion in the coordinates of the frame.
 Twist placed(const Pose& frame, const Twist& motion) {
   const Point origin = files::placed({}, frame);
   const Point v = files::placed(motion.v, frame) - origin, w = files::placed(motion.w, frame) - origin;
@@ -115,7 +115,7 @@ void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contact
 void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts) {
   const auto [body_a, body_b] = bodies_of(bodies);
   const patch::CorePoints core_a(body_a), core_b(body_b);
-  if (!core_a.known() || !core_b.known()) return;  // a half-space takes the whole face
+  if (!core_a.known() || !core_b.known()) return;  // a half-space shares whole faces
   const std::vector<Point>&a = core_a.exact(), &b = core_b.exact();
   const Integers integers = integers_of(a, b);
   for (const Patch& patch : contacts.manifold.geometry.patches) {

@@ -84,7 +84,7 @@ std::vector<Vector> scaled(std::span<const Point> points, const mpz_class& denom
   return result;
 }
 
-/// A body's measures.
+/// The hull and the measures of a body.
 struct BodyLook {
   std::vector<Vector> distinct;  ///< its points, each once, in lexicographic order
   polytope::Polytope hull;
@@ -232,8 +232,8 @@ bool deep(const Look& look) {
 
 using Modes = std::array<double, 3> Rounded::*;
 
-// On correctly rounded values: rd and ru agree exactly for numbers of the format, and rd tells on
-// which side of one of its numbers the exact value lies.
+// These functions read correctly rounded values: rd and ru are equal exactly if the value is a
+// number of the format, and the value is below a number of the format exactly if rd is.
 template <Modes Format>
 bool depth_in_format(const Look& look) {
   return penetrating(look) && (look.truth.depth.*Format)[1] == (look.truth.depth.*Format)[2];
@@ -256,8 +256,8 @@ mpz_class leading_bits_of_root(const mpq_class& q, long bits) {
   return root;
 }
 
-/// The depth lies within 2^-20 ulp of where rounding turns, a number of the format or the middle of
-/// two, and is not a number of the format.
+/// Returns whether the depth is not a number of the format, but within 2^-20 ulp of a number of the
+/// format or of the middle between two, where rounded values change.
 template <Modes Format, long Precision>
 bool hard_rounding(const Look& look) {
   constexpr long beyond = 19;
@@ -473,7 +473,7 @@ SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options)
   constexpr unsigned first_bits = 40, most_bits = 80;
   SignedDepthOptions asked;
   asked.cores = options;
-  asked.coaxial = false;  // a record states what its certificate proves
+  asked.coaxial = false;  // the certificate, which has to prove the record, does not state it
   for (asked.bits = first_bits;; asked.bits *= 2) {
     SignedDepth answer = signed_depth(a, b, asked);
     if (answer.status() || asked.bits == most_bits) return answer;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that a record says, as exact values and their roundings; and its texts. Serialization
-// is canonical: equal facts give equal bytes.
+// All values of a record, exact and rounded; and its texts. Serialization is canonical: equal facts
+// give equal bytes.
 #pragma once
 
 #include <gmpxx.h>
@@ -46,19 +46,19 @@ RoundedVector rounded_unit(const Vector& n);
 
 RoundedVector rounded_point(const Point& p);
 
-/// alpha n + beta n/|n|, each component by itself.
+/// Returns alpha n + beta n/|n|, each component rounded on its own.
 RoundedVector rounded_along(const AlongNormal& vector);
 
-// ---- what is true of two bodies, whoever says it ----
+// ---- the truth about two bodies, independent of the method that found it ----
 
 struct HullStatement {
   Depth answer;                  ///< its method and counters are not recorded
   std::optional<mpq_class> gap;  ///< penetrating: squared distance of the second-best facet, unless all tie
 
-  // The results as records print them. All modes of a number are rounded at once, and once.
+  // The results as records print them. Each number is rounded once, in all modes.
   Rounded depth{}, distance{};  ///< the distance of disjoint bodies, else 0
-  /// One of each optimum; without optima, of the direction, and if disjoint of the distance's
-  /// translation.
+  /// One vector for each optimum; without optima, that of the direction and, of disjoint bodies,
+  /// the translation to the contact.
   std::vector<RoundedVector> units, translations;
 
   std::vector<std::string_view> flags;  ///< in the order of flag_names()
@@ -67,17 +67,17 @@ struct HullStatement {
 struct ShapeStatement {
   std::variant<Surd, Bounds> value;  ///< the signed depth, exact or enclosed
   Vector direction;
-  /// Exact values of cores that are polytopes, or one and a half-space: as
-  /// SignedDepth::translations() says. Else empty.
+  /// Exact values of cores that are polytopes, or of a polytope and a half-space, as in
+  /// SignedDepth::translations(). Else empty.
   std::vector<AlongNormal> translations;
-  std::optional<OptimalCone> cone;  ///< of such cores that touch
+  std::optional<OptimalCone> cone;  ///< of such cores if they touch
 };
 
-/// How far apart two unions are.
+/// The distance of two unions.
 struct UnionGap {
   mpq_class squared;
-  std::uint32_t a = 0, b = 0;  ///< pieces that are nearest; others may be as near
-  Point translation;           ///< moving A by it, no shorter way, these touch
+  std::uint32_t a = 0, b = 0;  ///< a pair of nearest pieces; others may be as near
+  Point translation;           ///< the shortest translation of A after which these pieces touch
 };
 
 struct UnionStatement {
@@ -90,46 +90,47 @@ struct UnionStatement {
 /// In the order of RecordBodies.
 using RecordStatement = std::variant<HullStatement, ShapeStatement, UnionStatement>;
 
-/// Returns what a record says of these points; `answer` is that of penetration_depth. Throws
+/// Returns the values of a record about these points; `answer` is that of penetration_depth. Throws
 /// Interrupted.
 HullStatement truth_of(const HullPair& hulls, Depth answer, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 ShapeStatement truth_of(const SignedDepth& answer);
 UnionStatement truth_of(const UnionDepth& answer);
 
-/// The answer about shapes that records tell: with bounds as near as signed_depth makes them, and
-/// nearer where these leave the status open. Throws as that does.
+/// Returns the answer about shapes for records: with bounds as close as signed_depth makes them,
+/// and closer ones if these leave the status open. Throws as signed_depth does.
 SignedDepth answer_about(const Shape& a, const Shape& b, const Options& options);
 
-/// The answer about unions that records tell, which is complete. Throws as union_depth does, and
-/// Interrupted.
+/// Returns the answer about unions for records, from a complete search. Throws as union_depth does,
+/// and Interrupted.
 UnionDepth answer_about(const Pieces& a, const Pieces& b, Monitor* monitor);
 
 // ---- where the bodies touch ----
 
-/// What a record of contacts says beside, as `fathom depth --patch` does.
+/// The additional fields of a record of contacts, as `fathom depth --patch` prints them.
 struct ContactFacts {
   output::Manifold manifold;
   /// along each of recorded_motions()
   std::vector<std::variant<DirectionalDerivative, LeftOut>> derivatives;
 };
 
-/// Motions of A, B at rest, along which such records tell the derivative of the signed depth.
+/// Returns motions of A, with B at rest, for which these records hold the derivative of the signed
+/// depth.
 std::span<const Twist> recorded_motions();
 
-/// An answer, and all that a record of contacts says by it. Of polytopes that touch the direction
-/// is the one of their cone, which certificates of patches show.
+/// An answer with the fields of a record of contacts. Of polytopes that touch, the direction is the
+/// one of their cone that certificates of patches contain.
 struct ContactStatement {
   Answer answer;
   RecordStatement truth;
   ContactFacts contacts;
 };
 
-/// Returns what is true of these polytopes, or shapes. Throws as penetration_depth and signed_depth
+/// Returns the truth about these polytopes, or shapes. Throws as penetration_depth and signed_depth
 /// do.
 ContactStatement contacts_of(const RecordBodies& bodies, const Options& options);
 
-/// Returns its certificate: format 4, with all patches, and the derivatives where it can prove
-/// them. Throws as certificate_text does, std::invalid_argument of curved bodies.
+/// Returns the certificate: format 4, with all patches, and the derivatives that it can prove.
+/// Throws as certificate_text does, and std::invalid_argument for curved bodies.
 std::string certificate_of(const RecordBodies& bodies, const ContactStatement& found, const std::string& id,
                            Monitor* monitor = nullptr);
 
@@ -145,10 +146,10 @@ struct Facts {
   bool in_binary64 = false, in_binary32 = false;  ///< whether every number of the bodies is one of that format
   RecordStatement truth;
   std::string certificate_sha256;
-  std::optional<ContactFacts> contacts = std::nullopt;  ///< of records of contacts
+  std::optional<ContactFacts> contacts = std::nullopt;  ///< set for records of contacts
 };
 
-/// `truth` is of the kind that the bodies are of.
+/// Returns the facts. `truth` must be of the same kind as the bodies.
 Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256,
                std::optional<ContactFacts> contacts = std::nullopt);
 
@@ -164,16 +165,16 @@ std::string csv_row(const Facts& facts);
 
 // ---- flags ----
 
-// Flags: words for what is special about a record of polytopes. NOTES.md says what each means; all
-// are decided exactly.
+// Flags: words for special properties of a record of polytopes. NOTES.md explains each; all are
+// decided exactly.
 
 /// Returns all flags, in the order in which a record lists them.
 std::vector<std::string_view> flag_names();
 
 // ---- faces of bodies by their definition ----
 
-// Exact integers, one pass over all points, no hull of a body
-// and no filter. Contacts and witnesses of records are proved by them, independently of the answer.
+// Found in exact integers by one pass over all points, without hulls and filters. They prove
+// contacts and witnesses of records independently of the answer.
 
 /// All points of both bodies as multiples of 1 / denominator.
 struct Integers {

@@ -57,7 +57,7 @@ void write_rounded(JsonStream& out, std::string_view key, const RoundedVector& v
   out.close('}');
 }
 
-/// The members of an object that tells a length.
+/// Writes the members of an object for a length.
 void write_length(JsonStream& out, const mpq_class& squared, const Rounded& root) {
   out.key("squared").exact(squared);
   write_modes(out, root);
@@ -73,7 +73,7 @@ void write_translation(JsonStream& out, const Point& t, const RoundedVector& rou
   write_rounded(out, "rounded", rounded);
 }
 
-/// sign sqrt(root) + plus.
+/// Writes the value sign sqrt(root) + plus.
 void write_surd(JsonStream& out, std::string_view key, const Surd& value) {
   out.key(key).open('{').key("sign").integer(sgn(value.root));
   out.key("root").exact(mpq_class(abs(value.root))).key("plus").exact(value.rational).close('}');
@@ -138,7 +138,7 @@ class BodyText {
     for (const Point& p : points) point(p);
     out_.close(']');
   }
-  /// A number or three, if the body has that field.
+  /// Writes a number or a triple, if the body has that field.
   void numbers(const families::NamedBody& body, std::string_view name) {
     const auto found = body.fields.numbers.find(name);
     if (found == body.fields.numbers.end()) return;
@@ -166,7 +166,7 @@ void write_known(JsonStream& out, const Unions& unions) {
   out.key("optima").integer(optima).close('}');
 }
 
-// ---- what is expected: the members of that object ----
+// ---- the answer: the members of the object "expected" ----
 
 void write_flat(JsonStream& out, bool flat_a, bool flat_b) {
   out.key("flat").open('[');
@@ -384,7 +384,7 @@ std::string csv_row(const Facts& facts) {
   }
   row += ',';
   append_joined(to_nearest(truth->units.front()), ',', row);
-  row += ',';  // of the first optimum; zeros for touching bodies, what brings disjoint ones together
+  row += ',';  // the translation of the first optimum; zero if the bodies touch, to the contact if they are disjoint
   append_joined(truth->translations.empty() ? Triple{} : to_nearest(truth->translations.front()), ',', row);
   row += ',' + std::to_string(optima.size()) + ',';
   if (!optima.empty()) row += name(optima.front().contact.kind);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proves records: what is true of two bodies as far as a certificate proves it; records against
-// that; and records computed again. The checker's own parser reads certificates, and nothing in it
-// is used before the checker has accepted it.
+// Proves records: reads the truth about two bodies from a certificate; compares records with it;
+// and computes records again. The checker's own parser reads certificates, and their content is
+// used only after the checker has accepted them.
 
 #include "verify/golden/records/prove.hpp"
 
@@ -30,8 +30,8 @@ namespace {
 using fathom_check::Certificate;
 using fathom_check::Claim;
 
-/// The certificate of this id. Throws NotProved unless the checker accepts it, and `text` holds
-/// nothing else.
+/// Returns the certificate with this id. Throws NotProved if the checker does not accept it, or if
+/// `text` holds anything else.
 Certificate accepted(std::string_view text, const std::string& id) {
   fathom_check::Lines lines(text, fathom_check::longest_line);
   fathom_check::Reader reader(lines);
@@ -80,7 +80,7 @@ bool same(const std::vector<Point>& points, const std::vector<fathom_check::Rati
                     [](const auto& p, const auto& q) { return same(p, q); });
 }
 
-/// Whether the body of the certificate has these pieces, in this order.
+/// Returns whether the body of the certificate has these pieces, in this order.
 bool same(const Pieces& pieces, const fathom_check::Body& body) {
   if (body.core != fathom_check::Body::Core::pieces || body.pieces.size() != pieces.size()) return false;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -92,12 +92,12 @@ bool same(const Pieces& pieces, const fathom_check::Body& body) {
   return true;
 }
 
-/// The point with these weights.
+/// Returns the convex combination of the points with these weights.
 Point combined(const std::vector<Point>& points, const std::vector<fathom_check::Weight>& weights) {
   Point sum;
   for (const fathom_check::Weight& w : weights) {
     if (w.index >= points.size())
-      throw NotProved("a weight of a point that there is not");  // the checker refuses it too
+      throw NotProved("a weight of a point that there is not");  // the checker refuses such a certificate too
     const mpq_class weight = value_of(w.weight);
     const Point& p = points[w.index];
     sum = {sum.x + weight * p.x, sum.y + weight * p.y, sum.z + weight * p.z};
@@ -107,7 +107,7 @@ Point combined(const std::vector<Point>& points, const std::vector<fathom_check:
 
 // ---- polytopes ----
 
-/// What an accepted certificate says.
+/// The statements of an accepted certificate.
 struct Proved {
   Status status = Status::disjoint;
   std::vector<Vector> directions;
@@ -154,7 +154,7 @@ ContactKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   }
 }
 
-/// Both bodies seen in one direction.
+/// The faces of both bodies in one direction, and their distance.
 struct Sides {
   SupportingFace a, b;  ///< in the directions -n and n
   mpq_class support;    ///< h(n)
@@ -168,7 +168,7 @@ struct Sides {
     translation = {factor * n.x, factor * n.y, factor * n.z};
   }
 
-  /// Points of both faces with b - a = translation.
+  /// Returns whether the points lie on both faces and b - a is the translation.
   [[nodiscard]] bool witnessed(const Witness& w, const Integers& bodies, const Vector& n) const {
     const Point apart{w.b.x - w.a.x, w.b.y - w.a.y, w.b.z - w.a.z};
     return apart == translation && contains(a, -n, bodies.denominator, w.a) && contains(b, n, bodies.denominator, w.b);
@@ -213,8 +213,8 @@ HullStatement truth_in(const HullPair& hulls, const FormedCase& made, const std:
 
 // ---- shapes ----
 
-/// A body as certificates write it: as simple as it can be, and its points, if it is the hull of
-/// some.
+/// A body in the simplest form, as certificates write it; and its points, if it is the hull of
+/// points.
 struct WrittenBody {
   Shape shape;
   std::optional<std::vector<Point>> points;
@@ -240,8 +240,8 @@ struct WrittenBody {
                                [](const Term& term, const fathom_check::Term& found) { return same(term, found); });
   }
 
-  /// The greatest <n,x> of the core, which is no curved one; a half-space has one in the direction
-  /// of its normal only.
+  /// Returns the greatest <n,x> of the core, which must not be curved; a half-space has one only in
+  /// the direction of its normal.
   [[nodiscard]] mpq_class height(const Vector& n) const {
     if (const HalfSpace* const half = half_space()) {
       const mpq_class factor = dot(n, half->normal) / dot(half->normal, half->normal);
@@ -256,8 +256,8 @@ struct WrittenBody {
   }
 };
 
-/// Of an accepted certificate: then the lineality of its cone is independent, and the rays are the
-/// extreme ones.
+/// Returns the cone of an accepted certificate: the checker has made sure that its lineality is
+/// independent and its rays are extreme.
 std::optional<OptimalCone> cone_of(const Certificate& certificate) {
   if (!certificate.has_cone) return std::nullopt;
   return rounded::canonical({values_of(certificate.lineality.items), values_of(certificate.rays.items)});
@@ -292,7 +292,8 @@ ShapeStatement stated(const Certificate& certificate, const WrittenBody& a, cons
   return truth;
 }
 
-/// A proof cannot deny what is known by construction, unless a generator is wrong.
+/// Returns whether the proved truth contradicts the answer known by construction, which happens
+/// only if a generator is wrong.
 bool denies(const ShapeStatement& truth, const families::KnownDepth& known) {
   if (const Surd* const exact = std::get_if<Surd>(&truth.value)) return compare(known.signed_depth, *exact) != 0;
   const auto& [low, high] = std::get<Bounds>(truth.value);
@@ -355,8 +356,8 @@ std::vector<Point> points_of(const fathom_check::Body& body) {
   return points;
 }
 
-/// Whether the patch of this number in the certificate has these corners, in this order. A
-/// half-space has no points, and no weights.
+/// Returns whether patch `number` of the certificate has this direction and these corners, in this
+/// order. A half-space has no points, and no weights.
 bool same(const Patch& patch, const Certificate& certificate, std::size_t number) {
   const fathom_check::PatchParts& proved = certificate.of_patches;
   const std::vector<Point> a = points_of(certificate.a), b = points_of(certificate.b);
@@ -422,14 +423,15 @@ ContactFacts proved_contacts(const FormedCase& made, std::string_view text) {
 
 // ---- records ----
 
-// The certificate proves status, depth and every optimal direction; all else follows from these and
-// the bodies. Then the record is written anew, and must be the same text: so no field can be wrong,
-// missing, repeated or unknown.
+// The certificate proves status, depth and every optimal direction; the other fields follow from
+// these and the bodies. The record is then written anew, and must have the same text: so no field
+// can be wrong, missing, repeated or unknown.
 
-/// The bodies that the source names: an id stands for one pair of bodies only.
+/// Returns the bodies that the source of the record generates; an id stands for one pair of bodies
+/// only.
 const FormedCase& Prover::source_of(const ReadRecord& claimed) {
   if (claimed.id != id_of(claimed.recipe, claimed.form)) throw NotProved("id: it is not that of its source");
-  constexpr unsigned largest_size = 10'000;  // nobody's text may ask for more work
+  constexpr unsigned largest_size = 10'000;  // limits the work that an untrusted text can cause
   if (claimed.recipe.size > largest_size) throw NotProved("source.size: it is larger than that of any record");
   if (recipe_ != claimed.recipe) {
     recipe_.reset();
@@ -481,8 +483,8 @@ std::optional<std::string> faults_of(std::string_view line, std::string_view cer
 
 namespace {
 
-/// A rotation that takes no axis to an axis, and no face of a body that lies along the axes to a
-/// plane that is simple; then a translation.
+/// Returns a rotation that takes no axis to an axis, and no facet of a box along the axes to a
+/// plane with small integer coefficients; then a translation.
 const Pose& other_frame() {
   static const Pose pose = rigid_pose({7, 2, -3, 5}, {mpq_class(1, 3), -2, mpq_class(3, 7)});
   return pose;
@@ -495,8 +497,8 @@ Options options_of(Method method, Monitor* monitor) {
   return options;
 }
 
-// What is true of the bodies when `method` answers; nullopt if that was compared with the line
-// here.
+// Each function returns the truth about the bodies according to `method`; nullopt if it compared
+// the truth with the line itself.
 
 std::optional<RecordStatement> truth_by(Method method, const HullPair& hulls, std::string_view, Monitor* monitor) {
   return truth_of(hulls, penetration_depth(hulls.a, hulls.b, options_of(method, monitor)), monitor);
@@ -527,15 +529,15 @@ Pieces moved(Pieces pieces) {
   return pieces;
 }
 
-/// A translation of B in the other frame, as one of A in this one. The inverse of a rotation is its
-/// transpose.
+/// Returns a translation of B in the other frame as one of A in the original frame. The inverse of
+/// a rotation is its transpose.
 Point translation_of_a(const Point& t) {
   const Pose& m = other_frame();
   const auto column = [&](std::size_t i) { return mpq_class(-(m[0][i] * t.x + m[1][i] * t.y + m[2][i] * t.z)); };
   return {column(0), column(1), column(2)};
 }
 
-/// The pieces that the line says are nearest, and how they are apart by the method.
+/// Returns the nearest pieces that the line names, with their distance by `method`.
 UnionGap stated_gap(Method method, std::string_view line, const Unions& unions, Monitor* monitor) {
   const auto [a, b] = nearest_pieces_in(line);
   if (a >= unions.a.size() || b >= unions.b.size())
@@ -559,7 +561,7 @@ std::optional<RecordStatement> truth_by(Method method, const Unions& unions, std
   return truth;
 }
 
-/// The line as it is when `method` answers; nullopt if the line as it is was compared.
+/// Returns the record's line according to `method`; nullopt if the line was compared otherwise.
 std::optional<std::string> line_by(Method method, std::string_view line, Monitor* monitor) {
   const ReadRecord claimed = read_record(line);
   FormedCase made = claimed.hulls ? FormedCase{claimed.form, claimed.id, *claimed.hulls, claimed.recipe.contacts}

@@ -20,23 +20,23 @@ struct NotProved : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Proves one record after another, best those of one recipe together: its bodies are made once.
-/// One for each thread.
+/// Proves records one after another; records of one recipe should follow each other, as its bodies
+/// are generated once. Use one Prover for each thread.
 class Prover {
  public:
-  /// Returns nullopt if everything in the line is proved, else one sentence on what is not. `line`
-  /// has no line feed, `certificate` holds exactly one certificate. What is proved: the
-  /// certificate, by the checker that shares nothing with the rest; that it is about the bodies of
-  /// the line, and that the source yields these; that status, depth and directions are those of the
-  /// certificate; every rounded value, translation, contact, witness, gap, format and flag by
-  /// computing it again. Fields that are missing, repeated or unknown are refused. Throws nothing
-  /// on bad input.[proofs/golden.md]
+  /// Returns nullopt if everything in the line is proved, else a sentence on the first fault.
+  /// `line` has no line feed, `certificate` holds exactly one certificate. Proves that the checker,
+  /// which shares no code with the rest, accepts the certificate; that it is about the bodies of
+  /// the line, and that the source generates these; that status, depth and directions are those of
+  /// the certificate; and every rounded value, translation, contact, witness, gap, format and flag,
+  /// by computing it again. Refuses missing, repeated and unknown fields. Throws nothing on bad
+  /// input. [proofs/golden.md]
   std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
-  // Of the record that was proved last.
+  // These are about the record that was proved last.
   [[nodiscard]] const std::string& id() const { return id_; }
   [[nodiscard]] const std::string& row() const { return row_; }  ///< of the CSV
-  /// The ids of all records of its recipe, in their order.
+  /// Returns the ids of all records of its recipe, in their order.
   [[nodiscard]] std::vector<std::string> ids() const;
 
  private:
@@ -50,49 +50,51 @@ class Prover {
   std::string row_;
 };
 
-/// The same for a single record.
+/// Does the same for a single record.
 std::optional<std::string> faults_of(std::string_view line, std::string_view certificate);
 
-/// Returns the truth that the certificate proves of these bodies: status, length, directions, cone
-/// and translations of unions are its own; contacts and other translations follow from the bodies
-/// by the definitions. Throws NotProved unless the checker accepts it, it has the id of this case
-/// and is about its bodies, and agrees with what is known of the answer by construction. `witness`:
-/// that of the record, which is proved too, and which polytopes must have.       [proofs/golden.md]
+/// Returns the truth about these bodies that the certificate proves: status, length, directions,
+/// cone and translations of unions are its own; contacts and other translations follow from the
+/// bodies by the definitions. Throws NotProved unless the checker accepts the certificate, it has
+/// the id of this case and is about its bodies, and agrees with the answer known by construction.
+/// `witness`: that of the record, which polytopes must have, and which is proved too.
+/// [proofs/golden.md]
 RecordStatement proved_truth(const FormedCase& made, const std::optional<Witness>& witness,
                              std::string_view certificate, Workspace* workspace = nullptr);
 
-/// Returns what a record of contacts says beside that truth: found anew, where each direction, each
-/// corner of a patch, the cone of cores that touch and, unless they do, each derivative is one that
-/// the certificate proves. Throws NotProved otherwise.
+/// Returns the additional fields of a record of contacts, computed again. Throws NotProved unless
+/// the certificate proves each direction, each corner of a patch, the cone of cores that touch and,
+/// unless they touch, each derivative.
 ContactFacts proved_contacts(const FormedCase& made, std::string_view certificate);
 
 // ---- recomputation ----
 
-// Compares a record with what is found of its bodies in another way: one that takes nothing from
-// certificate and answer.
+// Compares a record with results about its bodies that are computed without its certificate and
+// answer.
 
 /// Computes the answer about the record's bodies anew, and from it every field of the record,
 /// except which certificate goes with it. Returns nullopt if the line is the same, else one
 /// sentence on the first difference. Throws Interrupted, and nothing on bad input.
 ///
-/// Polytopes `method` answers alone. Shapes whose cores are polytopes, or one a half-space and the
-/// other a polytope, are turned and exchanged, and `method` answers about the cores. Other shapes
-/// no other method can answer: turned, exchanged and enclosed anew the search takes another way
-/// from another start, and both enclosures must overlap. Unions are turned and exchanged too; which
-/// pieces are nearest, where several pairs may be, the line says, and `method` answers about these
-/// two.                                                                          [proofs/golden.md]
+/// `method` answers about polytopes as they are. Shapes whose cores are polytopes, or a half-space
+/// and a polytope, are turned and exchanged, and `method` answers about the cores. No other method
+/// can answer about other shapes: these are turned, exchanged and enclosed anew, so that the search
+/// takes another path, and both enclosures must overlap. Unions are turned and exchanged too; the
+/// line names a pair of nearest pieces, of which there may be several, and `method` answers about
+/// these two. [proofs/golden.md]
 std::optional<std::string> disagreement_with(Method method, std::string_view line, Monitor* monitor = nullptr);
 
-/// Laws of contacts. Moved by a rigid pose and exchanged, the bodies have the same patches, and the
-/// same derivatives along the same motions. Throws NotProved if not.
+/// Checks that the bodies, moved by a rigid pose and exchanged, have the same patches, and the same
+/// derivatives along the same motions. Throws NotProved if not.
 void insist_on_exchanged(const RecordBodies& bodies, const ContactFacts& contacts, const Pose& frame,
                          const Options& options);
 
-/// Each patch is what the faces share when one is clipped by the other. Throws NotProved if not.
+/// Checks that each patch is the intersection of the faces, found by clipping one by the other.
+/// Throws NotProved if not.
 void insist_on_clipped(const RecordBodies& bodies, const ContactFacts& contacts);
 
-/// The cone of cores that touch is the one that is proved; there is none where none is proved.
-/// Throws NotProved if not.
+/// Checks that cores that touch have the cone that is proved, and no cone if none is proved. Throws
+/// NotProved if not.
 void insist_on_cone(const ContactGeometry& geometry, const std::optional<OptimalCone>& proved);
 
 }  // namespace fathom::golden

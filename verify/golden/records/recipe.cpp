@@ -46,7 +46,7 @@ Unions unions_of(const Case& unions, std::optional<KnownUnion> known = std::null
   return {*unions.a.pieces, *unions.b.pieces, std::move(known)};
 }
 
-/// Of convex bodies that were cut: the answer about the hulls of all pieces.
+/// Returns the known answer about convex bodies that were cut: that about the hulls of all pieces.
 KnownUnion known_of_hulls(const Case& unions) {
   const auto hull_of = [](const Body& body) { return Body{polytope::joined(*body.pieces)}; };
   const Depth depth = penetration_depth(hull_of(unions.a), hull_of(unions.b));
@@ -68,7 +68,7 @@ bool is_in(const mpq_class& value, Form format) {
   return std::isfinite(closest) && exact_value(closest) == value;
 }
 
-/// Rounds the value. Returns false, and leaves it, if it overflows.
+/// Rounds the value. Returns false, without changing it, if it overflows.
 bool round_to_nearest(mpq_class& value, Form format) {
   const double closest = nearest_in(value, format);
   if (std::isfinite(closest)) value = exact_value(closest);
@@ -79,9 +79,9 @@ bool round_to_nearest(Point& p, Form format) {
   return round_to_nearest(p.x, format) && round_to_nearest(p.y, format) && round_to_nearest(p.z, format);
 }
 
-// ---- polytopes: whole bodies in doubles, as there are many of them ----
+// ---- polytopes: whole bodies in doubles at once, which is faster for the many that there are ----
 
-/// Returns false if a coordinate overflows, or all points become equal that were not.
+/// Returns false if a coordinate overflows, or if distinct points all become equal.
 bool round(GivenPoints& points, Form form) {
   std::vector<Triple> result;
   result.reserve(points.size());
@@ -282,7 +282,7 @@ std::vector<FormedCase> cases_of(const Recipe& recipe) {
   std::vector<FormedCase> cases;
   cases.push_back({Form::given, id_of(recipe), base_bodies(recipe), recipe.contacts});
   for (const Form form : {Form::binary64, Form::binary32}) {
-    if (in_format(cases.back().bodies, form)) continue;  // it holds the very numbers that rounding would give
+    if (in_format(cases.back().bodies, form)) continue;  // rounding would give the same numbers
     if (std::optional<RecordBodies> bodies = rounded(cases.front().bodies, form))
       cases.push_back({form, id_of(recipe, form), *std::move(bodies), recipe.contacts});
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a base case of the golden data is made from, a name, and for families a size and a seed; and
-// the bodies of its records: the same on every machine.
+// The recipe of a base case of the golden data: a name, and for families a size and a seed; and the
+// bodies of its records, which are the same on every machine.
 #pragma once
 
 #include <gmpxx.h>
@@ -20,7 +20,7 @@
 
 namespace fathom::golden {
 
-/// Where base cases come from.
+/// The source of a base case.
 enum class Source {
   family,           ///< a family of verify/families
   catalogue,        ///< an entry of the catalogue of degenerate pairs
@@ -56,13 +56,13 @@ struct Recipe {
   std::string name;
   unsigned size = 0;       ///< of families
   std::uint64_t seed = 0;  ///< of families
-  bool contacts = false;   ///< whether its records tell where the bodies touch, too
+  bool contacts = false;   ///< whether its records hold contacts too
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
 /// How the numbers of a record come from those of the base case.
 enum class Form {
-  given,     ///< they are those
+  given,     ///< unchanged
   binary64,  ///< each is rounded to the nearest binary64, ties to even
   binary32   ///< likewise to binary32, from the exact number
 };
@@ -75,9 +75,9 @@ constexpr std::string_view name_of(Form form) {
   return form == Form::given ? "given" : form == Form::binary64 ? "binary64" : "binary32";
 }
 
-/// "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes share
-/// one, and no id is ever given to other bodies. With "contacts-" before it if its records tell
-/// these; with ".b64" or ".b32" after it for rounded ones.
+/// Returns "<name>-n<size>-s<seed>", or "<kind of source>-<name>" without a family: no two recipes
+/// share one, and an id never changes its bodies. Begins with "contacts-" for records of contacts;
+/// ends in ".b64" or ".b32" for rounded ones.
 std::string id_of(const Recipe& recipe, Form form = Form::given);
 
 /// Two polytopes, the hulls of points.
@@ -85,7 +85,7 @@ struct HullPair {
   Body a, b;  ///< in binary64 if all of the body's coordinates are
 };
 
-/// What is known of an answer about unions by construction.
+/// The answer about unions that is known by construction.
 struct KnownUnion {
   Status status = Status::disjoint;
   mpq_class squared;       ///< depth^2, or the squared distance if they are disjoint
@@ -95,12 +95,13 @@ struct KnownUnion {
 /// Two unions of convex pieces.
 struct Unions {
   Pieces a, b;
-  /// Beside given ones only. An entry of the catalogue states it; of convex bodies that were cut it
-  /// is the answer about the hulls.
+  /// Set for the original bodies only. An entry of the catalogue states it; of convex bodies that
+  /// were cut it is the answer about the hulls.
   std::optional<KnownUnion> known = std::nullopt;
 };
 
-/// Two bodies, in the order of Kind. What is known of shapes stands beside the given ones only too.
+/// Two bodies, in the order of Kind. The known answer about shapes, too, is set for the original
+/// bodies only.
 using RecordBodies = std::variant<HullPair, families::NamedPair, Unions>;
 
 /// The bodies of one record.
@@ -115,15 +116,15 @@ struct FormedCase {
 RecordBodies base_bodies(const Recipe& recipe);
 
 /// Returns the bodies with each number rounded to the nearest: coordinates, lengths, margins, the
-/// parts of quaternions and places. Returns nullopt if a number overflows; if the points of a body
-/// all become equal that were not, or a piece becomes flat; or if what results is no shape, where a
-/// length is rounded to 0, or a quaternion. Pieces that abutted may overlap then, or leave a gap.
+/// parts of quaternions and places. Returns nullopt if a number overflows; if distinct points of a
+/// body all become equal, or a piece becomes flat; or if no shape results, because a length or a
+/// quaternion becomes 0. Pieces that abutted may overlap then, or leave a gap.
 std::optional<RecordBodies> rounded(const RecordBodies& base, Form form);
 
 /// Returns whether every number of the bodies is one of that format.
 bool in_format(const RecordBodies& bodies, Form format);
 
-/// The same points, of a body in binary64 if all of its coordinates are.
+/// Returns the same points, in binary64 if all coordinates are.
 GivenPoints in_simplest_form(const GivenPoints& points);
 
 /// Returns the bodies of all records of a recipe, in their order: the exact ones, then those

@@ -21,16 +21,16 @@
 namespace fathom::golden {
 namespace {
 
-/// What the engines say of two bodies.
+/// The answer of the library about two bodies.
 struct Answered {
   RecordStatement truth;
   std::string certificate;
   std::optional<ContactFacts> contacts = std::nullopt;
 };
 
-/// The checker, which shares nothing with the engines, must accept. Of polytopes, most of the
-/// records, the verdict is compared with the answer; to prove the whole record takes as long as to
-/// make it.
+/// Throws std::logic_error unless the checker, which shares no code with the library, accepts the
+/// certificate. Of polytopes, which are most records, only the verdict is compared with the answer,
+/// because proving the whole record takes as long as making it.
 void insist_on(const std::string& id, const std::string& text, const Depth& answer) {
   const fathom_check::Verdict verdict = fathom_check::verify(text);
   const auto refuse = [&id](const std::string& why) { throw std::logic_error(id + ": " + why); };
@@ -44,8 +44,8 @@ void insist_on(const std::string& id, const std::string& text, const Depth& answ
     refuse("the certificate proves something else: " + fathom_check::verdict_line(verdict, id));
 }
 
-/// The expanding polytope finds answer and proof in one run; if it gives up, the exact method
-/// answers and the proof is found afterwards.
+/// Answers about polytopes. Usually the expanding polytope yields answer and certificate in one
+/// run; if it gives up, the exact method answers and the certificate is made afterwards.
 Answered answered(const HullPair& hulls, const std::string& id, Monitor* monitor, Workspace* workspace) {
   Options options;
   options.monitor = monitor;
@@ -164,7 +164,7 @@ std::optional<Witness> read_witness(const JsonValue& expected) {
   return Witness{point(witness->at("a")), point(witness->at("b"))};
 }
 
-/// Returns what `take` finds in the line.
+/// Returns take(line as JSON).
 template <class Take>
 auto read(std::string_view line, Take take) {
   try {
@@ -179,8 +179,8 @@ std::string shortened(const std::string& value) {
   return value.size() <= most ? value : value.substr(0, most) + "...";
 }
 
-/// The first difference of two values, at the place `path`: fields by their names, then those that
-/// `found` has more; nullopt if there is none.
+/// Returns the first difference of two values at `path`: first the fields of `expected` by name,
+/// then additional fields of `found`; nullopt if there is none.
 std::optional<std::string> difference(const JsonValue* expected, const JsonValue* found, const std::string& path) {
   const auto within = [&path](const std::string& part) { return path.empty() ? part : path + '.' + part; };
   const auto shown = [](const JsonValue* value) {

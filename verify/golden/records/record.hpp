@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   a recipe.
-// Output  one to three records: the base case as it is, and as programs see it that round its
+// Output  one to three records: the base case as it is, and as programs get it that round its
 //         numbers to binary64 or to binary32. Each is one line of JSON with the truth about exactly
 //         the bodies in it, and the certificate that proves it.
 #pragma once
@@ -29,7 +29,7 @@ struct Record {
 };
 
 /// Returns the records of a recipe, one for each of cases_of(recipe). Throws std::logic_error if
-/// the certificate is not accepted or proves anything else than the record says, and Interrupted.
+/// the certificate is not accepted or contradicts the record, and Interrupted.
 std::vector<Record> records_of(const Recipe& recipe, Monitor* monitor = nullptr, Workspace* workspace = nullptr);
 
 /// Returns the record of the base case in one form.
@@ -37,7 +37,7 @@ Record record_of(const Recipe& recipe, FormedCase made, Monitor* monitor = nullp
 
 // ---- reading ----
 
-// Reads the parts of a record's line that cannot be computed from others. Nothing is checked yet.
+// Reads the parts of a record's line that cannot be computed from others, without checking them.
 
 /// Why a text is not a record, as one sentence.
 struct NotARecord : std::runtime_error {
@@ -48,7 +48,7 @@ struct ReadRecord {
   Recipe recipe;
   Form form = Form::given;
   std::string id;
-  std::optional<HullPair> hulls;   ///< of polytopes; what other bodies are their source says
+  std::optional<HullPair> hulls;   ///< of polytopes; other bodies come from their source
   std::optional<Witness> witness;  ///< of polytopes, or of their distance
   std::string certificate_sha256;
 };
@@ -56,20 +56,20 @@ struct ReadRecord {
 /// Throws NotARecord.
 ReadRecord read_record(std::string_view line);
 
-/// Returns low and high of the signed depth that a record of shapes says: they are equal if it is
-/// exact. Throws NotARecord.
+/// Returns the bounds of the signed depth in a record of shapes: they are equal if it is exact.
+/// Throws NotARecord.
 std::pair<Surd, Surd> signed_depth_in(std::string_view line);
 
-/// Returns the numbers of the pieces that a record of unions says are nearest, of A and of B.
-/// Throws NotARecord.
+/// Returns the numbers of the nearest pieces in a record of unions, of A and of B. Throws
+/// NotARecord.
 std::pair<std::uint32_t, std::uint32_t> nearest_pieces_in(std::string_view line);
 
-/// Returns the id in a record's line where the writer puts it, or an empty text: nothing else is
-/// looked at.
+/// Returns the id at the place where the writer of records puts it, or an empty text. Does not look
+/// at the rest of the line.
 std::string_view id_in(std::string_view line);
 
-/// Returns where the two lines first differ, as one sentence: "expected.depth.f64.rn: expected ..,
-/// found ..".
+/// Returns a sentence on the first difference of the two lines: "expected.depth.f64.rn: expected
+/// .., found ..".
 std::string first_difference(std::string_view expected, std::string_view found);
 
 }  // namespace fathom::golden

@@ -7,24 +7,24 @@
 
 namespace fathom::golden {
 
-/// NOTES.md of this folder: fields and flags explained, and the policy on versions. Markdown, ends
-/// with a line feed.
+/// Returns NOTES.md of this folder, Markdown that ends with a line feed: fields and flags
+/// explained, and the policy on versions.
 std::string_view notes();
 
-/// golden.schema.json: of one record.
+/// Returns golden.schema.json, the schema of a record.
 std::string_view record_schema();
 
-/// LICENSES/CC0-1.0.txt.
+/// Returns LICENSES/CC0-1.0.txt.
 std::string_view licence();
 
-/// dataset.schema.json: of dataset.json.
+/// Returns dataset.schema.json, the schema of dataset.json.
 std::string_view dataset_schema();
 
-/// shard.schema.json: of the page of each shard.
+/// Returns shard.schema.json, the schema of the page of each shard.
 std::string_view shard_schema();
 
-/// kit/fathom_golden.h and kit/fathom_golden.rs: what a case is, and whether an answer to it is
-/// right.
+/// Return kit/fathom_golden.h and kit/fathom_golden.rs: the type of a case, and tests of an answer
+/// to it.
 std::string_view kit_in_c();
 std::string_view kit_in_rust();
 

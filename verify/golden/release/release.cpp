@@ -41,7 +41,7 @@ bool is_plain_name(std::string_view name) {
 }
 
 /// Writes the fixed pages, dataset.json, CONTENT_SHA256SUMS and, last, SHA256SUMS. All shards must
-/// be there. Throws FileError.
+/// exist. Throws FileError.
 void close_release(const fs::path& folder, Level level, std::uint64_t seed, const std::vector<ShardPlan>& shards) {
   Dataset dataset{level, std::string(data_version), seed, {}};
   std::vector<Sum> sums;
@@ -59,7 +59,7 @@ void close_release(const fs::path& folder, Level level, std::uint64_t seed, cons
   put(std::string(dataset_name), dataset_text(dataset));
   put(std::string(contents_name), contents_text(dataset));
   put_file(folder, std::string(sums_name), sums_text(sums));
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))  // of processes that were killed
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))  // left by processes that were killed
     if (entry.path().filename().string().starts_with(hidden_prefix)) fs::remove(entry.path());
 }
 
@@ -172,7 +172,7 @@ std::optional<Dataset> parse_dataset(std::string_view text) {
     dataset.seed = std::stoull(json.at("generator").at("seed").string());
     for (const JsonValue& shard : json.at("shards").items()) dataset.shards.push_back(manifest_of(shard));
     if (dataset_text(dataset) == text) return dataset;
-  } catch (const std::exception&) {  // no JSON, or other fields than ours
+  } catch (const std::exception&) {  // the text is no JSON, or has other fields than a dataset
   }
   return std::nullopt;
 }
@@ -194,7 +194,7 @@ std::optional<Agreement> parse_agreement(std::string_view text) {
     for (const JsonValue& method : json.at("methods").items())
       agreement.methods.push_back(solve::second_method(method.string()).value());
     if (!agreement.methods.empty() && agreement_text(agreement) == text) return agreement;
-  } catch (const std::exception&) {  // no JSON, or other fields than ours
+  } catch (const std::exception&) {  // the text is no JSON, or has other fields than an agreement
   }
   return std::nullopt;
 }
@@ -225,8 +225,8 @@ namespace {
 
 constexpr std::size_t recipes_in_flight = 32;  // for each thread; bounds the memory
 
-/// Recipe after recipe of several shards, made on all threads and written in order by one at a
-/// time.
+/// Makes recipe after recipe of several shards on all threads; one thread at a time writes the
+/// records, in order.
 class Assembly {
  public:
   Assembly(const GenerateOptions& options, const std::vector<ShardPlan>& shards, std::span<const std::size_t> numbers)
@@ -285,9 +285,9 @@ class Assembly {
   const GenerateOptions* options_;
   const std::vector<ShardPlan>* shards_;
   std::span<const std::size_t> numbers_;
-  std::vector<Recipe> recipes_;  // of the shard that is given out; for the first stage, as the next line
+  std::vector<Recipe> recipes_;  // of the current shard; like the next line, for the first stage only
   std::size_t given_shard_ = 0, given_recipe_ = 0;
-  std::size_t written_shard_ = 0, written_recipe_ = 0;  // of the last one
+  std::size_t written_shard_ = 0, written_recipe_ = 0;  // what was written last
   std::optional<ShardWriter> writer_;
   tbb::enumerable_thread_specific<Workspace> workspaces_;
   Done done_;

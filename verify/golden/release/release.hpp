@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The folder of a release as a whole: which names belong in it, and the pages that complete it once
-// all shards are there.
+// The folder of a release as a whole: the names of its files, and the pages that complete it after
+// all shards.
 #pragma once
 
 #include <cstdint>
@@ -32,13 +32,14 @@ struct Sum {
   friend bool operator==(const Sum&, const Sum&) = default;
 };
 
-/// The page. The order of `sums` does not matter.
+/// Returns the page. The order of `sums` does not matter.
 std::string sums_text(std::vector<Sum> sums);
 
-/// Returns nullopt unless `text` is what sums_text makes of it, and no name occurs twice.
+/// Returns the sums; nullopt unless sums_text makes the same text of them, and no name occurs
+/// twice.
 std::optional<std::vector<Sum>> parse_sums(std::string_view text);
 
-// ---- dataset.json: what a release holds, with counts and sums ----
+// ---- dataset.json: the content of a release, with counts and sums ----
 
 inline constexpr std::string_view dataset_name = "dataset.json";
 inline constexpr std::string_view contents_name = "CONTENT_SHA256SUMS";
@@ -52,42 +53,42 @@ struct Dataset {
 
 std::size_t records_in(const Dataset& dataset);
 
-/// CONTENT_SHA256SUMS: the sums of the decompressed files of all shards, as `sha256sum -c` reads
-/// them. The same for every version of libzstd, where SHA256SUMS, of the files as they are stored,
+/// Returns CONTENT_SHA256SUMS: the sums of the decompressed files of all shards, as `sha256sum -c`
+/// reads them. They are the same for every version of libzstd; SHA256SUMS, of the compressed files,
 /// is not.
 std::string contents_text(const Dataset& dataset);
 
 /// JSON, dataset.schema.json; ends with a line feed.
 std::string dataset_text(const Dataset& dataset);
 
-/// Returns nullopt unless `text` is, byte for byte, what dataset_text makes of it.
+/// Returns the dataset; nullopt unless dataset_text makes the same bytes of it.
 std::optional<Dataset> parse_dataset(std::string_view text);
 
-// ---- agreement.json: which methods have given every record of a release ----
+// ---- agreement.json: the methods that have computed every record of a release again ----
 
-/// Written after the release is complete, by who computed it again, and no part of the data:
-/// SHA256SUMS does not list it, and it says itself which contents it is about.
+/// Written after the release is complete by the user who computed it again. It is not part of the
+/// data: SHA256SUMS does not list it, and it identifies the contents itself.
 inline constexpr std::string_view agreement_name = "agreement.json";
 
 struct Agreement {
   std::string content_sha256;   ///< of the page CONTENT_SHA256SUMS
-  std::size_t records = 0;      ///< that were computed again
-  std::vector<Method> methods;  ///< each of them gave every field of every record, beside the certificates; not empty
+  std::size_t records = 0;      ///< records that were computed again
+  std::vector<Method> methods;  ///< each computed every field of every record again; not empty
 };
 
 /// JSON, agreement.schema.json; ends with a line feed.
 std::string agreement_text(const Agreement& agreement);
 
-/// Returns nullopt unless `text` is, byte for byte, what agreement_text makes of it.
+/// Returns the agreement; nullopt unless agreement_text makes the same bytes of it.
 std::optional<Agreement> parse_agreement(std::string_view text);
 
 // ---- the folder ----
 
-/// The pages that are the same in every release of this version: name and content.
+/// Returns the pages that are the same in every release of this version: name and content.
 std::vector<std::pair<std::string, std::string>> fixed_pages();
 
-/// The names of all files of a complete release with these shards, SHA256SUMS too; agreement.json
-/// may come on top.
+/// Returns the names of all files of a complete release with these shards, including SHA256SUMS;
+/// agreement.json is optional.
 std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 
 // ---- generation ----
@@ -100,7 +101,7 @@ std::set<std::string> release_names(const std::vector<ShardPlan>& shards);
 /// Progress, in base cases.
 struct Done {
   std::size_t recipes = 0, of = 0;
-  std::string shard;  ///< the one being written
+  std::string shard;  ///< the shard being written
 };
 
 struct GenerateOptions {
@@ -108,23 +109,23 @@ struct GenerateOptions {
   std::uint64_t seed = 1;
   std::filesystem::path folder;
   unsigned jobs = 0;                        ///< threads; 0: as many as there are cores
-  Monitor* monitor = nullptr;               ///< asked from all threads whether to stop
+  Monitor* monitor = nullptr;               ///< asked by all threads whether to stop
   std::function<void(const Done&)> report;  ///< called from one thread at a time
 };
 
 class Generation {
  public:
-  /// Reads the folder, or makes it. Throws FolderError if it holds anything else than this release,
-  /// FileError.
+  /// Reads the folder, or makes it. Throws FolderError if it holds anything other than this
+  /// release, FileError.
   explicit Generation(GenerateOptions options);
 
   [[nodiscard]] const std::vector<ShardPlan>& shards() const { return shards_; }
-  /// Returns the numbers of the shards that are absent or damaged, ascending. Reads the files.
+  /// Returns the numbers of the shards that are missing or damaged, ascending. Reads the files.
   /// Throws as the constructor does.
   [[nodiscard]] std::vector<std::size_t> unfinished() const;
   /// Makes these shards, in this order. Throws FileError, Interrupted; std::logic_error if a record
-  /// does not hold against its proof. Shards that were finished before stay; of the others nothing
-  /// does.
+  /// contradicts its certificate. Keeps shards that were finished before, and nothing of unfinished
+  /// ones.
   void make(std::span<const std::size_t> numbers) const;
   /// Writes the pages that complete the release. Throws FolderError if a shard is missing,
   /// FileError.
@@ -138,26 +139,25 @@ class Generation {
 // ---- verification ----
 
 // Input   the folder of a release, not trusted.
-// Output  what is wrong with it. Refusal is the default: names, sums, pages, counts, every
-//         certificate and every value are checked, and by whom it is said to have been computed
-//         again.
+// Output  its faults. Refusal is the default: names, sums, pages, counts, every certificate and
+//         every value are checked, and the page on methods that computed it again.
 
-/// What was found in one shard.
+/// The result for one shard.
 struct ShardResult {
-  std::size_t records = 0;  ///< that were proved
+  std::size_t records = 0;  ///< records that were proved
   std::optional<Refusal> refusal;
 };
 
-/// Takes the result of the shard of that number, in order. Returns whether to go on.
+/// Receives the results of the shards in order, with their numbers. Returns whether to continue.
 using TakeShard = std::function<bool(std::size_t shard, ShardResult result)>;
 
 struct VerifyOptions {
-  std::vector<Method> methods;  ///< compute every record again by each of these, beside its proof
+  std::vector<Method> methods;  ///< compute every record again by each of these, besides proving it
   unsigned jobs = 0;            ///< threads; 0: as many as there are cores
-  Monitor* monitor = nullptr;   ///< asked from all threads whether to stop
+  Monitor* monitor = nullptr;   ///< asked by all threads whether to stop
   std::function<void(std::size_t records, std::size_t of)> report;  ///< called from one thread at a time
-  /// If set, it has the shards proved, by ShardVerifier, and passes on the results: all of
-  /// `shards`, or those before the first refusal.
+  /// If set, this function has ShardVerifier prove the shards elsewhere, and passes the results to
+  /// `take`: all of `shards`, or those before the first refusal.
   std::function<void(const std::vector<ShardPlan>& shards, const TakeShard& take)> elsewhere;
 };
 
@@ -173,7 +173,7 @@ struct Verified {
 /// Throws FileError if the folder itself cannot be read, Interrupted.
 Verified verify(const std::filesystem::path& folder, const VerifyOptions& options = {});
 
-/// Proves single shards of a release, whose pages somebody else checks.
+/// Proves single shards of a release, whose pages are checked elsewhere.
 class ShardVerifier {
  public:
   /// Throws FileError if the folder is not a release.
@@ -188,8 +188,8 @@ class ShardVerifier {
   std::vector<ShardPlan> shards_;
 };
 
-/// Writes the page that says by which methods the release was computed again. Call it after verify
-/// accepted the folder with these methods. Throws FileError.
+/// Writes the page with the methods that computed the release again. Call it after verify accepted
+/// the folder with these methods. Throws FileError.
 void state_agreement(const std::filesystem::path& folder, const Verified& verified, const std::vector<Method>& methods);
 
 }  // namespace fathom::golden

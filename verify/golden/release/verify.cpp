@@ -19,8 +19,8 @@ namespace fathom::golden {
 namespace fs = std::filesystem;
 namespace {
 
-/// Checks a release from the outside to the inside. Each step relies on what those before it have
-/// checked, so the first that fails ends the verification.
+/// Checks a release from the outside inwards. Each step relies on the ones before it, so the first
+/// one that fails ends the verification.
 class Verifier {
  public:
   Verifier(fs::path folder, const VerifyOptions& options) : folder_(std::move(folder)), options_(&options) {}
@@ -37,7 +37,7 @@ class Verifier {
   }
   [[nodiscard]] bool accepted() const { return result_.refusals.empty(); }
 
-  /// The text of a small file, or a refusal.
+  /// Returns the text of a small file, or nullopt after adding a refusal.
   std::optional<std::string> text_of(const std::string& name) {
     try {
       return read_small_file(folder_ / name);
@@ -152,7 +152,7 @@ class Verifier {
     }
   }
 
-  /// The shard's page against the sums, which are right by now.
+  /// Compares the shard's page with the sums, which have been checked already.
   void check_listed(const ShardFile& file) {
     const bool same = std::ranges::find(sums_, Sum{file.name, file.file.sha256}) != sums_.end();
     std::error_code error;
@@ -195,7 +195,7 @@ class Verifier {
 
 namespace {
 
-/// Runs `work` in an arena of as many threads as the options say, and returns its result.
+/// Returns work(), run in an arena with the number of threads of the options.
 template <class Work>
 auto on_threads(const VerifyOptions& options, Work work) {
   const unsigned threads =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families take turns, so that every file has cases of each and all files take about equally long.
+// Plans shards: families alternate, so that every file has cases of each and all files take about
+// equally long.
 
 #include "verify/golden/shards/plan.hpp"
 
@@ -24,7 +25,7 @@ struct LevelShare {
   unsigned one_in_larger;  ///< one case in this many is up to five times as large; 0 for none
 };
 
-/// How a family fills its share.
+/// The recipe parameters of a family.
 struct Habit {
   Source source;
   std::string_view family;
@@ -40,7 +41,7 @@ namespace {
 
 constexpr std::array levels{Level::L0, Level::L1, Level::L2, Level::L3, Level::P0, Level::P1, Level::U0, Level::C0};
 
-/// The levels up to this one, in its chain.
+/// Returns the levels up to this one in its chain.
 std::vector<Level> chain_to(Level level) {
   std::vector<Level> chain;
   for (const Level other : levels)
@@ -48,7 +49,7 @@ std::vector<Level> chain_to(Level level) {
   return chain;
 }
 
-// About 250 records; in L3 about 3000, so that one folder can hold all files; of U0, whose
+// Makes about 250 records; in L3 about 3000, so that one folder can hold all files; in U0, whose
 // certificates are long, about 75.
 constexpr std::size_t recipes_in_a_shard(Level level) {
   return level == Level::L3 ? 1500 : level == Level::U0 ? 50 : 150;
@@ -70,14 +71,14 @@ constexpr LevelShare share_of(Level level) {
   return {4, 8, 0};
 }
 
-// Nearly all facets of P nearly tie: the proof has to separate each from the nearest, and grows
-// with the square of the size.
+// The depths of nearly all facets of P nearly tie: the proof has to separate each from the nearest,
+// and grows with the square of the size.
 constexpr std::array<std::string_view, 5> costly{"crossed_patch", "crossed_ties", "crossed_shrinking_ties",
                                                  "crossed_vanishing_ties", "crossed_noisy_ties"};
 constexpr unsigned most_if_costly = 60;
 
-// Of contacts: polytopes, and shapes whose cores are some. Each kind of contact, parallel and
-// nearly so; ties; apart and touching; all of doubles as engines have them, or exact.
+// Families for contacts: polytopes, and shapes with polytopes as cores. Each kind of contact,
+// parallel and nearly so; ties; apart and touching; in doubles as engines use them, or exact.
 constexpr std::array<std::string_view, 34> touching_families{"faces_parallel",
                                                              "faces_tilted_hair",
                                                              "faces_tilted_slightly",
@@ -113,7 +114,7 @@ constexpr std::array<std::string_view, 34> touching_families{"faces_parallel",
                                                              "inverse_side_face",
                                                              "inverse_rounded_edges"};
 
-// A few very large cases, in L2.
+// Families with a few very large cases, in L2.
 constexpr std::array<std::string_view, 7> giants{"random_ball", "random_sphere", "prisms_posed",  "needles",
                                                  "plates",      "crossed_fans",  "crossed_prisms"};
 constexpr std::array<unsigned, 2> giant_sizes{500, 1000};
@@ -150,12 +151,12 @@ Habits habits(Level level) {
     return result;
   }
   for (const families::Family& family : families::families(kind))
-    if (family.name != "catalogue") add(family);  // its entries are all there by name
+    if (family.name != "catalogue") add(family);  // its entries are included by name
   return result;
 }
 
-/// Whether there is a case number `index` of a family, counted through all levels, or its share is
-/// used up. Without a seed there is one of each size, or of the usual one.
+/// Returns whether the family has a case `index`, counted through all levels up to this one.
+/// Without a seed there is one case of each size, or one of the usual size.
 bool has_case(const Habit& habit, const LevelShare& share, unsigned index) {
   if (habit.seeded) return true;
   return habit.sized ? least_size + index <= share.most : index == 0 && habit.usual_size <= share.most;
@@ -168,12 +169,12 @@ unsigned size_of(const LevelShare& share, std::uint64_t seed) {
   return static_cast<unsigned>(random.between(least_size, most));
 }
 
-/// Case number `index` of a family that has one.
+/// Returns the recipe of case `index`, which must exist.
 Recipe recipe(const Habit& habit, const LevelShare& share, std::uint64_t seed, unsigned index) {
   Recipe result{habit.source, std::string(habit.family), habit.usual_size, seed * seeds_of_a_release + index,
                 habit.contacts};
   if (!habit.seeded) {
-    result.seed = 0;  // whatever the seed of the release
+    result.seed = 0;  // independent of the seed of the release
     if (habit.sized) result.size = least_size + index;
   } else if (habit.sized) {
     result.size = size_of(share, result.seed);
@@ -184,8 +185,8 @@ Recipe recipe(const Habit& habit, const LevelShare& share, std::uint64_t seed, u
 
 }  // namespace
 
-/// What a level adds, in order: what has a name, then case after case of all families, then the
-/// giants.
+/// The recipes that a level adds, in order: those with a name, then the cases of all families in
+/// rounds, then the giants.
 class Additions {
  public:
   Additions(Level level, std::uint64_t seed, std::shared_ptr<const Habits> families)
@@ -227,7 +228,8 @@ class Additions {
     for (const families::UnionCatalogueEntry& entry : families::union_catalogue())
       head_.push_back({Source::union_catalogue, entry.pair.id});
   }
-  /// The catalogue, and its shapes whose cores are polytopes or half-spaces.
+  /// Adds the catalogue of polytopes, and of that of shapes the pairs whose cores are polytopes or
+  /// half-spaces.
   void add_named_contacts() {
     for (const families::CatalogueEntry& entry : families::catalogue())
       head_.push_back({Source::catalogue, std::string(entry.name), 0, 0, true});
@@ -249,7 +251,7 @@ class Additions {
     return static_cast<std::size_t>(
         std::ranges::count_if(*families_, [&](const Habit& habit) { return has_case(habit, share_, first_ + round); }));
   }
-  /// The cases of one round, in which each family takes its turn, as far as they are in [begin,
+  /// Appends the cases of one round, one of each family, as far as their places are in [begin,
   /// end).
   void add_round(unsigned round, std::size_t begin, std::size_t end, std::vector<Recipe>& result) const {
     std::size_t place = starts_[round];
@@ -263,9 +265,9 @@ class Additions {
   LevelShare share_;
   std::uint64_t seed_;
   std::shared_ptr<const Habits> families_;
-  unsigned first_ = 0;               // cases of each family in the levels below
+  unsigned first_ = 0;               // cases of each family in lower levels
   std::vector<Recipe> head_, tail_;  // before and after the rounds
-  std::vector<std::size_t> starts_;  // the place of the first case of each round; at last that of the tail
+  std::vector<std::size_t> starts_;  // the place of the first case of each round, and finally of the tail
 };
 
 namespace {

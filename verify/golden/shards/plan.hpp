@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which cases a release holds, and in what order: a function of the level and the seed alone.
+// The cases of a release in their order, as a function of level and seed alone.
 #pragma once
 
 #include <cstddef>
@@ -36,16 +36,15 @@ std::optional<Level> find_level(std::string_view name);
 
 class Additions;
 
-/// One file of records. Its recipes are made when they are asked for: those of all files may be
-/// millions.
+/// One file of records. Its recipes are made on demand, because those of all files may be millions.
 struct ShardPlan {
-  std::string name;  ///< "golden-L1-0007": the level that the shard is new in, and its number there
+  std::string name;  ///< "golden-L1-0007": the level that adds the shard, and its number there
   Level level = Level::L0;
-  std::shared_ptr<const Additions> additions;  ///< of that level
-  std::size_t begin = 0, end = 0;              ///< its part of them
+  std::shared_ptr<const Additions> additions;  ///< the recipes that this level adds
+  std::size_t begin = 0, end = 0;              ///< the range of them in this shard
 
   [[nodiscard]] std::size_t count() const { return end - begin; }
-  /// In their order; at least one.
+  /// Returns the recipes in their order; at least one.
   [[nodiscard]] std::vector<Recipe> recipes() const;
 };
 
@@ -55,27 +54,27 @@ inline constexpr std::string_view data_version = "1.3.0";
 /// All shards of a level: first those of the levels below it, unchanged. No recipe occurs twice.
 std::vector<ShardPlan> plan(Level level, std::uint64_t seed);
 
-/// The order of a shard's records: recipe by recipe as planned, of each the exact record, then the
-/// rounded ones. So no id occurs twice and none is missing. Checked in O(1) memory.
+/// Checks the order of a shard's records in O(1) memory: recipe by recipe as planned, for each the
+/// exact record, then the rounded ones. So no id occurs twice and none is missing.
 class RecordOrder {
  public:
   /// `recipes` must outlive this.
   explicit RecordOrder(const std::vector<Recipe>& recipes) : recipes_(&recipes) {}
 
-  /// Returns what is wrong with `id` as the next one, or nullopt. If it is the first of its recipe,
-  /// `ids` must be those of all its records: of cases_of(recipe).
+  /// Returns a sentence if `id` is not the expected next one, or nullopt. If it is the first of its
+  /// recipe, `ids` must be the ids of cases_of(recipe).
   std::optional<std::string> next(std::string_view id, const std::vector<std::string>& ids);
-  /// Returns what is missing at the end, or nullopt.
+  /// Returns a sentence on what is missing at the end, or nullopt.
   [[nodiscard]] std::optional<std::string> at_end() const;
 
  private:
-  /// Returns the id that has to come next, or "" after the last one.
+  /// Returns the id expected next, or "" after the last one.
   [[nodiscard]] std::string expected() const;
 
   const std::vector<Recipe>* recipes_;
-  std::size_t begun_ = 0;             // recipes whose first record was seen
-  std::vector<std::string> awaited_;  // the records of the last of them
-  std::size_t seen_ = 0;              // how many of these
+  std::size_t begun_ = 0;             // recipes whose first record occurred
+  std::vector<std::string> awaited_;  // the ids of the last of these recipes
+  std::size_t seen_ = 0;              // how many of them occurred
 };
 
 }  // namespace fathom::golden

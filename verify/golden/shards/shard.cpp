@@ -76,7 +76,7 @@ std::optional<Manifest> parse_manifest(std::string_view text) {
   try {
     Manifest manifest = manifest_of(text::parsed_json(text));
     if (manifest_text(manifest) == text) return manifest;
-  } catch (const std::exception&) {  // no JSON, or other fields than ours
+  } catch (const std::exception&) {  // the text is no JSON, or has other fields than a manifest
   }
   return std::nullopt;
 }
@@ -124,7 +124,7 @@ ShardWriter::ShardWriter(std::filesystem::path folder, const ShardPlan& shard, s
   write_csv(csv_header());
 }
 
-/// Polytopes alone have one.
+/// Writes to the CSV file, which only shards of polytopes have.
 void ShardWriter::write_csv(std::string_view text) {
   if (of_polytopes(manifest_.level)) writers_[2]->write(text);
 }
@@ -142,9 +142,8 @@ void ShardWriter::finish() {
     writer->finish();
     manifest_.files.push_back({writer->name(), writer->of_file(), writer->of_content()});
   }
-  NewFile page(
-      folder_,
-      manifest_.name + std::string(manifest_suffix));  // before the names appear: where the disk is full, none does
+  NewFile page(folder_,
+               manifest_.name + std::string(manifest_suffix));  // before rename_all: a full disk then renames no file
   page.write(manifest_text(manifest_));
   page.sync();
   rename_all();
@@ -173,7 +172,7 @@ constexpr std::size_t groups_in_flight = 32;  // for each thread
 constexpr std::size_t largest_group = 3;      // one record for each form
 constexpr std::size_t largest_certificate = std::size_t{512} << 20;
 
-/// A stream of the shard, with what goes wrong in it as a Refusal.
+/// A compressed file of the shard; its faults are thrown as Refusals.
 class Stream {
  public:
   Stream(const std::filesystem::path& folder, const ShardFile& file) : name_(file.name), expected_(&file) {
@@ -187,7 +186,7 @@ class Stream {
   [[nodiscard]] Refusal refusal(const std::string& reason) const {
     return {reader_ && reader_->number() > 0 ? fmt::format("{}:{}", name_, reader_->number()) : name_, reason};
   }
-  /// The next lines have to be those of `text`.
+  /// Throws a Refusal unless the next lines are those of `text`.
   void expect(std::string_view text, const char* what) {
     while (!text.empty()) {
       const std::size_t length = text.find('\n');
@@ -197,7 +196,7 @@ class Stream {
       text.remove_prefix(length + 1);
     }
   }
-  /// Nothing may follow, and the sum has to be that of the page.
+  /// Throws a Refusal if more lines follow, or if the sum differs from that of the page.
   void expect_end() {
     if (line()) throw refusal("more than the records of the shard");
     if (reader_->of_content() != expected_->content)
@@ -219,18 +218,18 @@ class Stream {
 };
 
 struct Item {
-  std::string line, certificate, record_place;  // read
-  std::string id, row;                          // made
+  std::string line, certificate, record_place;  // input
+  std::string id, row;                          // computed
 };
 
-/// Records of one recipe, unless the order is wrong.
+/// The records of one recipe, or those up to a fault in their order.
 struct Group {
   std::vector<Item> items;
-  std::optional<Refusal> refusal;  // found in reading or proving, behind the items
-  std::vector<std::string> ids;    // of all records of the recipe that the first one is of
+  std::optional<Refusal> refusal;  // on the record after the items, found in reading or proving
+  std::vector<std::string> ids;    // of all records of the first item's recipe
 };
 
-/// Whether an id is that of a rounded record, whose exact one may stand before it.
+/// Returns whether the id is that of a rounded record, which the exact one may precede.
 bool is_rounded(std::string_view id) { return id.ends_with(".b64") || id.ends_with(".b32"); }
 
 class Verification {
@@ -312,7 +311,7 @@ class Verification {
     Prover& prover = provers_.local();
     for (std::size_t i = 0; i < group->items.size(); ++i) {
       kernels::Context(options_->monitor).check();
-      if (refused_) return group;  // one before it is
+      if (refused_) return group;  // an earlier group was refused
       Item& item = group->items[i];
       if (auto fault = fault_in(prover, item)) {
         group->refusal = {item.record_place, std::move(*fault)};
@@ -355,10 +354,10 @@ class Verification {
   tbb::enumerable_thread_specific<Prover> provers_;
   RecordOrder order_;
   Stream records_, certificates_;
-  std::optional<Stream> csv_;       // of polytopes
-  std::optional<Item> ahead_;       // of the first stage: read, and not of the group before it
-  bool ended_ = false;              // likewise: nothing more can be read
-  std::optional<Refusal> refusal_;  // of the last stage
+  std::optional<Stream> csv_;       // for polytopes only
+  std::optional<Item> ahead_;       // for the first stage: read already, but part of the next group
+  bool ended_ = false;              // for the first stage: the end of the records, or a fault
+  std::optional<Refusal> refusal_;  // for the last stage
   std::atomic<bool> refused_ = false;
   std::size_t count_ = 0;
 };

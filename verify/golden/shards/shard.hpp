@@ -25,8 +25,8 @@
 
 namespace fathom::golden {
 
-/// The files of a shard, by the ends of their names: records, certificates one after another, and
-/// of polytopes CSV, as a row has two lists of points for the bodies.
+/// The files of a shard, by the ends of their names: records; certificates one after another; and,
+/// for polytopes only, CSV, whose rows have a list of points for each body.
 inline constexpr std::array<std::string_view, 3> shard_suffixes = {".jsonl.zst", ".cert.zst", ".csv.zst"};
 /// Returns the suffixes of a shard of this level: the first two, or all.
 std::span<const std::string_view> suffixes_of(Level level);
@@ -59,23 +59,23 @@ std::optional<Manifest> parse_manifest(std::string_view text);
 /// The same as a value, for the page that holds several.
 text::Json manifest_json(const Manifest& manifest);
 
-/// Throws std::exception if a field is missing or of another kind; ignores unknown fields.
+/// Reads a manifest. Throws std::exception if a field is missing or of another type; ignores
+/// unknown fields.
 Manifest manifest_of(const text::JsonValue& json);
 
-/// Returns why `manifest` is not that of the planned shard, made from `seed` by this version: a
-/// sentence, or nullopt.
+/// Returns a sentence if `manifest` is not that of the planned shard, made from `seed` by this
+/// version; else nullopt.
 std::optional<std::string> not_of_plan(const Manifest& manifest, const ShardPlan& shard, std::uint64_t seed);
 
 enum class ShardState { absent, damaged, finished };
 
-/// Returns whether the shard is in the folder with its page, and its files are those that the page
-/// describes. Throws FolderError if the page is about another seed or version, FileError.
+/// Returns whether the shard's page exists and its files are those that the page describes. Throws
+/// FolderError if the page is about another seed or version, FileError.
 ShardState state_of(const std::filesystem::path& folder, const ShardPlan& shard, std::uint64_t seed);
 
 // ---- the files of a shard ----
 
-// The files of one shard: written as its records arrive, in their order; and read again, not
-// trusted.
+// The files of one shard: written in the order of the records; and read again as untrusted input.
 
 class ShardWriter {
  public:
@@ -100,22 +100,22 @@ class ShardWriter {
 
 // ---- verification ----
 
-/// Why a release is not accepted, and where.
+/// The reason why a release is not accepted, and its place.
 struct Refusal {
   std::string place;  ///< a file's name, with ":" and a line where there is one
   std::string reason;
 };
 
 struct ShardOptions {
-  std::vector<Method> methods;   ///< that have to give every record again, beside its proof
+  std::vector<Method> methods;   ///< methods that compute every record again, besides the proof
   Monitor* monitor = nullptr;    ///< stops all threads
   std::function<void()> proved;  ///< called after each record from one thread at a time; may be empty
 };
 
-/// Returns the first fault, in the order of the records, or nullopt if every record is proved,
-/// given again by each of the methods, and stands where the plan says, the certificates and the CSV
-/// belong to exactly these records, and counts and sums are those of the page. Runs on all threads
-/// of the caller's arena; memory is bounded by a few dozen records for each. Throws Interrupted.
+/// Returns the first fault, in the order of the records. Returns nullopt if every record is proved,
+/// agrees with each of the methods and has the planned place; the certificates and the CSV belong
+/// to exactly these records; and counts and sums are those of the page. Runs on all threads of the
+/// caller's arena; memory is bounded by a few dozen records for each. Throws Interrupted.
 std::optional<Refusal> refusal_of_shard(const std::filesystem::path& folder, const ShardPlan& shard,
                                         const Manifest& manifest, const ShardOptions& options);
 
