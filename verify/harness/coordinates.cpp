@@ -12,7 +12,7 @@
 namespace fathom::harness {
 namespace {
 
-/// The plain name, without a margin of 0.
+/// Replaces names by the plain ones, without "rounded_", and removes margins of 0.
 void make_plain(files::NamedBody& words) {
   words.shape = files::named_shape(words.shape).shape->name;
   const auto margin = words.fields.numbers.find("margin");

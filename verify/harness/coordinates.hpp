@@ -35,15 +35,16 @@ long lowest_bit(const mpq_class& value);
 /// nullopt if it overflows.
 std::optional<mpq_class> rounded(const mpq_class& value, const NumberFormat& format);
 
-/// The motion with each number rounded: velocities are lengths. Returns nullopt if one overflows.
+/// Returns the motion with each number rounded: velocities are lengths. Returns nullopt if one
+/// overflows.
 std::optional<Motion> rounded(Motion motion, const NumberFormat& format);
 
 /// Whether a length is a finite number of the format's points in its unit.
 bool representable(const mpq_class& value, const NumberFormat& format);
 
-/// The words with each number rounded: parameters, margins, poses. Turns, matrices and normals have
-/// no unit. A margin that is 0 is left out, and so is "rounded_". Returns nullopt if a number
-/// overflows.
+/// Returns the description with each number rounded: parameters, margins, poses. Turns, matrices
+/// and normals have no unit. Omits a margin of 0, and the prefix "rounded_". Returns nullopt if a
+/// number overflows.
 std::optional<files::NamedBody> rounded(files::NamedBody words, const NumberFormat& format);
 
 /// Applies use(mpq_class&) to each length of a named body: radii, margins, points, offsets, the
@@ -53,7 +54,7 @@ void for_each_length(files::NamedBody& words, const std::function<void(mpq_class
 /// Applies use(mpq_class&) to each number that is no length: turns, matrices, normals.
 void for_each_slope(files::NamedBody& words, const std::function<void(mpq_class&)>& use);
 
-/// The number that says where a named body is along x, y or z: 0, 1 or 2.
+/// Returns the number for the position of a named body along x, y or z: 0, 1 or 2.
 mpq_class& place_along(files::NamedBody& words, std::size_t axis);
 
 /// Applies change(std::vector<Point>&) to the points of a body without words; to those of each
@@ -71,10 +72,9 @@ void for_each_hull(const Body& body, Look look) {
   for (const std::vector<Point>& piece : *body.pieces) look(piece);
 }
 
-/// Calls visit(mpq_class&) for every coordinate of both bodies; for the lengths of a body that has
-/// words, which must stay a body; and for its slopes too, if they are asked for. What it changes is
-/// changed in `pair`, unless that is const. Throws std::invalid_argument where what comes out is no
-/// body.
+/// Calls visit(mpq_class&) for every coordinate of both bodies; for a body with a description, for
+/// its lengths, and for its slopes too, if `visit` is to have them. Changes by `visit` are made in
+/// `pair`, unless it is const. Throws std::invalid_argument if the changed description is no body.
 template <class Pair, class Visit>
 void for_each_coordinate(Pair& pair, Visit visit, bool with_slopes = false) {
   for (auto* body : {&pair.a, &pair.b}) {
@@ -92,17 +92,18 @@ void for_each_coordinate(Pair& pair, Visit visit, bool with_slopes = false) {
   }
 }
 
-/// The same for all numbers: lengths and slopes.
+/// Does the same for all numbers: lengths and slopes.
 template <class Pair, class Visit>
 void for_each_number(Pair& pair, Visit visit) {
   for_each_coordinate(pair, visit, true);
 }
 
-/// The case with all lengths times 2^exponent. A shape must have words.
+/// Returns the case with all lengths times 2^exponent. A shape must have a description.
 Case in_unit(Case pair, long exponent);
-/// The answer with all lengths times 2^exponent, each rounded to nearest. Directions have no unit.
+/// Returns the answer with all lengths times 2^exponent, each rounded to nearest. Directions have
+/// no unit.
 Reply in_unit(Reply reply, long exponent);
-/// The format of a subject that sees lengths times 2^exponent.
+/// Returns the format of a subject that gets lengths times 2^exponent.
 inline NumberFormat in_unit(const NumberFormat& format, long exponent) {
   return {format.points, format.answers, exponent};
 }

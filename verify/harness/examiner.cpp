@@ -30,25 +30,25 @@ namespace {
 
 using Clock = Process::Clock;
 
-constexpr auto grace = std::chrono::seconds(1);          // to end after the output was closed
+constexpr auto grace = std::chrono::seconds(1);          // to end after it closed its output
 constexpr auto grace_to_stop = std::chrono::seconds(5);  // to end after "stop"
-constexpr int most_starts = 3;                           // in a row, of a subject that had said hello before
-constexpr int most_faults = 4;                           // of one case; then the last of them is its outcome
+constexpr int most_starts = 3;                           // in a row, of a subject that had sent a hello before
+constexpr int most_faults = 4;                           // of one case; the last of them is its outcome
 
 Clock::duration duration(double seconds) {
   constexpr double longest = 1e8;  // three years; the clock counts nanoseconds in 64 bits
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::clamp(seconds, 0.0, longest)));
 }
 
-/// A line of a subject, for people.
+/// Returns the beginning of a line of the subject, in quotes.
 std::string excerpt(std::string_view line) {
   constexpr std::size_t shown_bytes = 200;
   return '\'' + kernels::printable(line, shown_bytes) + '\'';
 }
 
-/// An integer that differs at each question to a process, and whose last six digits tell nothing
-/// before the case was read: what comes unasked, as a second copy of a reply, is no answer to the
-/// next case.
+/// Returns an integer that is different for each run of a process. Its last six digits come from
+/// the case, so that a process cannot know them before it reads the case: an unasked line, such as
+/// a second copy of a reply, does not answer the next case.
 std::string ticket_of(std::uint64_t number, const std::string& digest) {
   constexpr std::uint64_t most = 1'000'000;
   return fmt::format("{}{:06}", number, std::stoull(digest, nullptr, 16) % most);
@@ -68,9 +68,9 @@ bool has_usual_size(const Body& body) {
   return longest >= mpq_class(1, 100) && longest <= 100;
 }
 
-// Cases that every engine is made for are counted apart.                          [docs/certify.md]
+// Reports count separately the cases for which every engine is made. [docs/certify.md]
 
-/// Whether both bodies have a volume; exact.
+/// Returns whether both bodies have a volume, exactly.
 bool is_solid(const Case& pair) {
   const auto is_flat = [](const Body& body) {
     return !body.pieces && fathom::is_flat(files::shape_of(body));
@@ -78,11 +78,12 @@ bool is_solid(const Case& pair) {
   return !is_flat(pair.a) && !is_flat(pair.b);
 }
 
-/// Whether the length is above that of the longest side of the bodies' boxes.
+/// Returns whether the length exceeds the longest side of the bodies' bounding boxes.
 bool is_dwarfed_by(const mpq_class& length, const Case& pair) { return length > 0 && length > sizes_of(pair).extent; }
 
-/// Whether the longest side of each body's box is from 1/100 to 100, in the numbers of the case:
-/// exact of points, and of shapes rounded up by 2^-40 of itself at most. A half-space has any size.
+/// Returns whether the longest side of each body's bounding box is from 1/100 to 100, in the
+/// numbers of the case. Exact for points; sides of shapes are rounded up by a factor of at most 1 +
+/// 2^-40. A half-space has any size.
 bool is_metre_sized(const Case& pair) { return has_usual_size(pair.a) && has_usual_size(pair.b); }
 
 class Run {
@@ -128,7 +129,7 @@ class Run {
     }
   }
 
-  /// The case and its variants.
+  /// Examines the case and its variants.
   void examine_all(const Case& pair, const ExamineInUnit& examine) {
     std::string why;
     const long exponent = exponent_to_fit(pair, plan_.fit);
@@ -138,7 +139,7 @@ class Run {
       outcome_of(pair, pair, "", [&] { return declined(pair, why); });
       return;
     }
-    bool fresh = exponent == 0;  // in another unit a report may hold fewer digits of an answer
+    bool fresh = exponent == 0;  // in another unit a report may have fewer digits of an answer
     const auto ask = [&] {
       fresh = true;
       return examine(*seen, exponent);
@@ -202,15 +203,15 @@ void Examiner::finish() {
   std::optional<Fault> found;
   if (got == Process::Got::line) found = fault(Verdict::garbage, "wrote " + excerpt(line));
   if (got == Process::Got::end) found = fault_of_end(line);
-  // It ended normally, without an answer: silent.
+  // The process ended normally, without an answer: silent.
   const bool is_well = found && found->verdict == Verdict::silent && !found->unread;
-  // It is unknown when a line was written.
+  // If it wrote a line, it is not known how it ended.
   if (found && !is_well)
     report_unattributed(*found, found->unread || found->verdict == Verdict::garbage ? "" : "after stop: ");
   process_.reset();
 }
 
-/// "; last words: ...", if there are any.
+/// Returns "; last words: ...", with the end of its standard error, or "".
 std::string Examiner::last_words() {
   constexpr std::size_t shown_bytes = 300;
   std::string words = process_->last_words();
@@ -221,15 +222,15 @@ std::string Examiner::last_words() {
   return "; last words: " + kernels::printable(words, shown_bytes);
 }
 
-/// "; 7 bytes came, no end of line: '...'"
+/// Returns "; 7 bytes came, no end of line: '...'".
 std::string Examiner::unfinished_line() {
   const std::string& line = process_->waiting();
   return line.empty() ? "; no byte came: does it flush its output?"
                       : fmt::format("; {} bytes came, no end of line: {}", line.size(), excerpt(line));
 }
 
-/// The first line that may be a message, as no line does that begins otherwise than an object of
-/// JSON. The others are passed over.
+/// Reads up to the first line that begins as a JSON object does. Other lines cannot be messages,
+/// and are skipped.
 Process::Got Examiner::read_message(std::string& line, Clock::time_point deadline) {
   passed_over_.clear();
   while (true) {
@@ -239,7 +240,7 @@ Process::Got Examiner::read_message(std::string& line, Clock::time_point deadlin
       passed_over_ = "what the subject wrote before its hello is no JSON object, and passed over: " + excerpt(line);
     else if (!passed_over_.ends_with(", ...")) passed_over_ += ", ...";
     if (settings_.stop && settings_.stop()) return Process::Got::stopped;
-    if (Clock::now() >= deadline) return Process::Got::time_out;  // it may never stop writing
+    if (Clock::now() >= deadline) return Process::Got::time_out;  // the process may write for ever
   }
 }
 
@@ -340,7 +341,8 @@ void Examiner::start_again() {
   }
 }
 
-/// A failure is the case's if it happens twice, the second time in a fresh process.
+/// Puts the case. A failure counts as one of the case if it happens twice, the second time in a
+/// fresh process.
 Outcome Examiner::ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer) {
   std::optional<Fault> before;
   for (int faults = 1;; ++faults) {
@@ -366,7 +368,8 @@ Outcome Examiner::ask(const Case& seen, long exponent, std::optional<SubjectAnsw
   }
 }
 
-/// Returns whether the process did it before it read anything of the case, and reports it then.
+/// Returns whether the process failed before it read a byte of the case; if so, reports the failure
+/// as unattributed.
 bool Examiner::is_nobodys(const Fault& fault) {
   const bool ended = fault.verdict == Verdict::crash || fault.verdict == Verdict::silent;
   if (!fault.unread || (!ended && !fault.after)) {
@@ -385,7 +388,7 @@ void Examiner::report_unattributed(const Fault& fault, const char* when) {
     settings_.unattributed({fault.after, when + fault.seen + (fault.verdict == Verdict::garbage ? "" : fault.words)});
 }
 
-/// Returns nullopt if the case was answered.
+/// Puts the case once. Returns nullopt if it was answered.
 std::optional<Examiner::Fault> Examiner::ask_once(const Case& seen, Outcome& outcome,
                                                   std::optional<SubjectAnswer>& answer) {
   ticket_ = ticket_of(++asked_, outcome.digest);
@@ -529,7 +532,7 @@ void run(const RunPlan& plan) {
   others.reserve(jobs);
   try {
     while (others.size() + 1 < jobs) others.emplace_back([&run] { run.work(); });
-  } catch (const std::system_error&) {  // no more threads to be had: those that there are do the work
+  } catch (const std::system_error&) {  // the system cannot start more threads: those that run do the work
   }
   run.work();
   for (std::thread& other : others) other.join();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One subject, alive or as it once replied, and many cases put to several of them at once.
+// Runs one subject, or replays replies that it gave earlier; and puts many cases to several
+// subjects at once.
 //                                                             [verify/PROTOCOL.md; docs/certify.md]
 #pragma once
 
@@ -33,7 +34,7 @@ struct Settings {
   double hello_time_out = 10;         ///< seconds until the hello; never less than time_out
   Tolerance tolerance = {};           ///< of the verdicts
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
-  std::vector<Solver> second;         ///< ways to find every truth and judgement again
+  std::vector<Solver> second;         ///< second solvers for every truth and judgement
   std::function<bool()> stop;         ///< asked now and then: true ends the work with Interrupted
   /// is called with each failure that no case caused, from any thread; may be empty
   std::function<void(const Unattributed&)> unattributed;
@@ -44,9 +45,10 @@ struct SubjectError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Starts the subject's process, asks it, judges its answers, and starts it again after a crash, a
-/// hang or a stray line. For the thread that made it. A failure counts as one of the case only if a
-/// fresh process fails on the same case again; otherwise settings.unattributed is called with it.
+/// Starts the subject's process, puts cases to it, judges its answers, and starts it again after a
+/// crash, a time-out or a stray line. Use it in the thread that made it. A failure counts as one of
+/// the case only if a fresh process fails on the same case again; otherwise it is passed to
+/// settings.unattributed.
 class Examiner {
  public:
   /// Starts the subject and reads its hello. Throws SubjectError, Interrupted.
@@ -56,24 +58,24 @@ class Examiner {
   Examiner& operator=(const Examiner&) = delete;
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
-  /// What the subject wrote before its hello and was passed over, such as a greeting of a library
-  /// that it loads: a sentence, or nothing.
+  /// Returns a sentence on what the subject wrote before its hello and was skipped, such as a
+  /// greeting of a library that it loads; or "".
   [[nodiscard]] const std::string& passed_over() const { return passed_over_; }
-  /// How often the process was started; at least 1.
+  /// Returns how often the process was started; at least 1.
   [[nodiscard]] std::uint64_t starts() const { return starts_; }
 
   /// Puts the case, brought to the size of the settings and rounded to the subject's precision, and
-  /// judges the answer. Of unions it puts each pair of pieces, unless the subject takes them in
+  /// judges the answer. For unions it puts each pair of pieces, unless the subject takes unions as
   /// pieces; each pair may take the time of a case. Throws Interrupted, Disagreement, and
   /// SubjectError if a subject that ended cannot be started again, ends each time before it reads
   /// the case, or sends a different hello.
   Outcome examine(const Case& pair);
-  /// The same, with all lengths times 2^exponent, whatever the settings say.
+  /// Does the same with all lengths times 2^exponent, whatever the settings say.
   Outcome examine(const Case& pair, long exponent);
 
-  /// What a process reads that is asked about this case alone: the lines of hello, of each run, and
-  /// of stop, without their ends. Asks nothing. Throws InputError, with the reason, for a case that
-  /// is not put to the subject.
+  /// Returns the lines that a process reads if this case alone is put to it: hello, each run, and
+  /// stop, without line ends. Puts nothing. Throws InputError with the reason for a case that would
+  /// not be put to the subject.
   [[nodiscard]] std::vector<std::string> input_for(const Case& pair);
 
   /// Sends `stop` to the process; calls settings.unattributed if it does not exit with 0. A later
@@ -81,7 +83,7 @@ class Examiner {
   void finish();
 
  private:
-  /// What the process did instead of answering.
+  /// How the process failed to answer.
   struct Fault {
     Verdict verdict;
     std::string seen;    ///< "killed by signal 11 (Segmentation fault)", "wrote 'oops'"
@@ -94,7 +96,8 @@ class Examiner {
   void start();
   Process::Got read_message(std::string& line, Process::Clock::time_point deadline);
   void start_again();
-  /// The case as it is put to the subject; nullopt, and the outcome, if it is not.
+  /// Returns the case as it is put to the subject; or nullopt, and the outcome of a case that is
+  /// not put.
   std::optional<Case> put(const Case& pair, long exponent, Outcome& otherwise) const;
   [[nodiscard]] Judging judging();
   Outcome ask(const Case& seen, long exponent, std::optional<SubjectAnswer>& answer);
@@ -114,8 +117,8 @@ class Examiner {
   Workspace workspace_;
   std::unique_ptr<Process> process_;
   std::optional<std::string> answered_;   // the last case that this process answered
-  std::string ticket_;                    // of the run at hand
-  std::uint64_t starts_ = 0, asked_ = 0;  // asked: runs that this process was sent
+  std::string ticket_;                    // of the current run
+  std::uint64_t starts_ = 0, asked_ = 0;  // asked_: runs sent to this process
   int unread_ = 0;                        // number of processes in a row that ended before they read anything
 };
 
@@ -136,16 +139,16 @@ class Replay {
   static Replay read(const std::string& given);
 
   [[nodiscard]] const SubjectInfo& info() const { return info_; }
-  /// A sentence with file and line for each line that is not a reply.
+  /// Returns a sentence with file and line for each line that is not a reply.
   [[nodiscard]] const std::vector<InputError>& faults() const { return faults_; }
 
-  /// Judges the reply to the case as a subject gave it that saw all lengths times 2^exponent;
-  /// several replies to one case are garbage. Of unions without a reply of their own, the replies
-  /// to their pairs of pieces are judged; see pair_id. Throws NoReply, Disagreement and
-  /// Interrupted. Any thread may call it.
+  /// Judges the reply to the case. The subject got all lengths times 2^exponent. Several replies to
+  /// one case are garbage. For unions without a reply of their own, judges the replies to their
+  /// pairs of pieces; see pair_id. Throws NoReply, Disagreement and Interrupted. May be called by
+  /// any thread.
   [[nodiscard]] Outcome examine(const Case& pair, long exponent, const Judging& judging) const;
 
-  /// The ids of replies to what was not asked, sorted.
+  /// Returns the ids of replies to cases that were not put, sorted.
   [[nodiscard]] std::vector<std::string> unasked(const std::function<bool(const std::string&)>& is_asked) const;
 
  private:
@@ -159,34 +162,34 @@ class Replay {
 
 // ---- many cases through several examiners at once ----
 
-/// What one thread works with.
+/// The functions of one thread.
 struct Worker {
   ExamineInUnit examine;
-  std::function<void()> finish;  ///< called in the same thread when there is no next case; may be empty
+  std::function<void()> finish;  ///< called by the same thread after the last case; may be empty
 };
 
-/// Where a run gets its work and where its results go. No two threads call these at once, except
-/// `known`, and the workers, each of which stays in one thread.
+/// The callbacks of a run: they return its cases and receive its results. No two threads call them
+/// at once, except `known`, and the workers, each of which stays in one thread.
 struct RunPlan {
   unsigned jobs = 1;
   std::vector<std::string> variants;  ///< symmetries that each case is put through as well, by name
   NumberFormat format = {};
   std::optional<mpq_class> fit = {};  ///< the size that cases are brought to; see exponent_to_fit
-  std::set<std::string> shapes = {};  ///< that the subject takes by name
+  std::set<std::string> shapes = {};  ///< the shapes that the subject takes by name
   Tolerance tolerance = {};
-  std::optional<ContactLimits> manifold = {};  ///< that the subject declares
+  std::optional<ContactLimits> manifold = {};  ///< declared by the subject
 
   std::function<std::optional<Case>()> next;  ///< returns nullopt after the last one
   std::function<Worker()> worker;             ///< called once in each thread
-  /// The outcome that an earlier run found, or null.
+  /// Returns the outcome of an earlier run, or null.
   std::function<const Outcome*(const std::string& id, const std::string& variant, const std::string& digest)> known;
-  /// One outcome; `seen` is the case, or its variant, as the subject saw it, and `original` the
-  /// case.
+  /// Receives an outcome. `original` is the case; `seen` is the case, or its variant, as it was
+  /// put.
   std::function<void(const Case& original, const Case& seen, const Outcome& outcome, bool known)> found;
-  /// Is called with a case without an outcome, and what its examiner threw. Rethrows it to end the
-  /// run.
+  /// Receives a case without an outcome, and the exception of its examiner. To end the run, rethrow
+  /// it.
   std::function<void(const Case& pair, const std::exception_ptr& error)> fault;
-  /// A variant that has no exact form.
+  /// Receives a sentence on a variant that has no exact form.
   std::function<void(const Case& pair, const std::string& sentence)> left_out;
 };
 

@@ -31,7 +31,7 @@ bool exists_and_holds_something(const std::string& path) {
   return ::stat(path.c_str(), &about) == 0 && (!S_ISREG(about.st_mode) || about.st_size > 0);
 }
 
-/// Reads the lines of a journal, and finds how many of its bytes are to be kept.
+/// Reads the lines of a journal, and returns the number of its bytes to keep.
 std::size_t kept_bytes(const std::string& text, const std::string& path, const std::string& header,
                        const std::function<void(Outcome)>& known,
                        const std::function<void(Unattributed)>& unattributed) {
@@ -58,7 +58,7 @@ using text::JsonValue;
 
 constexpr int digits_of_binary32 = 24, digits_of_binary64 = 53;
 
-/// Returns the type of a line of a report; empty if it is none.
+/// Returns the type of a line of a report; empty for other lines.
 std::string type_of(const JsonValue& line) {
   const JsonValue *const schema = line.find("schema"), *const type = line.find("type");
   const bool is_ours = schema && schema->is_string() && schema->string() == "fathom/verdict/1";
@@ -76,7 +76,7 @@ void flatten(const JsonValue& json, const std::string& path, std::map<std::strin
     flatten(*value, path.empty() ? std::string(name) : path + '.' + std::string(name), fields);
 }
 
-/// Of the points.
+/// Returns whether the precision of points is binary32.
 bool header_says_binary32(const std::map<std::string, std::string>& header) {
   for (const char* field : {"subject.precision", "subject.precision.points"})
     if (const auto found = header.find(field); found != header.end() && found->second == name(Precision::binary32))
@@ -91,7 +91,7 @@ void take_header(const JsonValue& header, ReportFile& report) {
   report.unit_roundoff = std::ldexp(1, -(is_binary32 ? digits_of_binary32 : digits_of_binary64));
 }
 
-/// Takes one line behind the header. Returns false if it is none of a report.
+/// Reads one line after the header. Returns false if it is not a line of a report.
 bool take_line(std::string_view text, ReportFile& report) {
   report.whole = false;
   if (std::optional<Outcome> outcome = read_outcome(text)) report.outcomes.push_back(*std::move(outcome));
@@ -101,7 +101,7 @@ bool take_line(std::string_view text, ReportFile& report) {
   return true;
 }
 
-/// Leaves the last line of each id.
+/// Removes all lines of an id but the last.
 void drop_repeated(ReportFile& report) {
   std::set<std::pair<std::string, std::string>> seen;
   std::vector<Outcome> kept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outcomes on disk, each written as one whole line as soon as it is found, so that a run that was
-// cut short can go on.
+// Outcomes on disk: each is written as one whole line as soon as it is known, so that an
+// interrupted run can be continued.
 //                                                 [verdict.schema.json; verify/PROTOCOL.md]
 #pragma once
 
@@ -22,16 +22,16 @@ namespace fathom::harness {
 /// inverse, and returns nullopt for other text.
 std::string outcome_line(const Outcome& outcome);
 std::optional<Outcome> read_outcome(std::string_view line);
-/// Returns the first field that a report would show differently, with both values, as
-/// "judgement.error: 0.5 and 0.25"; nullopt if all are equal.
+/// Returns the first field of which a report would show different values, with both values, as
+/// "judgement.error: 0.5 and 0.25"; nullopt if there is none.
 std::optional<std::string> difference(const Judgement& x, const Judgement& y);
 std::string unattributed_line(const Unattributed& unattributed);
 std::optional<Unattributed> read_unattributed(std::string_view line);
 
-/// The first line: whose outcomes they are, by which tolerance they were judged, by which fathom
-/// and command, and which methods found the truth again.
+/// Returns the first line: the subject, the tolerance, the version of fathom and its command, and
+/// the methods that computed every truth again.
 std::string header_line(const SubjectInfo& info, const Tolerance& tolerance, const RunInfo& from = {});
-/// Whether two headers say the same except for the command.
+/// Returns whether two headers are equal except for the command.
 bool same_run(std::string_view header, std::string_view other);
 /// The last line of a complete run.
 struct Totals {
@@ -54,12 +54,12 @@ struct JournalError : std::runtime_error {
 /// the process is killed. Throws an InputError if another process has it open.
 class Journal {
  public:
-  /// Starts a new one; with `overwrite` in the place of a journal that is there. Throws InputError
-  /// if the file cannot be made, or is not empty and none to be replaced.
+  /// Starts a new journal; with `overwrite` it replaces an existing one. Throws InputError if the
+  /// file cannot be made, or is neither empty nor a journal to be replaced.
   static Journal create(const std::string& path, const std::string& header, bool overwrite = false);
-  /// Goes on with an existing journal, or starts one: calls `known` for each outcome in it and
-  /// `unattributed` for what no case was to blame for, then cuts off a summary and an incomplete
-  /// last line. Throws InputError, naming the line, if its header is that of another run or a line
+  /// Continues an existing journal, or starts one: calls `known` for each outcome in it and
+  /// `unattributed` for each failure that no case caused, then cuts off a summary and an incomplete
+  /// last line. Throws InputError, naming the line, if the header is that of another run or a line
   /// cannot be read.
   static Journal resume(const std::string& path, const std::string& header, const std::function<void(Outcome)>& known,
                         const std::function<void(Unattributed)>& unattributed);
@@ -84,12 +84,12 @@ struct ReportFile {
   /// every field but the command, by its path: "subject.settings.margin", "tolerance.relative"
   std::map<std::string, std::string> header;
   double unit_roundoff = 0;       ///< of the subject's numbers
-  std::vector<Outcome> outcomes;  ///< in the order of the file; of an id that stands in several lines, the last
-  std::size_t repeated = 0;       ///< lines whose id stands in a later line again
+  std::vector<Outcome> outcomes;  ///< in the order of the file; of an id with several lines, the last
+  std::size_t repeated = 0;       ///< lines with an id that a later line has too
   std::size_t unattributed = 0;
-  bool whole = false;  ///< it ends with a summary
+  bool whole = false;  ///< whether it ends with a summary
 
-  /// "libccd-epa 2.1-2, fathom 0.1.0".
+  /// Returns "libccd-epa 2.1-2, fathom 0.1.0".
   [[nodiscard]] std::string title() const;
 };
 

@@ -26,12 +26,12 @@ namespace {
 
 [[noreturn]] void refuse(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// Both ends, closed again unless taken.
+/// Both ends of a pipe, closed by the destructor unless taken.
 class Pipe {
  public:
   Pipe() {
     if (::pipe2(ends_.data(), O_CLOEXEC) != 0) refuse("cannot make a pipe");
-    // The child's end must not be a standard stream, which dup2 would overwrite before its turn.
+    // The child's end must not be one of the standard streams, which dup2 would overwrite.
     for (int& end : ends_) {
       if (end > STDERR_FILENO) continue;
       const int higher = ::fcntl(end, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
@@ -49,9 +49,9 @@ class Pipe {
 
   [[nodiscard]] int reading() const { return ends_[0]; }
   [[nodiscard]] int writing() const { return ends_[1]; }
-  /// Ours from now on.
+  /// Returns an end, which the caller must close.
   int take(int which) { return std::exchange(ends_[which], -1); }
-  /// And never blocking.
+  /// Does the same, and makes the end non-blocking.
   int take_unblocked(int which) {
     const int end = take(which);
     ::fcntl(end, F_SETFL, ::fcntl(end, F_GETFL) | O_NONBLOCK);
@@ -62,8 +62,8 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// The child, between fork and exec: system calls alone, since other threads of the parent may have
-/// held any lock.
+/// Runs in the child between fork and exec. Makes system calls only, because other threads of the
+/// parent may have held any lock.
 [[noreturn]] void become(const char* const* words, int input, int output, int errors, pid_t parent) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -73,7 +73,7 @@ class Pipe {
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   if (::dup2(input, STDIN_FILENO) >= 0 && ::dup2(output, STDOUT_FILENO) >= 0 && ::dup2(errors, STDERR_FILENO) >= 0) {
-    ::close_range(STDERR_FILENO + 1, ~0U, 0);  // the stream of cases, for one, which may hold the answers
+    ::close_range(STDERR_FILENO + 1, ~0U, 0);  // for example the stream of cases, which may hold the answers
     ::execv(words[0], const_cast<char* const*>(words));
   }
   ::_exit(127);
@@ -84,8 +84,8 @@ bool is_program(const std::string& path) {
   return ::stat(path.c_str(), &found) == 0 && S_ISREG(found.st_mode) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// Whether a shell finds a program of this name, which then is neither a word of its own language
-/// nor a function.
+/// Returns whether there is a program of this name, which a shell would start: then the name is
+/// taken to be no keyword and no function of the shell.
 bool is_found(const std::string& name) {
   if (name.empty() || name.find('/') != std::string::npos) return is_program(name);
   const char* const path = std::getenv("PATH");
@@ -95,8 +95,8 @@ bool is_found(const std::string& name) {
   return false;
 }
 
-/// The first word of a command, without its quotation marks. Empty if the command is more than
-/// words and files to read and write.
+/// Returns the first word of a command, without its quotation marks. Empty if the command is more
+/// than words and redirections to and from files.
 std::string only_program(const std::string& command) {
   constexpr std::string_view blanks = " \t", never = "`\\(", unless_quoted = ";&|)\n";
   std::string first;
@@ -116,14 +116,14 @@ std::string only_program(const std::string& command) {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds slice(20);  // between two looks at whether it still lives, and at `stop`
+constexpr milliseconds slice(20);  // between two checks of whether the process has ended, and of `stop`
 constexpr std::size_t most_at_once = 1 << 16;
 
 void close_end(int& end) {
   if (end >= 0) ::close(std::exchange(end, -1));
 }
 
-/// Appends what can be read now, at most `most`. False at the end of the input.
+/// Appends at most `most` bytes that can be read now. Returns false at the end of the input.
 bool read_some(int end, std::string& to, std::size_t most) {
   std::array<char, most_at_once> piece;
   const ssize_t got = ::read(end, piece.data(), std::min(most, piece.size()));
@@ -145,7 +145,7 @@ Spawned spawn(const std::string& command) {
   const pid_t id = ::fork();
   if (id < 0) refuse("cannot start a process");
   if (id == 0) become(words, input.reading(), output.writing(), errors.writing(), parent);
-  ::setpgid(id, id);  // parent and child both call it: either may come first
+  ::setpgid(id, id);  // called by parent and child, as either may run first
   return {id, input.take_unblocked(1), output.take_unblocked(0), errors.take_unblocked(0), input.take(0)};
 }
 
@@ -166,7 +166,7 @@ Process::Process(const std::string& command, std::function<bool()> stop) : stop_
 }
 
 Process::~Process() {
-  ::kill(-id_, SIGKILL);  // before it is reaped: until then no other group can have this number
+  ::kill(-id_, SIGKILL);  // before waitpid: until then no other group can have this number
   for (int* end : {&input_, &output_, &errors_, &inlet_}) close_end(*end);
   while (::waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
   }
@@ -186,8 +186,8 @@ bool Process::last_is_unread() const {
   return static_cast<std::size_t>(in_pipe) + unsent() >= last_;
 }
 
-/// That we hold the other end as well keeps the signal away that writing to a process raises which
-/// is gone.
+/// Writes without blocking. No SIGPIPE comes if the process has ended, because this process holds
+/// the reading end too.
 void Process::write_some() {
   while (input_ >= 0 && unsent() > 0) {
     const ssize_t written = ::write(input_, outgoing_.data() + sent_, std::min(unsent(), most_at_once));
@@ -208,7 +208,7 @@ void Process::read_errors() {
   if (words_.size() > kept_of_stderr) words_.erase(0, words_.size() - kept_of_stderr);
 }
 
-/// Moves what can be moved, once; waits at most `patience` for the first of it.
+/// Reads and writes once whatever is ready; waits at most `patience` until something is.
 void Process::pump(milliseconds patience) {
   pollfd ends[] = {{unsent() > 0 ? input_ : -1, POLLOUT, 0}, {output_, POLLIN, 0}, {errors_, POLLIN, 0}};
   if (::poll(ends, std::size(ends), static_cast<int>(patience.count())) <= 0) return;
@@ -242,9 +242,9 @@ Process::Got Process::read_line(std::string& line, Clock::time_point deadline) {
     if (stop_ && stop_()) return Got::stopped;
     const auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
     late = left <= milliseconds(0);
-    const bool ended = dead();  // asked before reading, so that what it wrote while it lived is read first
+    const bool ended = dead();  // asked before reading, so that all that it wrote before its end is read
     pump(ended ? milliseconds(0) : std::clamp(left, milliseconds(0), slice));
-    // A child of its own may hold the pipe open for ever.
+    // A child of the process may keep the pipe open for ever.
     if (ended && incoming_.size() == searched_) close_end(output_);
   }
 }
@@ -257,7 +257,7 @@ const std::string& Process::waiting() {
 std::optional<Ending> Process::ending(Clock::time_point deadline) {
   while (!dead()) {
     if (Clock::now() >= deadline || (stop_ && stop_())) return std::nullopt;
-    if (output_ >= 0) read_output();  // or it might wait for us
+    if (output_ >= 0) read_output();  // otherwise the process could wait for us to read
     incoming_.clear();
     searched_ = 0;
     pump(milliseconds(1));
@@ -272,7 +272,7 @@ std::optional<Ending> Process::ending(Clock::time_point deadline) {
 }
 
 std::string Process::last_words() {
-  constexpr int enough = 16;  // the process may never stop writing
+  constexpr int enough = 16;  // the process may write for ever
   pollfd end = {errors_, POLLIN, 0};
   for (int i = 0; i < enough && errors_ >= 0 && ::poll(&end, 1, 0) > 0; ++i) read_errors();
   return words_;

@@ -39,7 +39,7 @@ bool same_word(std::string_view text, std::string_view lower) {
   return true;
 }
 
-/// The bare word that a text begins with; "nan(0x8000)" is one.
+/// Returns the bare word at the beginning of a text; "nan(0x8000)" is one word.
 std::string_view first_word(std::string_view text) {
   std::size_t end = 0;
   const auto belongs = [&](char c) {
@@ -53,7 +53,7 @@ std::string_view first_word(std::string_view text) {
   return text.substr(0, end);
 }
 
-/// "nan", or with what C calls a sequence of characters: "nan(0x8000)".
+/// Returns whether the word is "nan", or "nan(0x8000)" with a payload as C writes it.
 bool is_nan(std::string_view word) {
   if (!same_word(word.substr(0, word.find('(')), "nan")) return false;
   const std::string_view rest = word.substr(3);
@@ -73,8 +73,8 @@ bool looks_like_a_number(std::string_view word) {
   return !size.empty() && (is_digit(size[0]) || size[0] == '.' || is_nan(size) || is_infinite(size));
 }
 
-/// The number with an exponent that is read exactly. A larger one makes any number that is not as
-/// long itself infinite, or 0, and so does the largest that is read.
+/// Returns the number with its exponent limited to the largest that parse_number reads. Beyond
+/// that, every number of at most `longest` characters is infinite, or 0, with either exponent.
 std::string with_exponent_in_reach(std::string_view text) {
   constexpr std::size_t longest = 90'000;  // characters: fewer digits, and fewer bits, than the exponents' limits
   const std::string_view size = without_sign(text);
@@ -93,7 +93,7 @@ std::string with_exponent_in_reach(std::string_view text) {
 
 constexpr std::size_t shown_bytes = 200;
 
-/// A field that an object in the value has twice; or "".
+/// Returns the name of a field that occurs twice in an object of the value, or "".
 std::string repeated_field(const JsonValue& value) {
   std::vector<std::string_view> names;
   for (std::size_t i = 0; i < value.items().size(); ++i) {
@@ -107,7 +107,7 @@ std::string repeated_field(const JsonValue& value) {
 
 void add_body(text::JsonStream& out, const Body& body, Precision precision, bool with_faces) {
   if (body.pieces && body.pieces->size() == 1)
-    return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a polytope
+    return add_body(out, Body{body.pieces->front()}, precision, with_faces);  // a union of one piece is a polytope
   if (body.words && !body.pieces) {
     out.value(files::body_json(*body.words, files::Defaults::written).text());
     return;
@@ -122,7 +122,8 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
     const std::optional<GivenPoints> rounded = seen(body.points, precision);
     if (!rounded) throw std::invalid_argument("a coordinate overflows the subject's precision");
     out.key("vertices");
-    // Read by strtod or by strtof, or by strtod and then rounded, each number is the same.
+    // Whether a subject reads a number by strtod, by strtof, or by strtod with subsequent rounding,
+    // it gets the same number.
     out.array_of(rounded->binary64(),
                  [&](const std::array<double, 3>& p) { out.value(fmt::format("[{},{},{}]", p[0], p[1], p[2])); });
     const Faces faces = with_faces ? faces_of(body.points) : Faces();
@@ -131,9 +132,9 @@ void add_body(text::JsonStream& out, const Body& body, Precision precision, bool
   });
 }
 
-// ---- what subjects answer ----
+// ---- replies ----
 
-/// For messages: in quotes, with numbers as they were written.
+/// Returns the JSON in quotes for messages, with numbers as they were written.
 std::string shown_json(const JsonValue& value) {
   return '\'' + kernels::printable(value.written(JsonValue::Form::sorted).text(), shown_bytes) + '\'';
 }
@@ -143,8 +144,8 @@ std::string shown_json(const JsonValue& value) {
   throw ProtocolError("expected " + expected + ", found " + found);
 }
 
-// Each throws ProtocolError unless the field `name` is there, and of the type; `of` names the
-// object in the message.
+// Each function throws ProtocolError unless the field `name` exists and has its type; `of` names
+// the object in the message.
 std::string text_in(const JsonValue& object, const char* name, const char* of) {
   const JsonValue* value = object.find(name);
   if (!value) refuse(fmt::format("\"{}\" in {}", name, of), "none");
@@ -152,7 +153,7 @@ std::string text_in(const JsonValue& object, const char* name, const char* of) {
   return value->text();
 }
 
-/// A text, or an integer.
+/// Returns an id, which may be a text or an integer.
 std::string id_in(const JsonValue& reply) {
   const JsonValue* id = reply.find("id");
   if (!id || !id->is_number()) return text_in(reply, "id", "the reply");
@@ -161,7 +162,7 @@ std::string id_in(const JsonValue& reply) {
   return *integer;
 }
 
-/// The reason in the place of an answer.
+/// Returns the reason of a reply without an answer.
 std::string reason_in(const JsonValue& reply, const char* name) {
   std::vector<std::string_view> others = text::names_of(judging::reply_fields);
   others.insert(others.end(), {"hull", "unsupported", "failed"});
@@ -185,7 +186,7 @@ std::optional<double> read_number(std::string_view text, Precision precision) {
   return round_binary64(*number.value, Rounding::rn);
 }
 
-/// A number, or a text of one, rounded to the precision; NaN and infinities too.
+/// Returns a number, or the number in a text, rounded to the precision; NaN and infinities too.
 double number_of(const JsonValue& value, const char* name, Precision precision) {
   std::optional<double> number;
   if (value.is_number() || value.is_string()) number = read_number(value.text(), precision);
@@ -194,7 +195,7 @@ double number_of(const JsonValue& value, const char* name, Precision precision) 
   return *number;
 }
 
-/// Of a value, not of a field: `name` is what it is called.
+/// Returns the triple in a value; `name` is that of its field, for messages.
 Triple triple_of(const JsonValue& value, const char* name, Precision precision) {
   Triple triple;
   if (value.items().size() != triple.size() || !value.is_array())
@@ -203,7 +204,7 @@ Triple triple_of(const JsonValue& value, const char* name, Precision precision) 
   return triple;
 }
 
-/// The vertices of one used hull, if there is one.
+/// Returns the vertices of a hull that the subject used, if the reply has it.
 std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* name, const char* called,
                                            Precision precision) {
   const JsonValue* list = object.find(name);
@@ -219,7 +220,7 @@ std::optional<std::vector<Triple>> hull_in(const JsonValue& object, const char* 
   return vertices;
 }
 
-/// What is beside an answer.
+/// Reads the optional fields beside an answer.
 void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswer& answer) {
   const Precision points = format.points;
   if (const JsonValue* hull = object.find("hull")) {
@@ -234,7 +235,7 @@ void read_rest(const JsonValue& object, const NumberFormat& format, SubjectAnswe
   else answer.remark += (answer.remark.empty() ? "" : "; ") + ("\"microseconds\" is no time: " + shown_json(*time));
 }
 
-/// Three of them; nullopt if the field is not there.
+/// Returns three numbers; nullopt if the field is missing.
 std::optional<Triple> triple_in(const JsonValue& object, const char* name, const char* called, Precision precision) {
   const JsonValue* value = object.find(name);
   return value ? std::optional(triple_of(*value, called, precision)) : std::nullopt;
@@ -253,7 +254,7 @@ std::vector<ContactPoint> contacts_in(const JsonValue& list, Precision precision
   return contacts;
 }
 
-// A field of a reply, if it is there: of the object, by its name there; `called` in messages.
+// These functions read an optional field `name` of a reply's object; `called` names it in messages.
 void read(const JsonValue& object, const char* name, const char* called, Precision precision,
           std::optional<double>& value) {
   if (const JsonValue* found = object.find(name)) value = number_of(*found, called, precision);
@@ -294,7 +295,7 @@ Reply read_answer(const JsonValue& object, Precision precision) {
   return reply;
 }
 
-/// Of all objects of a reply.
+/// Returns a remark on misspelt fields in all objects of a reply, or "".
 std::string misspelt(const JsonValue& reply) {
   constexpr std::string_view of_witness[] = {"a", "b"};
   const std::vector<std::string_view> of_contact = text::names_of(judging::contact_fields);
@@ -317,9 +318,9 @@ std::string misspelt(const JsonValue& reply) {
   return remark;
 }
 
-// ---- what subjects say of themselves ----
+// ---- the hello ----
 
-/// The value of one of the words of its type.
+/// Returns the value of its type's word in the field.
 template <class Value>
 Value word_in(const JsonValue& object, const char* name, const char* of) {
   const std::string text = text_in(object, name, of);
@@ -331,7 +332,8 @@ Value word_in(const JsonValue& object, const char* name, const char* of) {
   refuse(fmt::format("{} for \"{}\" in {}", fmt::join(expected, ", "), name, of), kernels::shown(text));
 }
 
-// What is missing keeps its usual value, if the row says when it is there.
+// These functions read a field of the hello. An absent one keeps its default, if its row says that
+// it may be absent.
 void read(const JsonValue& said, const char* name, const char* of, bool& value) { value = flag_in(said, name, of); }
 template <class Value>
 void read(const JsonValue& said, const char* name, const char* of, Value& value) {
@@ -389,7 +391,7 @@ void read_capabilities(const JsonValue& capabilities, SubjectInfo& info) {
   if (const JsonValue* shapes = capabilities.find("shapes")) info.shapes = shapes_in(*shapes);
 }
 
-/// A type for both, or one for points and one for answers.
+/// Reads the number format: one type for both points and answers, or one for each.
 NumberFormat format_in(const JsonValue& hello) {
   const auto type = [](const JsonValue& object, const char* name, const char* of) {
     return word_in<Precision>(object, name, of);
@@ -406,7 +408,7 @@ double radius_in(const JsonValue& value, const char* name) {
   return radius;
 }
 
-/// A radius for all bodies, or one for each word.
+/// Reads the radii of rounding: one for all bodies, or one for each name.
 std::map<std::string, mpq_class> rounding_in(const JsonValue& said) {
   if (!said.is_object()) return {{"", exact_value(radius_in(said, "rounding"))}};
   std::map<std::string, mpq_class> result;
@@ -420,7 +422,7 @@ std::map<std::string, mpq_class> rounding_in(const JsonValue& said) {
   return result;
 }
 
-/// {"most": 4, "margin": 0.01}, both optional.
+/// Reads {"most": 4, "margin": 0.01}, both optional.
 ContactLimits manifold_in(const JsonValue& said) {
   ContactLimits limits;
   if (!said.is_object()) refuse("an object for \"manifold\" in the hello", shown_json(said));
@@ -434,11 +436,11 @@ ContactLimits manifold_in(const JsonValue& said) {
   return limits;
 }
 
-/// The same, which must be an object, each with its fields once: readers differ in which of two
-/// they take.
+/// Returns the object on a line, in which each field must occur once, because readers of JSON
+/// differ in which of two they take.
 JsonValue object_on(std::string_view line) {
   if (line.find('\0') != std::string_view::npos)
-    refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end
+    refuse("a JSON object", "a null byte in " + kernels::shown(line));  // to the parser, the end of the text
   JsonValue object = json_on(line);
   if (!object.is_object())
     throw ProtocolError("expected a JSON object, found " + (line.empty() ? "an empty line" : kernels::shown(line)));

@@ -26,23 +26,23 @@ struct ProtocolError : std::runtime_error {
 
 /// The facets of a hull, as cycles of point indices.
 using Faces = std::vector<std::vector<std::uint32_t>>;
-/// The facets of the points' convex hull: coplanar ones merged, corners counter-clockwise seen from
-/// outside. Empty if the hull is flat.
+/// Returns the facets of the points' convex hull: coplanar ones merged, corners counter-clockwise
+/// seen from outside. Empty if the hull is flat.
 Faces faces_of(const std::vector<Point>& points);
 
-/// What fathom sends, without the newline. A body that has words is sent by them, a union by its
-/// pieces, any other by its vertices. How they begin to move is sent if the case knows: who puts it
-/// to a subject that does not want that leaves it out. Numbers are the shortest decimals that read
-/// back as the same number of the precision; `seen` must hold such numbers only.
+/// These functions return the messages that fathom sends, without line ends. They write a body with
+/// a description by that, a union by its pieces, any other by its vertices; and the motion if the
+/// case has one: for a subject that does not want it, remove it first. Numbers are the shortest
+/// decimals that read back as the same number of the precision; `seen` must hold such numbers only.
 std::string hello_message();
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces);
 std::string stop_message();
-/// A body of a run.
+/// Returns a body of a run.
 std::string body_message(const Body& body, Precision precision, bool with_faces);
 
-/// What a subject says of itself. Throws ProtocolError.
+/// Reads the hello of a subject. Throws ProtocolError.
 SubjectInfo read_hello(std::string_view line);
-/// The hello that says the same.
+/// Returns a hello with these declarations.
 std::string hello_text(const SubjectInfo& info);
 
 struct Unsupported {
@@ -51,38 +51,39 @@ struct Unsupported {
 struct Failed {
   std::string why;
 };
-/// What a subject answered to the run with this ticket.
+/// The answer of a subject to the run with this ticket.
 struct SubjectAnswer {
   std::string ticket;
   std::variant<Reply, Unsupported, Failed> said;
-  std::optional<double> microseconds = std::nullopt;  ///< how long the answer took, as it says
-  /// the vertices of the hulls that it used
+  std::optional<double> microseconds = std::nullopt;  ///< the time of the answer, as the subject measured it
+  /// The vertices of the hulls that it used.
   std::optional<std::vector<Triple>> hull_a = std::nullopt, hull_b = std::nullopt;
-  std::string remark = {};  ///< of a reply: unknown fields that look misspelt; see near_misses
+  std::string remark = {};  ///< on unknown fields that look misspelt; see near_misses
 };
 
-/// Numbers are rounded to the precision of answers, those of used hulls to that of points. nan, inf
-/// and C99 hex floats are understood as bare words and as strings, in any of their usual spellings.
-/// Known fields must have their type, whatever `overlap` says; null has none. Unknown fields are
-/// skipped, with a remark if they look misspelt. Throws ProtocolError.
+/// Reads a reply. Rounds numbers to the precision of answers, those of hulls to that of points.
+/// Accepts nan, inf and C99 hex floats as bare words and as strings, in any of their usual
+/// spellings. Known fields must have their type, whatever `overlap` says; null is of no type. Skips
+/// unknown fields, with a remark if they look misspelt. Throws ProtocolError.
 SubjectAnswer read_reply(std::string_view line, const NumberFormat& format);
 
-/// Whether the line is a hello, valid or not: the first line of a replay may be one.
+/// Returns whether the line is a hello, valid or not: the first line of a replay may be one.
 bool is_hello(std::string_view line);
 
-// ---- their JSON, whose numbers are as written, even by hand, as a NaN by printf("%g") ----
+// ---- reading JSON, with numbers as they were written, including those that JSON does not have,
+// such as a NaN printed by "%g" ----
 
 using text::JsonValue;
 
-/// How many of the bytes that a text begins with are a number, even one that JSON does not have:
-/// every bare word that starts like a number, or is a spelling of NaN or infinity.
+/// Returns the length in bytes of the number that a text begins with, including those that JSON
+/// does not have: every bare word that begins like a number, or is a spelling of NaN or infinity.
 std::size_t number_word(std::string_view text);
 
-/// The digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt if it is not an
-/// integer.
+/// Returns the digits of an integer, however it is written ("7", "7.0", "7e0"); nullopt for other
+/// numbers.
 std::optional<std::string> read_integer(std::string_view text);
 
-/// The JSON on the line, its numbers as they were written; null if it is none.
+/// Returns the JSON on the line, with numbers as they were written; null if it is not JSON.
 JsonValue json_on(std::string_view line);
 
 }  // namespace fathom::harness

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of the lines of a report, once: name, meaning, unit, since. Lines are written and read
-// by these tables (report_lines.cpp).
+// The table of the fields of a report's lines: name, meaning, unit, since. The lines are written
+// and read by it (report_lines.cpp).
 //                                            [verify/judge/fields.hpp; verdict.schema.json]
 #pragma once
 
@@ -65,10 +65,10 @@ static_assert(text::stored_fields(hulls_fields) == text::member_count<AboutHulls
 inline constexpr std::tuple pieces_fields{field("pairs", &AboutPieces::pairs, "", "How many were put."),
                                           field("answer_of", &AboutPieces::answer_of, "", "A piece of A and one of B."),
                                           field("query", &AboutPieces::query, "", "The reply as one about these two.")};
-// Two: an array is made from its members where members are counted.
+// Not member_count, which would count both elements of answer_of.
 static_assert(text::stored_fields(pieces_fields) == 3, "each member of AboutPieces has its row");
 
-/// In the order of JSON. `dwarfed` is not written: it follows from the radii.
+/// In the order of JSON. `dwarfed` is not written, because it follows from the radii.
 inline constexpr std::tuple outcome_fields{
     field("id", &Outcome::id, "", "Of the case."),
     field("variant", &Outcome::variant, "", "The symmetry that the case was put through.", "",
@@ -116,7 +116,8 @@ constexpr const auto& fields_of(const Unattributed*) { return unattributed_field
 
 // ---- the summary ----
 
-/// The fields of Coverage, but for those that no line has: the cases, and answers without a depth.
+/// The fields of Coverage, except for those that no line has: the number of cases, and answers
+/// without a depth.
 inline constexpr std::tuple coverage_fields{
     field("overlap", &Coverage::overlap, "", "Cases with an answer."),
     field("overlapping", &Coverage::overlapping, "", "Answers that say that the bodies overlap."),
@@ -138,7 +139,7 @@ inline constexpr std::tuple times_fields{
     Derived<Times, std::string>{"worst_case", [](const Times& times) { return times.worst().id; }, "",
                                 "With ~ and the name of a variant."}};
 
-/// The most of lengths; Most itself is of anything.
+/// A maximum of lengths; Most itself has no unit.
 struct Longest {
   double length;
   std::string id;
@@ -173,7 +174,7 @@ inline constexpr std::tuple union_count_fields{
           [](const UnionCount& unions) { return !unions.by.id.empty(); })};
 static_assert(text::stored_fields(union_count_fields) == text::member_count<UnionCount>());
 
-/// The excess of separating distances over depths, of a row.
+/// The relative excess of the separating distances of a row over the depths.
 struct RelativeExcess {
   const TallyRow* row;
 };
@@ -221,7 +222,7 @@ inline constexpr std::tuple totals_fields{
         "", "The excess of directions' separating distances over the depths, relative to these."},
     field("parts", &Totals::parts, "", "Of the cases that belong to each.", "",
           [](const Totals& it) { return !it.parts.empty(); })};
-// Those that are pointers are handed out as what they point to.
+// Members that are pointers yield the values that they point to.
 static_assert(std::tuple_size_v<decltype(totals_fields)> == text::member_count<Totals>(),
               "each member of Totals has its row");
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines of schema fathom/verdict/1, out and in: the part of journal.hpp that is JSON; and hellos,
-// which headers hold. Fields come from the tables; here is how a value of each type is written and
-// read.
+// Writes and reads lines of schema fathom/verdict/1: the part of journal.hpp that is JSON; and
+// hellos, which headers hold. The tables list the fields; this file converts values of each type.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +18,7 @@ namespace {
 using judging::fields_of;
 using text::Json;
 
-// ---- out ----
+// ---- writing ----
 
 Json line_of(const char* type) { return {{"schema", "fathom/verdict/1"}, {"type", type}}; }
 
@@ -66,7 +65,7 @@ Json json_of(const Between& value) { return {{"low", json_of(value.low)}, {"high
 Json json_of(const std::optional<Status>& value) { return name(value); }
 Json json_of(const UnionBounds& bounds) {
   return {{"squared", exact_text(bounds.deepest_pair)},
-          {"pieces", Json::array({bounds.a, bounds.b})}};  // the hulls have a field of their own
+          {"pieces", Json::array({bounds.a, bounds.b})}};  // the depth of the hulls is a field of its own
 }
 Json json_of(const std::array<std::size_t, verdict_count>& verdicts) {
   Json json = Json::object();
@@ -85,8 +84,8 @@ template <class Struct>
 requires requires(const Struct* it) { fields_of(it); }
 Json json_of(const Struct& of);
 
-/// Writes the fields that the struct has; "witness.a" and "witness.b", which stand side by side in
-/// its table, into one object "witness".
+/// Writes the fields that the struct has. Combines "witness.a" and "witness.b", which are adjacent
+/// in its table, into one object "witness".
 template <class Struct>
 void write_fields(Json& json, const Struct& of) {
   std::string_view whole;
@@ -139,11 +138,11 @@ std::string line(const char* type, const Struct& of) {
   return json.text();
 }
 
-// ---- in ----
+// ---- reading ----
 
 using Read = text::JsonValue;
 
-/// What is not exactly as it was written.
+/// Thrown if a value is not exactly as `line` writes it.
 struct Unreadable {};
 
 void take(const Read& json, bool& value) { value = json.boolean(); }
@@ -226,7 +225,7 @@ template <class Struct>
 requires requires(const Struct* it) { fields_of(it); }
 void take(const Read& json, Struct& to);
 
-/// The field, by its name or its path; null if it is not there.
+/// Returns the field by its name or its path; null if it is missing.
 const Read* found(const Read& json, std::string_view path) {
   const std::size_t dot = path.find('.');
   const Read* const at = json.find(path.substr(0, dot));
@@ -269,8 +268,8 @@ std::optional<Struct> read_line(std::string_view text, const char* type) try {
   return std::nullopt;
 }
 
-/// What must not change from a run to the one that goes on with its report; empty if it is no
-/// object.
+/// Returns the fields of a header that must be equal in a run that continues the report; empty if
+/// the header is no object.
 std::map<std::string, std::string> lasting(std::string_view header) {
   std::map<std::string, std::string> fields;
   const text::JsonRead read = text::read_json(header);
@@ -282,7 +281,7 @@ std::map<std::string, std::string> lasting(std::string_view header) {
 
 }  // namespace
 
-// Replies are kept in the subject's unit, and written in that of the case.
+// Outcomes hold replies in the subject's unit; lines have them in that of the case.
 std::string outcome_line(const Outcome& outcome) {
   if (!outcome.reply || outcome.fit == 0) return line("case", outcome);
   Outcome written = outcome;

@@ -71,13 +71,14 @@ class Fnv1a {
   std::uint64_t state_ = 0xcbf29ce484222325U;
 };
 
-/// Bodies as a subject sees them: by name, or rounded to its precision.
+/// Converts bodies to the form in which they are put to a subject: by name, or rounded to its
+/// precision.
 struct SubjectView {
   const NumberFormat& format;
   const std::set<std::string>& shapes;
   std::string& why;  ///< the reason, if a body has no such form
 
-  /// Piece by piece; a polytope is one.
+  /// Converts a union piece by piece; a polytope is a union of one piece.
   [[nodiscard]] std::optional<Body> see_pieces(const Body& body, const char* name) const {
     Pieces pieces = pieces_of(body);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -110,7 +111,7 @@ struct SubjectView {
     return std::nullopt;
   }
 
-  /// The first word of the body that is not declared; empty if all are.
+  /// Returns the first name in the body's description that the subject does not declare, or "".
   [[nodiscard]] std::string lacking(const files::NamedBody& body) const {
     const std::string plain(files::named_shape(body.shape).shape->name);
     if (!shapes.contains(plain)) return plain;
@@ -135,7 +136,8 @@ struct SubjectView {
   }
 };
 
-/// Field by field; a witness is two points. `moves`: it was asked for a derivative.
+/// Returns the promised fields that the answer lacks; a witness must have both points. `moves`: a
+/// derivative was asked for.
 std::vector<std::string> missing(const SubjectAnswer& answer, bool moves, const std::set<std::string>& promises) {
   std::vector<std::string> result;
   const auto check = [&](const char* name, bool is_there) {
@@ -154,7 +156,7 @@ std::vector<std::string> missing(const SubjectAnswer& answer, bool moves, const 
   return result;
 }
 
-/// Stops the library when `stop` says so; it may be empty.
+/// Stops a computation if `stop`, which may be empty, returns true.
 class StopWhen final : public Monitor {
  public:
   explicit StopWhen(const std::function<bool()>& stop) : stop_(stop) {}
@@ -165,8 +167,9 @@ class StopWhen final : public Monitor {
   const std::function<bool()>& stop_;
 };
 
-/// `radii`: those that the subject added, which shapes in `seen` have. `faults`: of the contacts;
-/// null of bodies that were not asked about, which do not move either.
+/// Judges the reply by the truth about `seen`. `radii`: those that the subject added, included in
+/// the shapes of `seen`. `faults`: receives the faults of contacts; null for bodies other than the
+/// given ones, whose motion is not judged either.
 Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class>& radii, const Reply& reply,
                           const SubjectInfo& info, const NumberFormat& format, const Judging& judging,
                           std::vector<judging::ContactFault>* faults) {
@@ -201,7 +204,7 @@ Judgement judged_by_truth(const Case& seen, const std::pair<mpq_class, mpq_class
   return judgement;
 }
 
-/// A reply about a pair of pieces.
+/// The reply about a pair of pieces.
 struct Told {
   std::uint32_t a, b;
   SubjectAnswer answer;
@@ -210,8 +213,8 @@ struct Told {
   [[nodiscard]] const Reply& reply() const { return std::get<Reply>(answer.said); }
 };
 
-/// How much a reply weighs: the depth, or minus the distance; what is not finite weighs most.
-/// nullopt without a number.
+/// Returns the depth of a reply, or minus its distance, to be compared with other replies; infinity
+/// for one that is not finite, nullopt without a number.
 std::optional<double> weight(const Reply& reply, const Conventions& conventions) {
   const double* const length = judging::length_of(reply);
   if (!length) return std::nullopt;
@@ -220,8 +223,8 @@ std::optional<double> weight(const Reply& reply, const Conventions& conventions)
   return negative ? -*length : *length;
 }
 
-/// The reply that is the answer about the unions, of those that claim an overlap, or of all if none
-/// does: the first of the greatest weight.
+/// Returns the reply with the greatest weight, the first of several: among those that claim an
+/// overlap, or among all if none does.
 const Told& deepest(const std::vector<Told>& all, const Conventions& conventions) {
   const bool overlap = std::ranges::any_of(all, [](const Told& told) { return told.reply().overlap; });
   const Told* best = nullptr;
@@ -236,8 +239,8 @@ const Told& deepest(const std::vector<Told>& all, const Conventions& conventions
   return *best;
 }
 
-/// The derivative of the unions: the largest of those in replies as deep, or as near, as the chosen
-/// one. nullopt if one of these has none, or no length tells which they are.
+/// Returns the derivative for the unions: the largest one in replies of the same weight as the
+/// chosen reply. Returns nullopt if one of these has no derivative, or the chosen one no weight.
 std::optional<double> derivative_of(const std::vector<Told>& all, const Told& chosen, const Conventions& conventions) {
   const std::optional<double> most = weight(chosen.reply(), conventions);
   std::optional<double> largest = chosen.reply().derivative;
@@ -259,7 +262,7 @@ std::string of_pair(std::uint32_t a, std::uint32_t b, const std::string& detail)
   return fmt::format("piece {} of A, piece {} of B: {}", a, b, detail);
 }
 
-/// The sum, if each answer says it.
+/// Returns the sum of the times, if each answer has one.
 std::optional<double> microseconds_of(const std::vector<Told>& all) {
   double sum = 0;
   for (const Told& told : all) {
@@ -269,7 +272,7 @@ std::optional<double> microseconds_of(const std::vector<Told>& all) {
   return sum;
 }
 
-/// Adds to the judgement that the reply lacks what the hello promises, if it does.
+/// Adds a finding to the judgement if the reply lacks a field that the hello promises.
 void hold_to_promises(Judgement& judgement, const SubjectAnswer& answer, bool moves,
                       const std::set<std::string>& promises) {
   const std::vector<std::string> lacking = missing(answer, moves, promises);
@@ -289,7 +292,7 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
   reply.derivative = derivative_of(all, chosen, info.conventions);
   const bool bare = !reply.overlap && !all_have_distances(all);
   if (bare) reply = Reply{};
-  SubjectInfo lenient = info;  // each reply is held to its promises
+  SubjectInfo lenient = info;  // the promises are checked for each reply below
   lenient.promises.clear();
   judge_answer(outcome, seen, whole, lenient, judging);
   Outcome query = outcome_for(chosen.pair, outcome.fit);
@@ -303,22 +306,23 @@ void judge_pairs(Outcome& outcome, const Case& seen, const std::vector<Told>& al
   outcome.verdict = outcome.judgement->verdict;
 }
 
-/// "key[0,2]": piece 0 of A and piece 2 of B.
+/// Returns "key[0,2]" for piece 0 of A and piece 2 of B.
 std::string pair_id(const std::string& id, std::uint32_t a, std::uint32_t b) {
   return fmt::format("{}[{},{}]", id, a, b);
 }
 
-/// Returns the radii by which the subject rounds A and B, in the unit of the case, whose lengths it
-/// sees times 2^exponent.
+/// Returns the radii by which the subject rounds A and B, in the unit of the case. The subject gets
+/// lengths times 2^exponent.
 std::pair<mpq_class, mpq_class> rounding_radii(const Case& seen, const SubjectInfo& info, long exponent) {
   return {scaled(rounding_radius(seen.a, info), -exponent), scaled(rounding_radius(seen.b, info), -exponent)};
 }
 
-/// Whether the subject rounds pieces by a radius; then there is no truth about what it sees.
+/// Returns whether the subject rounds pieces by a radius; then the truth about its bodies is not
+/// known.
 bool rounds_pieces(const SubjectInfo& info) { return rounding_radius(Body{}, info) != 0; }
 
-/// Returns the case with the hulls that the answer tells in the place of the bodies, in the unit of
-/// the case.
+/// Returns the case with the hulls that the answer reports in the place of the bodies, in the unit
+/// of the case.
 Case used_hulls(const Case& seen, const SubjectAnswer& answer, long exponent) {
   return {seen.id, used(seen.a, answer.hull_a, exponent), used(seen.b, answer.hull_b, exponent)};
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_errors = 20;
 
-/// In parts of R.
+/// Returns the error of the claimed depth in parts of R.
 std::optional<double> error_of(const Outcome& outcome, double unit_roundoff) {
   if (!outcome.judgement || !outcome.judgement->error_u_r) return std::nullopt;
   return *outcome.judgement->error_u_r * unit_roundoff;
@@ -43,7 +43,7 @@ std::vector<HeaderDifference> differences(const std::map<std::string, std::strin
   return result;
 }
 
-// ---- for people at a terminal ----
+// ---- as text ----
 
 using Lines = std::vector<std::string>;
 

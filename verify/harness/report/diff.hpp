@@ -13,22 +13,23 @@
 
 namespace fathom::harness {
 
-/// A case of both reports that is answered differently.
+/// A case of both reports whose answers differ.
 struct Change {
   std::string id, variant;
   Verdict old_verdict, new_verdict;
   /// The claimed depth less the true one in parts of R, the largest coordinate; nullopt without a
   /// claimed depth.
   std::optional<double> old_error, new_error;
-  /// the two subjects saw different points: another precision, or the case itself was changed
+  /// Whether the two subjects got different points: in another precision, or because the case was
+  /// changed.
   bool other_points = false;
 
-  /// Returns by how much one error is larger than the other, signs apart; an error that is missing,
-  /// or no number, counts as 0.
+  /// Returns by how much the magnitude of one error exceeds that of the other; a missing or
+  /// non-finite error counts as 0.
   [[nodiscard]] double error_change() const;
 };
 
-/// A field of the headers that differs; empty where it is missing.
+/// A field whose values in the two headers differ; empty if it is missing.
 struct HeaderDifference {
   std::string field, old_value, new_value;
 };
@@ -38,26 +39,26 @@ struct ReportDiff {
   TallyRow old_row, new_row;  ///< of the cases of both
   std::size_t only_old = 0, only_new = 0, other_points = 0;
   // Each by error_change(), largest first, then by id:
-  std::vector<Change> newly_failing;  ///< fails now, and did not: it passed, or was declined
-  std::vector<Change> newly_passing;  ///< passes now, and did not
-  std::vector<Change> otherwise;      ///< has another verdict for all that
-  std::vector<Change> errors;         ///< has the same verdict and another error; of these `most_errors`
+  std::vector<Change> newly_failing;  ///< fails in the new report, passed or was declined in the old one
+  std::vector<Change> newly_passing;  ///< passes in the new report, and did not in the old one
+  std::vector<Change> otherwise;      ///< has another verdict, with neither change
+  std::vector<Change> errors;         ///< has the same verdict and another error; at most `most_errors`
 };
 
 ReportDiff diff(const ReportFile& before, const ReportFile& after);
 
-/// The cases of the three lists by name and by how many: "2 newly failing, 0 newly passing, 1 with
+/// Returns the sizes of the three lists with their names: "2 newly failing, 0 newly passing, 1 with
 /// another verdict; 63 in both".
 std::string totals_text(const ReportDiff& diff);
 
-/// Lines for people, each list up to `most` long. They are pure ASCII, whatever ids hold.
+/// Returns lines of text, each list of at most `most` entries. Pure ASCII for any ids.
 std::vector<std::string> diff_text(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
                                    std::size_t most = 20);
 
-/// One line of schema fathom/diff/1, without the newline.
+/// Returns one line of schema fathom/diff/1, without the newline.
 std::string diff_json(const ReportFile& before, const ReportFile& after, const ReportDiff& diff);
 
-/// A page that needs nothing else.
+/// Returns a self-contained page.
 std::string diff_page(const ReportFile& before, const ReportFile& after, const ReportDiff& diff,
                       const std::string& version, const std::string& command);
 

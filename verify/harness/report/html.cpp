@@ -19,9 +19,9 @@
 namespace fathom::harness {
 namespace {
 
-// ---- the head: what became of all cases, and how they were judged ----
+// ---- the head: the verdicts of all cases, and the rules of judging ----
 
-/// What a reader must know before any number.
+/// Returns a box with a warning that concerns all numbers.
 std::string warning(const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class=\"warning\" role=\"note\">{}</p>\n", markup(text));
 }
@@ -63,12 +63,11 @@ std::string settings_list(const SubjectInfo& subject, const Tally& tally, const 
 
 // ---- the table of verdicts by family ----
 
-constexpr std::size_t few_families = 12;  // shown without being asked for
+constexpr std::size_t few_families = 12;  // shown without opening anything
 
 std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 
-/// Text that refers to the table of cases, and narrows it down to a family and a verdict where
-/// scripts run.
+/// Returns a link to the table of cases, which scripts then filter by family and verdict.
 std::string to_cases(const std::string& text, const std::string& find, const std::string& verdict) {
   return fmt::format("<a href=\"#all-cases\" data-of=\"cases\" data-find=\"{}\" data-choice=\"{}\">{}</a>", find,
                      verdict, text);
@@ -99,12 +98,13 @@ std::string row_element(const Tally::Line& line, const Tally& tally, const std::
 
 // ---- the table of all cases, folded ----
 
-/// What tells outcomes apart; those of repeated cases share their pictures one by one.
+/// The fields that identify outcomes; repeated cases, which share them, get the pictures one after
+/// another.
 using Key = std::tuple<std::string, std::string, std::string, Verdict>;
 Key key_of(const Outcome& outcome) { return {outcome.id, outcome.variant, outcome.digest, outcome.verdict}; }
 
-/// Failures worst first, then what was declined and passes by name: an order that does not depend
-/// on which answer came first.
+/// Returns the failures, worst first, then declined cases and passes by name. The order does not
+/// depend on the order of the answers.
 std::vector<const Outcome*> in_order(std::span<const Outcome> outcomes) {
   std::vector<const Outcome*> result;
   for (const std::size_t i : worst_first(outcomes)) result.push_back(&outcomes[i]);
@@ -146,7 +146,7 @@ std::vector<picture::Choice> choices(const std::vector<const Outcome*>& outcomes
 
 // ---- the histogram of errors by decade, as SVG ----
 
-constexpr int lowest = -18, highest = 18;  // decades; what lies beyond is counted in the last ones
+constexpr int lowest = -18, highest = 18;  // decades; errors beyond are counted in the outermost ones
 constexpr double left = 190, top = 8, row_height = 46, bar_height = 34, chart_width = 700, gap = 3;
 
 /// Counts of one verdict: exact zeros, and by decade.
@@ -155,7 +155,7 @@ struct Row {
   std::map<int, std::size_t> decades;
 };
 
-/// floor(log10 |error|), kept within bounds; infinity is the highest.
+/// Returns floor(log10 |error|), kept within bounds; for infinity the highest.
 int decade_of(double error) {
   const double exponent = std::floor(std::log10(std::abs(error)));
   return static_cast<int>(std::clamp(exponent, static_cast<double>(lowest), static_cast<double>(highest)));
@@ -174,7 +174,7 @@ std::map<Verdict, Row> rows_of(std::span<const Outcome> outcomes, bool in_u_r) {
   return result;
 }
 
-/// The decades that have a place, and where: slot 0 is that of zeros.
+/// The decades of the axis, and their places: slot 0 is that of zeros.
 struct Axis {
   int first, last;
 
@@ -189,7 +189,7 @@ struct Axis {
   [[nodiscard]] double slot_width() const { return (chart_width - left) / (last - first + 3); }
   [[nodiscard]] double start(int decade) const {
     return left + slot_width() * (decade - first + 2);
-  }  // a slot is free after the zeros
+  }  // one slot is left free after the zeros
 };
 
 std::string bar(double x, double width, double ground, std::size_t count, std::size_t most, Verdict verdict,
@@ -240,7 +240,7 @@ std::string axis_elements(const Axis& axis, double ground, double tolerance) {
                       x, top, ground, error_text(tolerance));
 }
 
-/// The failures with their ids, of each verdict the worst first, in the order of the page.
+/// Returns the failures with their ids, the worst of each verdict first, in the order of the page.
 std::vector<Anchored> chosen(std::span<const HtmlFailure> failures) {
   std::vector<Outcome> outcomes;
   for (const HtmlFailure& failure : failures) outcomes.push_back(failure.outcome);
@@ -252,7 +252,7 @@ std::vector<Anchored> chosen(std::span<const HtmlFailure> failures) {
   return result;
 }
 
-/// The worst of one verdict, and folded those that follow.
+/// Returns the worst failure of one verdict, and folded the others.
 std::string verdict_section(const SubjectInfo& subject, std::span<const Anchored> shown, std::size_t all) {
   const std::string_view verdict = name(shown.front().failure->outcome.verdict);
   std::string result =
@@ -267,7 +267,7 @@ std::string verdict_section(const SubjectInfo& subject, std::span<const Anchored
   return result + "</section>\n";
 }
 
-/// One section for each verdict.
+/// Returns one section for each verdict.
 std::string shown_failures(const SubjectInfo& subject, const std::vector<Anchored>& shown, const Tally& tally) {
   std::string result;
   for (auto begin = shown.begin(); begin != shown.end();) {
@@ -280,7 +280,7 @@ std::string shown_failures(const SubjectInfo& subject, const std::vector<Anchore
   return result;
 }
 
-/// How many failures are shown how.
+/// Returns a sentence on how many failures are shown, and how.
 std::string account(std::size_t failures, std::size_t shown) {
   if (failures == 0) return "<p>There are none.</p>\n";
   if (failures == 1 && shown == 1) return "<p>The only one is shown in full.</p>\n";
@@ -293,7 +293,7 @@ std::string account(std::size_t failures, std::size_t shown) {
       shown, failures);
 }
 
-/// What the subject did that is no case's fault.
+/// Returns the section on failures that no case caused.
 std::string unattributed_section(const UnattributedCounts& unattributed) {
   if (unattributed.empty()) return "";
   std::string items;
@@ -312,8 +312,8 @@ std::string footer(const RunInfo& from) {
       markup(version), command);
 }
 
-/// Each case with its verdict, in the order of the page and worst first, as far as a page can hold
-/// them; those of `shown` refer to their pictures.
+/// Returns the table of cases with their verdicts, in the order of the page and worst first, up to
+/// the limit of a page; rows of `shown` link to the pictures.
 std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anchored>& shown) {
   if (outcomes.empty()) return "";
   std::multimap<Key, std::string> anchors;
@@ -345,9 +345,8 @@ std::string cases_table(std::span<const Outcome> outcomes, const std::vector<Anc
       picture::table_box("Cases", table, true), more);
 }
 
-/// How often errors of each size came, one row for each verdict; empty if no depth was claimed at
-/// all. `in_u_r`: in units of uR, else relative. `tolerance`: a line at that size, if it is
-/// positive.
+/// Returns the numbers of errors by magnitude, one row for each verdict; empty if no depth was
+/// claimed. `in_u_r`: in units of uR, else relative. `tolerance`: draws a line there if positive.
 std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tolerance) {
   const std::map<Verdict, Row> rows = rows_of(outcomes, in_u_r);
   if (rows.empty()) return "";
@@ -374,8 +373,8 @@ std::string histogram(std::span<const Outcome> outcomes, bool in_u_r, double tol
       tolerance > 0 ? "; dashed: the relative tolerance" : "");
 }
 
-/// The subject, the answer in one line, warnings, a bar of all verdicts, and how it was judged.
-/// `shown`: the verdicts that have a section.
+/// Returns the subject, the result in one line, warnings, a bar of all verdicts, and the rules of
+/// judging. `shown`: the verdicts that have a section.
 std::string html_header(const SubjectInfo& subject, const Tally& tally, const Tolerance& tolerance, const RunInfo& from,
                         const std::set<Verdict>& shown) {
   const TallyRow& all = tally.all();
@@ -392,7 +391,7 @@ std::string html_header(const SubjectInfo& subject, const Tally& tally, const To
                      settings_list(subject, tally, tolerance, from));
 }
 
-/// The counts and errors of each family. `linked`: the cells refer to the cases.
+/// Returns the counts and errors of each family.
 std::string tally_table(const Tally& tally) {
   if (tally.all().total == 0) return "";
   std::string head = "<th scope=\"col\" class=\"text\">family</th><th scope=\"col\">cases</th>";
@@ -423,7 +422,7 @@ std::string tally_table(const Tally& tally) {
 
 std::vector<std::size_t> failures_to_show(std::span<const Outcome> outcomes, std::size_t most) {
   const std::vector<std::size_t> worst = worst_first(outcomes);
-  std::set<std::size_t> chosen;  // places in `worst`
+  std::set<std::size_t> chosen;  // indices into `worst`
   const auto choose = [&](const auto& is_new) {
     for (std::size_t k = 0; k < worst.size(); ++k)
       if (chosen.size() < most && !chosen.contains(k) && is_new(outcomes[worst[k]])) chosen.insert(k);

@@ -23,8 +23,8 @@
 namespace fathom::harness {
 namespace {
 
-constexpr std::size_t longest_inline = 60;     // characters of an exact number beside its rounded one
-constexpr std::size_t longest_exact = 10'000;  // of one in the list of exact numbers
+constexpr std::size_t longest_inline = 60;     // characters of an exact number to be shown beside its rounded one
+constexpr std::size_t longest_exact = 10'000;  // characters of a number in the list of exact numbers
 constexpr std::size_t longest_case = 200'000;  // characters of a case as JSON
 
 std::string exact(const mpq_class& value) {
@@ -34,7 +34,7 @@ std::string exact(const mpq_class& value) {
              : fmt::format("{}... ({} characters)", text.substr(0, longest_exact), text.size());
 }
 
-/// A signed square by its root: rounded, and the square exactly where that is short.
+/// Returns the root of a signed square: rounded, with the exact square if that is short.
 std::string length_text(const mpq_class& squared) {
   const std::string text = exact_text(squared);
   const std::string behind = text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "";
@@ -80,7 +80,7 @@ std::string status_text(const std::optional<Status>& status) {
                                          : "the bodies are apart";
 }
 
-/// What is known of a pair: one of the two, or neither.
+/// The truth about a pair of polytopes or of unions; neither if it was not found.
 struct Known {
   std::optional<Truth> truth;
   std::optional<UnionTruth> unions;
@@ -130,7 +130,7 @@ std::string truth_list(const Outcome& outcome, const Known& known, const std::st
   return facts.list("Truth");
 }
 
-/// The subject's own numbers, each with the convention that it is by.
+/// Returns the subject's own numbers, each with the convention that it follows.
 std::string claim_list(const Reply& reply, const Conventions& conventions) {
   Facts facts;
   facts.add("status", reply.overlap ? "the bodies overlap" : "the bodies do not overlap");
@@ -147,14 +147,14 @@ std::string claim_list(const Reply& reply, const Conventions& conventions) {
   return facts.list("Claim");
 }
 
-/// A ratio that is known by its square.
+/// Returns a ratio, given by its square.
 std::string times_text(const mpq_class& squared) {
   const std::string text = exact_text(squared);
   return fmt::format("{} times{}", root_binary64(squared, Rounding::rn),
                      text.size() <= longest_inline ? fmt::format(" (squared: {})", text) : "");
 }
 
-// What fields of numbers look like; there must be one.
+// These functions return the text of a field, which must be set.
 std::string number_text(const std::optional<double>& value, std::string_view) { return fmt::format("{}", *value); }
 std::string number_text(const std::optional<Between>& value, std::string_view) { return between_text(*value); }
 std::string number_text(const std::optional<mpq_class>& squared, std::string_view unit) {
@@ -168,7 +168,7 @@ std::string residual_list(const Judgement& judgement) {
     findings += fmt::format("{}{}", findings.empty() ? "" : ", ", name(verdict));
   if (judgement.findings.size() > 1) facts.add("all that is wrong", findings);
   const bool has_separating_distance =
-      judgement.separating_distance_squared || judgement.separating_distance;  // unions have none
+      judgement.separating_distance_squared || judgement.separating_distance;  // the judgement of unions has neither
   text::for_each_field(judging::judgement_fields, [&](const auto& field) {
     if constexpr (requires { field.label, number_text(judgement.*field.member, field.unit); }) {
       if (field.label.empty()) return;
@@ -212,8 +212,8 @@ std::string derivative_list(const DerivativeJudgement& derivative) {
   return facts.list("Derivative of the signed depth");
 }
 
-/// The case as the subject saw it, to be copied into a file; a sentence if it is too long for a
-/// page, or cannot be written.
+/// Returns the case as it was put to the subject, to be copied into a file; or a sentence if it is
+/// too long for a page, or cannot be written.
 std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, const std::string& anchor) {
   const Case& seen = failure.seen;
   if (seen.a.points.empty() && !has_words(seen) && !files::has_union(seen)) return "";
@@ -231,8 +231,8 @@ std::string case_text(const SubjectInfo& subject, const HtmlFailure& failure, co
   }
 }
 
-/// Lines of the exact numbers that the lists round: all of the judgement by their names in the
-/// report, "depth^2" for "depth_squared".
+/// Returns lines with the exact numbers behind the rounded ones: all of the judgement by their
+/// names in the report, "depth^2" for "depth_squared".
 std::string exact_numbers(const Outcome& outcome, const Known& known) {
   std::string result;
   const auto add = [&](std::string_view what, const mpq_class& value) {
@@ -268,8 +268,8 @@ std::string exact_numbers(const Outcome& outcome, const Known& known) {
   return result;
 }
 
-/// Solves the pair again. Neither is there if that fails, and for shapes: a page without one
-/// picture is better than none.
+/// Solves the pair again. Returns neither truth if that fails, and for shapes: a missing picture
+/// must not prevent the page.
 Known known_of(const Case& seen) {
   Known known;
   if (seen.a.shape || seen.b.shape) return known;
@@ -282,7 +282,7 @@ Known known_of(const Case& seen) {
   return known;
 }
 
-/// What the claim is in a picture.
+/// Returns the words for the claim in a picture.
 std::string of_claim(const SubjectInfo& subject) {
   const std::string result = "; <span class=\"key claimed\">dashed arrow</span>: the translation of A that is claimed";
   return subject.conventions.moves == Conventions::Body::b
@@ -290,7 +290,7 @@ std::string of_claim(const SubjectInfo& subject) {
              : result;
 }
 
-/// What the picture of two unions shows.
+/// Returns the caption of a picture of two unions.
 std::string caption(const SubjectInfo& subject, const UnionTruth& truth, bool claimed) {
   std::string result =
       "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched; deeper: the pieces in "
@@ -302,7 +302,7 @@ std::string caption(const SubjectInfo& subject, const UnionTruth& truth, bool cl
   return claimed ? result + of_claim(subject) : result;
 }
 
-/// What the picture of two polytopes shows.
+/// Returns the caption of a picture of two polytopes.
 std::string caption(const SubjectInfo& subject, const Truth& truth, bool claimed) {
   std::string result =
       "<span class=\"key body-a\">A</span> toned, <span class=\"key body-b\">B</span> hatched, hidden edges dashed";

@@ -38,8 +38,8 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// Returns nullopt if a '%' is not followed by two digits, or if a character is there that must be
-/// escaped.
+/// Returns nullopt if a '%' is not followed by two digits, or if the text has a character that must
+/// be escaped.
 std::optional<std::string> unescaped(std::string_view text) {
   if (text == "%") return "";
   std::string result;
@@ -71,7 +71,8 @@ std::optional<std::string> canonical_key(std::string_view text) {
   return key_of(*id, *variant);
 }
 
-/// The next word, taken off the front of the text; empty at the end and before a comment.
+/// Removes the next word from the front of the text and returns it; empty at the end and before a
+/// comment.
 std::string_view next_word(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
   if (text.starts_with('#')) text = {};
@@ -80,7 +81,7 @@ std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// Without the ends of lines, "\n" or "\r\n".
+/// Returns the lines without their ends, "\n" or "\r\n".
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -94,7 +95,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 constexpr std::string_view opening = "# Known failures of ", purpose = ", for fathom certify --expect-fail.";
 
-/// Whether we wrote it over a list.
+/// Returns whether the line is the comment that fathom writes above a list.
 bool is_opening(std::string_view line) {
   return line.starts_with(opening) && line.find(purpose) != std::string_view::npos;
 }
@@ -102,7 +103,7 @@ bool is_opening(std::string_view line) {
 struct Suite {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
   double seconds = 0;
-  std::string cases;  // written
+  std::string cases;  // the elements written so far
 
   void add(const Suite& other) {
     tests += other.tests;
@@ -124,7 +125,7 @@ std::string counts(const Suite& suite) {
 
 bool is_error(Verdict verdict) { return verdict <= Verdict::failed; }
 
-/// The child of a test case, counted; empty for a pass.
+/// Returns the child element of a test case, and counts it; empty for a pass.
 std::string child_of(const Outcome& outcome, const ExpectedFailures::Check& known, Suite& suite) {
   const std::string verdict(name(outcome.verdict)), sentence = sentence_of(outcome);
   if (known.allowed.contains(failure_line(outcome)))
@@ -224,7 +225,7 @@ ExpectedFailures::Check ExpectedFailures::check(std::span<const Outcome> outcome
 
   Check result;
   for (auto& [key, met] : cases) {
-    std::ranges::sort(met.got);  // failures first, so that a listed one is held against another failure before a pass
+    std::ranges::sort(met.got);  // failures first: a listed one is matched with a failure before a pass
     std::erase_if(met.listed, [&result, &got = met.got](const Entry& entry) {
       const auto same = std::ranges::find(got, entry.verdict);
       if (same == got.end()) return false;

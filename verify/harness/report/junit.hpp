@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What systems that run tests of others need: the list of known failures, and a run as JUnit XML.
-// The list is strict: a run agrees with it exactly when it fails where the list says, as the list
-// says, and nowhere else. One line for each failure:
+// Files for systems that run tests: the list of known failures, and a run as JUnit XML. The list is
+// strict: a run agrees with it if and only if the listed cases fail, with the listed verdicts, and
+// no others. It has one line for each failure:
 //
 //     <verdict> <id>[~<variant>]   # why
 //
@@ -23,38 +23,38 @@
 
 namespace fathom::harness {
 
-/// How one outcome is written in the list, without comment and newline: "too-deep fcl-545". One
-/// line, whatever the id holds.
+/// Returns the line of an outcome in the list, without comment and newline: "too-deep fcl-545". One
+/// line for any id.
 std::string failure_line(const Outcome& outcome);
-/// The second word of that line: "fcl-545~swap".
+/// Returns the second word of that line: "fcl-545~swap".
 std::string failure_key(const Outcome& outcome);
 
 class ExpectedFailures {
  public:
-  /// Throws InputError when the file cannot be read, and on a line that is none of the list, with
-  /// its number. An empty list is a list.
+  /// Throws InputError if the file cannot be read, or with its number for a line that does not
+  /// belong to a list. The list may be empty.
   static ExpectedFailures read(const std::string& path);
   /// Reads the list from a text; `name` is for messages.
   static ExpectedFailures parse(const std::string& text, const std::string& name);
 
   struct Check {
     std::set<std::string> allowed;         ///< the failures that are on the list, as `failure_line` writes them
-    std::vector<std::string> surprises;    ///< sentences, for people: where run and list disagree
-    std::size_t unlisted = 0;              ///< of them: failures that are not on the list
-    std::size_t fixed = 0;                 ///< of them: listed, and pass now
-    std::size_t changed = 0;               ///< of them: listed with another verdict than they have now
-    std::size_t unmet = 0;                 ///< of them: listed, and no case of the run has that id
-    std::set<std::string> fixed_keys;      ///< as `failure_key` writes them, of those that pass now
-    std::vector<std::string> unmet_lines;  ///< those that no case met
+    std::vector<std::string> surprises;    ///< sentences on differences between run and list
+    std::size_t unlisted = 0;              ///< number of failures that are not on the list
+    std::size_t fixed = 0;                 ///< number of listed cases that pass now
+    std::size_t changed = 0;               ///< number of listed cases with another verdict now
+    std::size_t unmet = 0;                 ///< number of lines whose id no case of the run has
+    std::set<std::string> fixed_keys;      ///< of cases that pass now, as `failure_key` writes them
+    std::vector<std::string> unmet_lines;  ///< lines whose id no case has
     [[nodiscard]] bool ok() const { return surprises.empty(); }
   };
-  /// Compares with a finished run. Where ids repeat, as many lines must stand in the list as cases
+  /// Compares with a finished run. If ids repeat, the list must have as many lines as cases that
   /// fail.
   [[nodiscard]] Check check(std::span<const Outcome> outcomes) const;
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
   /// Returns the comments of the list, and those of its lines that are in `failing`, as
-  /// `failure_line` writes them. Removes these from `failing`.
+  /// `failure_line` writes them. Removes these lines from `failing`.
   [[nodiscard]] std::string renewed(std::multiset<std::string>& failing) const;
 
  private:
@@ -64,10 +64,9 @@ class ExpectedFailures {
     std::size_t line;
     [[nodiscard]] std::string text() const;  ///< as `failure_line` writes it
   };
-  /// Returns what a line says, or nullopt if it is blank or a comment. Throws InputError.
+  /// Returns the entry of a line, or nullopt for a blank line or a comment. Throws InputError.
   static std::optional<Entry> entry_in(std::string_view words, const std::string& name, std::size_t line);
-  /// Strikes out the entries and outcomes of one id that agree, and adds what is left to the
-  /// result.
+  /// Matches the entries and outcomes of one id that agree, and adds the others to the result.
   void settle(const std::string& key, const std::vector<Entry>& listed, const std::vector<Verdict>& got,
               Check& result) const;
 
@@ -75,9 +74,9 @@ class ExpectedFailures {
   std::string name_, text_;
 };
 
-/// Returns the list that a run agrees with, under a comment that names the subject; `read` reads it
-/// back. Comments of the list `before`, and its lines that are still true, stay as they are; new
-/// lines follow, sorted.
+/// Returns the list that agrees with a run, under a comment that names the subject; `read` reads it
+/// back. Keeps the comments of the list `before` and its lines that still apply; new lines follow,
+/// sorted.
 std::string expected_failures_text(const SubjectInfo& subject, std::span<const Outcome> outcomes,
                                    const ExpectedFailures& before = {});
 
@@ -93,9 +92,9 @@ std::string expected_failures_text(const SubjectInfo& subject, std::span<const O
 //   a listed failure that no case met           <failure type="not-met"> in a suite "known
 //   failures"
 
-/// A whole document in UTF-8, well-formed whatever ids, details and replies hold; it depends on its
-/// arguments alone. Order: families by name, cases as given. `known` is what
-/// ExpectedFailures::check said, and empty without a list; `from` is in the properties.
+/// Returns a document in UTF-8, well-formed for any ids, details and replies; it depends on the
+/// arguments alone. Order: families by name, cases as given. `known` is the result of
+/// ExpectedFailures::check, and empty without a list; `from` is written into the properties.
 std::string junit_xml(const SubjectInfo& subject, std::span<const Outcome> outcomes,
                       const ExpectedFailures::Check& known = {}, const RunInfo& from = {});
 

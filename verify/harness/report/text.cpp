@@ -17,13 +17,13 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t narrowest = 40;
-constexpr std::size_t enough_for_errors = 70;  // columns, for all errors in one block
+constexpr std::size_t enough_for_errors = 70;  // columns that suffice for all errors in one block
 constexpr std::size_t column_gap = 2;
 constexpr std::size_t label_width = 13, verdict_width = 20;
 constexpr std::size_t most_named = 5;  // failing cases of a verdict
 
-/// A column: what stands over it, in as many lines as it has parts, and a cell for each row. The
-/// first is flush left.
+/// A column: its heading, in as many lines as it has parts, and a cell for each row. The first
+/// column is flush left.
 struct Column {
   Lines head, cells;
 
@@ -35,7 +35,7 @@ struct Column {
   }
 };
 
-/// "touching-by-convention" as "touching-", "by-", "convention".
+/// Splits "touching-by-convention" into "touching-", "by-", "convention".
 Lines broken_name(std::string_view name) {
   Lines result(1);
   for (const char c : name) {
@@ -45,7 +45,7 @@ Lines broken_name(std::string_view name) {
   return result;
 }
 
-/// The columns side by side.
+/// Adds the columns side by side.
 void add_block(Lines& lines, const std::vector<const Column*>& columns) {
   std::size_t deepest = 0;
   for (const Column* column : columns) deepest = std::max(deepest, column->head.size());
@@ -55,7 +55,7 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
       line += fmt::format("{:>{}}", text(*columns[i]), columns[i]->width() + column_gap);
     lines.push_back(line.substr(0, line.find_last_not_of(' ') + 1));
   };
-  for (std::size_t i = 0; i < deepest; ++i) {  // heads stand on one ground
+  for (std::size_t i = 0; i < deepest; ++i) {  // headings are aligned at the bottom
     add_line([&](const Column& column) {
       const std::size_t empty = deepest - column.head.size();
       return i < empty ? "" : column.head[i - empty];
@@ -65,10 +65,11 @@ void add_block(Lines& lines, const std::vector<const Column*>& columns) {
     add_line([&](const Column& column) { return column.cells[i]; });
 }
 
-/// Columns that stand in one block.
+/// Columns to be kept in one block.
 using Group = std::vector<Column>;
 
-/// As many blocks, one below the other, as the width needs; the first column leads each.
+/// Adds blocks, one below the other, as many as the width requires; each begins with the first
+/// column.
 void add_blocks(Lines& lines, const Column& first, const std::vector<Group>& groups, std::size_t widest) {
   std::vector<const Column*> block{&first};
   std::size_t width = first.width();
@@ -123,8 +124,8 @@ void add_table(Lines& lines, const Tally& tally, std::size_t widest, bool all_ro
   add_blocks(lines, labels, groups, widest);
 }
 
-/// The text behind the label, broken at spaces; a word that is too long for a line is broken where
-/// the line ends.
+/// Adds the text after the label, broken at spaces; a word that is longer than a line is broken at
+/// the end of the line.
 void add_words(Lines& lines, std::size_t widest, std::string line, std::string_view text, std::size_t indent) {
   const std::size_t room = widest - indent;
   while (text.size() > room) {
@@ -155,7 +156,7 @@ void add_entries(Lines& lines, std::size_t widest, const std::string& label, con
   if (!entries.empty()) add_words(lines, widest, line, text, indent);
 }
 
-/// What the words of the table mean that are no everyday ones.
+/// Returns explanations of the table's technical words.
 Lines legend(const TallyRow& all) {
   Lines result;
   if (!all.relative.empty()) result.emplace_back("relative: the error of a depth or distance, over its true value");
@@ -168,7 +169,7 @@ Lines legend(const TallyRow& all) {
   return result;
 }
 
-/// "too-deep          a::7; a::2; 12 more" for each verdict.
+/// Adds "too-deep          a::7; a::2; 12 more" for each verdict.
 void add_failures(Lines& lines, std::span<const Outcome> outcomes, std::size_t widest) {
   const auto worst = worst_failures(outcomes);
   if (worst.empty()) return;

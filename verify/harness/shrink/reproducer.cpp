@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Programs around a case, and how they come to disk. Their text is in templates/, one file for each
-// library and call; its marks, as @value@, are filled here.
+// Programs for a case, and how they are written to files. Their texts are in templates/, one file
+// for each library and call; this file replaces marks such as @value@.
 #include "verify/harness/shrink/reproducer.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@
 
 namespace fathom::harness {
 
-/// In templates/embedded.cpp.in.
+/// Defined in templates/embedded.cpp.in.
 namespace templates {
 
 extern const std::string_view libccd, fcl_distance, fcl_collide, bullet_epa, bullet_pair, ode, judged, rounded;
@@ -42,7 +42,7 @@ extern const std::string_view libccd, fcl_distance, fcl_collide, bullet_epa, bul
 
 namespace {
 
-/// In `text`, the words in the map's keys replaced by its values.
+/// Returns `text` with the map's keys replaced by their values.
 std::string filled(std::string text, const std::map<std::string, std::string>& values) {
   for (const auto& [key, value] : values)
     for (std::size_t at = 0; (at = text.find(key, at)) != std::string::npos; at += value.size())
@@ -50,7 +50,7 @@ std::string filled(std::string text, const std::map<std::string, std::string>& v
   return text;
 }
 
-/// The setting, if it is a plain number; a subject may say anything.
+/// Returns the setting if it is a plain number, else `usual`, because a subject may send any text.
 std::string setting(const SubjectInfo& info, const std::string& key, const std::string& usual) {
   const auto found = info.settings.find(key);
   if (found == info.settings.end() || found->second.empty()) return usual;
@@ -60,14 +60,14 @@ std::string setting(const SubjectInfo& info, const std::string& key, const std::
              : usual;
 }
 
-/// A program that asks a library: how to compile the file "case.cpp", and its text, with marks for
+/// A program that calls a library: how to compile the file "case.cpp", and its text, with marks for
 /// the bodies and the calls.
 struct AskingProgram {
   std::string command, text;
 };
 
-/// The calls of this subject's adapter, with the settings of its hello. Returns nullopt for a
-/// library without a program here.
+/// Returns the program with the calls of this subject's adapter and the settings of its hello.
+/// Returns nullopt for a library without a template.
 std::optional<AskingProgram> program_for(const SubjectInfo& info) {
   const auto asks = [&info](const char* mode) { return info.name.find(mode) != std::string::npos; };
   const auto made = [](std::string command, std::string_view text, const std::map<std::string, std::string>& values) {
@@ -105,7 +105,7 @@ std::optional<AskingProgram> program_for(const SubjectInfo& info) {
 // ---- bodies as C++: their points in braces, or the functions of fathom/shape.hpp that make them
 // ----
 
-/// The binary64 number that it is, in its shortest text.
+/// Returns the shortest text of a binary64 number.
 std::string number(const mpq_class& value) { return fmt::format("{}", round_binary64(value)); }
 
 std::string triple(const mpq_class& x, const mpq_class& y, const mpq_class& z) {
@@ -139,7 +139,7 @@ std::string shape_code(const files::NamedBody& words) {
                      number(q.x), number(q.y), number(q.z), triple(words.place));
 }
 
-/// The arguments of a shape's function are its fields, in their order.
+/// Returns the call of a shape's function, whose arguments are its fields in their order.
 std::string core_text(const files::NamedBody& words) {
   const files::ShapeName& shape = *files::named_shape(words.shape).shape;
   if (shape.part == files::ShapePart::vertices && shape.name == "hull") return hull_text(words.fields.vertices);
@@ -174,7 +174,7 @@ std::string unmoved(const files::NamedBody& words) {
 
 constexpr std::size_t longest_comment = 600;
 
-/// Safe behind "//": one line, printable, and not joined to the next.
+/// Returns the text for a comment after "//": one line, printable, without a backslash at its end.
 std::string comment_text(const std::string& text) {
   std::string shown = kernels::printable(text, longest_comment);
   while (shown.ends_with('\\')) shown.pop_back();
@@ -231,7 +231,7 @@ std::string claim_text(const Outcome& outcome) {
   return text;
 }
 
-/// Of shapes.
+/// Returns the truth about shapes.
 std::string truth_text(const Judgement& judgement) {
   const Between& depth = *judgement.signed_depth;
   const std::string_view word = name(judgement.status);
@@ -240,7 +240,7 @@ std::string truth_text(const Judgement& judgement) {
              : fmt::format("{}, the signed depth is between {} and {}", word, depth.low, depth.high);
 }
 
-/// The truth that the outcome was judged by; of a variant that about the case.
+/// Returns the truth by which the outcome was judged; for a variant that about the case.
 std::string truth_text(const Case& pair, const Outcome& outcome) {
   if (outcome.radii != 0) return "of the bodies as the subject rounds them: " + truth_text(*outcome.judgement);
   if (pair.a.shape || pair.b.shape) {
@@ -286,7 +286,7 @@ std::string heading(const SubjectInfo& info, const Case& pair, const Outcome& ou
   return text;
 }
 
-/// The case as the variant that the outcome is about.
+/// Returns the variant of the case that the outcome is about.
 std::optional<Case> variant_of(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const std::string names[] = {outcome.variant};
   std::vector<Variant> found = variants(pair, info.format, names);
@@ -331,7 +331,7 @@ std::string reply_text(const Outcome& outcome) {
   return text;
 }
 
-/// The same; points become fathom::hull(...).
+/// Returns the same with points as fathom::hull(...).
 std::string as_shape_code(const Body& body) { return body.words ? shape_code(*body.words) : hull_text(body.points); }
 
 std::string manifold_text(const std::optional<ContactLimits>& manifold) {
@@ -340,7 +340,7 @@ std::string manifold_text(const std::optional<ContactLimits>& manifold) {
                      manifold->most ? fmt::format("{}", *manifold->most) : "{}", literal(manifold->margin));
 }
 
-/// How the bodies move, exactly.
+/// Returns the motion of the bodies, exactly.
 std::string motion_text(const Motion& motion) {
   const auto point = [](const Point& p) {
     return fmt::format("{{mpq_class(\"{}\"), mpq_class(\"{}\"), mpq_class(\"{}\")}}", exact_text(p.x), exact_text(p.y),
@@ -350,7 +350,7 @@ std::string motion_text(const Motion& motion) {
                      point(motion.of_a.w), point(motion.of_b.v), point(motion.of_b.w));
 }
 
-/// For a library without a program here, for bodies by name, and for a derivative.
+/// Returns a test for a library without a template, for bodies by name, and for a derivative.
 std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const bool shapes = has_words(pair);
   std::string bodies;
@@ -358,7 +358,7 @@ std::string test_text(const SubjectInfo& info, const Case& pair, const Outcome& 
     bodies +=
         shapes ? fmt::format("  const fathom::Shape {} = {};\n", name, as_shape_code(*body))
                : fmt::format("  const std::vector<fathom::Triple> {} = {{\n        {}}};\n", name, points_text(*body));
-  // Of bodies that the subject rounds, the truth about the rounded ones.
+  // If the subject rounds bodies, the truth is that about the rounded bodies.
   const mpq_class radius_a = rounding_radius(pair.a, info), radius_b = rounding_radius(pair.b, info);
   std::string rounded, judged = shapes ? "fathom::truth_about(a, b)" : "a, b";
   if (radius_a != 0 || radius_b != 0) {
@@ -412,14 +412,14 @@ void make_folder(const std::string& directory) {
   if (error) throw InputError(directory, 0, "cannot be made a directory: " + error.message());
 }
 
-/// The body in C++: its points as {{x, y, z}, ...}, or the functions of fathom/shape.hpp that make
-/// it, as fathom::moved(fathom::sphere(0.5), ...). Numbers are the shortest decimals that read back
-/// as the same binary64 number.
+/// Returns the body in C++: its points as {{x, y, z}, ...}, or the calls of fathom/shape.hpp that
+/// make it, as fathom::moved(fathom::sphere(0.5), ...). Numbers are the shortest decimals that read
+/// back as the same binary64 number.
 std::string body_code(const Body& body) { return body.words ? shape_code(*body.words) : list(body.points); }
 
-/// The user's own program: `text` with each @A@ and @B@ filled by body_code, and each @A_JSON@ and
-/// @B_JSON@ by the body as the subject is sent it. Of a variant it is the case itself. Nothing else
-/// is changed.
+/// Returns the user's own program: `text` with each @A@ and @B@ replaced by body_code, and each
+/// @A_JSON@ and @B_JSON@ by the body as it is sent to the subject. For a variant it is about the
+/// original case. The rest of the text is unchanged.
 std::string filled_harness(std::string text, const SubjectInfo& info, const Case& pair, const Outcome& outcome) {
   const Case there = in_unit(pair, outcome.fit);
   for (const auto& [name, body] : {std::pair{"A", &there.a}, {"B", &there.b}})

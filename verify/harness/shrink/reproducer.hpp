@@ -12,22 +12,22 @@
 
 namespace fathom::harness {
 
-/// A whole C++ program that puts the case to the subject's library (libccd, FCL, Bullet, ODE:
-/// info.library) by its own calls and prints what it answers; for any other library, for bodies by
-/// name, and for a wrong derivative, a GoogleTest that hands the recorded answer to fathom::judge,
-/// whose first line says where a call belongs in its place. Coordinates are C99 hex floats. A
-/// comment on top tells the exact depth^2, what was claimed, the verdict, and how to compile it.
-/// `pair` is as the subject saw it.
+/// Returns a whole C++ program that puts the case to the subject's library (libccd, FCL, Bullet,
+/// ODE: info.library) by its own calls and prints its answer; for any other library, for bodies by
+/// name, and for a wrong derivative, a GoogleTest that passes the recorded answer to fathom::judge,
+/// whose first line says where to put the user's call instead. Coordinates are C99 hex floats. A
+/// comment on top states the exact depth^2, the claim, the verdict, and how to compile it. `pair`
+/// is the case as it was put to the subject.
 std::string snippet(const SubjectInfo& info, const Case& pair, const Outcome& outcome);
 
 // ---- the best case so far, on disk ----
 
-/// The user's own program around a case; see filled_harness.
+/// The user's own program for a case; see filled_harness.
 struct HarnessTemplate {
   std::string text;
-  std::string ending = ".cpp";  ///< of its file, and of the files that are made of it
+  std::string ending = ".cpp";  ///< of its file, and of the files made from it
 };
-/// Throws InputError if the file cannot be read, or has neither a place for A nor one for B.
+/// Throws InputError if the file cannot be read, or lacks both a mark for A and one for B.
 HarnessTemplate read_harness(const std::string& path);
 
 /// Writes <verdict>.case.json, <verdict>.cert and <verdict>.cpp (the user's own program, or the
