@@ -18,13 +18,13 @@
 namespace fathom::harness {
 namespace {
 
-/// How many of the last characters are digits.
+/// Returns the number of digits at the end of the text.
 std::size_t digits_behind(std::string_view text) {
   const std::size_t last = text.find_last_not_of("0123456789");
   return last == text.npos ? text.size() : text.size() - last - 1;
 }
 
-/// `text` without "<mark><digits>" at its end; empty if it does not end so.
+/// Returns `text` without "<mark><digits>" at its end; empty if it has no such end.
 std::string_view before_number(std::string_view text, std::string_view mark) {
   const std::size_t digits = digits_behind(text);
   const std::string_view rest = text.substr(0, text.size() - digits);
@@ -44,8 +44,8 @@ void add_counts(std::array<std::size_t, N>& to, const std::array<std::size_t, N>
   for (std::size_t i = 0; i < N; ++i) to[i] += counts[i];
 }
 
-/// Larger is worse. Answers without a depth, and with one where there is none, have no relative
-/// error: they come first.
+/// Returns a rank of failures; larger is worse. An answer without a depth, and one with a depth for
+/// bodies that have none, has no relative error and ranks first.
 double badness(const Outcome& outcome) {
   constexpr double beyond = std::numeric_limits<double>::infinity();
   if (!outcome.judgement || !outcome.judgement->error_relative) return beyond;

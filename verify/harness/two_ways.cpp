@@ -38,14 +38,14 @@ constexpr unsigned most_random_pieces = 5;
 
 constexpr unsigned least_random_size = 4, most_random_size = 40;
 
-/// As the checker writes it.
+/// Returns the number in the checker's notation.
 std::string surd_text(const Surd& value) {
   return fmt::format("{}sqrt({})+{}", value.root < 0 ? "-" : "", exact_text(abs(value.root)),
                      exact_text(value.rational));
 }
 
-/// What the checker finds. Throws fathom_check::Unreadable if none would read the text,
-/// std::logic_error if it refuses the proof.
+/// Returns the checker's verdict. Throws fathom_check::Unreadable if the text exceeds the limits of
+/// checkers, std::logic_error if the checker refuses the proof.
 fathom_check::Verdict acceptance(const std::string& id, const std::string& text) {
   fathom_check::require_readable(text);
   fathom_check::Verdict verdict = fathom_check::verify(text);
@@ -54,9 +54,9 @@ fathom_check::Verdict acceptance(const std::string& id, const std::string& text)
   return verdict;
 }
 
-constexpr Verdict differs = Verdict::inconsistent;  // what `shrink` is to find again
+constexpr Verdict differs = Verdict::inconsistent;  // the verdict that `shrink` looks for
 
-/// The answer, or what was thrown instead.
+/// The answer, or the message of the exception in its place.
 template <class Answer>
 struct Attempt {
   std::optional<Answer> answer;
@@ -113,7 +113,7 @@ UnionsFound proved_answer(const Case& pair, Monitor* monitor) {
   return answer;
 }
 
-/// The body without one of its pieces.
+/// Returns the body without one of its pieces.
 Body without(const Body& body, std::size_t piece) {
   Pieces pieces = pieces_of(body);
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(piece));
@@ -126,7 +126,7 @@ void write(KeptDifference& kept, const std::string& directory, const Case& pair,
   kept.path = write_case(directory, "difference", pair, sentence);
 }
 
-/// Goes on while the difference is there without some piece; a body keeps one.
+/// Drops pieces as long as the difference remains; a body keeps one.
 void drop_pieces(KeptDifference& kept, const std::string& directory, const Solver& x, const Solver& y,
                  const std::function<bool()>& stop) {
   for (Body Case::*of : {&Case::a, &Case::b})
@@ -138,7 +138,7 @@ void drop_pieces(KeptDifference& kept, const std::string& directory, const Solve
     }
 }
 
-/// Of these families, whose cases have a size and a seed of their own.
+/// Returns a random case of these families.
 Case random_of(std::span<const families::Family> families, std::uint64_t seed, std::uint64_t number, unsigned least,
                unsigned most) {
   families::Random random(families::Random(seed).next() + number);
@@ -154,7 +154,7 @@ Case random_of(std::span<const families::Family> families, std::uint64_t seed, s
   return *std::move(rounded);
 }
 
-/// Numbers are handed out in ascending order, and whoever has one finishes it. So once all are
+/// Threads take numbers in ascending order and finish each one that they take. So when all are
 /// done, every case below the least number with a difference has been compared.
 class Comparer {
  public:
@@ -213,7 +213,7 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
 
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor) {
   const Bracket* const bracket = std::get_if<Bracket>(&truth.depth.core);
-  if (bracket && bracket->around) {  // what a certificate proves of it is less
+  if (bracket && bracket->around) {  // a certificate does not prove all that it states
     SignedDepthOptions wider;
     wider.cores.monitor = monitor;
     wider.coaxial = false;

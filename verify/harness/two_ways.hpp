@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers found again: by a proof of the truth that the checker accepts, or by a second way that
-// shares as little as possible with the first; on one case or on a stream of them, and made smaller
-// where two ways differ.
+// Checks answers in a second way: by a proof of the truth that the checker accepts, or by a second
+// solver that shares as little as possible with the first; on one case or on a stream of cases; and
+// reduces a case on which two solvers differ.
 #pragma once
 
 #include <cstdint>
@@ -26,80 +26,80 @@ std::string accepted_certificate(const Case& pair, const Depth& answer, Monitor*
 std::string accepted_certificate(const std::string& id, const ShapeTruth& truth, Monitor* monitor = nullptr);
 /// The same for unions: of the status, the depth and how many optima it has, or the distance.
 std::string accepted_certificate(const std::string& id, const UnionTruth& truth, Monitor* monitor = nullptr);
-/// The truth about a case, solved anew, and accepted.
+/// Solves the case anew, and returns an accepted certificate of the truth.
 std::string accepted_certificate(const Case& pair, Monitor* monitor);
 
 // ---- two ways ----
 
-/// What two ways must find alike about unions.
+/// The parts of an answer about unions that must not depend on the solver.
 struct UnionsFound {
   Status status;
   mpq_class squared;                ///< depth^2, or distance^2 of bodies that are apart
-  std::vector<Point> translations;  ///< of unions that penetrate all shortest, in lexicographic order
+  std::vector<Point> translations;  ///< all shortest ones of unions that penetrate, in lexicographic order
 };
 
-/// A way to find the answer about a case. It may throw, which counts as an answer of its own.
+/// A function that answers about a case. An exception that it throws counts as an answer.
 struct Solver {
   std::string name;
   std::function<Depth(const Case&, Monitor*)> depth;
-  std::function<UnionsFound(const Case&, Monitor*)> of_unions = {};  ///< for cases of unions, if there are any
+  std::function<UnionsFound(const Case&, Monitor*)> of_unions = {};  ///< for cases of unions; may be empty
 };
 
-/// The library's method.
+/// Returns a solver that uses the library's method.
 Solver solver_by(Method method);
 
-/// What users get: the automatic method and its certificate, which the independent checker must
-/// accept as a proof of that very answer. Throws std::logic_error otherwise. Answers about unions
-/// too, in the same way.
+/// Returns a solver like the command line: the automatic method with its certificate, which the
+/// independent checker must accept as a proof of that very answer; else it throws std::logic_error.
+/// Answers about unions too.
 Solver solver_with_proof();
 
-/// Two ways do not agree about a case. It is the program's own fault.
+/// Two solvers disagree about a case, which is a fault of fathom.
 struct Disagreement : std::logic_error {
   Disagreement(Case about, Solver other, const std::string& sentence)
       : std::logic_error(sentence), pair(std::move(about)), second(std::move(other)) {}
   Case pair;
-  Solver second;  ///< that differs from the automatic method
+  Solver second;  ///< differs from the automatic method
 };
 
-/// Returns "automatic and exact differ: squared: 1/4 and 1/9", or who of them threw what; nullopt
-/// if the answers are equal in every field that must not depend on the way. A case of unions needs
-/// ways that answer about them. Throws Interrupted and std::bad_alloc.
+/// Returns "automatic and exact differ: squared: 1/4 and 1/9", or the exception of a solver that
+/// threw one; nullopt if the answers are equal in every field that must not depend on the solver. A
+/// case of unions needs solvers for unions. Throws Interrupted and std::bad_alloc.
 std::optional<std::string> difference(const Case& pair, const Solver& x, const Solver& y, Monitor* monitor = nullptr);
 
-/// A difference, on disk.
+/// A difference that was written to disk.
 struct KeptDifference {
   Case pair;             ///< the smallest so far
   std::string sentence;  ///< the difference there
   std::string path;      ///< of the case file
 };
 
-/// Makes a case on which the ways differ smaller as `shrink` does, and writes the smallest so far
-/// to `directory`/difference.case.json, from the beginning and at each step. If the difference
-/// vanishes when the points are rounded to binary64, it keeps the case as it is. Unions lose the
-/// pieces that the difference does not need. `sentence` is the difference. `stop` ends the search
-/// early. Throws InputError if the file cannot be written.
+/// Reduces a case on which the solvers differ as `shrink` does, and writes the smallest so far to
+/// `directory`/difference.case.json, at the beginning and at each step. If the difference vanishes
+/// when the points are rounded to binary64, it keeps the case. Drops pieces of unions that the
+/// difference does not need. `sentence` describes the difference. `stop` ends the search early.
+/// Throws InputError if the file cannot be written.
 KeptDifference keep_difference(const std::string& directory, const Case& pair, const std::string& sentence,
                                const Solver& x, const Solver& y, const std::function<bool()>& stop = {});
 
 // ---- an endless stream of cases of all families, each given by the stream's seed and its number
 // alone ----
 
-/// Returns case `number` of the stream: the families take turns, size and seed are random. About
-/// two in three have their points rounded, to binary64 or to binary32, unless a coordinate
-/// overflows that; ".b64" or ".b32" behind the id says so. The same on every machine.
+/// Returns case `number` of the stream: families take turns, size and seed are random. About two in
+/// three cases have their points rounded, to binary64 or to binary32, unless a coordinate
+/// overflows; their ids end in ".b64" or ".b32". The same on every machine.
 Case random_case(std::uint64_t seed, std::uint64_t number);
 
-/// The same of unions of convex pieces: sizes are from 1 to most_random_pieces.
+/// Returns the same for unions of convex pieces, with sizes from 1 to most_random_pieces.
 Case random_unions(std::uint64_t seed, std::uint64_t number);
 
 // ---- two ways on a stream ----
 
 struct StreamPlan {
-  std::function<Case(std::uint64_t)> make;  ///< called from all threads
+  std::function<Case(std::uint64_t)> make;  ///< may be called by all threads
   std::uint64_t from = 0;                   ///< the first number
-  std::optional<std::uint64_t> count;       ///< of cases; without end unless given
-  unsigned jobs = 1;                        ///< threads; the caller's is one of them
-  std::function<bool()> stop;               ///< asked before each case: true ends the stream; from one thread at a time
+  std::optional<std::uint64_t> count;       ///< the number of cases; unlimited unless given
+  unsigned jobs = 1;                        ///< threads, including the caller's
+  std::function<bool()> stop;               ///< called before each case, by one thread at a time: true ends the stream
   std::function<void(std::uint64_t done)> report;  ///< called after each case, from one thread at a time; may be empty
 };
 
@@ -110,13 +110,13 @@ struct StreamDifference {
 };
 
 struct StreamResult {
-  std::uint64_t end = 0;                  ///< on the cases from `from` to before `end` the ways agree
+  std::uint64_t end = 0;                  ///< the solvers agree on the cases from `from` to before `end`
   std::optional<StreamDifference> first;  ///< on case `end` they differ
 };
 
 /// Compares case after case until the stream ends, is stopped, or a difference is found. The result
-/// does not depend on the number of threads, except on how far a stopped stream came. Throws what
-/// the ways throw that is no answer, as std::bad_alloc.
+/// does not depend on the number of threads, except for the end of a stopped stream. Rethrows
+/// exceptions of solvers that do not count as answers, such as std::bad_alloc.
 StreamResult compare_stream(const StreamPlan& plan, const Solver& x, const Solver& y);
 
 }  // namespace fathom::harness

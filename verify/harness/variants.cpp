@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every symmetry keeps the points exact, or it is not applied: so the depth of a variant is known
-// from that of the case, by the law.
+// A symmetry is applied only if it keeps all points exact, so that the depth of a variant follows
+// from that of the case.
 
 #include "verify/harness/variants.hpp"
 
@@ -25,10 +25,11 @@ namespace fathom::harness {
 namespace {
 
 constexpr long exponents[] = {10, -10, 3, -3, 1, -1};  // of scale, in the order in which they are tried
-constexpr long bulky = 20;         // coordinates from 2^bulky on are made smaller rather than larger
-constexpr std::uint64_t seed = 7;  // of all permutations
+constexpr long bulky = 20;                             // coordinates from 2^bulky on are scaled down rather than up
+constexpr std::uint64_t seed = 7;                      // of all permutations
 
-/// The coordinates of points; of a body that has words, of its place.
+/// Returns whether `fits` holds for all coordinates on the axis: of the points, or of the place of
+/// a described body.
 template <class Fits>
 bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
   for (const Body* body : {&pair.a, &pair.b}) {
@@ -46,8 +47,8 @@ bool all_coordinates(const Case& pair, std::size_t axis, Fits fits) {
   return true;
 }
 
-/// A power of two, or its negative, that can be added to all coordinates on this axis: the largest
-/// up to eight times the largest of them.
+/// Returns a power of two, or its negative, that can be added to all coordinates on this axis
+/// exactly: the largest one up to eight times the largest coordinate.
 std::optional<mpq_class> shift(const Case& pair, std::size_t axis, const NumberFormat& format) {
   mpq_class largest = 0;
   std::optional<long> finest;
@@ -152,7 +153,7 @@ std::optional<Variant> made(std::string_view name, const Case& as_seen, const Nu
   if (name == "translate") return translated(std::move(variant));
   if (name == "permute") return permuted(std::move(variant));
   if (name == "scale") return rescaled(std::move(variant));
-  return variant;  // once more
+  return variant;  // the same case once more
 }
 
 // Lengths are compared in the units of the original case, and by their exact squares: sqrt(p) -
@@ -166,17 +167,17 @@ double signed_root(const mpq_class& square) {
   return square < 0 ? -root : root;
 }
 
-/// Whether two lengths, given by their signed squares, differ by more than the square root of
-/// `allowed`.
+/// Returns whether two lengths, given by their signed squares, differ by more than the square root
+/// of `allowed`.
 bool differ(const mpq_class& p, const mpq_class& q, const mpq_class& allowed) {
   const mpq_class rest = abs(p) + abs(q) - allowed, product = 4 * abs(p) * abs(q);
   if ((p < 0) == (q < 0) || p == 0 || q == 0)
-    return rest > 0 && rest * rest > product;  // |p| + |q| - allowed > 2 sqrt(pq)
-  return rest > 0 || rest * rest < product;    // the lengths add up
+    return rest > 0 && rest * rest > product;  // that is, |p| + |q| - allowed > 2 sqrt(pq)
+  return rest > 0 || rest * rest < product;    // one length is negative, so their magnitudes add up
 }
 
-/// The depth, or the distance, that the answer is about; of shapes the most that it may be, here
-/// less the radii that the subject added, if that is the smaller one.
+/// Returns the square of the depth, or of the distance, that the answer is about; for shapes that
+/// of its upper bound, less the radii that the subject added, if that is smaller.
 mpq_class squared_length(const Reply& reply, const Judgement& judgement, const mpq_class& radii) {
   const bool far = !reply.overlap && reply.distance;
   if (!judgement.signed_depth) return far ? judgement.distance_squared : judgement.depth_squared;
@@ -186,7 +187,8 @@ mpq_class squared_length(const Reply& reply, const Judgement& judgement, const m
   return length * length;
 }
 
-/// Whether all of x differs from all of y / 2^exponent by more than the square root of `allowed`.
+/// Returns whether each value of x differs from each of y / 2^exponent by more than the square root
+/// of `allowed`.
 bool differ(const Between& x, const Between& y, long exponent, const mpq_class& allowed) {
   for (const double end : {x.low, x.high, y.low, y.high})
     if (!std::isfinite(end)) return false;
@@ -208,7 +210,7 @@ class Comparison {
     allow(tolerance, length_less(0), length_less(original.radii));
   }
 
-  /// What differs; empty if nothing differs by more than the tolerance.
+  /// Returns a sentence on the difference; empty if no difference exceeds the tolerance.
   [[nodiscard]] std::string difference() const {
     if (!original_.reply || !original_.judgement || original_.verdict == Verdict::nan)
       return fmt::format("the case itself ends in {}, {} of it does not", name(original_.verdict), of_variant());
@@ -217,7 +219,7 @@ class Comparison {
                          original_.reply->overlap ? "claimed" : "denied",
                          variant_.reply->overlap ? "claimed" : "denied", of_variant());
     if (original_.judgement->excess_allowed || variant_.judgement->excess_allowed)
-      return "";  // by the policy two answers may be right
+      return "";  // under such a policy two different answers may be right
     if (std::string text = of_lengths(); !text.empty()) return text;
     if (std::string text = of_separating_distances(); !text.empty()) return text;
     return of_contacts();
@@ -226,8 +228,7 @@ class Comparison {
  private:
   [[nodiscard]] std::string of_variant() const { return fmt::format("the variant \"{}\"", made_.name); }
 
-  /// Sets what is allowed: the larger of the tolerance and what rounding may change in both
-  /// answers.
+  /// Sets the allowances: the larger of the tolerance and the effect of rounding in both answers.
   void allow(const Tolerance& tolerance, const mpq_class& depth_squared, const mpq_class& less_radii) {
     const auto in_units = [&](const mpq_class& length) { return scaled(length, -made_.exponent); };
     const judging::Sizes there = sizes_of(made_.seen);
@@ -247,8 +248,8 @@ class Comparison {
     allowed_contacts_ = 4 * allowed(&judging::Slack::witness);
   }
 
-  /// The claimed depth, or distance, in the units of the original; of bodies that one answer says
-  /// are apart and the other not, the depth: 0.
+  /// Returns the claimed depth, or distance, in the units of the original. If only one answer
+  /// claims an overlap, the other has the depth 0.
   [[nodiscard]] std::optional<mpq_class> claimed(const Reply& reply, long exponent) const {
     if (!reply.overlap && !both_apart()) return mpq_class(0);
     const double* const length = judging::length_of(reply);
@@ -292,8 +293,8 @@ class Comparison {
     return {original_.judgement->separating_distance_squared, there};
   }
 
-  /// The positions of contacts in the place and the units of the original; empty if one is not
-  /// finite.
+  /// Returns the positions of contacts at the place and in the units of the original; empty if one
+  /// is not finite.
   [[nodiscard]] std::vector<Point> positions(const Reply& reply, const Point& step, long exponent) const {
     std::vector<Point> result;
     for (const ContactPoint& contact : reply.contacts) {
@@ -304,13 +305,14 @@ class Comparison {
     return result;
   }
 
-  /// Whether an answer leaves nothing out, by its own word: one that holds as many contacts as it
-  /// can may have chosen among more.
+  /// Returns whether the subject declares that an answer with so few contacts is complete. An
+  /// answer with the largest number may be a choice among more.
   [[nodiscard]] bool tells_all(const Reply& reply) const {
     return manifold_ && (!manifold_->most || reply.contacts.size() < *manifold_->most);
   }
 
-  /// Directions that differ may be those of different optima: then nothing is compared.
+  /// Compares contacts only if the directions are equal: different ones may be those of different
+  /// optima.
   [[nodiscard]] std::string of_contacts() const {
     if (!tells_all(*original_.reply) || !tells_all(*variant_.reply)) return "";
     const std::optional<Triple>&u = original_.reply->direction, &v = variant_.reply->direction;

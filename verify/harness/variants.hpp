@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Input   a case as a subject sees it.
-// Output  the same case put through a symmetry of the depth, exactly; and whether the subject
-//         answered both alike.                                                    [docs/certify.md]
+// Input   a case as it is put to a subject.
+// Output  the same case after a symmetry of the depth, exactly; and whether the subject gave the
+//         same answer to both.                                                    [docs/certify.md]
 #pragma once
 
 #include <map>
@@ -17,8 +17,8 @@
 
 namespace fathom::harness {
 
-/// The case under one symmetry. Every coordinate is a finite number of the subject's format, so it
-/// sees just these points.
+/// The case under one symmetry. Every coordinate is a finite number of the subject's format, so the
+/// subject gets exactly these points.
 struct Variant {
   std::string name;  ///< one of variant_names
   Case seen;         ///< under the id of the original
@@ -31,38 +31,38 @@ struct Variant {
 /// All names, in the order in which `variants` makes them.
 inline constexpr std::string_view variant_names[] = {"swap", "translate", "permute", "scale", "repeat"};
 
-/// The variants of `as_seen` that are exact in `format`, for those of the names that are known:
+/// Returns the variants of `as_seen` that are exact in `format`, for the known ones of the names:
 ///   swap       B for A and A for B
 ///   translate  both bodies moved by one vector, the longest of a few that keep every coordinate
 ///              exact
 ///   permute    the points of both bodies, or of each of their pieces, in another order, the same
 ///              each time
-///   scale      all coordinates times 2^10, or another power of two where that is not exact
-///   repeat     the case itself: once more, for subjects whose answers depend on what they were
-///              asked before Of a body that has words, its place moves, the vertices among its
-///              words change their order, and all its lengths are scaled. Variants that are not
-///              exact are left out; if `left_out` is given, a sentence about each is added to it.
+///   scale      all coordinates times 2^10, or another power of two if that is not exact
+///   repeat     the case itself once more, for subjects whose answers depend on earlier cases
+/// For a described body, the place is moved, the vertices in its description change their order,
+/// and all its lengths are scaled. Omits variants that are not exact; if `left_out` is given, adds
+/// a sentence about each of them to it.
 std::vector<Variant> variants(const Case& as_seen, const NumberFormat& format, std::span<const std::string> names,
                               std::vector<std::string>* left_out = nullptr);
 
-/// The depth of a variant, by the law alone: squares of lengths are 4^exponent times those of the
-/// original.
+/// Returns the depth of a variant by the law alone: squares of lengths are 4^exponent times those
+/// of the original.
 mpq_class depth_squared_of(const Variant& variant, const mpq_class& of_original);
 
 /// Compares the outcome of a variant with that of the original. If the variant passes by itself,
 /// but the subject's answers differ by more than the tolerance, the verdict becomes
-/// `not_invariant`, and the sentence says by how much. Compared are the depth, the separating
-/// distance of the direction, whether the bodies overlap (unless both answers are within the
-/// tolerance), and whether there is an answer at all; and where both answers have the same
-/// direction and a subject that declares a `manifold` tells fewer contacts than it can, how far
-/// these reach across it, which may differ by twice the tolerance. A variant that fails by itself
+/// `not_invariant`, and the sentence says by how much. Compares the depth, the separating distance
+/// of the direction, whether the bodies overlap (unless both answers are within the tolerance), and
+/// whether there is an answer at all. If both answers have the same direction, and a subject that
+/// declares a `manifold` reports fewer contacts than its maximum, also compares how far the
+/// contacts extend across the direction, with twice the tolerance. A variant that fails by itself
 /// keeps its verdict.
 Outcome compare_variant(const Outcome& original, const Outcome& variant, const Variant& made,
                         const Tolerance& tolerance, const std::optional<ContactLimits>& manifold);
 
-/// Examines a case and then its variant of this name: the outcome of the variant, compared. For
-/// shrinking. A case without such a variant yields the outcome of the case itself. `fit`: the size
-/// that the case is brought to; see exponent_to_fit.
+/// Returns a function for `shrink`: it examines a case and then its variant of this name, and
+/// returns the outcome of the variant, compared. A case without such a variant yields the outcome
+/// of the case itself. `fit`: the size to which the case is brought; see exponent_to_fit.
 Examine examine_variant(ExamineInUnit examine, std::string name, NumberFormat format, Tolerance tolerance,
                         std::optional<mpq_class> fit, std::optional<ContactLimits> manifold);
 

@@ -12,7 +12,7 @@
 namespace fathom::judging {
 namespace {
 
-/// x * 2^exponent, if that is a number of binary64.
+/// Returns x * 2^exponent, if that is a number of binary64.
 std::optional<double> same_in_unit(double x, int exponent) {
   const double there = std::ldexp(x, exponent);
   return std::isfinite(there) && std::ldexp(there, -exponent) == x ? std::optional(there) : std::nullopt;
@@ -40,21 +40,22 @@ constexpr Digits digits_of(Precision precision) {
 
 mpq_class power_of_two(long exponent) { return scaled(1, exponent); }
 
-/// The e with 2^e <= sqrt(squared) < 2^(e+1). For a square above 0.
+/// Returns the e with 2^e <= sqrt(squared) < 2^(e+1), for a square above 0.
 long exponent_of_root(const mpq_class& squared) {
-  long e = (kernels::binary_order(squared) - 1) >> 1;  // at most that, and short by 1 at most
+  long e = (kernels::binary_order(squared) - 1) >> 1;  // a lower bound, too small by 1 at most
   while (power_of_two(2 * (e + 1)) <= squared) ++e;
   return e;
 }
 
 mpq_class square(const mpq_class& x) { return x * x; }
 
-/// |d - sqrt(squared)| <= t.
+/// Returns whether |d - sqrt(squared)| <= t.
 bool within(const mpq_class& d, const mpq_class& squared, const mpq_class& t) {
   return sign({d - t, -squared}) <= 0 && sign({d + t, -squared}) >= 0;
 }
 
-/// Whether d is the depth, correctly rounded to the format. A depth beyond it has no such number.
+/// Returns whether d is the depth, correctly rounded to the format. A depth beyond its range has no
+/// such number.
 bool correctly_rounded(const mpq_class& d, const mpq_class& squared, const NumberFormat& format) {
   const mpq_class there = scaled(squared, 2 * format.exponent);
   const double nearest =
@@ -106,7 +107,7 @@ const double* length_of(const Reply& reply) {
 
 std::optional<mpq_class> deepest_contact(const Claim& claim) {
   if (!claim.length || claim.contact_depths.empty()) return std::nullopt;
-  const std::optional<mpq_class>& deepest = *std::ranges::max_element(claim.contact_depths);  // one is more than none
+  const std::optional<mpq_class>& deepest = *std::ranges::max_element(claim.contact_depths);  // nullopt is least
   return deepest ? std::optional<mpq_class>(*deepest - *claim.length) : std::nullopt;
 }
 

@@ -29,7 +29,7 @@ constexpr unsigned speed_bits = 40;
 
 mpq_class rounded_up(const mpq_class& squared) { return kernels::enclosed({0, squared}, speed_bits).high; }
 
-/// Those that a body's core is the hull of; O of one that is curved.
+/// Returns the points whose hull is the body's core; O for a curved core.
 std::vector<Point> points_of(const Body& body) {
   std::vector<Point> points;
   if (body.pieces)
@@ -55,7 +55,7 @@ std::string number_text(const mpq_class& signed_square) {
   return fmt::format("{:.6g}", kernels::nearest_binary64({0, signed_square}));
 }
 
-/// Of the body, where the core's point has been moved outward.
+/// Returns the body's point: that of the core, moved outward by the radius.
 std::string point_text(const RoundedPoint& point) {
   const auto [x, y, z] = rounded::nearest_binary64(point);
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", x, y, z);
@@ -68,7 +68,7 @@ std::string direction_text(const Vector& n) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", share(n.x), share(n.y), share(n.z));
 }
 
-/// What a wrong claim is instead, by its numbers alone.
+/// Finds a well-known other rate that equals a wrong claim, by comparing the numbers alone.
 class Instead {
  public:
   Instead(const ContactGeometry& geometry, const Motion& motion, const DirectionalDerivative& right, mpq_class claimed,
@@ -81,7 +81,7 @@ class Instead {
         allowed_(allowed),
         within_(0, 0, allowed) {}
 
-  /// A clause, or "".
+  /// Returns a clause on that rate, or "".
   [[nodiscard]] std::string told(const Claim& claim) const {
     if (is(-squared_)) return "the right rate with the other sign";
     for (std::string text : {of_differences(), of_witness(claim), of_patches()})
@@ -92,14 +92,15 @@ class Instead {
  private:
   [[nodiscard]] bool is(const mpq_class& signed_square) const { return !within_.off(claimed_, signed_square); }
 
-  /// At points of A and of B, along one direction: the signed square.
+  /// Returns the rate at points of A and B along one direction, as a signed square.
   [[nodiscard]] mpq_class rate_at(const Vector& n, const Point& a, const Point& b) const {
     const Point apart = motion_.of_b.v + cross(motion_.of_b.w, b) - motion_.of_a.v - cross(motion_.of_a.w, a);
     const mpq_class rate = dot(n, apart);
     return rate * abs(rate) / dot(n, n);
   }
 
-  /// Of the depth before and behind: at a kink the rate until now is another one.
+  /// Compares with difference quotients: at a kink the rate before the given time differs from the
+  /// one after it.
   [[nodiscard]] std::string of_differences() const {
     const auto until_now = directional_derivative(geometry_, reversed(motion_.of_a), reversed(motion_.of_b));
     const auto* const found = std::get_if<DirectionalDerivative>(&until_now);
@@ -145,8 +146,8 @@ class Instead {
     return "";
   }
 
-  /// A clause on the contact point that decides; "" of cores that touch, where several may do so
-  /// together.
+  /// Returns a clause on the contact point that decides; "" if cores touch, as several points may
+  /// decide together then.
   [[nodiscard]] std::string decisive(std::string_view before) const {
     if (geometry_.cone) return "";
     return fmt::format("{}{} decides", before, point_text(geometry_.patches.at(right_.patch).a(right_.corner)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A claimed derivative of the signed depth, judged: the exact one-sided rate at which the depth
-// grows as two bodies begin to move, and what a wrong claim is instead.
+// Judges a claimed derivative of the signed depth: compares it with the exact one-sided rate at
+// which the depth grows as two bodies begin to move, and finds which other rate a wrong claim
+// equals.
 //                                           [VERDICTS.md, "wrong-derivative"; proofs/patch.md]
 #pragma once
 
@@ -13,15 +14,15 @@
 
 namespace fathom::judging {
 
-/// Judges the derivative that the reply claims about these bodies, whose answer is known: wrong by
-/// more than the tolerance times the largest speed of a point is wrong. The rest of the reply is
-/// looked at to say what a wrong claim is instead. Throws Interrupted.
+/// Judges the derivative that the reply claims about these bodies, whose answer is known. A
+/// difference of more than the tolerance times the largest speed of a point is wrong. Other fields
+/// of the reply serve to find which other rate a wrong claim equals. Throws Interrupted.
 DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer& answer, const Motion& motion,
                                       const Reply& reply, const Conventions& conventions, const NumberFormat& format,
                                       const Tolerance& tolerance, Monitor* monitor = nullptr);
 
-/// The largest speed that the motion gives a point of either body, rounded up by 2^-40 of itself.
-/// A half-space counts as having the points of the other body. A core that is curved counts as O.
+/// Returns the largest speed that the motion gives a point of either body, rounded up by 2^-40 of
+/// itself. A half-space has the points of the other body. A curved core counts as O.
 mpq_class largest_speed(const Body& a, const Body& b, const Motion& motion);
 
 }  // namespace fathom::judging

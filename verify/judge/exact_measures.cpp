@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Polytopes and unions of them, measured: every length is a rational or a root, and every
-// comparison exact.                                                               [proofs/judge.md]
+// Measures polytopes and unions of them: every length is a rational or a root, and every comparison
+// exact. [proofs/judge.md]
 
 #include <fmt/format.h>
 #include <gmpxx.h>
@@ -24,7 +24,7 @@ namespace {
 
 double root(const mpq_class& squared) { return root_binary64(squared, Rounding::rn); }
 
-/// What both have in common: all questions but those about directions.
+/// The part that polytopes and unions share: all questions except those about directions.
 class ExactMeasures : public Measures {
  public:
   [[nodiscard]] std::optional<Status> status() const override { return status_; }
@@ -57,12 +57,12 @@ class ExactMeasures : public Measures {
   [[nodiscard]] double contact_away_b() const override;
 
  protected:
-  /// The squares of depth and distance; there is none of bodies that are not disjoint, or where it
-  /// is not known. `tolerance` outlives it.
+  /// Takes the squares of depth and distance; nullopt if the bodies are not disjoint, or if the
+  /// distance is unknown. `tolerance` must outlive this object.
   ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
                 const NumberFormat& format, const Tolerance& tolerance);
 
-  /// The squared distance of a point from A, or from B; 0 on the body.
+  /// Returns the squared distance of a point from A, or from B; 0 for points of the body.
   [[nodiscard]] virtual mpq_class squared_distance_a(const Point& point) const = 0;
   [[nodiscard]] virtual mpq_class squared_distance_b(const Point& point) const = 0;
   /// Writes the residuals of a direction, if there is one.
@@ -73,7 +73,7 @@ class ExactMeasures : public Measures {
 
  private:
   [[nodiscard]] mpq_class rounding_unit() const;  ///< u R
-  /// Of the contacts that are off.
+  /// Returns the greatest squared distance of the contacts that are off.
   [[nodiscard]] std::optional<mpq_class> farthest_off(const Claim& claim, const std::vector<mpq_class>& squared) const;
   void ask_for_distance(const mpq_class& squared);
   void measure_length(const mpq_class& d, Judgement& result) const;
@@ -84,11 +84,11 @@ class ExactMeasures : public Measures {
   std::optional<mpq_class> distance_;  // squared
   NumberFormat format_;
   const Tolerance& tolerance_;
-  mpq_class squared_;  // of the length in question
+  mpq_class squared_;  // of the length in question: the depth or the distance
   Allowances allowed_;
   std::optional<mpq_class> away_a_, away_b_;
   std::vector<mpq_class> contacts_a_, contacts_b_;            // squared distances
-  std::optional<mpq_class> contact_away_a_, contact_away_b_;  // of those that are off the greatest
+  std::optional<mpq_class> contact_away_a_, contact_away_b_;  // the greatest of those that are off
 };
 
 ExactMeasures::ExactMeasures(Sizes sizes, Status status, mpq_class depth, std::optional<mpq_class> distance,
@@ -169,7 +169,7 @@ std::optional<mpq_class> distance_of(const Depth& depth) {
   return depth.distance() ? std::optional(depth.distance()->squared) : std::nullopt;
 }
 
-/// Directions are judged by the plane across them and the way along them.
+/// Judges directions by the plane across them and the way along them.
 class PolytopeMeasures final : public ExactMeasures {
  public:
   PolytopeMeasures(const Truth& truth, const NumberFormat& format, const Tolerance& tolerance)
@@ -236,7 +236,7 @@ class PolytopeMeasures final : public ExactMeasures {
   const Truth& truth_;
   Scene scene_;
   std::optional<mpq_class> separating_distance_squared_;
-  std::optional<Vector> way_;  // whose exit distance is known, and maybe whose separating distance
+  std::optional<Vector> way_;  // the direction whose exit distance, and perhaps separating distance, is known
   mpq_class exit_distance_squared_;
 };
 
@@ -252,7 +252,8 @@ Pieces moved(const Pieces& pieces, const mpq_class& factor, const Vector& u) {
   return result;
 }
 
-/// The root of a square less `off`, or more; correctly rounded if that makes no difference.
+/// Returns the square root less `off`, rounded down, or correctly rounded if `off` makes no
+/// difference.
 double least_root(const mpq_class& squared, const mpq_class& off) {
   const double low = kernels::nearest_binary64({-off, squared});
   if (low == kernels::nearest_binary64({off, squared})) return low;
@@ -264,15 +265,14 @@ std::optional<mpq_class> distance_of(const UnionDepth& depth) {
   return depth.apart ? std::optional(depth.apart->distance.squared) : std::nullopt;
 }
 
-/// How the bodies lie after a translation.
+/// The position of the bodies after a translation.
 struct Left {
   mpq_class depth, distance;  ///< squared, where A has moved by a rational vector
-  mpq_class off;              ///< no less than the length by which that differs from the translation in question
+  mpq_class off;              ///< an upper bound of the distance between that vector and the translation in question
 };
 
-/// A translation is judged by what it leaves, the signed depth of A + t and B, which is found by
-/// one more search. t is a root times a direction, and is known to as many bits as a question
-/// needs.
+/// Judges a translation t by the signed depth of A + t and B, found by one more search. t is a
+/// direction times a root, approximated to as many bits as a question needs.
 class UnionMeasures final : public ExactMeasures {
  public:
   UnionMeasures(const UnionTruth& truth, const NumberFormat& format, const Tolerance& tolerance, Monitor* monitor)
@@ -323,7 +323,7 @@ class UnionMeasures final : public ExactMeasures {
     if (claim.overlap && status() == Status::penetrating && overlap > 0) result.overlap_left = overlap;
   }
 
-  /// Whether so much of the depth, or of the distance, is left that it is more than tol.
+  /// Returns whether the depth, or the distance, after the translation exceeds tol.
   bool leaves(const Vector& u, const mpq_class& way, const mpq_class Left::*what) {
     for (unsigned bits = first_bits;; bits *= 2) {
       const Left& left = after(u, way, bits);
@@ -359,11 +359,11 @@ class UnionMeasures final : public ExactMeasures {
 
   const UnionTruth& truth_;
   Monitor* monitor_;
-  mpq_class claimed_;            // length
-  Vector claimed_way_{0, 0, 0};  // direction
-  Left told_;                    // what the claim leaves, its length mended
-  // The translation that was looked at last, by a direction and a length along it, and what it
-  // leaves:
+  mpq_class claimed_;            // the claimed length
+  Vector claimed_way_{0, 0, 0};  // the claimed direction
+  Left told_;                    // after the claimed translation, with the sign of its length corrected
+  // The last translation that was applied, as a direction and a length along it, and the position
+  // after it:
   Vector moved_along_{0, 0, 0};
   mpq_class moved_by_;
   unsigned moved_bits_ = 0;

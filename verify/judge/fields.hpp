@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The fields of a judgement, once: name, meaning, unit, since. The JSON of reports, out and in, the
-// struct of C, the dict of Python and the pages of failures are made from this table.
-// tests/harness/fields_test.cpp compares with it what cannot be: schema, header of C, class of
-// Python, pages of text.     [reference/text/fields.hpp; VERDICTS.md; verdict.schema.json]
+// The table of the fields of a judgement: name, meaning, unit, since. The JSON of reports, written
+// and read, the struct of C, the dict of Python and the pages of failures are made from it.
+// tests/harness/fields_test.cpp compares with it what is not made from it: schema, header of C,
+// class of Python, pages of text.     [reference/text/fields.hpp; VERDICTS.md; verdict.schema.json]
 #pragma once
 
 #include <gmpxx.h>
@@ -24,16 +24,16 @@ using text::field;
 using text::member_count;
 using text::stored_fields;
 
-// ---- the claim: what an implementation declares and answers ----
+// ---- the claim: declarations and answers of an implementation ----
 
-/// A value of an enumeration, by its word.
+/// Writes a value of an enumeration as its word.
 template <class Value>
 struct Word {
   std::string_view word;
   Value value;
 };
 template <class Value>
-Word(const char*, Value) -> Word<Value>;  // clang 14 asks for it
+Word(const char*, Value) -> Word<Value>;  // required by clang 14
 inline constexpr std::array words_of_touching{Word{"overlap", Conventions::Touching::overlap},
                                               Word{"separate", Conventions::Touching::separate},
                                               Word{"either", Conventions::Touching::either}};
@@ -101,7 +101,7 @@ constexpr const auto& fields_of(const ContactPoint*) { return contact_fields; }
 
 // ---- the judgement ----
 
-/// Of a derivative, in the order of JSON.
+/// The fields of a derivative, in the order of JSON.
 inline constexpr std::tuple derivative_fields{
     field("claimed", &DerivativeJudgement::claimed, "length/time", "As it was understood."),
     field("squared", &DerivativeJudgement::squared, "length^2/time^2",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One answer, point by point as on the page VERDICTS.md: the classification, the depth or distance,
-// the direction, the witness points. Every comparison is exact; only what is shown is rounded.
-//                                                                                 [proofs/judge.md]
+// Judges one answer, point by point as on the page VERDICTS.md: the classification, the depth or
+// distance, the direction, the witness points. Every comparison is exact; only shown numbers are
+// rounded. [proofs/judge.md]
 #include "fathom/judge.hpp"
 
 #include <fmt/format.h>
@@ -29,19 +29,19 @@ namespace {
 
 // ---- the judgement in one line of English ----
 
-/// Which of several reasons a finding has.
+/// The reasons of findings that may have several.
 struct Remarks {
   bool tolerated = false;                                  ///< the classification is wrong, within the tolerance
   bool length_sign = false, direction_sign = false;        ///< wrong, and corrected in the claim
   bool witness_a = false, witness_b = false, gap = false;  ///< off
   bool contact_a = false, contact_b = false;               ///< off
-  bool separating_distance = false, deepest = false;       ///< not the claimed length
+  bool separating_distance = false, deepest = false;       ///< differs from the claimed length
 };
 
 std::string amount(double difference) { return fmt::format("{:.4g}", std::abs(difference)); }
 
-/// Findings one after another, each with its numbers: depths and claims as shortest decimals,
-/// differences to four digits.
+/// Writes the sentence of a judgement: findings one after another, each with its numbers; depths
+/// and claims as shortest decimals, differences to four digits.
 class Teller {
  public:
   Teller(const Judgement& judgement, const Measures& truth, const Reply& reply, const Claim& mended,
@@ -66,7 +66,7 @@ class Teller {
   [[nodiscard]] std::string shortest(double x) const {
     const bool narrow = format_.answers == Precision::binary32 && std::isfinite(x) && kernels::nearest_binary32(x) == x;
     return narrow ? fmt::format("{}", static_cast<float>(x))
-                  : fmt::format("{}", x);  // in another unit it may be no binary32
+                  : fmt::format("{}", x);  // a number in another unit may not be a binary32
   }
   [[nodiscard]] std::string depth() const { return truth_.depth(); }
   [[nodiscard]] std::string claimed() const { return shortest(kernels::nearest_binary64({*claim_.length, 0})); }
@@ -163,7 +163,7 @@ class Teller {
     return result;
   }
 
-  /// The first of those that are wrong so, and how many others are.
+  /// Describes the first contact with this finding, and counts the others.
   [[nodiscard]] std::string of_contacts(Verdict finding) const {
     const auto others = std::ranges::count(faults_, finding, &ContactFault::finding) - 1;
     const std::string& first = std::ranges::find(faults_, finding, &ContactFault::finding)->sentence;
@@ -212,7 +212,7 @@ class Teller {
 
 class Judge {
  public:
-  /// `polytopes`: what the measures are of, if it is these; else null.
+  /// `polytopes`: the truth, if the measures are those of polytopes; else null.
   Judge(Measures& truth, const Truth* polytopes, const Reply& reply, const Conventions& conventions,
         const NumberFormat& format, const Tolerance& tolerance)
       : truth_(truth),
@@ -229,7 +229,7 @@ class Judge {
     if (const std::optional<mpq_class> off = deepest_contact(claim_))
       result_.deepest = kernels::nearest_binary64({*off, 0});
     classification();
-    if (length_of(reply_)) {  // without one, no more than the classification is judged
+    if (length_of(reply_)) {  // else only the classification is judged
       if (!claim_.finite) found(Verdict::nan);
       length();
       direction();
@@ -242,14 +242,14 @@ class Judge {
     result_.sentence = Teller(result_, truth_, reply_, claim_, format_, remarks_, faults_).all();
     return std::move(result_);
   }
-  /// What is wrong with the contacts of polytopes, after a run.
+  /// Returns the faults of contacts of polytopes, after a run.
   std::vector<ContactFault>& faults() { return faults_; }
 
  private:
   void found(Verdict verdict) { result_.findings.push_back(verdict); }
 
-  /// |(b - a) - w u / |u||^2, where w is the way of A, for the claim as it stands; where no
-  /// direction is claimed, (|b - a| - length)^2.
+  /// Returns |(b - a) - w u / |u||^2, where w is the way of A, for the claim before corrections;
+  /// without a claimed direction, (|b - a| - length)^2.
   [[nodiscard]] std::optional<Surd> squared_gap() const {
     if (!claim_.witness_a || !claim_.witness_b || !claim_.length) return std::nullopt;
     const Point &a = *claim_.witness_a, &b = *claim_.witness_b;
@@ -280,7 +280,7 @@ class Judge {
     if (!status) remarks_.tolerated = true;
   }
 
-  /// Mends a wrong sign before the rest is judged.
+  /// Corrects a wrong sign before the rest is judged.
   void length() {
     if (!claim_.length) return;
     mpq_class& d = *claim_.length;
@@ -316,7 +316,8 @@ class Judge {
     if (overlaps) found(Verdict::not_separating);
   }
 
-  /// A depth is as deep as the policy allows if it is the separating distance of its own direction.
+  /// Decides whether a depth that is too long is allowed by the policy: as the separating distance
+  /// of its own direction.
   void too_deep() {
     result_.excess_allowed =
         claim_.direction && !truth_.is_inconsistent(*claim_.direction, *claim_.length) && allows(*claim_.direction);
@@ -356,7 +357,7 @@ class Judge {
     if (remarks_.deepest) found(Verdict::inconsistent);
   }
 
-  /// Where neither the classification nor a sign is wrong.
+  /// Judges all contacts together, unless the classification or a sign is wrong.
   void manifold() {
     const auto is_first = [](Verdict finding) { return finding <= Verdict::wrong_sign; };
     if (!polytopes_ || claim_.contacts.empty() || std::ranges::any_of(result_.findings, is_first)) return;
@@ -367,7 +368,7 @@ class Judge {
       result_.extent_missed_squared = extent->missed_squared;
       result_.extent_covered_squared = extent->covered_squared;
     }
-    // A longer translation that passes has a patch of its own, and is longer than any local depth.
+    // A longer translation that is allowed has a patch of its own, and exceeds every local depth.
     if (result_.excess_allowed)
       std::erase_if(faults_, [&](const ContactFault& fault) {
         return !fault.contact || (fault.finding == Verdict::contact_too_deep && !claim_.contact_depths[*fault.contact]);
@@ -410,7 +411,7 @@ Body body_of(const GivenPoints& points) { return {points}; }
 Body body_of(const Shape& shape) { return {{}, shape}; }
 Body body_of(const Pieces& pieces) { return {.points = {}, .pieces = std::make_shared<const Pieces>(pieces)}; }
 
-/// How an answer is judged.
+/// A reply, and the parameters of judging it.
 struct Question {
   const Reply& reply;
   const Conventions& conventions;
@@ -420,7 +421,7 @@ struct Question {
   Monitor* monitor;
 };
 
-/// The judgement, with that on the derivative added: if there is one, and a motion.
+/// Returns the judgement with that on the derivative, if one is claimed for a motion.
 template <class AnyKnown>
 Judgement with_derivative(Judgement judgement, const AnyKnown& truth, const Question& asked) {
   if (!asked.motion || !asked.reply.derivative) return judgement;

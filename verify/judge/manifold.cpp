@@ -19,10 +19,10 @@ namespace fathom::judging {
 namespace {
 
 constexpr unsigned position_bits = 40;
-/// Corners of which subsets are tried.
+/// The most corners of a polygon among whose subsets the best is sought.
 constexpr std::size_t most_tried = 10;
 
-/// Moved along n into the plane of O.
+/// Returns the point moved along n into the plane through O.
 Point shadow(const Vector& n, const Point& p) { return p - mpq_class(dot(n, p) / mpq_class(dot(n, n))) * n; }
 
 std::vector<Point> shadows(const Vector& n, std::span<const Point> points) {
@@ -31,8 +31,9 @@ std::vector<Point> shadows(const Vector& n, std::span<const Point> points) {
   return result;
 }
 
-/// The farthest of the corners of a polygon, in order, from the hull of `count` of them, which are
-/// as near as can be, squared; of more than most_tried as near as some can be.
+/// Returns the least squared distance such that `count` corners of a polygon can be chosen whose
+/// hull is within it of all corners; `corners` are in order. With more than most_tried corners it
+/// tries some of them only, and the result is an upper bound.
 mpq_class least_missed_squared(const std::vector<Point>& corners, std::size_t count) {
   if (corners.size() <= count) return 0;
   const std::size_t tried = std::min(corners.size(), std::max(count, most_tried));
@@ -52,13 +53,13 @@ mpq_class least_missed_squared(const std::vector<Point>& corners, std::size_t co
   return *least;
 }
 
-/// Whether v is along n but for an angle whose sine is 1/64.
+/// Returns whether the angle between v and n has a sine of at most 1/64.
 bool nearly_along(const Vector& v, const Vector& n) {
   const Vector across = cross(v, n);
   return dot(v, n) > 0 && 4096 * dot(across, across) <= dot(v, v) * dot(n, n);
 }
 
-/// The corners of the hull of shadows along n, as those of a face.
+/// Returns the corners of the hull of shadows along n, in the order of a face.
 std::vector<std::uint32_t> corners_seen(const std::vector<Point>& shadows, const Vector& n) {
   std::vector<Vec3<mpq_class>> points;
   for (const Point& p : shadows) points.push_back({p.x, p.y, p.z});
@@ -67,7 +68,8 @@ std::vector<std::uint32_t> corners_seen(const std::vector<Point>& shadows, const
   return polytope::polygon_corners(points, std::move(ids), Vec3<mpq_class>{n.x, n.y, n.z});
 }
 
-/// What the hulls of shadows share, by its corners; empty if that is nothing.
+/// Returns the corners of the intersection of the hulls of two sets of shadows; empty if it is
+/// empty.
 std::vector<Point> common(const std::vector<Point>& one, const std::vector<Point>& other, const Vector& n) {
   if (one.empty() || other.empty()) return {};
   const std::vector<std::uint32_t> of_one = corners_seen(one, n), of_other = corners_seen(other, n);
@@ -76,7 +78,7 @@ std::vector<Point> common(const std::vector<Point>& one, const std::vector<Point
 
 mpq_class squared_length(const std::vector<Point>& ends) { return dot(ends[1] - ends[0], ends[1] - ends[0]); }
 
-/// Of corners in order, in a plane across n: the area, times |n|.
+/// Returns the area times |n| of a polygon in a plane across n, given by its corners in order.
 mpq_class area_along(const Vector& n, const std::vector<Point>& corners) {
   mpq_class sum = 0;
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
@@ -100,7 +102,7 @@ ContactJudge::ContactJudge(const Truth& truth, const Claim& claim, const Allowan
   if (declared) {
     margin_ = Allowance(0, 0, scaled(exact_value(declared->margin), -exponent));
     most_ = declared->most;
-    promised_ = !most_ || *most_ > 1;  // one contact has no extent
+    promised_ = !most_ || *most_ > 1;  // one contact alone has no extent
   }
   if (promised_ || slack_) find_extents();
 }
@@ -127,10 +129,10 @@ std::vector<Point> ContactJudge::with_slack(const Extent& extent, const mpq_clas
   return corners;
 }
 
-/// A subject that answers at most so many contacts chooses among the corners where the bodies
-/// overlap as deep, within the tolerance of a depth, or among those of the patch: what the best
-/// choice must miss is allowed. Of a patch with slack that slack is allowed too, and there is no
-/// other choice.
+/// Returns how far a corner may be from the contacts. A subject that reports at most `most_`
+/// contacts chooses among the corners where the bodies overlap as deep, within the tolerance of a
+/// depth, or among those of the patch: what the best choice misses is allowed. For a patch with
+/// slack, the slack is allowed in place of the first choice.
 ContactJudge::Reach ContactJudge::reach_of(const Extent& extent) const {
   Reach reach{slack_ ? mpq_class(near_ + *slack_) : near_};
   if (!most_) return reach;
@@ -184,13 +186,13 @@ const mpq_class& ContactJudge::claimed(std::size_t contact) const {
   return own ? *own : *claim_.length;
 }
 
-/// Of factor |v|.
+/// Returns the signed square of factor |v|.
 mpq_class ContactJudge::signed_square(const mpq_class& factor) const {
   return factor * abs(factor) * dot(*claim_.direction, *claim_.direction);
 }
 
-/// Whether the contact is claimed to be deeper than an overlap, by more than is allowed; or less
-/// deep.
+/// Returns whether the claimed depth of the contact exceeds an overlap by more than the allowance;
+/// the second function, whether it falls short of it.
 bool ContactJudge::deeper(std::size_t contact, const mpq_class& factor) const {
   const mpq_class &d = claimed(contact), overlap = signed_square(factor);
   if (!depth_.above(d, overlap)) return false;
@@ -200,7 +202,7 @@ bool ContactJudge::shallower(std::size_t contact, const mpq_class& factor) const
   return claim_.contact_depths[contact] && depth_.below(claimed(contact), signed_square(factor));
 }
 
-// The line through the position is asked first: it answers for most contacts.
+// The line through the position itself is tried first, because it decides most contacts.
 void ContactJudge::judge_contact(const patch::LinesAlong& lines, std::size_t contact,
                                  std::vector<ContactFault>& faults) const {
   const Point& x = claim_.contacts[contact];
@@ -260,7 +262,7 @@ std::optional<MissedPoint> ContactJudge::missed(const Extent& extent, const Poin
   return MissedPoint{n, point, outside->away};
 }
 
-/// Of the corners, and how far it is away, squared.
+/// Returns the missed corner that is farthest from the contacts, and its squared distance.
 std::optional<MissedPoint> ContactJudge::farthest_missed(const Extent& extent, const Reach& reach,
                                                          mpq_class& farthest) const {
   std::optional<MissedPoint> worst;
@@ -327,8 +329,9 @@ bool ContactJudge::proves(const ContactFault& fault) const {
   return rise == 1 && deeper(*fault.contact, limit);
 }
 
-/// The lines are the corners of what the shadows of both bodies and of the box share; the bodies
-/// overlap by too much on each, and so, as the overlap is concave, on all between them.
+/// Checks that the lines are the corners of the intersection of the shadows of both bodies and of
+/// the box. The overlap is too large on each line, and therefore, as it is concave, on all lines
+/// between them.
 bool ContactJudge::proves_too_shallow(const ContactFault& fault) const {
   const Vector& v = *claim_.direction;
   const Point& x = claim_.contacts[*fault.contact];

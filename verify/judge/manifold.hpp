@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contacts of an answer, one by one and as a whole: each has its own depth along the direction
-// of all, and together they cover the patch where the bodies touch after the shortest way out.
-//                                                    [VERDICTS.md, "Contacts"; proofs/judge.md]
+// Judges the contacts of an answer, one by one and as a whole: each has its own depth along the
+// common direction, and together they cover the patch where the bodies touch after the shortest way
+// out.                                 [VERDICTS.md, "Contacts"; proofs/judge.md]
 #pragma once
 
 #include <gmpxx.h>
@@ -18,67 +18,69 @@
 
 namespace fathom::judging {
 
-/// What is wrong with contacts, all of which is told with a proof.
+/// Returns whether the finding is about contacts. Each such finding has a proof.
 constexpr bool is_of_contacts(Verdict finding) {
   return finding >= Verdict::contact_outside && finding <= Verdict::tips;
 }
 
-/// A point of a patch that the contacts do not reach, seen along the patch's direction n.
+/// A point of a patch that the hull of the contacts does not reach, in the projection along the
+/// patch's direction n.
 struct MissedPoint {
   Vector direction;  ///< n
   Point point;       ///< on A
-  Vector away;       ///< orthogonal to n: no contact is so far along it as the point, by more than is allowed
+  Vector away;       ///< orthogonal to n: the point is farther along it than every contact, by more than the allowance
 };
 
 /// A finding with its proof.
 struct ContactFault {
-  Verdict finding;                         ///< one of those of contacts
-  std::optional<std::size_t> contact;      ///< which of the reply's it is about; none if it is about all
-  std::optional<patch::TwoPlanes> planes;  ///< of one that is outside or too deep
-  std::vector<patch::LineOverlap> lines;   ///< of one that is too shallow: the corners of all lines near it
-  std::vector<MissedPoint> missed;         ///< of all: a corner of each patch, or the centroid of one
-  std::string sentence;                    ///< for people, one line
+  Verdict finding;                         ///< a finding about contacts
+  std::optional<std::size_t> contact;      ///< the index of a contact in the reply; nullopt: about all
+  std::optional<patch::TwoPlanes> planes;  ///< for contact_outside and contact_too_deep
+  std::vector<patch::LineOverlap> lines;   ///< for contact_too_shallow: the corners of all lines near the contact
+  std::vector<MissedPoint> missed;         ///< for findings about all contacts: a corner or the centroid of each patch
+  std::string sentence;                    ///< one line of text
 };
 
-/// Contacts beside a patch with slack, exactly.
+/// The exact measures of contacts beside a patch with slack.
 struct MeasuredExtent {
-  mpq_class missed_squared;                  ///< how far its corners are from the contacts' hull, at most
-  std::optional<mpq_class> covered_squared;  ///< the share of its area, or length, in that hull; none of a point
+  mpq_class missed_squared;                  ///< the largest distance of its corners from the contacts' hull
+  std::optional<mpq_class> covered_squared;  ///< the share of its area, or length, in that hull; nullopt for a point
 };
 
-/// Judges the contacts of one answer about two polytopes. Lengths and points may be off by what is
-/// allowed, of positions rounded up by 2^-40.
+/// Judges the contacts of one answer about two polytopes. Lengths and points may be off by the
+/// allowances; that of positions is rounded up by 2^-40.
 class ContactJudge {
  public:
-  /// All must outlive it. `declared`: by its unit, 2^exponent times that of the truth. `slack`: of
-  /// the patch, see Tolerance.
+  /// The arguments must outlive the object. The unit of `declared` is 2^exponent times that of the
+  /// truth. `slack`: that of the patch, see Tolerance.
   ContactJudge(const Truth& truth, const Claim& claim, const Allowances& allowed,
                const std::optional<ContactLimits>& declared, long exponent, const std::optional<mpq_class>& slack);
 
-  /// All that is wrong, in order of contacts, those about all of them at last; only the first that
-  /// holds of each contact. Positions, depths and the direction are taken as they stand: an answer
-  /// with a wrong sign is to be judged by that first. Empty for an answer without contacts beside a
-  /// depth, or with numbers that are not finite.
+  /// Returns all faults: those of single contacts in their order, only the first of each contact;
+  /// then those of all contacts. Positions, depths and the direction are not corrected: correct a
+  /// wrong sign first. Empty for an answer without contacts beside a depth, or with numbers that
+  /// are not finite.
   [[nodiscard]] std::vector<ContactFault> faults() const;
 
-  /// Where there is a slack, whatever was declared: of the optimum along the claim for which less
-  /// is missed. nullopt if there is none, without contacts, and where not all optima are listed.
+  /// Returns the measures for a slack, whatever was declared, of the optimum along the claim for
+  /// which less is missed. Returns nullopt without a slack, without contacts, and if not all optima
+  /// are listed.
   [[nodiscard]] std::optional<MeasuredExtent> measured() const;
 
-  /// Whether a fault follows from the numbers that it holds, by products of them with all points;
-  /// that of a contact too shallow by clipping the bodies' shadows.
+  /// Returns whether a fault follows from the numbers that it holds, by products of them with all
+  /// points; that of a contact that is too shallow, by clipping the bodies' shadows.
   [[nodiscard]] bool proves(const ContactFault& fault) const;
 
  private:
-  /// How far a point may be from the contacts: a length, and a root beside it.
+  /// The allowed distance of a point from the contacts: the sum of a length and a root.
   struct Reach {
     mpq_class length, squared = 0;
   };
   struct Extent {
     Vector direction;
     mpq_class support;
-    std::vector<Point> corners;  ///< of the patch that is asked for, with its slack
-    Point centroid;              ///< of the exact one
+    std::vector<Point> corners;  ///< of the patch, with its slack
+    Point centroid;              ///< of the exact patch
   };
 
   void find_extents();
@@ -103,21 +105,21 @@ class ContactJudge {
   const Claim& claim_;
   const Allowance& depth_;
   Allowance margin_;
-  mpq_class near_;                   ///< by how much a position may be off
+  mpq_class near_;                   ///< the allowance for positions
   std::optional<mpq_class> slack_;   ///< of the patch, at least 0
   bool promised_ = false;            ///< whether the contacts are to cover the patch
-  std::optional<std::size_t> most_;  ///< how many contacts it answers at most
-  std::vector<Extent> extents_;      ///< of optima along the claim; none unless bodies overlap and it is asked for
+  std::optional<std::size_t> most_;  ///< the most contacts that the subject reports
+  std::vector<Extent> extents_;      ///< of optima along the claim; empty unless bodies overlap and it is judged
 };
 
-/// Judges as the function judge of fathom/judge.hpp does. Tells what is wrong with the contacts if
-/// `faults` is not null.
+/// Judges as the function judge of fathom/judge.hpp does. Sets `faults`, unless it is null, to
+/// those of the contacts.
 Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conventions, const NumberFormat& format,
                  const Tolerance& tolerance, const std::optional<Motion>& motion, Monitor* monitor,
                  std::vector<ContactFault>* faults);
 
-/// How far two sets of contacts reach differently, seen along n: the Hausdorff distance of their
-/// hulls, squared. Neither is empty.
+/// Returns the squared Hausdorff distance of the hulls of two sets of contacts, projected along n.
+/// Neither set is empty.
 mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<const Point> ys);
 
 }  // namespace fathom::judging

@@ -18,10 +18,10 @@
 namespace fathom::judging {
 namespace {
 
-/// Counter-clockwise seen from outside: O lies below its plane.
+/// A triangle, counter-clockwise seen from outside: O lies below its plane.
 using Triangle = std::array<Vector, 3>;
 
-/// Whether the ray from O along u meets the triangle, its boundary included.
+/// Returns whether the ray from O along u meets the triangle, including its boundary.
 bool meets(const Triangle& t, const Vector& u) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (det(t[k], t[(k + 1) % 3], u) < 0) return false;
@@ -29,9 +29,10 @@ bool meets(const Triangle& t, const Vector& u) {
   return det(t[0], t[1], t[2]) > 0;
 }
 
-/// Looks for a triangle of points of P that the ray passes through. Either its plane supports P,
-/// and there the ray leaves P; or a point of P lies beyond it, the ray runs on through the
-/// tetrahedron of the four, and leaves it through another triangle.
+/// Searches for a triangle of points of P that contains the point where the ray leaves P. The ray
+/// passes through a triangle. If its plane supports P, the search is done; otherwise a point of P
+/// lies beyond it, and the ray leaves the tetrahedron of the four points through another triangle,
+/// which is next.
 class Search {
  public:
   Search(const polytope::PlacedPair& placed, const InnerPolytope& inside, const Vector& u) : placed_(placed), u_(u) {
@@ -67,7 +68,7 @@ class Search {
     if (meets(triangle, u_)) portal_ = std::move(triangle);
   }
 
-  /// A point of P with the greatest <n, p>.
+  /// Returns a point of P with the greatest <n, p>.
   [[nodiscard]] Vector extreme(const Vector& n) const {
     const auto farthest = [](const std::vector<Vector>& points, const Vector& direction) {
       const Vector* best = &points.front();
@@ -123,7 +124,7 @@ Sizes sizes_of(const Pieces& a, const Pieces& b) {
 Sizes sizes_of(const Shape& a, const Shape& b, unsigned bits) {
   Sizes sizes;
   for (const Point& axis : {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}}) {
-    std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, to either side
+    std::array<std::array<mpq_class, 2>, 2> reach;  // of each body, in both directions
     for (const Shape* body : {&a, &b}) {
       if (shapes::is_halfspace(*body)) continue;
       auto& [low, high] = reach[body == &b ? 1 : 0];

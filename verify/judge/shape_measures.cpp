@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of shapes: every length lies between two rationals, and a yes holds for all that lies between
-// them. Exact signed depths are enclosed as closely as is asked for; if rational, they are known.
-//                                                                                 [proofs/judge.md]
+// Measures shapes: every length lies between two rationals, and an answer is yes only if it is so
+// for all values between them. Exact signed depths are enclosed with the requested number of bits,
+// or known if they are rational. [proofs/judge.md]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +32,8 @@ Between outward(const RationalInterval& x) {
   return {round_binary64(x.low, Rounding::rd), round_binary64(x.high, Rounding::ru)};
 }
 
-/// Correctly rounded if that is known; else the least of the values, rounded towards 0.
+/// Returns the value correctly rounded if that is known; else the least of the values, rounded
+/// towards 0.
 double least(const RationalInterval& x) {
   const double nearest = round_binary64(x.low);
   if (nearest == round_binary64(x.high)) return nearest + 0.0;
@@ -40,7 +41,7 @@ double least(const RationalInterval& x) {
   return sgn(x.high) < 0 ? round_binary64(x.high, Rounding::ru) : 0.0;
 }
 
-/// As many digits as are certain, if these are enough to be of use.
+/// Returns as many digits as are certain, if these are enough to be useful.
 std::string text(const RationalInterval& x) {
   constexpr int most = 17, enough = 6;
   const double nearest = round_binary64(x.low);
@@ -107,7 +108,7 @@ class ShapeMeasures final : public Measures {
   bool is_not_separating(const Vector& u, const mpq_class& d) override {
     if (status_ != Status::penetrating) return false;
     const std::optional<RationalInterval> separating = separating_distance_of(u);
-    if (has_halfspace()) {  // then it is the exit distance
+    if (has_halfspace()) {  // for a half-space this is the exit distance
       if (separating && !below(d, *separating, of_direction_)) return false;
       if (separating) left_ = round_binary64(separating->low - d, Rounding::rd);
       return true;
@@ -201,13 +202,13 @@ class ShapeMeasures final : public Measures {
 
  private:
   // ---- allowances ----
-  /// The length in question less the radii that the subject added, if that is the smaller one: what
-  /// an error is compared with.
+  /// Returns the length in question less the radii that the subject added, if that is smaller:
+  /// errors are relative to it.
   [[nodiscard]] RationalInterval without_radii(const RationalInterval& length) const {
     return added_ == 0 ? length : lesser(length, magnitude(value_ - known(added_)));
   }
 
-  /// The larger of the tolerance about a true length, and `fixed`.
+  /// Returns the larger of the relative tolerance of a true length, and `fixed`.
   [[nodiscard]] RationalInterval allowed(const mpq_class& fixed, const RationalInterval& true_length) const {
     for (const mpq_class* part : {&tolerance_.relative, &tolerance_.absolute}) kernels::require_lowest_terms(*part);
     const mpq_class relative = std::max(mpq_class(0), tolerance_.relative),
@@ -216,7 +217,7 @@ class ShapeMeasures final : public Measures {
     return greater({relative * length.low, relative * length.high}, known(absolute));
   }
 
-  /// Makes it the length in question.
+  /// Makes `length` the length in question.
   void ask_for(const RationalInterval& length) {
     length_ = length;
     Sizes sizes = sizes_;
@@ -233,14 +234,14 @@ class ShapeMeasures final : public Measures {
     of_gap_ = allowed(slack.gap, length);
   }
 
-  /// Whether d - length, or length - d, exceeds the allowance, whatever they are.
+  /// Returns whether d - length, or length - d, exceeds the allowance for all values of both.
   bool above(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
     return exceeds(known(d) - length, allowed);
   }
   bool below(const mpq_class& d, const RationalInterval& length, const RationalInterval& allowed) {
     return exceeds(length - known(d), allowed);
   }
-  /// Of the contacts that are off.
+  /// Returns the distance of the farthest contact that is off.
   std::optional<RationalInterval> farthest_off(const Claim& claim, const std::vector<RationalInterval>& distances) {
     std::optional<RationalInterval> farthest;
     for (std::size_t k = 0; k < distances.size(); ++k)
@@ -268,8 +269,8 @@ class ShapeMeasures final : public Measures {
     return kernels::enclosed(*depth.exact(), 4 * bits_);
   }
 
-  /// Of two bounded bodies h(u)/|u| and the radii. Out of a half-space the way along u; nullopt if
-  /// that is no way out.
+  /// Returns h(u)/|u| plus the radii for two bounded bodies. Out of a half-space, returns the way
+  /// along u, or nullopt if u leads into it.
   [[nodiscard]] std::optional<RationalInterval> separating_distance_of(const Vector& u) const {
     if (!has_halfspace())
       return shapes::support(truth_.b, point_of(u), 4 * bits_) + shapes::support(truth_.a, point_of(-u), 4 * bits_);
@@ -283,23 +284,24 @@ class ShapeMeasures final : public Measures {
                             value_.high * (sgn(value_.high) < 0 ? root.low : root.high)};
   }
 
-  /// Whether the interiors meet after A has moved along u by `way` or slightly more.
+  /// Returns whether the interiors meet after A has moved along u by `way` or slightly more.
   bool still_meet(const Vector& u, const mpq_class& way) {
-    if (sgn(way) <= 0) return true;  // they meet at the beginning
+    if (sgn(way) <= 0) return true;  // they meet before A moves
     const mpq_class factor = way / kernels::enclosed({0, mpq_class(dot(u, u))}, 4 * bits_).low;
     const std::optional<Status> after = of(translated(truth_.a, factor, u)).status();
     open_ = open_ || !after;
     return after == Status::penetrating;
   }
 
-  /// Finds how far along u they meet at least, to a thousandth.
+  /// Finds a lower bound, to within a thousandth, of the length along u up to which the interiors
+  /// meet.
   void find_left(const Vector& u, const mpq_class& d, mpq_class low, mpq_class high) {
     constexpr int steps = 10;
     const bool was_open = open_;
     low = std::max(low, depth_.low);  // no way out is shorter than the depth
     for (int i = 0; i < steps; ++i) {
       mpq_class middle = (low + high) / 2;
-      const double near = round_binary64(middle);  // with fewer digits, if they do
+      const double near = round_binary64(middle);  // a shorter number, if the interiors meet there
       if (std::isfinite(near) && low < exact_value(near) && exact_value(near) < high) middle = exact_value(near);
       (still_meet(u, middle) ? low : high) = middle;
     }
@@ -327,7 +329,7 @@ class ShapeMeasures final : public Measures {
     if (sgn(u_r) > 0) result.error_u_r = least(error / u_r);
   }
 
-  /// Whether d is as near to the length in question.
+  /// Returns whether d is within the allowance of the length in question.
   bool is_within(const mpq_class& d, const RationalInterval& length) {
     const RationalInterval over = known(d) - length_;
     const mpq_class most = std::max(mpq_class(-over.low), over.high),
@@ -358,14 +360,14 @@ class ShapeMeasures final : public Measures {
   std::optional<SignedDepth> closer_;
   std::optional<Status> status_;
   RationalInterval value_, depth_, length_;  // the signed depth, its positive part, the length in question
-  mpq_class added_;                          // the radii of the subject's own, in sum
-  Sizes sizes_, asked_;                      // asked_: without these radii
-  mpq_class farthest_;                       // of the asked bodies, a half-space's witness point included
-  RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // what is allowed
+  mpq_class added_;                          // the sum of the subject's own radii
+  Sizes sizes_, asked_;                      // asked_: without the subject's radii
+  mpq_class farthest_;                       // of the given bodies, including a half-space's witness point
+  RationalInterval classification_, of_length_, of_direction_, of_witness_, of_gap_;  // the allowances
   std::optional<RationalInterval> separating_distance_, away_a_, away_b_;
-  std::optional<RationalInterval> contact_a_, contact_b_;  // the farthest of these:
+  std::optional<RationalInterval> contact_a_, contact_b_;  // the farthest of the contacts:
   std::vector<RationalInterval> contacts_a_, contacts_b_;
-  std::optional<RationalInterval> contact_away_a_, contact_away_b_;  // of those that are off the farthest
+  std::optional<RationalInterval> contact_away_a_, contact_away_b_;  // the farthest of those that are off
   std::optional<double> left_;
   bool open_ = false;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bodies that the subject saw, and the exact answer for them.
+// The bodies after rounding to the subject's format, and the exact answer about them.
 #include "verify/judge/truth.hpp"
 
 #include <memory>
@@ -27,7 +27,7 @@ double rounded(double x, Precision precision) {
   return precision == Precision::binary64 ? x : kernels::nearest_binary32(x);
 }
 
-/// nullopt if a coordinate overflows.
+/// Returns nullopt if a coordinate overflows.
 template <class P>
 std::optional<GivenPoints> rounded(std::span<const P> points, Precision precision) {
   std::vector<Triple> result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Policies in words. (Those for verdicts and classes are in fathom/judge.hpp.)
+// Policies as texts. (The texts of verdicts and classes are in fathom/judge.hpp.)
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@ namespace fathom::judging {
 inline constexpr Policy::Kind policy_kinds[] = {Policy::Kind::declared, Policy::Kind::minimum, Policy::Kind::separating,
                                                 Policy::Kind::within};
 
-/// "declared", "minimum", "separating", "within=5%", "within=5/2%".
+/// Returns "declared", "minimum", "separating", "within=5%", "within=5/2%".
 std::string policy_text(const Policy& policy);
-/// The inverse of `policy_text`; the percentage may be a decimal too. nullopt for other words, and
-/// for what is below 0.
+/// Returns the policy of such a text; the percentage may also be a decimal. Returns nullopt for
+/// other texts, and for a percentage below 0.
 std::optional<Policy> policy_of(std::string_view text);
 
 }  // namespace fathom::judging

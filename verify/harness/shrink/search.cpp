@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t small_bits = 10;
 
-/// At least 1: a coordinate of 0 is as short as one of 1.
+/// Returns the length in bits, at least 1, so that a coordinate of 0 counts like one of 1.
 std::size_t bits(const mpz_class& value) { return static_cast<std::size_t>(std::max(1L, kernels::bit_length(value))); }
 
 std::size_t parts_of(const files::NamedBody& words) {
@@ -34,7 +34,7 @@ std::size_t parts_of(const Body& body) { return body.words ? parts_of(*body.word
 
 constexpr long ladder[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 44};
 
-/// `value` / 2^bits towards 0.
+/// Returns `value` / 2^bits, rounded towards 0.
 mpz_class cut(const mpz_class& value, unsigned bits) {
   mpz_class result;
   mpz_tdiv_q_2exp(result.get_mpz_t(), value.get_mpz_t(), bits);
@@ -61,12 +61,12 @@ bool is_solid(const Body& body) {
   return body.points.size() > 3 && polytope::affine_rank(polytope::place(body.points, body.points).a.points()) == 3;
 }
 
-/// The text of a certificate of the truth, which the checker has accepted.
+/// Returns a certificate of the truth that the checker has accepted.
 std::string proved(const Case& pair, const Outcome& outcome) {
   if (pair.a.shape || pair.b.shape) return accepted_certificate(pair, nullptr);
   const Depth depth = penetration_depth(pair.a.points, pair.b.points);
   std::string text = accepted_certificate(pair, depth);
-  // The truth of a variant is that of the case up to a power of 4; the harness judged it by a
+  // The truth about a variant is that about the case times a power of 4; the harness judged it by a
   // solution of its own.
   const bool same =
       !outcome.judgement || !outcome.variant.empty() ||

@@ -37,7 +37,7 @@ void drop_inner(Search& search) {
   search.offer({before.id, before.a, both.b});
 }
 
-/// One sweep over the chunks of this length. True: some were dropped.
+/// Tries to drop each chunk of this length once. Returns whether any was dropped.
 bool drop_chunks(Search& search, Body Case::*body, std::size_t length) {
   bool dropped = false;
   std::size_t begin = 0;
@@ -61,8 +61,8 @@ void drop_by_halves(Search& search, Body Case::*body) {
   }
 }
 
-/// All points that are not extreme, of both bodies or of one; then chunks of points, ever smaller,
-/// down to single ones (ddmin).
+/// Drops all points that are not extreme, of both bodies or of one; then chunks of points, ever
+/// smaller, down to single points (ddmin).
 void drop_points(Search& search) {
   drop_inner(search);
   drop_by_halves(search, &Case::a);
@@ -73,7 +73,7 @@ void drop_points(Search& search) {
 
 constexpr std::size_t vertices_tried = 8;
 
-/// Corners and centres of the box of all points, and their mean.
+/// Returns the corners and the centre of the bounding box of all points, and their mean.
 std::vector<Point> centres(const Case& pair) {
   std::vector<Point> points = pair.a.points;
   points.insert(points.end(), pair.b.points.begin(), pair.b.points.end());
@@ -89,7 +89,7 @@ std::vector<Point> centres(const Case& pair) {
   return {low, middle, mean};
 }
 
-/// The case moved by -to. What is not exact is rounded.
+/// Returns the case moved by -to, with coordinates rounded if they are not exact.
 std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
   for (Body* body : {&pair.a, &pair.b})
     for (Point& p : body->points.edit())
@@ -101,14 +101,15 @@ std::optional<Case> moved(Case pair, const Point& to, Precision precision) {
   return pair;
 }
 
-/// Both bodies moved so that a vertex, or a centre, lies at the origin; what is not exact then is
-/// rounded.
+/// Moves both bodies so that a vertex, or a centre, lies at the origin, and rounds coordinates that
+/// are not exact then.
 void move_to_origin(Search& search) {
   const Case before = search.best();
   std::vector<Point> places = centres(before);
   for (const Body* body : {&before.a, &before.b})
     for (std::size_t i = 0; i < std::min(body->points.size(), vertices_tried); ++i) places.push_back(body->points[i]);
-  // On one axis at a time as well: a case may need its place along another.
+  // Moves along one axis at a time as well, because the verdict may depend on the position along
+  // another.
   for (const Point& place : places) {
     if (std::optional<Case> candidate = moved(before, place, search.precision())) search.offer(*std::move(candidate));
     for (const auto axis : axes) {
@@ -120,7 +121,7 @@ void move_to_origin(Search& search) {
   }
 }
 
-/// Times a power of two: to about 1, or to integers.
+/// Scales by a power of two: to about 1, or to integers.
 void rescale(Search& search) {
   const mpq_class largest = largest_coordinate(search.best());
   if (largest == 0) return;
@@ -137,12 +138,12 @@ void rescale(Search& search) {
 
 // ---- simpler coordinates ----
 
-// Rounding everything at once keeps shapes roughly as they are; replacing one value wherever it
-// occurs keeps coplanar faces coplanar.
+// Rounding all values at once keeps shapes roughly; replacing a value wherever it occurs keeps
+// coplanar faces coplanar.
 constexpr long integer_extents[] = {1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 50, 100, 200, 500, 1000};
 constexpr long grid_bits[] = {0, 1, 2, 3, 4, 6, 8, 11, 14, 18, 23, 30, 40};
 
-/// The coarsest of the small integer grids on which the verdict persists.
+/// Rounds to the coarsest of the small integer grids on which the verdict persists.
 void round_to_integers(Search& search) {
   const Case before = search.best();
   const mpq_class largest = largest_coordinate(before);
@@ -154,7 +155,7 @@ void round_to_integers(Search& search) {
   }
 }
 
-/// The coarsest grid of a power of two, of the whole case or of one body, or on one axis alone.
+/// Rounds to the coarsest grid of a power of two: the whole case, one body, or one axis.
 void round_to_grids(Search& search, std::vector<Body Case::*> bodies, std::vector<mpq_class Point::*> chosen) {
   const Case before = search.best();
   const mpq_class largest = largest_coordinate(before);
@@ -169,7 +170,7 @@ void round_to_grids(Search& search, std::vector<Body Case::*> bodies, std::vecto
   }
 }
 
-/// All values on the axis, the dearest first.
+/// Returns all values on the axis, those with the highest cost first.
 std::vector<mpq_class> values_on(const Case& pair, mpq_class Point::*axis) {
   std::vector<mpq_class> values;
   for (const Body* body : {&pair.a, &pair.b})
@@ -182,7 +183,8 @@ std::vector<mpq_class> values_on(const Case& pair, mpq_class Point::*axis) {
   return values;
 }
 
-/// Replacements for `value`: simpler numbers, and those of the axis next to it on both sides.
+/// Returns replacements for `value`: simpler numbers, and the next values on the axis on both
+/// sides.
 std::vector<mpq_class> replacements(const mpq_class& value, const std::vector<mpq_class>& on_axis) {
   std::vector<mpq_class> result = simpler(value);
   const mpq_class *below = nullptr, *above = nullptr;
@@ -218,8 +220,8 @@ void simplify_singly(Search& search, Body Case::*body, mpq_class Point::*axis) {
   }
 }
 
-/// All coordinates to small integers, to few bits in their own scale, or those of one body, or on
-/// one axis.
+/// Rounds all coordinates to small integers, or to few bits in their own scale; or those of one
+/// body, or on one axis.
 void round_together(Search& search) {
   round_to_integers(search);
   round_to_grids(search, {&Case::a, &Case::b}, {axes.begin(), axes.end()});
@@ -227,8 +229,8 @@ void round_together(Search& search) {
   for (mpq_class Point::*axis : axes) round_to_grids(search, {&Case::a, &Case::b}, {axis});
 }
 
-/// Value by value on each axis, wherever it occurs, then coordinate by coordinate: 0, a value that
-/// is there already, an integer, fewer bits, half as much.
+/// Replaces values one by one on each axis, wherever they occur, then single coordinates: by 0, a
+/// value that occurs already, an integer, fewer bits, half of it.
 void simplify_values(Search& search) {
   for (mpq_class Point::*axis : axes) simplify_everywhere(search, axis);
   for (Body Case::*body : {&Case::a, &Case::b})
@@ -240,8 +242,8 @@ void simplify_values(Search& search) {
 constexpr Body Case::*bodies[] = {&Case::a, &Case::b};
 constexpr long integer_lengths[] = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128};
 
-/// The best case with other words for one body; nullopt where they make no body, or the body has
-/// none.
+/// Returns the best case with another description of one body; nullopt if it describes no body, or
+/// the body has no description.
 std::optional<Case> with_words(const Case& best, Body Case::*body,
                                const std::function<void(files::NamedBody&)>& change) {
   if (!(best.*body).words) return std::nullopt;
@@ -261,7 +263,7 @@ bool offer_words(Search& search, Body Case::*body, const std::function<void(file
   return offer(search, with_words(search.best(), body, change));
 }
 
-/// The best case with other numbers; nullopt where they make no bodies.
+/// Returns the best case with its numbers changed; nullopt if they describe no bodies then.
 std::optional<Case> with_numbers(const Case& best, const std::function<void(mpq_class&)>& change) {
   try {
     Case result = best;
@@ -272,7 +274,7 @@ std::optional<Case> with_numbers(const Case& best, const std::function<void(mpq_
   }
 }
 
-/// The vertices of a hull by name, or of a body without one.
+/// Returns the number of vertices of a hull by name, or of a body without description.
 std::size_t vertices_of(const Body& body) {
   return body.words ? body.words->fields.vertices.size() : body.points.size();
 }
@@ -307,7 +309,7 @@ void drop_parts(Search& search, Body Case::*body) {
   drop_vertices(search, body);
 }
 
-/// Without a turn; or with one by few bits.
+/// Removes the rotation, or rounds it to few bits.
 void put_upright(Search& search, Body Case::*body) {
   offer_words(search, body, [](files::NamedBody& words) {
     for (std::size_t axis = 0; words.matrix && axis < 3; ++axis)
@@ -321,13 +323,13 @@ void put_upright(Search& search, Body Case::*body) {
       mpq_class largest = 0;
       for (const mpq_class* part : parts) largest = std::max(largest, mpq_class(abs(*part)));
       for (mpq_class* part : parts)
-        *part = nearest_integer(*part * most / largest);  // a turn is no quaternion of zeros
+        *part = nearest_integer(*part * most / largest);  // the quaternion must not become zero
     });
     if (simpler || search.over()) return;
   }
 }
 
-/// Both bodies moved so that one of them has its place, or its first point, at the origin; along
+/// Moves both bodies so that the place, or the first point, of one of them is at the origin; along
 /// one axis at a time as well.
 void move_shapes(Search& search) {
   for (Body Case::*body : bodies)
@@ -350,7 +352,7 @@ void move_shapes(Search& search) {
         const mpq_class by = place_along(words, axis);
         for (Body Case::*moved : bodies) along(candidate.*moved, axis, by);
       }
-      // What is not exact is rounded.
+      // Numbers that are not exact are rounded.
       offer(search, with_numbers(candidate, [&](mpq_class& value) {
               value = rounded(value, search.precision()).value_or(value);
             }));
@@ -372,7 +374,7 @@ void round_lengths(Search& search) {
   }
 }
 
-/// Number by number, in all places that have it and then in one.
+/// Simplifies number by number: in all places that have it, and then in one.
 void simplify_numbers(Search& search) {
   for (const bool everywhere : {true, false})
     for (std::size_t i = 0;; ++i) {
@@ -392,8 +394,9 @@ void simplify_numbers(Search& search) {
     }
 }
 
-/// Of cases with bodies by name, in the place of all others: margins, terms and vertices dropped,
-/// turns and places taken back, lengths to small integers, and then number by number.
+/// The passes for bodies by name, in the place of all others: drops margins, terms and vertices,
+/// removes rotations and translations, rounds lengths to small integers, and then simplifies number
+/// by number.
 void simplify_shapes(Search& search) {
   for (Body Case::*body : bodies) drop_parts(search, body);
   for (Body Case::*body : bodies) put_upright(search, body);
@@ -418,7 +421,7 @@ Shrunk shrink(const Case& pair, Verdict verdict, const Examine& examine,
   });
   Search search(verdict, examine, on_better, stop, settings);
   if (!search.begin(std::move(seen))) return search.result();
-  // Every kept step makes the size smaller: the loop ends.
+  // The loop ends because every kept step makes the size smaller.
   for (std::size_t before = search.result().kept + 1; before != search.result().kept && !search.over();) {
     before = search.result().kept;
     if (of_shapes) simplify_shapes(search);
