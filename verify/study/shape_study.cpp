@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What two shapes have in common, decided in rationals and square roots. Every search compares all
-// features of one body with all of the other; polytopes have many faces, which are found by their
-// normals where only parallel ones matter.
+// Finds the coincidences of two shapes, decided in rationals and square roots. Every search
+// compares all features of one body with all of the other; only for parallel faces, of which
+// polytopes have many, it finds them by their normals.
 
 #include <algorithm>
 #include <map>
@@ -35,7 +35,7 @@ bool on(const Line& line, const RationalVector& p) {
   return is_zero(cross(RationalVector(p - line.point), rational_vector(line.direction)));
 }
 
-/// The bodies, and what is found about them.
+/// The bodies, and their coincidences.
 class Search {
  public:
   Search(kernels::Context& context, const ShapeSolid& a, const ShapeSolid& b, std::size_t listed, ShapeStudy& study)
@@ -103,7 +103,7 @@ class Search {
     }
   }
 
-  /// Of faces of `flat`: what `other` shows them.
+  /// Finds, for each face of `flat`, the features of `other` that face it.
   void find_what_faces_meet(const ShapeSolid& flat, const ShapeSolid& other, bool flat_is_a) {
     if (other.half_space() != nullptr) return;
     for (std::size_t i = 0; i < flat.faces.size(); ++i) {
@@ -132,9 +132,9 @@ class Search {
     if (study_[Kind::tangent_generators].count == 0) find_tangent_cones();
   }
 
-  /// Planes that are tangent to both along generators: a common direction of these is that from
-  /// apex to apex, or that of a cylinder, and the plane's normal lies in a plane with it and the
-  /// axis.
+  /// Finds planes that are tangent to both bodies along generators. A common direction of the
+  /// generators is that from apex to apex, or that of a cylinder; the plane's normal is orthogonal
+  /// to it, in the plane of it and the axis.
   void find_tangent_cones() {
     std::vector<RationalVector> generators;
     for (const ShapeSolid* solid : {&a_, &b_})
@@ -163,7 +163,8 @@ class Search {
     return true;
   }
 
-  /// Whether the cylinders about parallel axes touch along a line, from outside or from inside.
+  /// Returns whether the cylinders about parallel axes touch along a line, from outside or from
+  /// inside.
   static bool are_tangent(const Generators& s, const Generators& t) {
     const RationalVector d = rational_vector(s.axis.direction),
                          c = cross(RationalVector(t.axis.point - s.axis.point), d);

@@ -55,8 +55,8 @@ bool parallel(const RootVector& u, const RootVector& v) {
 
 // ---- faces ----
 
-// An atom c + M y reaches <n,c> + |M^T n|: as a whole if M^T n = 0, else in the one point c + M
-// s/|s|, s = M^T n.
+// The support of an atom c + M y is <n,c> + |M^T n|. It is attained by the whole atom if M^T n = 0,
+// else by the one point c + M s/|s|, s = M^T n.
 
 namespace {
 
@@ -74,7 +74,7 @@ struct Farthest {
   }
   [[nodiscard]] bool whole() const { return height.root == 0; }
 
-  /// Its one point, or the centre of the whole.
+  /// Returns the one point, or the centre of the whole atom.
   [[nodiscard]] RootVector place() const {
     RootVector result{rational_vector(atom->center), {}, height.root};
     for (std::size_t k = 0; k < slopes.size() && !whole(); ++k)
@@ -83,8 +83,9 @@ struct Farthest {
   }
 };
 
-// Points that reach one height have one root, or rational ones: c1 + sqrt(q1) = c2 + sqrt(q2) in
-// rationals c and q, of which one root is irrational, has q1 = q2.
+// Two points of the same height have the same square under the root, or rational roots: c1 +
+// sqrt(q1) = c2 + sqrt(q2) with rationals c and q implies q1 = q2 if one of the roots is
+// irrational.
 RootVector between(const RootVector& p, const RootVector& q) {
   if (p.square == q.square) return {q.rational - p.rational, q.irrational - p.irrational, p.square};
   const auto plain = [](const RootVector& v) {
@@ -95,7 +96,7 @@ RootVector between(const RootVector& p, const RootVector& q) {
 
 void add_spanning(SupportFace& face, const RootVector& v) {
   const RootVector one_x{{1, 0, 0}, {}, 0}, one_y{{0, 1, 0}, {}, 0};
-  if (parallel(v, one_x) && parallel(v, one_y)) return;  // 0
+  if (parallel(v, one_x) && parallel(v, one_y)) return;  // v is 0
   if (face.spanning.size() < 2 &&
       std::none_of(face.spanning.begin(), face.spanning.end(), [&](const auto& u) { return parallel(u, v); }))
     face.spanning.push_back(v);
@@ -185,7 +186,7 @@ Term term_of(std::span<const Point> points) {
   return term;
 }
 
-/// Directions in which the terms are straight, and outward normals that one term has.
+/// The line directions of the terms, and the outward normals of facets of single terms.
 struct Candidates {
   Directions normals, lines;
 
@@ -240,10 +241,10 @@ void find_faces(ShapeSolid& solid) {
 
 // ---- symmetry ----
 
-/// Whether two atoms about one centre are equal as sets: M M^T = N N^T.
+/// Returns whether two atoms about one centre are equal as sets: M M^T = N N^T.
 bool same_form(const Atom& p, const Atom& q) { return shapes::gram_of(p) == shapes::gram_of(q); }
 
-/// The centre of a term whose atoms are each mirrored in another one.
+/// Returns the centre of a term in which each atom has its mirror image.
 std::optional<RationalVector> centre_of(const Term& term) {
   std::vector<const Atom*> atoms;
   for (const Atom& atom : term.atoms)
@@ -310,7 +311,7 @@ void find_sides(ShapeSolid& solid) {
   }
 }
 
-/// The factor, other than 1, between the axes of two discs, if there is one.
+/// Returns the factor, other than 1, between the axes of two discs, if there is one.
 std::optional<mpq_class> factor_between(const Atom& p, const Atom& q) {
   const RationalVector u = rational_vector(p.axes[0]), v = rational_vector(q.axes[0]);
   const mpq_class factor = dot(u, v) / dot(u, u);

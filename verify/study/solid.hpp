@@ -40,7 +40,7 @@ inline RationalVector rational_vector(const Point& p) { return {p.x, p.y, p.z}; 
 inline RationalVector rational_vector(const Vector& v) { return {v.x, v.y, v.z}; }
 inline RationalVector scaled(const mpq_class& s, const RationalVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
-/// The primitive integer vector along a vector other than 0.
+/// Returns the primitive integer vector along a vector other than 0.
 Vector primitive_along(const RationalVector& v);
 
 /// rational + sqrt(square) irrational.
@@ -49,34 +49,34 @@ struct RootVector {
   mpq_class square;
 };
 
-/// Whether one of them is a multiple of the other; so is 0.
+/// Returns whether one of them is a multiple of the other; 0 is.
 bool parallel(const RootVector& u, const RootVector& v);
 
 // ---- faces ----
 
 // Input   a sum of terms, and a direction.
-// Output  the face of the sum in that direction, the set of its points that are farthest there: its
-//         dimension, and what it is.
+// Output  the face of the sum in that direction, which is the set of its farthest points: its
+//         dimension, and its kind.
 
-/// What the atoms of a face of dimension 0 are; the later one wins in a sum.
+/// The kind of a face of dimension 0. In a sum the later kind prevails.
 enum class Corner { vertex, apex, rim, smooth };
 
 struct SupportFace {
   RootSum height;  ///< the support: the greatest <n,x>
-  /// independent vectors of differences of its points: as many as its dimension, at most two
+  /// Independent vectors of differences of its points: as many as its dimension, at most two.
   std::vector<RootVector> spanning;
-  Corner corner = Corner::vertex;  ///< of dimension 0: what it is
-  bool of_points = true;           ///< only atoms that are points reach it
+  Corner corner = Corner::vertex;  ///< for dimension 0
+  bool of_points = true;           ///< whether only atoms that are points attain the support
 };
 
-/// `direction` is not 0; every term has an atom.
+/// Returns the face. `direction` must not be 0; every term must have an atom.
 SupportFace support_face(std::span<const Term> terms, const Vector& direction);
 
 // ---- solids ----
 
 // Input   a shape.
-// Output  what of it can coincide with something of another one: its centre, axis, radii, flat
-//         faces, generators. All in rationals and square roots of such.
+// Output  its parts that can coincide with parts of another shape: centre, axis, radii, flat faces,
+//         generators. All are rationals or square roots of rationals.
 
 struct Line {
   RationalVector point;
@@ -103,21 +103,21 @@ struct ShapeSolid {
   std::vector<Surd> radii;               ///< different ones
   std::vector<FlatFace> faces;           ///< sorted by normal, which differ
   std::vector<Generators> sides;
-  std::vector<RationalVector> apexes;  ///< of cones, and those that were cut off
+  std::vector<RationalVector> apexes;  ///< of cones and of frusta, where the apex was cut off
 
   [[nodiscard]] const HalfSpace* half_space() const { return std::get_if<HalfSpace>(&shape.core); }
   [[nodiscard]] std::span<const Term> terms() const { return std::get<std::vector<Term>>(shape.core); }
 };
 
-/// A sum of more line directions of its terms than this has no facets looked for that two of them
-/// span.
+/// The limit on line directions of the terms of a sum: with more of them, facets that two of them
+/// span are not found.
 inline constexpr std::size_t most_line_directions = 500;
 
-/// The shape keeps the laws that signed_depth demands.
+/// Returns these parts. The shape must satisfy the requirements of signed_depth.
 ShapeSolid solid_of(const Shape& shape);
 
-/// What the face of the body in this direction is called: "vertex", "apex", "rim point", "smooth
-/// point", "edge", "generator", "face".
+/// Returns the name of the kind of the body's face: "vertex", "apex", "rim point", "smooth point",
+/// "edge", "generator", "face".
 std::string_view word_of(const ShapeSolid& solid, const SupportFace& face);
 
 // ---- revolution ----
@@ -125,12 +125,12 @@ std::string_view word_of(const ShapeSolid& solid, const SupportFace& face);
 // Input   a sum of terms.
 // Output  the line about which it is a body of revolution.
 
-/// The square of the radius of a circular disc or a round ball. Returns nullopt for other atoms,
-/// points among them.
+/// Returns the squared radius of a circular disc or a round ball. Returns nullopt for other atoms,
+/// including points.
 std::optional<mpq_class> round_square(const Atom& atom);
 
-/// The axis of revolution. Returns nullopt if there is none, or if there are several, as of a ball.
-/// Finds every axis of a sum whose terms are bodies of revolution one by one.
+/// Returns the axis of revolution. Returns nullopt if there is none, or if there are several, as
+/// for a ball. Finds every axis of a sum whose terms are bodies of revolution themselves.
 std::optional<Line> axis_of(std::span<const Term> terms);
 
 }  // namespace fathom::studies

@@ -41,12 +41,12 @@ namespace {
 
 // ---- parallel edges and common normals: equal primitive vectors, found by sorting ----
 
-/// What belongs to each of some directions.
+/// The features with each of some directions.
 template <class T>
 using ByDirection = std::map<Vector, T, kernels::NearestPlanes::LexicographicOrder>;
 
-/// The one of u and -u whose first component other than zero is positive, primitive: equal for
-/// parallel vectors alone.
+/// Returns the one of u and -u whose first component other than zero is positive, made primitive:
+/// it is equal for parallel vectors only.
 Vector line_direction(const Vector& u) {
   Vector result = primitive(u);
   return lexicographically_less(result, Vector{0, 0, 0}) ? -result : result;
@@ -56,7 +56,7 @@ const polytope::Facet& facet_of(const StudiedBody& studied, gaussian::NodeId nod
   return studied.body.facets[gaussian::facet_of(node)];
 }
 
-/// Whether the supporting planes of two facets with parallel normals are one.
+/// Returns whether two facets with parallel normals have the same supporting plane.
 bool coplanar(const StudiedBodies& bodies, gaussian::NodeId of_a, gaussian::NodeId of_b) {
   const polytope::Polytope &a = bodies.a.body, &b = bodies.b.body;
   const polytope::Facet& facet = facet_of(bodies.a, of_a);
@@ -100,7 +100,7 @@ void find_common_normals(const StudiedBodies& bodies, Findings& findings) {
 // Coincidences of the two Gaussian diagrams with each other and with the frame v = (0, 1, 0), z =
 // (0, 0, 1).
 
-/// Whether u, a direction on the arc's great circle, lies inside the arc, its ends excluded.
+/// Returns whether u, a direction on the arc's great circle, lies inside the arc, without its ends.
 bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& u) {
   if (diagram.rank == 1) return true;
   // On an arc shorter than pi only its own directions pass both; on a half-circle the second
@@ -111,10 +111,10 @@ bool inside(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, 
 
 bool on_equator(const gaussian::Arc& arc) { return arc.circle.exact().x == 0 && arc.circle.exact().y == 0; }
 
-/// The directions in which arcs of one diagram pass through the equator inside, each with its arc.
-/// No two are equal except for bodies of rank 1, whose one arc passes twice: arcs of a diagram do
-/// not cross. With d = circle and z the pole, an arc that leaves z's side does so at d x z: it runs
-/// on along d x (d x z), which points downward.
+/// Returns the directions in which arcs of one diagram cross the equator, each with its arc. No two
+/// are equal except for bodies of rank 1, whose one arc crosses twice, because arcs of a diagram do
+/// not cross each other. With d = circle and z the pole, an arc that leaves z's side does so at d x
+/// z: it continues along d x (d x z), which points downward.
 ByDirection<gaussian::ArcId> passages(const gaussian::GaussianDiagram& diagram) {
   ByDirection<gaussian::ArcId> result;
   for (const gaussian::ArcId i : diagram.arcs.ids()) {
@@ -141,7 +141,7 @@ void find_on_equator(const StudiedBody& studied, Findings& findings) {
       findings.add(Coincidence::arcs_on_equator, studied.involved({studied.feature(i)}));
 }
 
-/// Crossings of arcs of `lying` that lie on the equator with those of `passing` that pass through
+/// Finds crossings of arcs of `lying`, which lie on the equator, with those of `passing` that cross
 /// it.
 void find_passages_through_arcs(const StudiedBody& lying, const StudiedBody& passing, Findings& findings) {
   const ByDirection<gaussian::ArcId> through = passages(passing.diagram);
@@ -215,7 +215,7 @@ BodySize size_of(const polytope::Polytope& body) {
   return {body.rank, body.vertices.size(), body.edges.size(), body.facets.size()};
 }
 
-/// The predicates that the topology of a pair calls, whether or not the bodies overlap.
+/// Returns the predicates that the topology of a pair calls, whether or not the bodies overlap.
 PredicateCounts predicates_of(const gaussian::GaussianDiagram& minus_a, const gaussian::GaussianDiagram& b) {
   kernels::Context context;
   for (const chart::Hemisphere hemisphere : chart::both_hemispheres) {
@@ -239,8 +239,8 @@ mpz_class common_divisor(const Bodies& bodies, mpz_class Vector::*axis) {
   return divisor == 0 ? 1 : divisor;
 }
 
-/// Gives each axis a unit of its own, and returns the units. No coincidence depends on them, and
-/// bodies of 1 by 10^300 get short coordinates, on which filters decide.
+/// Scales each axis by a unit of its own, and returns the units. Coincidences do not depend on
+/// them, and bodies of 1 by 10^300 get short coordinates, on which filters can decide.
 Vector stretch_axes(Bodies& bodies) {
   Vector units;
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) {
@@ -252,7 +252,7 @@ Vector stretch_axes(Bodies& bodies) {
   return units;
 }
 
-/// The face of a body in direction u.
+/// Returns the face of a body in direction u.
 Feature face(const polytope::Polytope& body, const Vector& u) {
   Feature points;
   const std::vector<std::uint32_t> extreme = kernels::extreme_points(kernels::PointCloud(body.vertices), u);

@@ -11,13 +11,14 @@
 
 namespace fathom::studies {
 
-/// The public function with a context, which counts the predicates of the search for coincidences.
+/// Implements the public function with a context, which counts the predicates of the search for
+/// coincidences.
 Study study(kernels::Context& context, std::span<const Point> a, std::span<const Point> b,
             const StudyOptions& options = {});
 
 // ---- the searches ----
 
-// What the searches of a study share: the bodies with their diagrams, and the list of coincidences.
+// The common data of the searches: the bodies with their diagrams, and the list of coincidences.
 
 /// A body and its Gaussian diagram, that of its reflection for A.
 struct StudiedBody {
@@ -25,10 +26,10 @@ struct StudiedBody {
   const polytope::Polytope& body;
   const gaussian::GaussianDiagram& diagram;
 
-  /// The edge of an arc, and the facet of a node.
+  /// Return the edge of an arc, and the facet of a node.
   [[nodiscard]] Feature feature(gaussian::ArcId i) const;
   [[nodiscard]] Feature feature(gaussian::NodeId i) const;
-  /// A coincidence of features of this body with those of the other one.
+  /// Returns a coincidence of features of this body with those of the other one.
   [[nodiscard]] Involved involved(std::vector<Feature> own, std::vector<Feature> others = {}) const;
 };
 using StudiedBodies = gaussian::PerColour<StudiedBody>;
@@ -44,7 +45,7 @@ class Findings {
     if (all.listed.size() < most_) all.listed.push_back(std::move(involved));
   }
 
-  /// Adds every one of A's with every one of B's.
+  /// Adds each pair of a feature of A and one of B.
   template <class I>
   void add_pairs(Coincidence kind, const StudiedBodies& bodies, const gaussian::PerColour<std::vector<I>>& ids) {
     Coincidences& all = at(kind);
@@ -57,7 +58,7 @@ class Findings {
     }
   }
 
-  /// Adds every two of one body's.
+  /// Adds each pair of features of one body.
   template <class I>
   void add_pairs(Coincidence kind, const StudiedBody& studied, const std::vector<I>& ids) {
     Coincidences& all = at(kind);
@@ -77,11 +78,11 @@ class Findings {
   std::size_t most_;
 };
 
-/// How many pairs of a node and an arc the search for normals on arcs looks at.
+/// Returns the number of pairs of a node and an arc that the search for normals on arcs tests.
 std::uint64_t pairs_to_test(const StudiedBodies& bodies);
 
 /// Finds the coincidences of two bodies of this depth, whose axes have `units`, of all kinds;
-/// normals on arcs only if there are at most so many pairs to test. Reports its progress.
+/// normals on arcs only if there are at most `most_pairs` pairs to test. Reports its progress.
 void find_coincidences(kernels::Context& context, const StudiedBodies& bodies, const Vector& units, const Depth& depth,
                        Findings& findings, std::uint64_t most_pairs = std::numeric_limits<std::uint64_t>::max());
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom-subject-bullet and fathom-subject-bullet64, epa|pair|world: btGjkEpaSolver2 without
 // margins; btGjkPairDetector, the path of two convex bodies in a world; and the manifold of a world
-// of two bodies. Margins that are not of the case are undone: where A and B grow by them, they are
-// taken off the depth.
+// of two bodies. The effect of Bullet's own margins is removed: the depth is reduced by what they
+// add to A and B.
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
@@ -36,8 +36,8 @@ constexpr const char *precision = "binary64", *suffix = "64";
 constexpr const char *precision = "binary32", *suffix = "";
 #endif
 
-/// Rounded. Through a volatile, as g++ 12 leaves the rounding of pairs of numbers out where they
-/// are widened again.
+/// Rounds to Bullet's precision. The volatile is needed because g++ 12 omits the rounding of
+/// vectors of two numbers that are widened again.
 btScalar scalar(double x) {
   const volatile btScalar rounded = static_cast<btScalar>(x);
   return rounded;
@@ -47,8 +47,8 @@ btVector3 vector(const Vector& v) { return {scalar(v[0]), scalar(v[1]), scalar(v
 
 Vector plain(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// How bodies are made: hulls of vertices about their own centre, their mean, as Bullet's users
-/// make them.
+/// How to make Bullet's shapes: hulls of vertices about their own centre, their mean, as Bullet's
+/// users make them.
 struct Making {
   btScalar margin = 0;
   /// boxes and cylinders as in a world: with the margin that Bullet gives them, inside their
@@ -84,8 +84,8 @@ struct Placed {
     return made;
   }
 
-  /// GJK and EPA see a core and a ball around it, whose radius is the margin: that of the case, or
-  /// else the mode's. A sphere or capsule is nothing but margin.
+  /// GJK and EPA treat a shape as a core and a ball around it, whose radius is the margin: that of
+  /// the case, or else the mode's. A sphere or capsule consists of its margin alone.
   void make_shape(const Body& body, const Making& making) {
     const btVector3 x = vector(body.rotation[0]), y = vector(body.rotation[1]), z = vector(body.rotation[2]);
     at = btTransform({x[0], x[1], x[2], y[0], y[1], y[2], z[0], z[1], z[2]}, vector(body.translation));
@@ -109,8 +109,8 @@ struct Placed {
     grow(making.margin, body.margin);
   }
 
-  /// Bullet counts the margin of these inside their lengths: the core would be smaller than the
-  /// case's, and the edges round.
+  /// For these shapes Bullet includes the margin in their lengths: the core would be smaller than
+  /// the case's, and the edges round.
   template <class Inner>
   void make_around_core(const Vector& half, const Making& making, double given) {
     auto made = std::make_unique<Inner>(vector(half));
@@ -135,8 +135,8 @@ Making making(Settings& settings, double margin) {
   return making;
 }
 
-/// The solver has no guess of its own: without the setting it gets the one that Bullet's own
-/// callers give it, from centre to centre.
+/// Without the setting, the solver gets the initial guess of Bullet's own callers, from centre to
+/// centre, as it has no default of its own.
 subject::Solver epa(Settings& settings) {
   settings.note("margin", "0");
   const std::optional<Vector> guess = settings.vector("guess", "B-A");
@@ -189,7 +189,7 @@ subject::Solver pair(Settings& settings) {
   };
 }
 
-/// A world of two bodies, asked once as its manual says: all points of its manifold, each with a
+/// A world of two bodies, queried once as its manual says: all points of its manifold, each with a
 /// distance and a point on both bodies.
 class World {
  public:

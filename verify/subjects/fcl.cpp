@@ -35,7 +35,8 @@ std::unique_ptr<fcl::CollisionGeometryd> convex(const Body& body) {
   return std::make_unique<fcl::Convexd>(vertices, static_cast<int>(body.faces.size()), faces, true);
 }
 
-/// FCL's lengths are full ones, its shapes along z about their centre; a cone's apex is above.
+/// Makes a primitive of FCL, whose lengths are full ones. Its shapes lie along z about their
+/// centre; a cone's apex is above.
 std::unique_ptr<fcl::CollisionGeometryd> primitive(const Body& body) {
   const auto number = [&body](const char* name) { return subject::number(body, name); };
   if (subject::is(body, "sphere")) return std::make_unique<fcl::Sphered>(number("radius"));
@@ -90,7 +91,7 @@ subject::Solver signed_distance(Settings& settings) {
 
 bool is_halfspace(const Body& body) { return subject::is(body, "halfspace"); }
 
-/// Whether FCL answers the pair by a formula of its own, with either solver.
+/// Returns whether FCL answers the pair by a closed formula, with either solver.
 bool has_formula(const Body& a, const Body& b) {
   if (is_halfspace(a) || is_halfspace(b)) return true;
   if (a.shape.empty() || b.shape.empty()) return false;
@@ -105,7 +106,7 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
   request.num_max_contacts = settings.count("num_max_contacts", request.num_max_contacts);
   request.gjk_tolerance = settings.number("gjk_tolerance", request.gjk_tolerance);
   settings.note("gjk_solver_type", type_name);
-  if (type == fcl::GST_INDEP)  // libccd's MPR takes none
+  if (type == fcl::GST_INDEP)  // libccd's MPR has no such parameter
     if (const auto guess = settings.vector("guess", "1:0:0")) {
       request.enable_cached_gjk_guess = true;
       request.cached_gjk_guess = fcl::Vector3d(guess->data());
@@ -123,7 +124,7 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
     if (contacts.empty()) return reply;
     const auto size = [](const fcl::Contactd& contact) { return std::abs(contact.penetration_depth); };
     const fcl::Contactd& deepest = *std::ranges::max_element(contacts, {}, size);
-    // GST_INDEP answers depths below 0, as the mode says, but for these pairs.
+    // GST_INDEP reports depths below 0, as the mode declares, except for these pairs.
     const bool turned = request.gjk_solver_type == fcl::GST_INDEP && has_formula(a, b);
     const double sign = turned ? -1 : 1;
     reply.depth = sign * deepest.penetration_depth;
@@ -140,7 +141,7 @@ subject::Solver collide(Settings& settings, fcl::GJKSolverType type, const char*
 int main(int argc, char** argv) {
   const std::vector<std::string> bounded{"sphere", "capsule", "box", "cylinder", "cone", "ellipsoid"};
   std::vector<std::string> all = bounded;
-  all.emplace_back("halfspace");  // in distance, a half-space is a null pointer that FCL calls
+  all.emplace_back("halfspace");  // for a half-space, distance calls a null pointer of FCL
   const subject::Mode modes[] = {
       {.argument = "signed",
        .name = "fcl-signed",

@@ -15,11 +15,11 @@ using subject::Body, subject::Vector;
 
 Vector plain(const ccd_vec3_t& v) { return {v.v[0], v.v[1], v.v[2]}; }
 
-/// A farthest point of a body along `u`. libccd knows no shapes: these are written as its test
-/// suite and FCL write them.
+/// Returns a farthest point of a body along `u`. libccd has no shapes: these functions follow its
+/// test suite and FCL.
 using Support = Vector (*)(const Body& body, const Vector& u);
 
-/// The first of the farthest vertices.
+/// Returns the first of the farthest vertices.
 Vector hull(const Body& body, const Vector& u) {
   const auto height = [&u](const Vector& v) { return v[0] * u[0] + v[1] * u[1] + v[2] * u[2]; };
   const Vector* best = &body.vertices.front();
@@ -32,14 +32,14 @@ Vector hull(const Body& body, const Vector& u) {
   return *best;
 }
 
-/// Of a ball about O. A direction of length 0 is answered with O.
+/// Returns the farthest point of a ball about O; O for a direction of length 0.
 Vector ball(double radius, const Vector& u) {
   const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
   if (length == 0) return {};
   return {u[0] * (radius / length), u[1] * (radius / length), u[2] * (radius / length)};
 }
 
-/// Of a disc across z about O.
+/// Returns the farthest point of a disc about O across z.
 Vector disc(double radius, const Vector& u) { return ball(radius, {u[0], u[1], 0}); }
 
 Vector sphere(const Body& body, const Vector& u) { return ball(subject::number(body, "radius"), u); }
@@ -61,7 +61,7 @@ Vector cylinder(const Body& body, const Vector& u) {
   return v;
 }
 
-/// The apex, above, or a point of the rim.
+/// Returns the apex, which is above, or a point of the rim.
 Vector cone(const Body& body, const Vector& u) {
   const double radius = subject::number(body, "radius"), half_length = subject::number(body, "half_length");
   if (2 * half_length * u[2] > radius * std::hypot(u[0], u[1])) return {0, 0, half_length};
@@ -114,7 +114,8 @@ void centre(const void* object, ccd_vec3_t* out) {
   ccdVec3Set(out, c[0], c[1], c[2]);
 }
 
-/// Where GJK starts. libccd calls a function of the bodies alone: the direction has no other place.
+/// The direction from which GJK starts. It is global because libccd calls a function of the bodies
+/// alone.
 Vector first_direction{};
 
 void first(const void*, const void*, ccd_vec3_t* out) {
@@ -130,7 +131,7 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
   options.center1 = options.center2 = centre;
   options.*tolerance = settings.number(name, options.*tolerance);
   options.max_iterations = settings.count("max_iterations", options.max_iterations);
-  if (tolerance == &ccd_t::epa_tolerance)  // MPR starts from the centres
+  if (tolerance == &ccd_t::epa_tolerance)  // MPR starts from the centres instead
     if (const auto direction = settings.vector("first_direction", "1:0:0")) {
       first_direction = *direction;
       options.first_dir = first;
@@ -139,8 +140,8 @@ ccd_t options_of(subject::Settings& settings, ccd_real_t ccd_t::*tolerance, cons
   return options;
 }
 
-/// libccd's position is where a force should act, by its header: not a point of both bodies, unless
-/// it is asked to be taken for one.
+/// Makes a solver. By libccd's header, its position is where a force should act, not a point of
+/// both bodies; it is reported as a contact only on request.
 subject::Solver solver(Penetration penetration, subject::Settings& settings, ccd_real_t ccd_t::*tolerance,
                        const std::string& name) {
   const ccd_t options = options_of(settings, tolerance, name);

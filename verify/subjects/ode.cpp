@@ -14,8 +14,8 @@ using subject::Body, subject::Vector;
 
 Vector plain(const dVector3& v) { return {v[0], v[1], v[2]}; }
 
-/// ODE's lengths are full ones, its shapes along z about their centre. A plane has no place: it is
-/// where its normal and offset say.
+/// Makes a primitive of ODE, whose lengths are full ones. Its shapes lie along z about their
+/// centre. A plane has no position: its normal and offset determine it.
 dGeomID primitive(const Body& body) {
   const auto number = [&body](const char* name) { return subject::number(body, name); };
   if (subject::is(body, "halfspace")) {
@@ -39,8 +39,8 @@ dGeomID primitive(const Body& body) {
   return id;
 }
 
-/// A primitive, or a convex geom about the mean of its vertices, which ODE takes for an inner
-/// point. ODE keeps the pointers.
+/// A primitive, or a convex geom about the mean of its vertices, which ODE uses as an inner point.
+/// ODE keeps the pointers.
 class Geom {
  public:
   explicit Geom(const Body& body) {
@@ -67,7 +67,7 @@ class Geom {
     dGeomSetPosition(id_, centre[0], centre[1], centre[2]);
   }
 
-  /// Unit normal (Newell's, outward) and offset.
+  /// Adds the unit normal (Newell's, outward) and offset of a face.
   void add_plane(const std::vector<int>& face) {
     Vector normal{};
     for (std::size_t k = 0; k < face.size(); ++k) {

@@ -30,7 +30,7 @@ inline bool is(const Body& body, const char* shape) { return body.shape == shape
 inline double number(const Body& body, const char* name) { return body.number.at(name); }
 inline const Vector& triple(const Body& body, const char* name) { return body.triple.at(name); }
 
-/// The direction of a shape's frame in the world, and back.
+/// Returns a direction of a shape's frame in the world; and the inverse.
 inline Vector turned(const Body& body, const Vector& v) {
   Vector w{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -44,7 +44,7 @@ inline Vector turned_back(const Body& body, const Vector& v) {
   return w;
 }
 
-/// Divided before it is summed: no sum of finite numbers overflows.
+/// Returns the mean. Divides before summing, so that no sum of finite numbers overflows.
 inline Vector mean(const std::vector<Vector>& points) {
   Vector mean{};
   for (const Vector& point : points)
@@ -52,8 +52,8 @@ inline Vector mean(const std::vector<Vector>& points) {
   return mean;
 }
 
-/// The body without the vertices that lie in no face: a hull, as libraries of faces take it. Throws
-/// Unsupported for a body without faces.
+/// Returns the body without the vertices that lie in no face, for libraries that take hulls by
+/// their faces. Throws Unsupported for a body without faces.
 inline Body hull(const Body& body) {
   if (body.faces.empty()) throw Unsupported("a flat body: the library's convex bodies are made of faces");
   constexpr int unused = -1;
@@ -88,7 +88,7 @@ class Settings {
     }
   }
 
-  /// The value in force. Throws std::invalid_argument for a value that is not a number.
+  /// Returns the value of a setting. Throws std::invalid_argument for a value that is not a number.
   double number(const std::string& key, double usual) {
     const auto text = taken(key);
     const double value = text ? read<double>(key, *text, "a number") : usual;
@@ -96,8 +96,8 @@ class Settings {
     return value;
   }
 
-  /// The same of a whole number. The largest, which stands for none, is listed and may be given as
-  /// "no limit".
+  /// Returns a whole number in the same way. The largest one means that there is no limit; it is
+  /// listed and may be given as "no limit".
   unsigned long count(const std::string& key, unsigned long usual) {
     constexpr unsigned long endless = std::numeric_limits<unsigned long>::max();
     constexpr const char* no_limit = "no limit";
@@ -108,7 +108,7 @@ class Settings {
     return value;
   }
 
-  /// x:y:z, if it was given; else nullopt, and `usual` says in the list what is taken then.
+  /// Returns x:y:z, if it was given; else nullopt, and the hello lists `usual` as the default.
   std::optional<Vector> vector(const std::string& key, const std::string& usual) {
     const auto text = taken(key);
     note(key, text.value_or(usual));
@@ -121,14 +121,14 @@ class Settings {
     return v;
   }
 
-  /// Declares that an answer has no more contacts.
+  /// Declares the largest number of contacts of an answer.
   void most_contacts(unsigned long count) { manifold_.emplace()["most"] = static_cast<double>(count); }
   [[nodiscard]] const std::optional<std::map<std::string, double>>& manifold() const { return manifold_; }
 
-  /// Lists what cannot be changed.
+  /// Lists a parameter that cannot be changed.
   void note(const std::string& key, const std::string& text) { told_[key] = text; }
 
-  /// Throws std::invalid_argument when a key was given that nothing asked for.
+  /// Throws std::invalid_argument if a key was given that no mode reads.
   void check_all_used() const {
     if (given_.empty()) return;
     std::string keys;
@@ -158,7 +158,7 @@ class Settings {
     return value;
   }
 
-  /// The fewest digits that read back as the number.
+  /// Returns the shortest decimal that reads back as the number.
   static std::string shortest(double value) {
     constexpr int least = 15, most = 17;
     char text[32];
@@ -176,15 +176,15 @@ class Settings {
 
 // ---- programs ----
 
-/// One way of asking the library.
+/// One way to call the library.
 struct Mode {
-  std::string argument;               ///< its word on the command line
+  std::string argument;               ///< the word for it on the command line
   std::string name;                   ///< "libccd-epa"
   std::string depth = "positive";     ///< the sign of the depth of bodies that overlap: "positive" or "negative"
-  std::string moves = "a";            ///< the body that |depth| * direction moves apart
+  std::string moves = "a";            ///< the body that |depth| * direction moves
   bool faces = false;                 ///< whether it needs faces
   std::string claims = "minimum";     ///< what a depth with a direction means
-  std::vector<std::string> shapes{};  ///< that it takes by name, and "margin" if any of them may have one
+  std::vector<std::string> shapes{};  ///< the shapes that it takes by name, and "margin" if any of them may have one
   std::function<Solver(Settings&)> make;
 };
 
@@ -210,7 +210,7 @@ inline bool is_rotation(const fathom_subject::Matrix& rows) {
 }
 
 /// Throws Unsupported for a shape or a margin that the mode does not declare, and for a pose that
-/// is no rotation.
+/// is not a rotation.
 inline void check_taken(const Body& body, const Mode& mode) {
   if (body.shape.empty()) return;
   const auto takes = [&mode](const std::string& word) { return std::ranges::count(mode.shapes, word) > 0; };

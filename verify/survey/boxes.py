@@ -24,7 +24,7 @@ def product(p, q):
 
 
 def pair(seed, tilt):
-    """A on B: turned about the vertical, by any angle or not at all, and then about a horizontal line through its middle, 2^-k deep."""
+    """Puts A on B: turned about the vertical, by any angle or not at all, then about a horizontal line through its middle, 2^-k deep."""
     chance = random.Random(seed)
     a, b = ([chance.randint(8, 32) / 32 for _ in "xyz"] for _ in "ab")
     x, y = chance.choice(AXES)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A page for each family, or case, on which a subject fails: who fails how, and of each the worst case with its picture, its proof, and
-commands that show it again."""
+"""Writes a page for each family, or case, on which a subject fails: the subjects and their verdicts, and of each the worst case with its
+picture, its proof, and commands that show it again."""
 import base64
 import json
 import pathlib
@@ -13,13 +13,13 @@ from markup import document, e, file_name, told
 
 
 def output_name(case, ending):
-    """The name that fathom gives to a file about a case."""
+    """Returns the name of fathom's file about a case."""
     name = "".join(c if re.match(r"[A-Za-z0-9._-]", c) else "".join(f"%{byte:02X}" for byte in c.encode()) for c in case)
     return ("%2E" + name[1:] if name.startswith(".") else name) + ending
 
 
 def drawn(cases, fathom, folder):
-    """{case: (result, picture, certificate)} of lines of cases, by fathom."""
+    """Returns {case: (result, picture, certificate)} for lines of cases, computed by fathom."""
     stream = folder / "cases.jsonl"
     stream.write_text("".join(line + "\n" for line in cases.values()), encoding="utf-8")
     done = subprocess.run([fathom, "depth", "--json", "--svg", folder / "svg", "--certificate", folder / "cert", stream],
@@ -33,7 +33,7 @@ def drawn(cases, fathom, folder):
 
 
 def truth(result):
-    """What fathom says, in one line."""
+    """Returns fathom's answer in one line."""
     if "status" not in result:
         return ""
     depth = result.get("depth", {}).get("value") if isinstance(result.get("depth"), dict) else None
@@ -76,7 +76,7 @@ def table(name, row, results):
 
 
 def worst_cases(name, row, results):
-    """{case: [(adapter, verdict, sentence)]} in the order of the subjects."""
+    """Returns {case: [(adapter, verdict, sentence)]} in the order of the subjects."""
     found = {}
     for subject in results["subjects"]:
         if worst := subject["sets"].get(name, {"cells": {}})["cells"].get(row, {}).get("worst"):
@@ -105,7 +105,7 @@ def write(results, fathom, out):
 
 
 def cases_of(found, fathom):
-    """What the set's command prints."""
+    """Returns the output of the set's command."""
     program = f'fathom() {{ "{fathom}" "$@"; }}; '
     return subprocess.run(["bash", "-c", program + found["command"]], cwd=sets.ROOT, stdout=subprocess.PIPE, check=True).stdout
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The contacts that subjects answer, counted: "contacts" of results.json, and its tables.
+"""Counts the findings about contacts: "contacts" of results.json, and its tables.
 
 Of each set, a subject has `found`: for each tolerance and each family how many answers have a finding of VERDICTS.md, and `first`, for each
 finding the first case that has it at the wider tolerance, or else at the usual one, with the sentence. An answer may have several.
@@ -15,7 +15,7 @@ TILTS = {"parallel": "0", "tilted_hair": "1e-9", "tilted_slightly": "1e-4", "til
 
 
 def findings_of(outcome):
-    """{finding: the sentence of the first} of an outcome."""
+    """Returns {finding: the sentence of the first contact that has it} for an outcome."""
     found = {}
     for fault in outcome.get("contact_faults", []):
         found.setdefault(fault["finding"], fault["sentence"])
@@ -23,7 +23,7 @@ def findings_of(outcome):
 
 
 def summary(lines):
-    """(how many answers had contacts, {family: {finding: count}}, {finding: [case, sentence]}) of a report."""
+    """Returns (number of answers with contacts, {family: {finding: count}}, {finding: [case, sentence]}) for a report."""
     told, counts, first = 0, {}, {}
     for outcome in tally.outcomes_of(lines):
         told += bool(outcome.get("reply", {}).get("contacts"))
@@ -34,7 +34,7 @@ def summary(lines):
 
 
 def answers_of(reports, made):
-    """A subject of a set, by its report at each tolerance."""
+    """Returns a subject of a set, by its report at each tolerance."""
     found, first = {}, {}
     for tolerance in (USUAL, WIDE):
         lines = tally.read(reports[tolerance])
@@ -55,13 +55,13 @@ def count(found, finding, families=None):
 
 
 def both(subject, finding, families=None):
-    """As usual, and of these what is left at the wider tolerance."""
+    """Returns the count at the usual tolerance, and how many of these remain at the wider one."""
     usual, wide = (count(subject["found"][tolerance], finding, families) for tolerance in (USUAL, WIDE))
     return f"{usual}, {wide}" if usual or wide else ""
 
 
 def rows_of(found):
-    """(head, rows) of a set: of faces with a column for each tilt, where contacts are to reach as far as the bodies touch."""
+    """Returns (head, rows) for a set: of faces with a column for each tilt, where contacts are to cover the whole patch."""
     of_tilt = {family.partition("_")[2]: family for family in found["rows"]}
     columns = [(f"misses extent, tilt {told}", [of_tilt[tilt]]) for tilt, told in TILTS.items() if tilt in of_tilt]
     columns = columns or [("misses extent", None)]

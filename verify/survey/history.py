@@ -12,7 +12,7 @@ MOST_NAMED = 8
 
 
 def read(path):
-    """Its value; None where there is none."""
+    """Returns the value in the file; None if the file is missing."""
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
 
 
@@ -22,7 +22,7 @@ def named(ids):
 
 
 def changes(version, field):
-    """The cases of all sets, each by its id."""
+    """Returns the cases of all sets by id."""
     ids = [case for cases in version.get(field, {}).values() for case in cases]
     return f"{len(ids)}: {named(ids)}" if ids else ""
 

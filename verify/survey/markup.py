@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the pages of the survey have in common: each is one file with one style, no script, and a policy that lets it load nothing."""
+"""The common parts of the survey's pages: each is one file with one style, no script, and a policy that allows no loading."""
 import base64
 import hashlib
 import html
@@ -19,12 +19,12 @@ def e(text):
 
 
 def file_name(key):
-    """Of a cell's page; different keys have different names."""
+    """Returns the name of a cell's page; different keys have different names."""
     return re.sub(r"[^\w.-]", lambda found: f"%{ord(found[0]):02X}", key).replace("%", "_") or "none"
 
 
 def told(subject):
-    """What a row says of a subject behind its name: its version, its numbers, and the settings that decide."""
+    """Returns the text of a row after the subject's name: its version, its numbers, and the settings that affect accuracy."""
     hello = subject["hello"]
     decides = [f"{key} {hello['settings'][key]}" for key in sets.deciding(subject["adapter"]) if key in hello.get("settings", {})]
     return ", ".join([hello["version"], tally.numbers_text(hello), *decides[:1]])
@@ -40,7 +40,7 @@ def document(title, body, more_style=""):
 
 
 def bar(groups, label):
-    """All groups that are not empty, as wide as the cell."""
+    """Returns a bar of all groups that are not empty, as wide as the cell."""
     total, before, rects = sum(groups.values()), 0, []
     for group, css in GROUP_CLASS.items():
         if count := groups.get(group, 0):

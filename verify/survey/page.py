@@ -19,11 +19,11 @@ from markup import FAILING, GROUP_CLASS, bar, document, e, file_name, key, time_
 
 HERE = pathlib.Path(__file__).resolve().parent
 SUBSET_NAMES = {"solid": "solid bodies", "metre_sized": "metre-sized bodies"}
-STEPS = (.1, .3, .6)  # shares of failing cases from which on a cell is darker
+STEPS = (.1, .3, .6)  # shares of failing cases at which a cell becomes darker
 
 
 def filters(results):
-    """Which set, and which part of it; style alone obeys them."""
+    """Returns the choice of a set, and of a part of it; style rules alone apply it."""
     def choices(group, legend, options):
         labels = "".join(f'<label><input type="radio" name="{group}" id="{group}-{value}"{" checked" * (not i)}>{e(text)}</label>'
                          for i, (value, text) in enumerate(options.items()))
@@ -39,7 +39,7 @@ def subsets(results):
 
 
 def filter_style(results):
-    """Hides what is not chosen, on screens that know :has; elsewhere everything is shown."""
+    """Returns style rules that hide what is not chosen, in browsers with :has; others show everything."""
     rules = [f'body:has(#set-{name}:checked) section.set:not(#of-{name})' for name in results["sets"]]
     rules += [f"body:has(#part-{name}:checked) .part:not(.of-{name})" for name in ("all", *subsets(results))] * bool(subsets(results))
     return "@media screen { " + ", ".join(rules) + " { display: none; } }\n"
@@ -72,7 +72,7 @@ def bars(results, name, part):
 
 
 def map_cell(results, name, row, subject):
-    """How many cases of the row fail, or of a single case a letter that says how."""
+    """Returns the number of the row's failing cases, or for a single case a letter for its verdict."""
     found = subject["sets"].get(name, {"cells": {}})["cells"].get(row, {"n": {}})
     counts = {}
     for verdict, count in found["n"].items():
@@ -123,7 +123,7 @@ def section(results, name):
 
 
 def both_ways(results):
-    """The real cases as hulls and as in their reports, by what was judged and by the best settings found, as RESULTS.md has them."""
+    """Returns the real cases as hulls and as in their reports, by what was judged and by the best settings found, as in RESULTS.md."""
     text = "<section><h2>Real cases, both ways</h2>\n"
     for legend, (head, rows) in ((tables.LEGEND, tables.real_table(results)), (tables.BEST_LEGEND, tables.best_table(results))):
         cells = "\n".join(f'<tr><th scope="row">{e(row[0])}</th>{"".join(f"<td>{e(cell)}</td>" for cell in row[1:])}</tr>' for row in rows)

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the survey puts to every subject: sets of cases, each with the command that makes it, and the settings that are tried beside those
-as by default."""
+"""The input of the survey: sets of cases, each with the command that makes it, and the settings that are tried besides the defaults."""
 import dataclasses
 import hashlib
 import json
@@ -19,17 +18,17 @@ class Set:
     count: int = 0         # of generated cases
     size: int = 20         # points a body
     families: tuple = ()   # generated one after another; empty: all in turn
-    file: str = ""         # of cases that are there
-    program: str = ""      # of this folder, with its words, that prints the cases
+    file: str = ""         # of existing cases
+    program: str = ""      # of this folder, with its arguments, that prints the cases
     manifolds: dict = dataclasses.field(default_factory=dict)  # {adapter: KEY=VALUE,...} of those whose contacts are asked for
 
     @property
     def by_case(self):
-        """Whether each case is a row of its own in the tables, and not each family."""
+        """Returns whether each case, and not each family, is a row of the tables."""
         return bool(self.file)
 
     def commands(self):
-        """The command lines that print the cases."""
+        """Returns the command lines that print the cases."""
         if self.file:
             return [["cat", self.file]]
         if self.program:
@@ -42,7 +41,7 @@ class Set:
         return [] if self.families else ["--size", str(self.size)]
 
     def command(self):
-        """The same as text; a shell runs it."""
+        """Returns the same as text for a shell."""
         lines = self.commands()
         if len(lines) == 1:
             return " ".join(lines[0])
@@ -63,7 +62,8 @@ SETS = {
                       "pairs are shallow, touching or special by intent.", count=1400, families=PRIMITIVES),
 }
 
-# What is asked for whole manifolds: engines about hulls, and all about their own boxes, of which FCL, ODE and Bullet make several contacts.
+# # The subjects that are asked for whole manifolds: engines with hulls, and all with their own boxes, of which FCL, ODE and Bullet make
+# # several contacts.
 OF_HULLS = {"jolt-world": "positions=1", "rapier-world": "positions=1", "physx-scene": "positions=1", "mujoco-native": "positions=1,most=4",
             "cannon-contact": "positions=1"}
 OF_BOXES = {"fcl-collide": "positions=1,num_max_contacts=4", "bullet-world": "positions=1", "bullet64-world": "positions=1",
@@ -78,17 +78,17 @@ CONTACTS = {
                       program="verify/survey/boxes.py real", manifolds=OF_BOXES),
 }
 ALL = {**SETS, **CONTACTS}
-# Of contacts: as usual, and so that only what is wrong by a thousandth of the body counts.
+# # The tolerances for contacts: the usual one, and one at which only errors above a thousandth of the body count.
 TOLERANCES = ("1/1000000", "1/1000")
 
-# The sets that are put to subjects with other settings too, and the sizes that bodies then get: as given, or as `certify --fit` makes them.
+# # The sets that are put to subjects with other settings too, and the sizes to which bodies are brought: unchanged, or by `certify --fit`.
 TRIED_SETS = ("real", "shapes")
 FITS = ("", "1", "64")
 GUESSES = ["guess=0:0:0", "guess=1:1:1", "guess=0.3:0.5:0.81"]
 MARGINS = ["margin=0", "margin=0.001", "margin=0.01"]
 MUJOCO = ["ccd_tolerance=1e-9", "ccd_tolerance=1e-9,ccd_iterations=500"]
 COOKING = ["plane_tolerance=0", "plane_tolerance=0.00001", "tolerance_length=0.1", "tolerance_length=10"]
-# What decides accuracy by the library's own documents, and what an answer hangs on as we found. libccd's EPA may not end from 1e-12 on.
+# # Settings that affect accuracy according to the library's documents or to our experiments. From 1e-12 on, libccd's EPA may not end.
 TRIED = {
     "libccd-epa": ["epa_tolerance=1e-8", "epa_tolerance=1e-10", "first_direction=0.3:-0.81:0.5",
                    "epa_tolerance=1e-10,first_direction=0.3:-0.81:0.5"],
@@ -114,13 +114,13 @@ TRIED = {
 
 
 def deciding(adapter):
-    """The settings of an adapter that are tried: tables name them with what is in force."""
+    """Returns the settings of an adapter that are tried, whose values the tables show."""
     words = [pair.partition("=")[0] for text in TRIED.get(adapter, []) for pair in text.split(",")]
     return list(dict.fromkeys(words))
 
 
 def digest(path):
-    """Of the cases of a set, so that answers to other ones are told apart."""
+    """Returns a digest of the cases of a set, by which answers to other cases are recognised."""
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
@@ -137,6 +137,6 @@ def make(chosen, fathom, path):
 
 
 def read_cases(path):
-    """{id: the line} in the order of the file."""
+    """Returns {id: the line} in the order of the file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     return {json.loads(line)["id"]: line for line in lines if line.strip()}

@@ -22,8 +22,8 @@ import sets
 import tally
 
 HERE = pathlib.Path(__file__).resolve().parent
-# Of certify: 1 is a verdict that failed, which we are here for; 2 a case that has no form in the subject's numbers; 4 that all were
-# declined.
+# # Exit codes of certify that do not end the survey: 1 for a failed verdict, which is expected; 2 for a case that has no form in the
+# # subject's numbers; 4 if all were declined.
 ENDS = (0, 1, 2, 4)
 
 
@@ -32,7 +32,7 @@ SCHEMA = "fathom/survey/3"
 
 
 class Failed(Exception):
-    """A run that gave no whole report."""
+    """A run without a complete report."""
 
 
 def say(text):
@@ -40,7 +40,7 @@ def say(text):
 
 
 def adapters(fathom):
-    """([adapter], {adapter: why it is left out}) in the order of fathom's list; descriptions too."""
+    """Returns ([adapter], {adapter: why it is left out}) in the order of fathom's list; with descriptions."""
     listed = subprocess.run([fathom, "certify", "--list-adapters"], stdout=subprocess.PIPE, check=True, text=True).stdout
     there, missing = {}, []
     for line in listed.splitlines():
@@ -54,7 +54,7 @@ def adapters(fathom):
 
 @dataclasses.dataclass(frozen=True)
 class Task:
-    """One run: an adapter on a set, as by default or otherwise."""
+    """One run: an adapter on a set, with default or other settings."""
     name: str            # of the set
     adapter: str
     cases: int
@@ -75,7 +75,7 @@ class Task:
 
 
 class Progress:
-    """Says what has ended, and how long the rest will take at the pace of the cases of the same set."""
+    """Prints what has ended, and estimates the remaining time by the pace of the cases of the same set."""
 
     def __init__(self, tasks):
         self.left = list(tasks)
@@ -98,7 +98,7 @@ def mean(values):
 
 
 def certify(options, task):
-    """Runs a task; returns the last line of its table. One job: some engines remember the pairs before."""
+    """Runs a task; returns the last line of its table. It uses one job because answers of some engines depend on earlier pairs."""
     report = options.work / task.report
     words = [options.fathom, "certify", *task.words(), "--jobs", "1", "--time-out", str(options.time_out), "--report", report,
              options.work / f"{task.name}.jsonl"]
@@ -106,7 +106,7 @@ def certify(options, task):
         report.unlink(missing_ok=True)
     for attempt in range(ATTEMPTS):
         if attempt == ATTEMPTS - 1:
-            report.unlink(missing_ok=True)  # of another version, or of a subject that a busy machine did not let start
+            report.unlink(missing_ok=True)  # of another version, or of a subject that a busy machine did not start in time
         resume = ["--resume"] * report.exists()
         done = subprocess.run([*words, *resume], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         report.with_suffix(".log").write_text(done.stdout, encoding="utf-8")
@@ -135,7 +135,7 @@ def run_all(options, tasks):
 
 
 def as_minimum(task, options):
-    """The same for a subject that claims less than shortest translations, but held to them; else the task itself."""
+    """Returns the task that judges a subject by shortest translations, although it claims less; for other subjects the task itself."""
     if task.name not in sets.TRIED_SETS:
         return task
     claims = tally.read(options.work / task.report)[0]["subject"]["conventions"].get("claims")
@@ -143,19 +143,19 @@ def as_minimum(task, options):
 
 
 def tried(options, chosen, counts):
-    """Every adapter with other settings and sizes of bodies, on the sets for which this is asked."""
+    """Returns the tasks of every adapter with other settings and sizes of bodies, on the sets that have them."""
     return [Task(name, adapter, counts[name], settings, fit) for name in options.sets if name in sets.TRIED_SETS for adapter in chosen
             for settings in ["", *sets.TRIED.get(adapter, [])] for fit in sets.FITS if settings or fit]
 
 
 def of_contacts(options, chosen, counts):
-    """Whole manifolds, at each tolerance."""
+    """Returns the tasks for whole manifolds, at each tolerance."""
     return [Task(name, adapter, counts[name], words, tolerance=tolerance) for name in options.sets if name in sets.CONTACTS
             for adapter, words in sets.CONTACTS[name].manifolds.items() if adapter in chosen for tolerance in sets.TOLERANCES]
 
 
 def counted_contacts(options, manifolds, version, old):
-    """The sets of contacts, those that were not asked again as they were."""
+    """Returns the sets of contacts; keeps the old results of those that were not run again."""
     found = {name: old[name] for name in sets.CONTACTS if name in old}
     for name in sets.CONTACTS:
         asked = [task for task in manifolds if task.name == name]
@@ -172,7 +172,7 @@ def counted_contacts(options, manifolds, version, old):
 
 
 def before(path):
-    """The results that are there; parts that are not run again stay as they are."""
+    """Returns the existing results; parts that are not run again are kept."""
     if path.exists():
         found = json.loads(path.read_text(encoding="utf-8"))
         if found.get("schema") == SCHEMA:
@@ -186,7 +186,7 @@ def passed_of(report):
 
 
 def results(options, there, tasks, others, manifolds):
-    """What the reports say, and of what was not run what was there before."""
+    """Returns the results of the reports, with the old ones for parts that were not run."""
     version = subprocess.run([options.fathom, "--version"], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()[0].strip()
     old, today = before(options.out / "results.json"), datetime.date.today().isoformat()
     found = {"schema": SCHEMA, "time_out": options.time_out, "groups": list(tally.GROUPS), "tolerance": old.get("tolerance"),

@@ -105,13 +105,13 @@ def bits(subject):
 
 
 def settings(subject, most=None):
-    """What decides, as it is in force; the first `most` of it."""
+    """Returns the values of the settings that affect accuracy; the first `most` of them."""
     in_force = subject["hello"].get("settings", {})
     return "; ".join(f"{key} {in_force[key]}" for key in sets.deciding(subject["adapter"])[:most] if key in in_force)
 
 
 def right(found):
-    """"57 (3)": how many were right, and declined."""
+    """Returns "57 (3)": the numbers of right answers and of declined cases."""
     if found is None:
         return ""
     declined = found["groups"].get("declined", 0)
@@ -125,13 +125,13 @@ def judged(subject, name):
 
 
 def made(results, names, today):
-    """When the answers of these sets were given, and whether they are about the cases of today."""
+    """Returns the dates of the answers to these sets, and whether the cases have changed since."""
     return dates({name: {subject["adapter"]: found["made"] for subject in results["subjects"] if (found := subject["sets"].get(name))}
                   for name in names}, today)
 
 
 def dates(answered, today):
-    """The same of {set: {subject: made}}, the newest first."""
+    """Returns the same for {set: {subject: made}}, the newest first."""
     of_date, older = {}, [name for name, who in answered.items() if any(each["cases"] != today[name] for each in who.values())]
     for name, subjects in answered.items():
         for subject, each in subjects.items():
@@ -172,7 +172,7 @@ def subjects_table(subjects):
 
 
 def real_table(results):
-    """The real cases both ways, by all that is judged and by status and depth alone: (head, rows), as page.py shows them too."""
+    """Returns (head, rows) of the real cases both ways, judged by everything and by status and depth alone, as page.py shows them too."""
     rows = []
     for subject in results["subjects"]:
         both = [subject["sets"].get(name) for name in sets.TRIED_SETS]
@@ -184,7 +184,7 @@ def real_table(results):
 
 
 def tries(subject):
-    """{(settings, fit): {set: right}}, what is as by default first."""
+    """Returns {(settings, fit): {set: right}}, the defaults first."""
     return {("", ""): {name: subject["sets"][name]["groups"].get("right", 0) for name in sets.TRIED_SETS if name in subject["sets"]},
             **{(each["settings"], each["fit"]): each["right"] for each in subject["tried"]}}
 
@@ -193,7 +193,7 @@ def best_table(results):
     rows = []
     for subject in results["subjects"]:
         known = tries(subject)
-        chosen = max(known, key=lambda each: sum(known[each].values()))  # of equal ones the first
+        chosen = max(known, key=lambda each: sum(known[each].values()))  # the first of equal ones
         told = ", ".join(filter(None, [chosen[0], chosen[1] and f"--fit {chosen[1]}"])) or "as by default"
         rows.append([subject["adapter"], bits(subject), settings(subject, 1).replace("_tolerance", "").replace("0.0001", "1e-4"),
                      *(f"{known['', ''].get(name, '')}, {known[chosen].get(name, '')}" for name in sets.TRIED_SETS), told])
@@ -211,7 +211,7 @@ def fits_table(results):
 
 
 def tried_table(results):
-    """Every setting that was tried, in the bodies' own size."""
+    """Returns a table of all settings that were tried, with bodies in their own size."""
     rows = [[subject["adapter"], bits(subject), given or "as by default", *(counts.get(name, "") for name in sets.TRIED_SETS)]
             for subject in results["subjects"] for (given, fit), counts in tries(subject).items() if not fit]
     return table(["subject", "bits", "settings", "hulls", "as reported"], rows)
@@ -242,7 +242,7 @@ def primitives_table(results):
 
 
 def web_table(results):
-    """The engines for the web: what is asked, under which conventions, and how the real cases fare in their own size and in another."""
+    """Returns a table of the engines for the web: their functions, their conventions, and their results on the real cases in two sizes."""
     rows = []
     for subject in results["subjects"]:
         hello, known = subject["hello"], tries(subject)
@@ -303,7 +303,7 @@ def page(results, today):
 
 
 def blocks(results, today):
-    """{page: {name of a table: its text}} of the pages that are written by hand but for their tables."""
+    """Returns {page: {name of a table: its text}} for pages that are written by hand except for their tables."""
     other = [name for name in results["sets"] if name not in sets.TRIED_SETS]
     both = wrapped(made(results, sets.TRIED_SETS, today))
     return {
@@ -317,7 +317,7 @@ def blocks(results, today):
 
 
 def pages(results, today):
-    """{path: the text that a page is to have}."""
+    """Returns {path: the text that a page should have}."""
     found = {sets.ROOT / "verify/survey/RESULTS.md": page(results, today)}
     for path, tables_ in blocks(results, today).items():
         text = (sets.ROOT / path).read_text(encoding="utf-8")
@@ -332,7 +332,7 @@ def pages(results, today):
 
 
 def digests(fathom, names):
-    """{set: the digest of the cases that its command makes today}."""
+    """Returns {set: the digest of the cases that its command makes today}."""
     with tempfile.TemporaryDirectory() as folder:
         path, found = pathlib.Path(folder) / "cases.jsonl", {}
         for name in names:

@@ -16,7 +16,7 @@ import sets
 
 PASSES = ("pass", "touching-by-convention")
 CLASSES = ("correctly rounded", "4 ulp", "16 uR", "1e-6", "tolerance")
-# What a verdict is in few words, in the order of the tables.
+# # The groups of verdicts, in the order of the tables.
 GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shallow",),
           "wrong status": ("false-separation", "false-overlap"),
           "other wrong": ("not-a-direction", "wrong-sign", "too-far", "too-near", "not-separating", "inconsistent", "witness-off",
@@ -25,7 +25,7 @@ GROUPS = {"right": PASSES, "too deep": ("too-deep",), "too shallow": ("too-shall
           "no answer": ("crash", "time-out", "silent", "garbage", "failed"), "declined": ("unsupported",)}
 GROUP_OF = {verdict: group for group, verdicts in GROUPS.items() for verdict in verdicts}
 LETTERS = {"right": ".", "too deep": "D", "too shallow": "S", "wrong status": "X", "other wrong": "W", "no answer": "N", "declined": "-"}
-# What can be wrong with an answer whose status and depth are right: its direction, its points, the distance of bodies that are apart.
+# # Findings about answers whose status and depth are right: on the direction, the points, the distance of bodies that are apart.
 BEYOND_DEPTH = {"not-a-direction", "not-separating", "inconsistent", "witness-off", "contact-outside", "contact-too-deep",
                 "contact-too-shallow", "misses-extent", "tips", "wrong-derivative", "too-far", "too-near"}
 BADNESS = ("wrong status", "too shallow", "too deep", "other wrong", "no answer")  # of equal errors, and where there is none
@@ -38,7 +38,7 @@ def group_of(verdict):
 
 
 def family_of(case):
-    """The family that an id names, as fathom's own tables group them."""
+    """Returns the family in an id, as fathom's own tables group the cases."""
     found = re.fullmatch(r"(.+?)(?:::.*|-n\d+-s\d+)", case)
     return found.group(1) if found else ""
 
@@ -48,7 +48,7 @@ def read(path):
 
 
 def numbers_of(hello):
-    """(those of points, those of answers)"""
+    """Returns (the precision of points, that of answers)."""
     precision = hello["precision"]
     return (precision["points"], precision["answers"]) if isinstance(precision, dict) else (precision, precision)
 
@@ -66,12 +66,12 @@ def is_whole(path):
 
 
 def outcomes_of(lines):
-    """A case that was run again counts once."""
+    """Returns the outcomes; of a case that was run again only the last."""
     return list({line["id"]: line for line in lines if line["type"] == "case"}.values())
 
 
 def error_of(outcome, unit_roundoff):
-    """In parts of R; None without a claimed depth."""
+    """Returns the error in parts of R; None without a claimed depth."""
     value = outcome.get("judgement", {}).get("error_u_r")
     return None if value is None or isinstance(value, str) else value * unit_roundoff
 
@@ -84,7 +84,7 @@ def sentence_of(outcome):
 
 
 def worst_of(outcomes, unit_roundoff):
-    """The failing outcome that errs most; wrong answers before silence."""
+    """Returns the failing outcome with the largest error; wrong answers rank before missing ones."""
     failing = [o for o in outcomes if group_of(o["verdict"]) in BADNESS]
     if not failing:
         return None
@@ -108,13 +108,13 @@ def cell(outcomes, unit_roundoff):
 
 
 def microseconds(outcomes):
-    """Of the answers that subjects timed themselves: the median and the worst."""
+    """Returns the median and the worst of the times that subjects measured themselves."""
     times = [t for o in outcomes if (t := o.get("microseconds", o.get("reply", {}).get("microseconds"))) is not None]
     return {"median": statistics.median(times), "worst": max(times), "timed": len(times)} if times else None
 
 
 def extreme(outcomes, unit_roundoff, verdict, sign):
-    """Of the answers with that verdict, the one that is the farthest off on that side."""
+    """Returns the answer with that verdict whose error is the largest in that direction."""
     found = [(sign * (error_of(o, unit_roundoff) or 0), o["id"]) for o in outcomes if o["verdict"] == verdict]
     if not found:
         return None
@@ -123,18 +123,18 @@ def extreme(outcomes, unit_roundoff, verdict, sign):
 
 
 def is_right_alone(outcome):
-    """In its status, and in its depth if it has one."""
+    """Returns whether the status is right, and the depth if there is one."""
     judgement = outcome.get("judgement", {})
     return outcome["verdict"] in PASSES or bool(judgement) and set(judgement["findings"]) <= BEYOND_DEPTH
 
 
 def judged(line):
-    """What the answers of a report held that was judged; no status is without."""
+    """Returns how many answers of a report had each field and were judged by it. Every answer has a status."""
     return {name: line["judged"][name] for name in ("overlapping", "depth", "direction", "witness", "distance")}
 
 
 def summary(lines, unit_roundoff, by_case, as_minimum):
-    """`as_minimum`: the same report, or of a subject that claims less than shortest translations one that holds it to them."""
+    """`as_minimum`: the lines of the same report; for a subject that claims less than shortest translations, of one judged by these."""
     outcomes = outcomes_of(lines)
     cells = collections.defaultdict(list)
     for outcome in outcomes:
@@ -154,7 +154,7 @@ def summary(lines, unit_roundoff, by_case, as_minimum):
 
 
 def set_of(name, path):
-    """A set as the results hold it: its command, its cases, and how many a row of its tables has."""
+    """Returns a set for the results: its command, its cases, and the number of cases in each row of its tables."""
     chosen, cases = sets.ALL[name], sets.read_cases(path)
     rows = collections.Counter(case if chosen.by_case else family_of(case) for case in cases)
     return {"title": chosen.title, "about": chosen.about, "command": chosen.command(), "cases": len(cases), "digest": sets.digest(path),
@@ -162,7 +162,7 @@ def set_of(name, path):
 
 
 def answers_of(report, as_minimum, made, by_case):
-    """(hello, tolerance, the set of a subject) of a report."""
+    """Returns (hello, tolerance, the set of a subject) of a report."""
     lines = read(report)
     hello = {key: value for key, value in lines[0]["subject"].items() if key not in ("type", "protocol")}
     unit_roundoff = 2.0**-24 if numbers_of(hello)[0] == "binary32" else 2.0**-53
@@ -170,12 +170,12 @@ def answers_of(report, as_minimum, made, by_case):
 
 
 def compact(values):
-    """An object of JSON with a line for each of its values."""
+    """Returns an object of JSON with a line for each of its values."""
     return "{\n  " + ",\n  ".join(f"{json.dumps(name)}:{json.dumps(found, separators=(',', ':'))}" for name, found in values.items()) + "}"
 
 
 def text(results_):
-    """JSON with a line for each set of each subject: compact, and a change is a few lines of a difference."""
+    """Returns JSON with a line for each set of each subject: compact, and with small differences between versions."""
     def with_lines(values, key):
         head = json.dumps({name: value for name, value in values.items() if name != key})[:-1]
         return f'{head}, "{key}": {compact(values[key])}}}'

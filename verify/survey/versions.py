@@ -21,13 +21,13 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 ADAPTER = "mujoco-native"
-# Releases as the project's own list of changes dates them, which has no 3.3.8; of the two newest, the day on which the package was
-# published.
+# # Release dates from the project's own list of changes, which lacks 3.3.8; for the two newest, the day on which the package was
+# # published.
 RELEASED = {"3.9.0": "2026-05-27", "3.10.0": "2026-06-22", "3.12.0": "2026-08-20", "3.13.0": "2026-09-10", "3.14.0": "2026-09-23"}
 
 
 def packages():
-    """{version: package@version of npm}, the oldest first; the newest is the one that the adapter takes without a setting."""
+    """Returns {version: package@version of npm}, the oldest first; the newest is the one that the adapter uses without a setting."""
     web = ROOT / "verify" / "subjects" / "web"
     old = json.loads((web / "history" / "package.json").read_text(encoding="utf-8"))["dependencies"]
     newest = json.loads((web / "package.json").read_text(encoding="utf-8"))["dependencies"]["@mujoco/mujoco"]
@@ -43,7 +43,7 @@ def run(command, allowed=(0, 1)):
 
 
 def ask(fathom, adapter, cases, report):
-    """Writes the report; the counts of its summary."""
+    """Writes the report; returns the counts of its summary."""
     run([fathom, "certify", "--jobs", "1", "--adapter", adapter, "--report", report, cases])
     summary = json.loads(report.read_text(encoding="utf-8").splitlines()[-1])
     return summary["passed"], summary["cases"]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page says of an answer, from its JSON: values as text, then facts of convex bodies, then
-// those of unions. Numbers are copied as they stand there.
+// The facts of a page, from the JSON of an answer: values as text, then facts of convex bodies,
+// then those of unions. Numbers are copied unchanged.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,17 +16,17 @@ namespace {
 
 using picture::FactList, picture::folded, picture::Table;
 
-constexpr std::size_t longest = 4000;  // characters of one number; the page's data hold the whole
+constexpr std::size_t longest = 4000;  // characters of one number; the page's data hold all of them
 constexpr std::size_t most_optima = 20, most_union_optima = 50;
 
-/// The value of a field; null if the object has none, or is none.
+/// Returns the value of a field; null if the object has no such field, or is no object.
 const Data& at(const Data& object, std::string_view key) {
   static const Data none;
   const Data* const found = object.find(key);
   return found ? *found : none;
 }
 
-/// The items as `write` makes texts of them: "(1, 2, 3)".
+/// Returns the items, converted by `write`: "(1, 2, 3)".
 template <class Write>
 std::string bracketed(const std::vector<Data>& items, Write write) {
   std::string result;
@@ -46,7 +46,7 @@ std::string shown_text(const std::string& text) {
   return picture::markup(fmt::format("{}... ({} characters)", text.substr(0, longest), text.size()));
 }
 
-/// Points of a body, as "1, 5, 7".
+/// Returns points of a body, as "1, 5, 7".
 std::string point_list(const Data& ids) {
   if (ids.items().empty()) return "-";
   std::string result;
@@ -66,8 +66,9 @@ std::string decimal(double value, const std::string& beyond) {
 
 mpq_class rational(const Data& value) { return mpq_class(value.string()); }
 
-/// An exact point, each coordinate rounded once: three rationals; or, of round bodies, a point of
-/// the core and the way from there along a normal. What binary64 does not hold stands as it is.
+/// Returns an exact point with each coordinate rounded once: of three rationals; or, of round
+/// bodies, of a point of the core and a distance along a normal. Keeps the exact text of numbers
+/// beyond binary64.
 std::string decimals(const Data& place) {
   if (place.is_array())
     return shown_text(bracketed(place.items(), [](const Data& coordinate) {
@@ -84,11 +85,11 @@ std::string decimals(const Data& place) {
 
 // ---- of convex bodies ----
 
-/// The object with the length that the answer is about.
+/// Returns the object with the length that the answer is about.
 const Data& length_of(const Data& depth) { return at(depth, is(depth, "disjoint") ? "distance" : "depth"); }
 
-/// A length as a decimal, or words for what binary64 does not hold; empty if it is known by bounds
-/// only.
+/// Returns a length as a decimal, or words for a length beyond binary64; empty if only bounds are
+/// known.
 std::string decimal_length(const Data& length) {
   if (at(length, "value").is_number()) return shown(at(length, "value"));
   if (const Data& rounded = at(at(length, "rounded"), "f64"); rounded.is_object())
@@ -97,7 +98,7 @@ std::string decimal_length(const Data& length) {
   return "";
 }
 
-/// The length as a decimal, or what is known of it in its place.
+/// Returns the length as a decimal, or its bounds.
 std::string length_text(const Data& depth) {
   if (const std::string text = decimal_length(length_of(depth)); !text.empty()) return text;
   const Data& bounds = at(depth, "signed_depth");
@@ -111,7 +112,7 @@ std::string length_text(const Data& depth) {
                : fmt::format("{} to {}", bound("low"), bound("high"));
 }
 
-/// Its exact number and roundings, on demand.
+/// Returns its exact value and roundings, folded.
 std::string exact_length(const Data& length) {
   std::string text;
   if (const Data& squared = at(length, "squared"); !squared.is_null()) text += "squared  " + shown(squared) + "\n";
@@ -123,7 +124,7 @@ std::string exact_length(const Data& length) {
   return text.empty() ? "" : folded("exact", text);
 }
 
-/// Exact numbers of shapes are objects.
+/// Returns an exact place; for shapes it is an object in the JSON.
 std::string exact_place(const Data& value) {
   if (value.is_null()) return "";
   return folded("exact", value.is_array() ? shown(value) : picture::markup(value.written(Data::Form::given).text()));
@@ -156,8 +157,8 @@ std::uint64_t optima_count(const Data& depth) {
   return count.is_natural() ? count.natural() : at(depth, "optima").items().size();
 }
 
-/// The cone's generators, if there are several: the optima are then a continuum. Empty if there is
-/// no cone, or it is one ray.
+/// Returns the generators of the cone, if there are several: the optima are then a continuum. Empty
+/// if there is no cone, or it is one ray.
 std::string continuum(const Data& depth) {
   const Data& cone = at(depth, "optimal_cone");
   if (!cone.is_object()) return "";
@@ -176,7 +177,7 @@ std::string continuum(const Data& depth) {
   return result;
 }
 
-/// How many shortest ways out there are, as far as the answer tells: bounds do not.
+/// Returns the number of shortest ways out, if the answer has it, as an answer by bounds does not.
 std::string count_of_ways(const Data& depth) {
   if (is_word(at(depth, "method"), "enclosure")) return "";
   if (const std::string all = continuum(depth); !all.empty()) return all;
@@ -204,7 +205,7 @@ std::string optima_table(const Data& depth) {
 
 constexpr std::size_t most_patches = 50, most_patch_corners = 40;
 
-/// "a polygon of 4 corners, area 0.25".
+/// Returns "a polygon of 4 corners, area 0.25".
 std::string patch_text(const Data& patch) {
   const std::size_t corners = at(patch, "corners").items().size();
   if (corners == 1) return "a point";
@@ -212,7 +213,8 @@ std::string patch_text(const Data& patch) {
   return corners == 2 ? "a segment of length " + size : fmt::format("a polygon of {} corners, area {}", corners, size);
 }
 
-/// "Where they touch then", of bodies that overlap: after the way out.
+/// Returns the heading of a patch: "Where they touch then" for bodies that overlap, because it is
+/// about A after the way out.
 std::string where_text(const Data& depth, const Data& patch) {
   std::string bodies = "they";
   if (const Data& pieces = at(patch, "pieces"); pieces.is_array())
@@ -223,7 +225,7 @@ std::string where_text(const Data& depth, const Data& patch) {
                                                 : "touch");
 }
 
-/// A table of the corners, and of the points that span the faces on which they are.
+/// Returns a table of the corners, and of the points that span the faces on which they lie.
 std::string patch_table(const std::string& where, const Data& patch) {
   Table table(fmt::format("{}: {}", where, patch_text(patch)), {"#", "'on A", "'A's points", "'on B", "'B's points"});
   const std::vector<Data>& corners = at(patch, "corners").items();
@@ -237,7 +239,8 @@ std::string patch_table(const std::string& where, const Data& patch) {
   return table.text() + more + (corners.size() > 1 ? exact_length(at(patch, "size")) : "");
 }
 
-/// What follows from the patches; or why there are none.
+/// Adds the gradient and derivatives, which follow from the patches; or the reason why there are
+/// none.
 void add_first_order(FactList& rows, const Data& depth) {
   const Data& manifold = at(depth, "manifold");
   if (const Data& reason = at(manifold, "left_out"); !reason.is_null())
@@ -258,7 +261,8 @@ void add_first_order(FactList& rows, const Data& depth) {
                                                   : "not told: " + shown(at(derivative, "left_out")));
 }
 
-/// The patches: those of another optimum than the first are seen when it is chosen.
+/// Returns the tables of patches: those of other optima than the first are shown when the optimum
+/// is chosen.
 std::string patch_tables(const Data& depth) {
   std::string tables;
   const std::vector<Data>& patches = at(at(depth, "manifold"), "patches").items();
@@ -281,7 +285,7 @@ std::string patch_tables(const Data& depth) {
 const Data& distance_of(const Data& depth) { return at(at(depth, "apart"), "distance"); }
 const std::vector<Data>& optima_of(const Data& depth) { return at(depth, "optima").items(); }
 
-/// "piece 1 of A, piece 2 of B".
+/// Returns "piece 1 of A, piece 2 of B".
 std::string pieces_text(const Data& pieces) {
   return fmt::format("piece {} of <span class=\"key-a\">A</span>, piece {} of <span class=\"key-b\">B</span>",
                      pieces.at(0).text(), pieces.at(1).text());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shell, filled: the sentence of the answer, its facts and a still picture of the bodies, which
-// need no script; the sections that the script paints, with the sentence that leads into each; and
-// the data that it paints them from.
+// Fills the shell: the sentence of the answer, its facts and a still picture of the bodies, which
+// need no script; the sections that the script paints, each with an introductory sentence; and the
+// data for them.
 #include "view/page/page.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 using Sections = std::vector<std::pair<std::string_view, std::string_view>>;  // ids and names
 using Blocks = std::vector<std::pair<std::string_view, std::string>>;         // JSON by ids
 
-// ---- the sentences that lead into the sections ----
+// ---- the introductory sentences of the sections ----
 
 std::string lead_why(const stages::Stages& stages) {
   using stages::SumKind;
@@ -107,10 +107,9 @@ std::string lead_of_sums(const stages::UnionStages& stages) {
       stages.a.size(), stages.b.size(), counted(stages.sums.size(), "of them reaches", "of them reach"));
 }
 
-// ---- what stands around the sections ----
+// ---- the parts around the sections ----
 
-/// JSON that can stand in a script element: "<" occurs in its strings alone, where it has another
-/// form.
+/// Returns JSON for a script element. "<" occurs in its strings only, where it is escaped.
 std::string block(std::string_view id, const std::string& json) {
   std::string result = fmt::format("<script type=\"application/json\" id=\"{}\">", id);
   result.reserve(result.size() + json.size() + 16);
@@ -121,14 +120,14 @@ std::string block(std::string_view id, const std::string& json) {
   return result + "</script>\n";
 }
 
-/// The colours and pictures of all pages, and the layout of this one.
+/// Returns the colours and pictures of all pages, and the layout of this one.
 const std::string& whole_style() {
   static const std::string text = "\n" + picture::colour_style() + picture::picture_style() + plot::chart_style() +
                                   std::string(picture::scroll_style()) + std::string(style());
   return text;
 }
 
-/// The still picture with a caption; `seen` says whence it is seen. Empty if there is none.
+/// Returns the still picture with a caption; `seen` describes the view. Empty if there is none.
 template <class AnySheet>
 std::string figure(const AnySheet& sheet, std::string_view seen) {
   if (sheet.picture.empty()) return "";
@@ -141,7 +140,7 @@ std::string figure(const AnySheet& sheet, std::string_view seen) {
       sheet.picture, seen, green);
 }
 
-/// What prints the answer of a page.
+/// Returns the command that prints the answer of a page.
 std::string command_of(const Data& depth, std::string_view options) {
   const text::JsonValue* const derivative = depth.find("derivative");
   return fmt::format("fathom depth{} --patch{} --json", options,
@@ -159,7 +158,7 @@ std::string lead_motion(const Motions& motions) {
       motions.of_b ? " The picture shows A as it is seen from B." : "");
 }
 
-/// The charts, of which the script shows one at a time; or why there are none.
+/// Returns the charts, of which the script shows one at a time; or the reason why there are none.
 std::string motion_part(const Motions& motions) {
   std::string charts;
   for (const auto& [name, svg, repeated] : motions.charts)
@@ -169,7 +168,7 @@ std::string motion_part(const Motions& motions) {
   return charts.empty() ? fmt::format("<p class=\"soft\">{}</p>\n", picture::markup(motions.why_none)) : charts;
 }
 
-/// Sentences as a section of its own; empty if there are none.
+/// Returns sentences as a section of its own; empty if there are none.
 std::string left_out_section(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return "";
   std::string items;
@@ -185,8 +184,8 @@ Data parsed(const std::string& depth) {
   return std::move(read.value);
 }
 
-/// The page with its style, its script and its policy. `main` is markup, and so are the heading and
-/// what is below it.
+/// Returns the page with its style, its script and its policy. `main`, the heading and the text
+/// below it are markup.
 template <class AnySheet>
 std::string assembled(const AnySheet& sheet, std::string_view command, const std::string& heading,
                       const std::string& subtitle, const Sections& sections, const std::string& main,
@@ -214,8 +213,8 @@ std::string assembled(const AnySheet& sheet, std::string_view command, const std
                           {"script", std::string(script())}});
 }
 
-/// The exact squares that the stages leave out, of canonical pairs with one crossing: an array
-/// beside `pairs`.
+/// Returns an array of exact squares that the JSON of the stages omits: those of canonical pairs
+/// with one crossing, in the order of `pairs`.
 std::string squares(const stages::Stages& stages) {
   const auto square = [](const stages::StagedPair& pair) {
     return pair.closest && pair.crossings() == 1 ? text::Json(exact_text(pair.closest->squared)) : text::Json();

@@ -38,10 +38,10 @@ Bounds2 box_of(const Atom& atom, const View& view) {
 
 /// An atom in pixels.
 struct FlatAtom {
-  Dot center;  // from that of the first of its term
+  Dot center;  // relative to that of the first atom of its term
   std::vector<Dot> axes;
 
-  /// The farthest point in the direction u, and how far it is.
+  /// Returns the farthest point in the direction u, and its distance along u in `reach`.
   [[nodiscard]] Dot farthest(const Dot& u, double& reach) const {
     Dot result = center;
     std::vector<double> shares;
@@ -97,8 +97,8 @@ FlatBody flat(const Curved& body, const Window& window, const Point& by) {
   return result;
 }
 
-/// Unit vectors all around, ever closer ones near the way out: a close-up sees nothing else of the
-/// body. By rational points of the circle, which are the same on every machine.
+/// Returns unit vectors in all directions, closer to each other near the way out, which fills a
+/// close-up. They are rational points of the circle, so that they are the same on every machine.
 std::vector<Dot> directions() {
   constexpr int most_halvings = 30, steps = 24;
   std::vector<double> tangents{0};
@@ -115,12 +115,12 @@ std::vector<Dot> directions() {
 using Triple = Vec3<double>;
 
 constexpr int samples = 96;            // of a rim
-constexpr double hardly = 1e-9;        // of the body's extent: places are no more exact than that
+constexpr double hardly = 1e-9;        // of the body's extent, the accuracy of places
 constexpr std::size_t most_rims = 64;  // bodies with more are no cylinders
 
 Triple operator*(double c, const Triple& v) { return {c * v.x, c * v.y, c * v.z}; }
 
-/// An atom of a body, in units of the body's extent, seen from the first atom of its term.
+/// An atom of a body, in units of the body's extent, relative to the first atom of its term.
 struct NearAtom {
   Triple center;
   std::vector<Triple> axes;
@@ -163,7 +163,7 @@ class Body {
     }
     return result;
   }
-  /// Whether a plane across u touches the body at p.
+  /// Returns whether a plane across u touches the body at p.
   [[nodiscard]] bool is_extreme(const Triple& p, const Triple& u) const {
     return reach(u) - dot(p, u) <= hardly * length(u);
   }
@@ -175,7 +175,8 @@ class Body {
   std::vector<NearTerm> terms_;
 };
 
-/// A disc that may end the body: the sum of one and of points of all other terms.
+/// A disc that may be an end face of the body: the sum of a disc of one term and points of all
+/// others.
 struct Disc {
   Triple center, u, w;
 
@@ -183,7 +184,7 @@ struct Disc {
   [[nodiscard]] Triple tangent(double turn) const { return std::cos(turn) * w - std::sin(turn) * u; }
 };
 
-/// All sums of a disc of one term and a point of each other.
+/// Returns all sums of a disc of one term and a point of each other term.
 std::vector<Disc> discs_of(const std::vector<NearTerm>& terms) {
   std::vector<Disc> result;
   for (std::size_t own = 0; own < terms.size(); ++own) {
@@ -205,8 +206,9 @@ std::vector<Disc> discs_of(const std::vector<NearTerm>& terms) {
   return result;
 }
 
-/// Whether an outward normal at the place of the rim looks at us. The outward normals are those
-/// between that of the end face and the last one that is extreme when it is turned to the side.
+/// Returns whether an outward normal at the place of the rim faces the viewer. The outward normals
+/// are those between the normal of the end face and the last extreme one when it is turned to the
+/// side.
 bool is_seen(const Body& body, const Disc& disc, const Triple& face, double turn, const Triple& towards) {
   constexpr int halvings = 40;
   constexpr double from_its_edge = -1e-9;
@@ -223,7 +225,7 @@ bool is_seen(const Body& body, const Disc& disc, const Triple& face, double turn
   return dot(normal(low), towards) > from_its_edge;
 }
 
-/// The rim of a disc, cut where it begins or ceases to be seen.
+/// Adds the rim of a disc, divided into seen and hidden parts.
 void add_rim(const Body& body, const Disc& disc, const Triple& face, const Triple& towards, std::vector<Rim>& rims) {
   const auto turn = [](int i) { return 2 * std::numbers::pi * i / samples; };
   std::optional<bool> before;
@@ -236,7 +238,7 @@ void add_rim(const Body& body, const Disc& disc, const Triple& face, const Tripl
     before = hidden;
   }
   if (rims.size() - first < 2 || rims[first].hidden != rims.back().hidden) return;
-  std::vector<Point>& last = rims.back().path;  // it goes on where the first part begins
+  std::vector<Point>& last = rims.back().path;  // it continues with the first part
   last.insert(last.end(), rims[first].path.begin() + 1, rims[first].path.end());
   rims[first].path = std::move(last);
   rims.pop_back();

@@ -13,23 +13,23 @@
 namespace fathom::picture {
 namespace {
 
-/// The looks from p + t (q - p) lie on the inner side of a facet as far as s = at + slope t, or
-/// from there on.
+/// An end of the lines of sight from p + t (q - p) at a facet: they are on its inner side up to s =
+/// at + slope t, or from there on.
 struct Reach {
   mpq_class at, slope;
 
   [[nodiscard]] mpq_class value(const mpq_class& t) const { return at + slope * t; }
 };
 
-/// The strip of looks from a segment, cut by the facets of a body: the points of it with t in
-/// [from, to] and s between the least `above` and the greatest `below`.
+/// The strip of the lines of sight from a segment, cut by the facets of a body: the points with t
+/// in [from, to] and s between the greatest `below` and the least `above`.
 struct Strip {
   mpq_class from = 0, to = 1;
-  std::vector<Reach> below{{0, 0}}, above;  // looks begin at s = 0
+  std::vector<Reach> below{{0, 0}}, above;  // lines of sight begin at s = 0
 
-  /// The least t after which the strip is not empty. The height of the strip is concave in t: so
-  /// where it is not positive, the two facets that bound it there say where it may become so.
-  ///                                                                              [Newton's method]
+  /// Returns the least t after which the strip is not empty. The height of the strip is concave in
+  /// t; if it is not positive, the two facets that bound it at t determine the next t.
+  /// [Newton's method]
   [[nodiscard]] std::optional<mpq_class> begin() const {
     if (above.empty()) return std::nullopt;
     for (mpq_class t = from; t < to;) {
@@ -43,7 +43,8 @@ struct Strip {
   }
 
  private:
-  /// Of the reaches the least at t, and just after it, if `sign` is 1; the greatest if it is -1.
+  /// Returns the reach that is least at t, and just after it, if `sign` is 1; the greatest if it is
+  /// -1.
   static Reach tightest(const std::vector<Reach>& reaches, const mpq_class& t, int sign) {
     const Reach* best = nullptr;
     mpq_class value;
@@ -58,7 +59,7 @@ struct Strip {
 
 Point between(const Point& p, const Point& q, const mpq_class& t) { return p + t * (q - p); }
 
-/// A point of the boundary.
+/// Returns the point of the boundary that is nearest to O.
 Point foot(const HalfSpace& half) { return (half.offset / dot(half.normal, half.normal)) * half.normal; }
 
 std::vector<Dot> half_plane(const HalfSpace& half, const Window& window, const Point& by) {
@@ -75,7 +76,7 @@ Bounds2 box_of(const Wires& wires, const View& view) {
   return result;
 }
 
-/// nullopt if it would take too much memory, as with too many different denominators.
+/// Returns nullopt if the hull would take too much memory, as with too many different denominators.
 std::optional<polytope::Polytope> hull_of(const std::vector<Point>& points) {
   try {
     return polytope::convex_hull(polytope::place(points, points).a.points());
@@ -103,7 +104,7 @@ Wires wires_on(const std::vector<Point>& points, const std::optional<polytope::P
   return result;
 }
 
-/// What of each piece's edges is hidden by other pieces.
+/// Splits the edges of each piece where other pieces hide them.
 void hide_by_others(std::vector<Wires>& pieces, const std::vector<std::optional<Cover>>& covers) {
   for (std::size_t own = 0; own < pieces.size(); ++own) {
     std::vector<const Cover*> others;

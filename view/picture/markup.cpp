@@ -12,7 +12,7 @@ namespace {
 struct Lead {
   std::size_t length;  // of the sequence in bytes
   unsigned bits;       // that the first byte gives
-  unsigned least;      // a smaller code point has a shorter sequence, so this one is not UTF-8
+  unsigned least;      // smaller code points have shorter sequences, so in this one they are not UTF-8
 };
 
 Lead lead_of(unsigned char byte) {
@@ -23,8 +23,8 @@ Lead lead_of(unsigned char byte) {
   return {0, 0, 0};
 }
 
-/// Bytes of the character that `text`, which is not empty, begins with; 0 if that is not UTF-8, or
-/// none that XML 1.0 may hold.
+/// Returns the number of bytes of the first character of `text`, which must not be empty; 0 if it
+/// is not UTF-8, or XML 1.0 does not allow it.
 std::size_t character(std::string_view text) {
   const auto [length, bits, least] = lead_of(static_cast<unsigned char>(text[0]));
   if (length == 0 || length > text.size()) return 0;
@@ -112,7 +112,7 @@ std::string share_bar(std::span<const Share> shares, const std::string& id, cons
   if (all == 0) return "";
   std::string bars, legend, described;
   std::size_t before = 0;
-  std::map<std::string, std::size_t> seen;  // neighbours of one style alternate
+  std::map<std::string, std::size_t> seen;  // for ids: neighbours of the same style alternate
   for (const Share& share : shares) {
     if (share.count == 0) continue;
     const std::string style = share.style + (seen[share.style]++ % 2 == 0 ? "" : " other");

@@ -13,7 +13,7 @@ namespace {
 
 unsigned hex_value(char c) { return static_cast<unsigned>(c <= '9' ? c - '0' : c - 'a' + 10); }
 
-/// Base64 of the bytes that lower-case hexadecimal digits stand for.
+/// Returns the base64 form of bytes given as lower-case hexadecimal digits.
 std::string base64(std::string_view hex) {
   constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string result;

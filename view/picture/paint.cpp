@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the strokes to the whole: elements, bodies and ways, panels, then pictures for pages and as
-// files.
+// Paints pictures from strokes upwards: elements, bodies and ways, panels, then pictures for pages
+// and as files.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,21 +15,20 @@
 namespace fathom::picture {
 namespace {
 
-// The elements that every picture is painted with. Styles are classes of style.hpp; places are
-// pixels.
+// The elements of all pictures. Styles are classes of style.hpp; places are in pixels.
 
-/// A path; empty if there is nothing to draw.
+/// Returns a path; empty if there is nothing to draw.
 std::string path_element(const std::string& style, const std::string& d) {
   return d.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>", style, d);
 }
 
-/// A circle; empty if its place is not finite.
+/// Returns a circle; empty if its place is not finite.
 std::string circle_element(const std::string& style, const Dot& at, double radius) {
   if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "";
   return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>", style, at.x, at.y, radius);
 }
 
-/// The corners of a box around dots, of which there is at least one.
+/// Returns the corners of a box around dots, of which there must be one.
 std::pair<Dot, Dot> box_around(const std::vector<Dot>& dots) {
   Dot low = dots.front(), high = dots.front();
   for (const Dot& d : dots) {
@@ -39,8 +38,8 @@ std::pair<Dot, Dot> box_around(const std::vector<Dot>& dots) {
   return {low, high};
 }
 
-/// The union of convex areas: toned, or filled with the pattern `hatch`; a dot for what would be
-/// too small to be seen.
+/// Returns the union of convex areas: toned, or filled with the pattern `hatch`; a dot if it would
+/// be too small to be seen.
 std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::string& style,
                          const std::string& hatch) {
   constexpr double too_small = 3;
@@ -48,7 +47,7 @@ std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::
   std::string d;
   for (const std::vector<Dot>& area : areas) {
     all.insert(all.end(), area.begin(), area.end());
-    d += path_data(area, true);  // all turn the same way: the fill rule nonzero makes their union
+    d += path_data(area, true);  // all have the same orientation, so the fill rule nonzero yields their union
   }
   if (all.empty()) return "";
   const auto [low, high] = box_around(all);
@@ -58,7 +57,7 @@ std::string area_element(const std::vector<std::vector<Dot>>& areas, const std::
                        : fmt::format("<path class=\"{} hatched\" fill=\"url(#{})\" d=\"{}\"/>", style, hatch, d);
 }
 
-/// A face, given by the points that span it: a dot, a line, or the outline of a facet.
+/// Returns a face, given by the points that span it: a dot, a line, or the outline of a facet.
 std::string feature_element(const std::vector<Point>& points, const Window& window, const std::string& style,
                             double radius) {
   if (points.size() == 1) return circle_element(style, window.dot(points.front()), radius);
@@ -67,7 +66,7 @@ std::string feature_element(const std::vector<Point>& points, const Window& wind
   return path_element(style, path_data(dots, dots.size() > 2));
 }
 
-/// An arrow; a dot if it is too short to see.
+/// Returns an arrow; a dot if it would be too short to be seen.
 std::string arrow_elements(const Dot& from, const Dot& to, const std::string& style) {
   const double right = to.x - from.x, down = to.y - from.y, length = std::sqrt(right * right + down * down);
   if (!(length >= 2)) return circle_element(style + " dot", from, 3);
@@ -81,7 +80,7 @@ std::string arrow_elements(const Dot& from, const Dot& to, const std::string& st
 constexpr double longest_bar = 110;  // pixels
 constexpr double bar_inset = 12;     // pixels from the window
 
-/// A bar that stands for a round length; upright for the axis across the way.
+/// Returns a bar for a round length; upright for the axis across the way.
 std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool upright) {
   const RoundLength length = round_length(mpq_class(longest_bar / pixels));
   const double reach = mpq_class(length.value * pixels).get_d(), x = bar_inset, y = size.height - bar_inset;
@@ -101,20 +100,20 @@ std::string bar_elements(const mpq_class& pixels, const PixelSize& size, bool up
          fmt::format("<text class=\"scale\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", x + reach + 8, y + 4, length.text);
 }
 
-/// Bars that stand for round lengths: one, or two if the axes are scaled apart.
+/// Returns bars for round lengths: one, or two if the axes are scaled differently.
 std::string scale_bars(const Window& window) {
   const std::string along = bar_elements(window.scale().x, window.size(), false);
   return window.apart() ? along + bar_elements(window.scale().y, window.size(), true) : along;
 }
 
-/// Words in the corner below on the right; empty if there are none.
+/// Returns a text in the lower right corner; empty if there is none.
 std::string note_element(const std::string& text, const PixelSize& size) {
   if (text.empty()) return "";
   return fmt::format("<text class=\"note\" text-anchor=\"end\" x=\"{:.0f}\" y=\"{:.0f}\">{}</text>",
                      size.width - bar_inset, size.height - bar_inset + 4, text);
 }
 
-/// The pattern that B is filled with.
+/// Returns the pattern that B is filled with.
 std::string hatch_element(const std::string& id) {
   return fmt::format(
       "<defs><pattern id=\"{}\" patternUnits=\"userSpaceOnUse\" width=\"7\" height=\"7\" "
@@ -124,7 +123,7 @@ std::string hatch_element(const std::string& id) {
       id);
 }
 
-/// The ground of a picture.
+/// Returns the background of a picture.
 std::string ground_element(const PixelSize& size) {
   return fmt::format("<rect class=\"ground\" width=\"{}\" height=\"{}\"/>", size.width, size.height);
 }
@@ -132,7 +131,7 @@ std::string ground_element(const PixelSize& size) {
 // The bodies, then all of a scene.
 
 constexpr double short_way = 60;  // pixels: a shorter way gets a close-up
-constexpr double close_way = 70;  // how long it is there, in each coordinate at most
+constexpr double close_way = 70;  // its length in the close-up, at most, in each coordinate
 
 std::string edges_data(const std::vector<Wires::Wire>& wires, const Window& window, bool hidden) {
   std::string result;
@@ -145,7 +144,7 @@ std::string rims_data(const std::vector<Rim>& rims, const Window& window, bool h
   std::string result;
   for (const Rim& rim : rims) {
     if (rim.hidden != hidden) continue;
-    std::vector<Dot> run;  // of segments that follow one another; what is far outside is cut
+    std::vector<Dot> run;  // consecutive segments that are joined; parts far outside are cut
     for (std::size_t i = 1; i < rim.path.size(); ++i) {
       const std::vector<Dot> segment = window.segment(rim.path[i - 1], rim.path[i]);
       if (segment.size() < 2) continue;
@@ -159,7 +158,7 @@ std::string rims_data(const std::vector<Rim>& rims, const Window& window, bool h
   return result;
 }
 
-/// The outline of all areas together.
+/// Returns the outlines of all areas.
 std::string outline_data(const std::vector<std::vector<Dot>>& areas) {
   if (areas.size() == 1) return path_data(areas.front(), true);
   std::string result;
@@ -167,7 +166,7 @@ std::string outline_data(const std::vector<std::vector<Dot>>& areas) {
   return result;
 }
 
-/// A union: its area, deeper where pieces are in contact; thin seams, which are the edges of
+/// Returns a union: its area, darker for pieces in contact; thin seams, which are the edges of
 /// pieces; the outline.
 std::string union_elements(const Compound& body, const Window& window, const std::string& style,
                            const std::string& hatch) {
@@ -185,8 +184,8 @@ std::string union_elements(const Compound& body, const Window& window, const std
          path_element(style + " wire", outline_data(areas));
 }
 
-/// A body's area, then its edges: hidden ones first. Of a body without edges its outline, and its
-/// rims.
+/// Returns a body's area, then its edges, hidden ones first; for a body without edges its outline
+/// and rims.
 std::string body_elements(const Drawn& body, const Window& window, const std::string& style, const std::string& hatch) {
   if (const auto* compound = std::get_if<Compound>(&body)) return union_elements(*compound, window, style, hatch);
   const std::vector<std::vector<Dot>> areas = silhouettes(body, window);
@@ -206,12 +205,12 @@ std::string body_elements(const Drawn& body, const Window& window, const std::st
          path_element(style + " wire", seen);
 }
 
-/// The outline of A after a way.
+/// Returns the outline of A after a way.
 std::string ghost_element(const PairScene& scene, const Window& window) {
   return path_element("ghost", outline_data(silhouettes(scene.a, window, scene.way)));
 }
 
-/// The faces in contact, and on them the patches.
+/// Returns the faces in contact, and the patches on them.
 std::string contact_elements(const PairScene& scene, const Window& window) {
   std::string result;
   const auto add = [&](const std::vector<std::vector<Point>>& faces, const std::string& style) {
@@ -225,7 +224,7 @@ std::string contact_elements(const PairScene& scene, const Window& window) {
   return result;
 }
 
-/// Of the areas the one with the greatest box.
+/// Returns the area with the largest bounding box.
 std::vector<Dot> largest_area(const std::vector<std::vector<Dot>>& areas) {
   const auto size = [](const std::vector<Dot>& area) {
     if (area.empty()) return 0.0;
@@ -235,7 +234,8 @@ std::vector<Dot> largest_area(const std::vector<std::vector<Dot>>& areas) {
   return *std::ranges::max_element(areas, {}, size);
 }
 
-/// Where a body's letter stands: in what is seen of it, on the side away from the other body.
+/// Returns the place of a body's letter: in the visible part of it, on the side away from the other
+/// body.
 std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& window, double towards) {
   const double inset = 14;
   const std::vector<Dot> seen =
@@ -251,7 +251,7 @@ std::optional<Dot> letter_place(const std::vector<Dot>& around, const Window& wi
 
 std::string letters(const PairScene& scene, const Window& window) {
   const double towards =
-      scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; if it is apart, it comes from the left
+      scene.status == Status::disjoint ? -1 : 1;  // A moves to the right; for disjoint bodies it comes from the left
   std::string result;
   const auto add = [&](const Drawn& body, double side, const char* style, const char* letter) {
     if (const std::optional<Dot> at = letter_place(largest_area(silhouettes(body, window)), window, side))
@@ -291,7 +291,7 @@ constexpr PixelSize alone{720, 420}, of_two{356, 340};  // in a file: one panel,
 constexpr double gap = 8, head = 34, line = 19, inset = 12;
 constexpr std::size_t widest = 92;  // characters of a line of text
 
-/// The text in lines that fit, broken at spaces.
+/// Returns the text in lines that fit, broken at spaces.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> result;
   std::string rest = text;

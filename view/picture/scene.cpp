@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scenes of hulls of points, of shapes and of unions: what they share, what each needs, then the
-// three.
+// Makes scenes of hulls of points, of shapes and of unions: first the common part, then the parts
+// of each, then the three functions.
 #include "view/picture/scene.hpp"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ Points chosen(const Points& points, const std::vector<std::uint32_t>& ids) {
   return result;
 }
 
-/// The directions of the faces that are edges: a look along one of them would show nothing.
+/// Returns the directions of the faces that are edges: viewed along one of them, the edge would be
+/// a point.
 Points edges_of(const std::vector<Points>& touch_a, const std::vector<Points>& touch_b) {
   Points result;
   for (const std::vector<Points>* faces : {&touch_a, &touch_b})
@@ -34,48 +35,48 @@ Points edges_of(const std::vector<Points>& touch_a, const std::vector<Points>& t
   return result;
 }
 
-/// The greatest coordinate of a vector, without its sign.
+/// Returns the greatest magnitude of a coordinate.
 mpq_class size_of(const Point& p) { return std::max({mpq_class(abs(p.x)), mpq_class(abs(p.y)), mpq_class(abs(p.z))}); }
 
-/// Makes `extent` at least as large as the points are far from the origin in any coordinate.
+/// Increases `extent` to the largest coordinate difference of a point from the origin.
 void widen(mpq_class& extent, const auto& points, const Point& origin) {
   for (const Point& p : points) extent = std::max(extent, size_of(p - origin));
 }
 
-/// A way in proportion to the bodies: at most three times as long as they are far apart in any
-/// coordinate.
+/// Returns the way, shortened if it is out of proportion to the bodies: to at most three times
+/// their extent in any coordinate.
 Point in_proportion(const Point& way, const mpq_class& extent) {
   const mpq_class longest = 3 * (extent == 0 ? mpq_class(1) : extent), size = size_of(way);
   return size > longest ? (longest / size) * way : way;
 }
 
-/// The vector alpha n + beta n/|n|, to within a few roundings.
+/// Returns the vector alpha n + beta n/|n|, to within a few roundings.
 Point along(const AlongNormal& v) {
   return v.alpha * rational(v.normal) + v.beta * exact_point(unit_vector(rational(v.normal)));
 }
 
 Point place_of(const RoundedPoint& p) { return p.core + along({p.normal, 0, p.distance}); }
 
-/// A number of any size, to within a few roundings.
+/// Returns a number of any size, to within a few roundings.
 mpq_class rounded(const Surd& value) {
   constexpr unsigned bits = 128;
   const mpf_class root = sqrt(mpf_class(mpq_class(abs(value.root)), bits));
   return mpq_class(value.rational + sgn(value.root) * mpq_class(root));
 }
 
-/// n/|n| times the value, where no translation is known: of curved bodies, whose value is enclosed,
-/// or known by chance.
+/// Returns n/|n| times the value, for curved bodies, of which no translation is known: the middle
+/// of the bounds, or the exact value if it is known.
 Point way_by_value(const SignedDepth& depth) {
   const Bounds* bounds = depth.bounds();
   return along({depth.direction(), 0, bounds ? mpq_class((bounds->low + bounds->high) / 2) : rounded(*depth.exact())});
 }
 
-/// The points of a core that is a polytope; none of others.
+/// Returns the points of a core that is a polytope; none for other cores.
 Points core_points(const Shape& shape) {
   return shapes::polytope_points(shapes::simplified(shape), most_expanded_points).value_or(Points{});
 }
 
-/// The face of a rounded body: that of its core, moved outward by the radius.
+/// Returns the face of a rounded body: that of its core, moved outward by the radius.
 Points rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, const Vector& outward) {
   Points result;
   const Point by = along({outward, 0, shapes::simplified(shape).radius});
@@ -83,22 +84,22 @@ Points rounded_face(const Shape& shape, const std::vector<std::uint32_t>& ids, c
   return result;
 }
 
-/// The direction of the answer: that of the half-space, if there is one, which is to be seen from
-/// its edge.
+/// Returns the direction of the answer; with a half-space, its normal, so that it is seen from its
+/// edge.
 Point normal_of(const Shape& a, const Shape& b, const SignedDepth& depth) {
   if (const auto* half = std::get_if<HalfSpace>(&a.core)) return -half->normal;
   if (const auto* half = std::get_if<HalfSpace>(&b.core)) return half->normal;
   return rational(depth.direction());
 }
 
-/// Where the way begins if no witness is known.
+/// Returns the start of the way if no witness is known.
 Point start_of(const Shape& a, const Shape& b, const Point& normal, const Point& way) {
   if (!std::holds_alternative<HalfSpace>(a.core)) return farthest(a, -normal);
   return farthest(b, normal) - way;
 }
 
-/// Of the planes between pieces in contact the normal that is the least parallel to the way;
-/// nullopt if there is none beside it.
+/// Returns the normal, among the planes between pieces in contact, that is the least parallel to
+/// the way; nullopt if all are parallel to it.
 std::optional<Point> second_of(const std::vector<PieceContact>& contacts, const Point& along) {
   const Vec3<double> way = unit_vector(along);
   std::optional<Point> best;
@@ -117,12 +118,12 @@ Points moved(const Points& points, const Point& by) {
   return result;
 }
 
-/// A point of A, where it is now, that touches B once A has moved.
+/// Returns a point of A, in its present position, that touches B after A has moved.
 Point meeting_point(const Points& a, const Points& b, const Point& by) {
   return penetration_depth(moved(a, by), b).witness()->a - by;
 }
 
-/// What is in contact, by pieces.
+/// Which pieces of each body are in contact.
 struct Touching {
   std::vector<bool> a, b;
 
@@ -130,7 +131,7 @@ struct Touching {
   void add(std::uint32_t i, std::uint32_t j) { a[i] = b[j] = true; }
 };
 
-/// Where A ends, and what is in contact there.
+/// Sets the way of A and the features in contact after it.
 Touching add_optimum(const Pieces& a, const Pieces& b, const UnionOptimum& optimum, PairScene& scene) {
   Touching touching(a, b);
   scene.way = optimum.translation;

@@ -15,17 +15,17 @@ struct Colour {
 };
 
 constexpr std::array<Colour, 11> colours{{
-    {"ground", "#ffffff", "#14181d"},   // behind everything
+    {"ground", "#ffffff", "#14181d"},   // background
     {"ink", "#1b1f24", "#e6edf3"},      // text
     {"soft", "#57606a", "#9da7b1"},     // text beside it
-    {"line", "#d0d7de", "#3d444d"},     // rules
-    {"shade", "#f6f8fa", "#1d232a"},    // behind pictures and code
+    {"line", "#d0d7de", "#3d444d"},     // borders
+    {"shade", "#f6f8fa", "#1d232a"},    // background of pictures and code
     {"a", "#0550ae", "#79c0ff"},        // body A
     {"b", "#8a4600", "#f0b072"},        // body B
-    {"true", "#116329", "#56d364"},     // what fathom found
-    {"claimed", "#a40e26", "#ff8f88"},  // what others claim
+    {"true", "#116329", "#56d364"},     // fathom's result
+    {"claimed", "#a40e26", "#ff8f88"},  // others' claims
     {"link", "#0550ae", "#79c0ff"},     // links
-    {"lit", "#8250df", "#d2a8ff"},      // what is chosen
+    {"lit", "#8250df", "#d2a8ff"},      // the chosen element
 }};
 
 /// "@name" stands for a colour of that name.
@@ -74,7 +74,7 @@ std::string properties(std::string_view Colour::*shade) {
   return result;
 }
 
-/// The colour that a property has in light pages: light_colour("a") is that of --a. Throws
+/// Returns the colour of a property in light pages: light_colour("a") is that of --a. Throws
 /// std::out_of_range for other names.
 std::string_view light_colour(std::string_view name) {
   const auto found = std::ranges::find(colours, name, &Colour::name);
@@ -91,8 +91,8 @@ std::string colour_style() {
       properties(&Colour::light), properties(&Colour::dark));
 }
 
-// Two shadows stay at the edges; two covers of the ground's colour move with what is scrolled, and
-// hide them where it ends.
+// Two shadows are fixed at the edges; two covers of the background colour move with the scrolled
+// content, and hide a shadow at the end of the content.
 std::string_view scroll_style() {
   return R"(.wide { max-width: 100%; overflow-x: auto; background:
   linear-gradient(to right, var(--ground) 50%, transparent) left / 3rem 100% no-repeat local,

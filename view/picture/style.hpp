@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The look of every page and picture: one set of colours, for light, dark and paper, and the rules
-// that pictures are drawn by. Of the colours for A, B, what is true and what is claimed, any two
-// can be told apart by the colour-blind; and no meaning hangs on colour alone: A is toned, B is
-// hatched, what is claimed is dashed.
+// The style of every page and picture: one set of colours, for light, dark and paper, and the rules
+// for drawing pictures. The colours for A, B, the truth and the claim can be distinguished by the
+// colour-blind, and each has a second sign: A is toned, B is hatched, the claim is dashed.
 #pragma once
 
 #include <string>
@@ -10,23 +9,24 @@
 
 namespace fathom::picture {
 
-/// The colours as custom properties of the root: --ground, --ink, --soft, --line, --shade, --a,
-/// --b, --true, --claimed, --link, --lit. By prefers-color-scheme; print is light. Chooses nothing
-/// else.
+/// Returns the colours as custom properties of the root: --ground, --ink, --soft, --line, --shade,
+/// --a, --b, --true, --claimed, --link, --lit. They depend on prefers-color-scheme; print is light.
+/// Has no other rules.
 std::string colour_style();
 
-/// The rules for what scrolls sideways by itself, of class "wide": at an edge a shadow says that
-/// more lies beyond it, as a phone shows no bar.
+/// Returns the rules for elements of class "wide", which scroll sideways: a shadow at an edge shows
+/// that there is more beyond it, because phones show no scroll bar.
 std::string_view scroll_style();
 
-/// The rules, in which "@name" stands for a colour of that name, with custom properties in their
-/// place; `plain`: each after the light colour, which stays where var() is unknown.
+/// Returns the rules with each "@name" replaced by the custom property of that colour; `plain`:
+/// each property twice, first with the light colour, for programs without var().
 std::string coloured(std::string_view rules, bool plain);
 
-/// The rules for what scene_panels and scene_document make, by the colours of colour_style.
+/// Returns the rules for the output of scene_panels and scene_document, in the colours of
+/// colour_style.
 std::string picture_style();
 
-/// Both, for an SVG file. Programs that know no custom properties draw it in light colours.
+/// Returns both, for an SVG file. Programs without custom properties draw it in light colours.
 std::string document_style();
 
 }  // namespace fathom::picture

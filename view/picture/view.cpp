@@ -16,7 +16,7 @@ namespace {
 
 using Triple = Vec3<double>;
 
-/// A multiple whose greatest component is 1 or -1; zero stays.
+/// Returns the multiple whose greatest component is 1 or -1; zero for zero.
 Point shortened(const Point& v) {
   const mpq_class size = largest(v);
   return size == 0 ? v : (1 / size) * v;
@@ -29,26 +29,26 @@ Triple normalised(const Triple& v) {
   return l > 0 ? Triple{v.x / l, v.y / l, v.z / l} : Triple{};
 }
 
-/// What is left of v across the unit vector u.
+/// Returns the component of v orthogonal to the unit vector u.
 Triple across(const Triple& v, const Triple& u) {
   const double along = dot(u, v);
   return {v.x - along * u.x, v.y - along * u.y, v.z - along * u.z};
 }
 
-/// Of the directions of the axes, the one that leaves the most across u.
+/// Returns the direction of the axis that is the least aligned with u.
 Triple least_aligned(const Triple& u) {
   const double x = std::abs(u.x), y = std::abs(u.y), z = std::abs(u.z);
   if (z <= x && z <= y) return {0, 0, 1};
   return y <= x ? Triple{0, 1, 0} : Triple{1, 0, 0};
 }
 
-/// A turn about the way, by its cosine and sine.
+/// A rotation about the way, by its cosine and sine.
 struct Turn {
   double cosine, sine;
 };
 
-/// Unit vectors, so that no facet of a box that stands along the axes is seen from its edge, nor
-/// two of its edges behind one another. From above, the first first.
+/// Rotations in which no facet of a box along the axes is seen from its edge, and no two of its
+/// edges coincide. The views are from above; the first is preferred.
 constexpr std::array<Turn, 8> turns{{{0.92, 0.392},
                                      {0.8, 0.6},
                                      {0.98, 0.199},
@@ -63,8 +63,8 @@ Triple turned(const Triple& up, const Triple& beside, const Turn& turn) {
                      turn.cosine * up.z + turn.sine * beside.z});
 }
 
-/// How much of the edge that is seen least is seen if `up` points up: from 0, end on, to 1. What
-/// lies along the way counts not.
+/// Returns the smallest share of an edge's length that is seen if `up` points up: from 0, end on,
+/// to 1. Edges along the way do not count.
 double seen(const Triple& right, const Triple& up, std::span<const Point> edges) {
   double least = 1;
   for (const Point& edge : edges) {
@@ -74,7 +74,7 @@ double seen(const Triple& right, const Triple& up, std::span<const Point> edges)
   return least;
 }
 
-/// Up if nothing else lies in the plane.
+/// Returns the upward direction if no second direction must lie in the plane.
 Triple free_up(const Triple& right, std::span<const Point> edges) {
   constexpr double enough = 0.4;
   const Triple upright = normalised(across(least_aligned(right), right)), beside = cross(upright, right);
@@ -89,14 +89,14 @@ Triple free_up(const Triple& right, std::span<const Point> edges) {
 }
 
 constexpr int margin = 22;           // pixels
-constexpr int strip = 18;            // pixels below, where the scale bar stands
-constexpr int much_longer = 100;     // the axes are scaled apart beyond this ratio
+constexpr int strip = 18;            // pixels at the bottom, for the scale bar
+constexpr int much_longer = 100;     // beyond this ratio the axes are scaled differently
 constexpr double safe_pixels = 1e6;  // within these, doubles are exact enough for tenths of pixels
 
 Dot rounded(const Spot& p) { return {p.x.get_d(), p.y.get_d()}; }
 bool is_safe(const Dot& d) { return std::abs(d.x) <= safe_pixels && std::abs(d.y) <= safe_pixels; }
 
-/// "1.5", "-0" never.
+/// Returns "1.5"; never "-0".
 std::string number(double x) {
   const std::string text = fmt::format("{:.1f}", x);
   const std::string_view shown =
@@ -110,10 +110,10 @@ mpq_class power_of_ten(long exponent) {
   return exponent < 0 ? mpq_class(mpz_class(1), power) : mpq_class(power);
 }
 
-/// The greatest power of ten that is not above x > 0.
+/// Returns the exponent of the greatest power of ten that is at most x > 0.
 long exponent_of(const mpq_class& x) {
   const auto digits = [](const mpz_class& n) { return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 10)); };
-  long result = digits(x.get_num()) - digits(x.get_den()) + 1;  // or up to 3 less
+  long result = digits(x.get_num()) - digits(x.get_den()) + 1;  // an upper bound, too large by up to 3
   while (power_of_ten(result) > x) --result;
   return result;
 }
@@ -132,7 +132,7 @@ Number<P> turn(const P& p, const P& q, const P& r) {
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
 
-/// The part of a path where `inside` is not negative. `inside` is linear.
+/// Returns the part of a path where `inside`, which is linear, is not negative.
 template <class P, class Inside>
 std::vector<P> half(const std::vector<P>& path, bool closed, const Inside& inside) {
   std::vector<P> result;
@@ -177,12 +177,13 @@ std::vector<P> around(std::vector<P> places) {
   return result;
 }
 
-/// Shares of a segment, from 0 to 1.
+/// A part of a segment, by its shares from 0 to 1.
 struct Part {
   double from, to;
 };
 
-/// What of the segment lies in the closed polygon; from >= to if nothing does.     [Cyrus and Beck]
+/// Returns the part of the segment in the closed polygon; from >= to if it is empty.     [Cyrus and
+/// Beck]
 Part part_inside(const Dot& p, const Dot& q, const std::vector<Dot>& polygon) {
   Part part{0, 1};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -195,9 +196,9 @@ Part part_inside(const Dot& p, const Dot& q, const std::vector<Dot>& polygon) {
   return part;
 }
 
-/// What is left of [0, 1] without these parts.
+/// Returns the parts of [0, 1] outside these parts.
 std::vector<Part> rest_of(std::vector<Part> covered) {
-  constexpr double least = 1e-6;  // shorter ones are of rounding
+  constexpr double least = 1e-6;  // shorter parts are due to rounding
   std::ranges::sort(covered, {}, &Part::from);
   std::vector<Part> rest;
   double reached = 0;
@@ -220,7 +221,7 @@ Triple unit_vector(const Point& v) { return normalised(rounded(shortened(v))); }
 Point exact_point(const Triple& v) { return {exact_value(v.x), exact_value(v.y), exact_value(v.z)}; }
 
 View::View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges) {
-  constexpr double hardly = 1e-3;  // below this sine the second direction does not show
+  constexpr double hardly = 1e-3;  // below this sine the second direction makes no visible difference
   const Point way = shortened(along);
   const Triple right = unit_vector(way);
   Triple up = second ? across(unit_vector(*second), right) : Triple{};
@@ -329,7 +330,7 @@ std::string path_data(const std::vector<Dot>& dots, bool closed) {
     last = std::move(at);
   }
   if (!result.empty() && dots.size() > 1 && result.find('L') == std::string::npos)
-    result += "L" + last;  // a dot, by its round ends
+    result += "L" + last;  // a dot, drawn by the round ends of its line
   return result.empty() || !closed ? result : result + "Z";
 }
 

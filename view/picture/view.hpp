@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An orthographic look at exact points, across a way: what lies along it keeps its true length, and
-// planes across it are seen from the edge. Pictures decide nothing, so the directions of a look are
-// rounded; but places are found by an exact linear map, so that a close-up of bodies that lie far
-// away, or whose depth is tiny, is as true as any, and no place overflows.
+// An orthographic view of exact points, across a way: vectors along the way keep their true length,
+// and planes across it are seen from the edge. Pictures decide nothing, so the directions of a view
+// are rounded; but places are found by an exact linear map, so that a close-up of bodies far from
+// O, or of a tiny depth, is as accurate as any, and no place overflows.
 #pragma once
 
 #include <gmpxx.h>
@@ -18,10 +18,10 @@
 
 namespace fathom::picture {
 
-/// The largest |coordinate|.
+/// Returns the largest |coordinate|.
 mpq_class largest(const Point& p);
 
-/// A place in the plane of a picture, exactly; y points up.
+/// A place in the plane of a picture, exact; y points up.
 struct Spot {
   mpq_class x, y;
 };
@@ -31,29 +31,29 @@ struct Dot {
   double x = 0, y = 0;
 };
 
-/// v / |v| to within a few roundings, for any size of v; zero for the zero vector.
+/// Returns v / |v| to within a few roundings, for any size of v; zero for the zero vector.
 Vec3<double> unit_vector(const Point& v);
 inline double length(const Vec3<double>& v) { return std::sqrt(dot(v, v)); }
 Point exact_point(const Vec3<double>& v);
 
 class View {
  public:
-  /// Looks across `along`, which becomes the x axis, with `second` in the picture's plane too if it
-  /// is there and not parallel to it. Without it from a little above, so turned that none of the
-  /// `edges` is seen end on if that can be. `along` must not be zero.
+  /// Views the scene across `along`, which becomes the x axis, with `second` in the picture's plane
+  /// too if it is given and not parallel to it. Otherwise from slightly above, turned so that none
+  /// of the `edges` is seen end on if possible. `along` must not be zero.
   View(const Point& along, const std::optional<Point>& second, std::span<const Point> edges = {});
 
-  /// Where p is, if the origin is at 0. Lengths are kept to within a few roundings, all by the same
-  /// factor, and points of one plane across `along` are exactly above each other.
+  /// Returns the place of p, with the origin at 0. Lengths are kept to within a few roundings, all
+  /// by the same factor, and points of one plane across `along` are exactly above each other.
   [[nodiscard]] Spot place(const Point& p) const;
-  /// Where p is, with `centre` at 0, in multiples of `unit` > 0.
+  /// Returns the place of p, with `centre` at 0, in multiples of `unit` > 0.
   [[nodiscard]] Dot project(const Point& p, const Point& centre, const mpq_class& unit) const;
-  /// Whether a facet with this outward normal is seen, be it from its edge.
+  /// Returns whether a facet with this outward normal faces the viewer, or is seen from its edge.
   [[nodiscard]] bool faces_us(const Vector& normal) const;
   [[nodiscard]] bool sees(const Vec3<double>& unit_normal) const;
-  /// From the picture to who looks at it: a unit vector.
+  /// Returns the unit vector from the picture to the viewer.
   [[nodiscard]] const Vec3<double>& towards() const { return towards_; }
-  /// A multiple of it, exactly along what is seen as one place.
+  /// Returns a multiple of it that is exact: points that differ by it have the same place.
   [[nodiscard]] const Point& look() const { return look_; }
 
  private:
@@ -63,7 +63,7 @@ class View {
 };
 
 // A rectangle of a picture's plane, shown as a rectangle of pixels. Shifts and scales are exact, so
-// that what is shown is right whatever the numbers are, and what lies far outside is cut exactly.
+// that the picture is right for any numbers, and parts far outside are cut exactly.
 
 /// In pixels.
 struct PixelSize {
@@ -77,7 +77,7 @@ struct Bounds2 {
   static Bounds2 of(const Spot& p) { return {p, p}; }
   void add(const Spot& p);
   void add(const Bounds2& box);
-  /// The box of all sums of a place of each.
+  /// Returns the box of all sums of a place of each.
   [[nodiscard]] Bounds2 plus(const Bounds2& box) const;
   [[nodiscard]] mpq_class width() const { return high.x - low.x; }
   [[nodiscard]] mpq_class height() const { return high.y - low.y; }
@@ -85,27 +85,27 @@ struct Bounds2 {
 
 class Window {
  public:
-  /// The box fits, with a margin; a box of one place gets some room around it. If it is over 100
-  /// times as wide as high, or as high as wide, the axes are scaled apart, so that both can be
-  /// seen.
+  /// Makes a window into which the box fits, with a margin; a box of one place gets some room
+  /// around it. If the ratio of width and height exceeds 100, the axes are scaled differently, so
+  /// that both can be seen.
   static Window around(const View& view, const Bounds2& box, const PixelSize& size);
-  /// `scale` pixels for one unit, with `centre` in the middle.
+  /// Makes a window with `scale` pixels for one unit, and `centre` in the middle.
   static Window close(const View& view, const Spot& centre, const mpq_class& scale, const PixelSize& size);
 
   [[nodiscard]] const View& view() const { return *view_; }
   [[nodiscard]] const PixelSize& size() const { return size_; }
   [[nodiscard]] bool apart() const { return scale_.x != scale_.y; }
-  /// Pixels for one unit along the axes; y, too, is positive.
+  /// Returns the pixels for one unit along each axis, both positive.
   [[nodiscard]] const Spot& scale() const { return scale_; }
 
-  /// Where p is, in pixels: as a dot infinite beyond the range of doubles.
+  /// Returns the place of p in pixels; beyond the range of doubles, its dot is infinite.
   [[nodiscard]] Spot pixels(const Point& p) const;
   [[nodiscard]] Dot dot(const Point& p) const;
-  /// A vector in pixels.
+  /// Returns a vector in pixels.
   [[nodiscard]] Dot shift(const Point& v) const;
 
-  /// What can be seen of a segment, or of the convex hull of points, moved by `by`, with some room
-  /// around it. May be empty.
+  /// Return the part of a segment, or of the convex hull of points moved by `by`, that is in the
+  /// window or near it. May be empty.
   [[nodiscard]] std::vector<Dot> segment(const Point& from, const Point& to) const;
   [[nodiscard]] std::vector<Dot> hull(const std::vector<Point>& points, const Point& by = {}) const;
   [[nodiscard]] std::vector<Dot> cut(std::vector<Dot> dots, bool closed) const;
@@ -120,35 +120,35 @@ class Window {
   PixelSize size_;
 };
 
-/// The "d" of a path: "M1 2L3 4"; closed ones end in "Z". Empty if there are no dots.
+/// Returns the "d" of a path: "M1 2L3 4"; closed ones end in "Z". Empty if there are no dots.
 std::string path_data(const std::vector<Dot>& dots, bool closed);
 
-// How long things in a picture are: a bar of a round length, whose number is exact.
+// The scale of a picture: a bar of a round length, whose number is exact.
 
 /// A length of one digit, 1, 2 or 5, and a power of ten.
 struct RoundLength {
   mpq_class value;
-  std::string text;  ///< "0.05", "200"; "2e-7" where that is shorter
+  std::string text;  ///< "0.05", "200"; "2e-7" if that is shorter
 };
 
-/// The greatest that is not above `most` > 0.
+/// Returns the greatest such length that is at most `most` > 0.
 RoundLength round_length(const mpq_class& most);
 
-// Paths and convex polygons of a picture: cut at a box, and around dots. For doubles, and for exact
-// places where doubles would not do.
+// Paths and convex polygons of a picture: clipped to a box, and hulls of dots. For doubles, and for
+// exact places if doubles would not suffice.
 
-/// The part of a path, or of a closed convex polygon, that lies between `low` and `high`. Of an
-/// open path a segment is expected. Empty if a place is not finite.
+/// Returns the part of a path, or of a closed convex polygon, that lies between `low` and `high`.
+/// An open path must be a segment. Empty if a place is not finite.
 std::vector<Dot> clipped(std::vector<Dot> path, bool closed, const Dot& low, const Dot& high);
 std::vector<Spot> clipped(std::vector<Spot> path, bool closed, const Spot& low, const Spot& high);
 
-/// The corners of the convex hull, in order. Of doubles for filling: rounding may keep or lose a
-/// corner that is almost flat.
+/// Returns the corners of the convex hull, in order. In doubles, for filling: rounding may keep or
+/// lose a corner that is almost flat.
 std::vector<Dot> outline(std::vector<Dot> dots);
 std::vector<Spot> outline(std::vector<Spot> places);
 
-/// The boundary of the union of convex polygons, each in the order that `outline` gives, as
-/// segments: of each side what lies in no other polygon and is not the seam between two. For
+/// Returns the boundary of the union of convex polygons, each in the order of `outline`, as
+/// segments: the part of each side that lies in no other polygon and is not a seam between two. For
 /// drawing.
 std::vector<std::pair<Dot, Dot>> united_outline(const std::vector<std::vector<Dot>>& polygons);
 

@@ -38,7 +38,7 @@ constexpr unsigned most_x_labels = 8, most_y_labels = 8;
 constexpr std::size_t most_characters = 84;  // of a line of text
 constexpr std::size_t most_marks = 64, marks_of_many = 32;
 
-/// The marker of the series with this number; with a title if there is one.
+/// Returns the marker of series number `series`; with a title if `what` is not empty.
 std::string mark_element(std::size_t series, double x, double y, const std::string& what) {
   const std::size_t look = series % distinct_looks;
   const std::string start = fmt::format("<path class=\"mark {} look-{}\" d=\"M{:.1f} {:.1f}{}\"", shapes[look].fill,
@@ -46,7 +46,7 @@ std::string mark_element(std::size_t series, double x, double y, const std::stri
   return what.empty() ? start + "/>" : fmt::format("{}><title>{}</title></path>", start, picture::markup(what));
 }
 
-/// The classes of the line of the series with this number: colour and dash.
+/// Returns the classes of the line of series number `series`: colour and dash.
 std::string line_classes(std::size_t series) {
   const std::size_t look = series % distinct_looks;
   return look == 0 ? "look-0" : fmt::format("look-{0} dash-{0}", look);
@@ -57,7 +57,7 @@ std::size_t characters(const std::string& text) {  // of UTF-8
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }));
 }
 
-/// The text as markup, cut where it would not fit into the figure.
+/// Returns the text as markup, cut if it would not fit into the figure.
 std::string fitting(const std::string& text) {
   if (characters(text) <= most_characters) return picture::markup(text);
   std::size_t end = 0;
@@ -66,7 +66,7 @@ std::string fitting(const std::string& text) {
   return picture::markup(text.substr(0, end)) + "...";
 }
 
-/// Where values lie in the panel.
+/// The mapping of values to places in the panel.
 struct Field {
   Ticks x, y;
   double left = 0, top = 0, right = panel_width - right_room, bottom = 0;
@@ -87,7 +87,7 @@ Field field_of(const CurvePanel& panel) {
   if (panel.band)
     for (const Band::Slice& slice : panel.band->slices) add(slice.x, slice.low), add(slice.x, slice.high);
   if (panel.y.scale == Scale::linear && panel.from_zero)
-    up.push_back(0);  // what lies above 0 and what below is seen in any case
+    up.push_back(0);  // 0 is always visible, so that both sides of it can be seen
   Field field{ticks_for(panel.x.scale, across, most_x_labels, panel.x.tight),
               ticks_for(panel.y.scale, up, most_y_labels, panel.y.tight)};
   std::size_t longest = 0;
@@ -127,7 +127,7 @@ std::string grid_elements(const CurvePanel& panel, const Field& field) {
   return lines + texts;
 }
 
-/// The line at 0 and what lies on its two sides.
+/// Returns the line at 0 and the labels of its two sides.
 std::string zero_elements(const CurvePanel& panel, const Field& field) {
   if (panel.y.scale != Scale::linear || field.y.low > 0 || field.y.high < 0) return "";
   const double y = field.down(0);
@@ -173,7 +173,7 @@ std::string series_elements(const Series& series, std::size_t number, const Fiel
   return fmt::format("<path class=\"{}\" d=\"{}\"/>\n{}", line_classes(number), path, marks);
 }
 
-/// Rows of two entries each.
+/// Returns the legend, in rows of two entries each.
 std::string legend_elements(const CurvePanel& panel, double top, double left, double& height) {
   std::string result;
   std::size_t entry = 0;
@@ -195,7 +195,7 @@ std::string legend_elements(const CurvePanel& panel, double top, double left, do
   return result;
 }
 
-/// What has no place on the axes.
+/// Returns a sentence on the values without a place on the axes.
 std::string left_out(const CurvePanel& panel, const Field& field) {
   std::size_t count = 0;
   for (const Series& series : panel.series)
@@ -207,13 +207,13 @@ std::string left_out(const CurvePanel& panel, const Field& field) {
                      logarithmic ? "0 or below, or too large for the axis" : "unknown, or beyond binary64");
 }
 
-/// Elements, with the left upper corner of the panel at the origin.
+/// The elements of a panel, with its upper left corner at the origin.
 struct PanelPicture {
   std::string content;
   double height;
 };
 
-/// One panel of a figure. `clip` is the id of its clipping path.
+/// Returns one panel of a figure. `clip` is the id of its clipping path.
 PanelPicture panel_picture(const CurvePanel& panel, const std::string& clip) {
   const Field field = field_of(panel);
   std::string content;
@@ -291,7 +291,7 @@ Drawn drawn(const Figure& figure) {
   return {content, y - panel_gap};
 }
 
-/// `style`: an element of a file; empty of what stands in a page.
+/// Returns the SVG element. `style`: the style element of a file; empty on a page.
 std::string figure_svg(const Figure& figure, const std::string& style) {
   const Drawn picture = drawn(figure);
   const double height = std::ceil(picture.height);
@@ -319,14 +319,14 @@ std::string superscript(int value) {
   return result;
 }
 
-/// "12,345.5": the figures before the point in groups of three.
+/// Returns "12,345.5": the figures before the point in groups of three.
 std::string grouped(std::string text) {
   const std::size_t point = std::min(text.find('.'), text.size()), first = text.starts_with('-') ? 1 : 0;
   for (std::size_t at = point; at > first + 3;) text.insert(at -= 3, 1, ',');
   return text;
 }
 
-/// "1.2e+07" as a power of ten.
+/// Returns "1.2e+07" with a power of ten.
 std::string scientific(double value, int precision) {
   std::string mantissa = fmt::format("{:.{}e}", value, precision);
   const std::size_t e = mantissa.find('e');
@@ -343,7 +343,7 @@ std::string scientific(double value, int precision) {
 
 bool is_plain(double magnitude) { return magnitude == 0 || (magnitude >= smallest_plain && magnitude < largest_plain); }
 
-/// Neighbouring labels differ: as many decimals as the step has.
+/// Returns a label with as many decimals as the step has, so that neighbouring labels differ.
 std::string linear_label(double value, int exponent, double largest) {
   if (value == 0) return "0";
   if (is_plain(largest) && exponent >= -digits) return grouped(fmt::format("{:.{}f}", value, std::max(0, -exponent)));
@@ -359,7 +359,7 @@ Ticks linear_ticks(double low, double high, unsigned most, bool tight) {
     high = std::min(high + half, std::numeric_limits<double>::max());
     tight = false;
   }
-  const double wanted = high / most - low / most;  // each by itself: the difference may overflow
+  const double wanted = high / most - low / most;  // each divided on its own, because the difference may overflow
   int exponent = static_cast<int>(std::floor(std::log10(wanted)));
   double factor = 10;
   for (const double round : round_steps)
@@ -378,8 +378,8 @@ Ticks linear_ticks(double low, double high, unsigned most, bool tight) {
   return result;
 }
 
-/// The largest of 1, 2, 5 times a power of ten that is not above the value; and the least that is
-/// not below it.
+/// Return the largest of 1, 2, 5 times a power of ten that is at most the value; and the least that
+/// is at least the value.
 double round_below(double value) {
   const double decade = power(static_cast<int>(std::floor(std::log10(value) + least_span)));
   double result = decade;
@@ -394,7 +394,7 @@ double round_above(double value) {
   return 10 * decade;
 }
 
-/// The least of 1, 2, 5, 10, 20, ... that is not below the count.
+/// Returns the least of 1, 2, 5, 10, 20, ... that is at least the count.
 int round_count(int count) {
   for (int unit = 1;; unit *= 10)
     for (const int factor : {1, 2, 5})
@@ -463,7 +463,7 @@ Ticks ticks_for(Scale scale, std::span<const double> values, unsigned most, bool
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const double value : values)
     if (shape.holds(value)) low = std::min(low, value), high = std::max(high, value);
-  if (low > high) low = high = scale == Scale::linear ? 0 : 1;  // nothing to show
+  if (low > high) low = high = scale == Scale::linear ? 0 : 1;  // there are no values
   return scale == Scale::linear ? linear_ticks(low, high, most, tight) : logarithmic_ticks(low, high, most, tight);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Line charts as SVG, for looking at: numbers are placed to a tenth of a pixel, and the exact ones
-// stand elsewhere. Series differ by dash and by marker as well as by colour. Colours are those of
-// all pictures: light, dark, on paper as light ones. Round numbers along an axis come first, then
-// what a figure is made of, then the door.
+// Line charts as SVG, for viewing: places are accurate to a tenth of a pixel; exact numbers are
+// shown elsewhere. Series differ by dash and by marker as well as by colour. Colours are those of
+// all pictures: light, dark, and light on paper. Round numbers along an axis come first, then the
+// parts of a figure, then the functions that draw it.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace fathom::plot {
 
-/// How values are spread over an axis.
+/// The scale of an axis.
 enum class Scale { linear, logarithmic };
 
-/// A place on the axis; small ones have a line and no label.
+/// A tick of an axis; small ones have a line and no label.
 struct Tick {
   double value;
   std::string label;  ///< empty: a small tick
@@ -27,34 +27,36 @@ struct Ticks {
   double low, high;  ///< low < high; both > 0 if the scale is logarithmic
   std::vector<Tick> ticks;
 
-  /// Whether a value has a place: finite, and > 0 on a logarithmic axis.
+  /// Returns whether a value has a place: finite, and > 0 on a logarithmic axis.
   [[nodiscard]] bool holds(double value) const;
-  /// 0 at the low end, 1 at the high end; of a value that has a place.
+  /// Returns 0 for the low end, 1 for the high end, and the share between them for other values
+  /// that have a place.
   [[nodiscard]] double share(double value) const;
 };
 
-/// The ticks of an axis that shows all of the values that have a place on it. About `most` of them
+/// Returns the ticks of an axis for all of the values that have a place on it. About `most` ticks
 /// have a label. The ends of a tight axis are the extreme values themselves.
 Ticks ticks_for(Scale scale, std::span<const double> values, unsigned most, bool tight = false);
 
-/// A decimal of at most six significant digits: "0.25", "20,000"; powers of ten where that is long:
-/// "2.5·10⁷".
+/// Returns a decimal of at most six significant digits: "0.25", "20,000"; with a power of ten if
+/// that would be long: "2.5·10⁷".
 std::string number_text(double value);
 
 struct Datum {
   double x, y;
-  std::string what = {};  ///< what a pointer that rests on its mark is told; may be empty
+  std::string what = {};  ///< the tooltip of its mark; may be empty
 };
 
 struct Series {
   std::string name;  ///< in the legend
-  /// ascending in x; none: it is not shown, but those after it have the looks that they would have
+  /// Ascending in x. A series without places is not shown, but keeps its number, so that later ones
+  /// look the same.
   std::vector<Datum> places;
-  bool line = true;   ///< whether neighbours are joined
-  bool marks = true;  ///< whether places have markers: of very many, only some
+  bool line = true;   ///< whether neighbours are connected
+  bool marks = true;  ///< whether places have markers; of very many places only some have
 };
 
-/// What lies between two curves.
+/// The area between two curves.
 struct Band {
   struct Slice {
     double x, low, high;
@@ -66,7 +68,7 @@ struct Band {
 struct ChartAxis {
   std::string name;
   Scale scale = Scale::linear;
-  bool tight = false;  ///< whether it ends at the extreme values
+  bool tight = false;  ///< whether the axis ends at the extreme values
 };
 
 /// One pair of axes, with its legend below.
@@ -75,31 +77,31 @@ struct CurvePanel {
   ChartAxis x, y;
   std::vector<Series> series;
   std::optional<Band> band = std::nullopt;
-  bool from_zero = true;               ///< whether a linear y axis shows 0 wherever the values are
-  std::string above = {}, below = {};  ///< what it means to be above 0 and below it, on a linear axis; may be empty
+  bool from_zero = true;               ///< whether a linear y axis always includes 0
+  std::string above = {}, below = {};  ///< the meaning of values above 0 and below it, on a linear axis; may be empty
 };
 
 /// Panels one below the other.
 struct Figure {
-  std::string title, description;  ///< for those who do not see it, too
-  std::string prefix = "plot";     ///< begins all ids: those of two figures in one page must differ
+  std::string title, description;  ///< also for those who cannot see the figure
+  std::string prefix = "plot";     ///< begins all ids: two figures in one page need different prefixes
   std::vector<CurvePanel> panels;
 };
 
-/// How many series have a look of their own; those after them begin again.
+/// The number of different looks of series; they repeat after that.
 inline constexpr unsigned distinct_looks = 6;
 
-/// An SVG element that stands in a page with chart_style. Texts of others are escaped. Values
-/// without a place on an axis are left out, lines are broken there, and a sentence below the panel
-/// counts them.
+/// Returns an SVG element for a page with chart_style. Foreign texts are escaped. Values without a
+/// place on an axis are omitted, lines are interrupted there, and a sentence below the panel gives
+/// their number.
 std::string figure_element(const Figure& figure);
-/// The same as a file with its style.
+/// Returns the same as a file with its style.
 std::string figure_file(const Figure& figure);
-/// The rules of charts in pages, which have the colours of view/picture/style.hpp.
+/// Returns the rules of charts in pages, in the colours of view/picture/style.hpp.
 std::string chart_style();
 
-/// The exponent e of the power y = c x^e that fits best, by least squares of the logarithms.
-/// Returns nullopt unless there are two different x with positive values.
+/// Returns the exponent e of the power y = c x^e that fits best, by least squares of the
+/// logarithms. Returns nullopt unless there are two different x with positive values.
 std::optional<double> growth_exponent(std::span<const Datum> places);
 
 }  // namespace fathom::plot

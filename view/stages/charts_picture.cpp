@@ -45,7 +45,7 @@ struct Refiner {
   }
 };
 
-constexpr std::size_t most_charted_optima = 200;  // that a chart shows
+constexpr std::size_t most_charted_optima = 200;  // in a chart
 constexpr double side = 400, left = 58, top = 36, degree = std::numbers::pi / 180, pole = 1e-7;
 constexpr int tick = 30;  // degrees
 
@@ -73,19 +73,19 @@ struct Square {
   }
   [[nodiscard]] bool is_pole(const Place& p) const { return std::hypot(dot(p, right), dot(p, chart.z)) < pole; }
 
-  /// The part of an arc in this hemisphere, or a dot where there is only a point of it; "" if there
-  /// is none to be seen.
+  /// Returns the path of the part of an arc in this hemisphere, a dot if the part is a point; "" if
+  /// there is none.
   [[nodiscard]] std::string path(const StagedBody& body, Index edge) const {
     const std::optional<SphereArc> arc = arc_of(body, edge);
     std::string result;
     if (!arc) return result;
     for (SphereArc part : parts_in(*arc, chart.z)) {
       if (is_pole(part.at(part.begin)))
-        part.begin += 2 * pole;  // there all longitudes meet: the arc's own is that of its inside
+        part.begin += 2 * pole;  // all longitudes meet there: the arc has that of its inside
       if (is_pole(part.at(part.end))) part.end -= 2 * pole;
       if (part.begin < part.end) result += path_text(polyline(part, [this](const Place& p) { return pixel(p); }));
     }
-    if (result.empty()) {  // as given, it only touches the equator, from outside: a dot
+    if (result.empty()) {  // the arc only touches the equator, from outside
       const Place first = arc->at(arc->begin), last = arc->at(arc->end);
       const Pixel touch = pixel(dot(first, chart.z) > dot(last, chart.z) ? first : last);
       result = path_text({{touch.x - 1, touch.y}, {touch.x + 1, touch.y}});
@@ -114,7 +114,7 @@ std::string axes(const StagedChart& chart) {
   return lines + texts;
 }
 
-/// Where the strip of a pair ends: at walls, or at the sides of the square.
+/// Returns the end of a pair's strip: at a wall, or at a side of the square.
 double end_of_strip(const Stages& all, const Square& square, const std::optional<Index>& wall, double none) {
   if (!wall) return none;
   const StagedWall& found = square.chart.walls[*wall];
@@ -136,7 +136,7 @@ std::string wall_elements(const Square& square) {
   return d.empty() ? d : fmt::format("<path class=\"wall\" d=\"{}\"/>\n", d);
 }
 
-/// All arcs of a body but the lit ones, then those, each as an element of its own.
+/// Returns all arcs of a body, the highlighted ones last, each as an element of its own.
 std::string arc_elements(const Square& square, const StagedDiagram& diagram, const StagedBody& body,
                          const std::set<Index>& lit, const char* style, bool all) {
   std::string quiet, loud;
@@ -168,7 +168,7 @@ std::string node_elements(const Square& square) {
 std::string optimum_elements(const Stages& all, const Square& square) {
   std::string result;
   const std::size_t shown = std::min(all.contact.optima.size(), most_charted_optima);
-  for (std::size_t i = shown; i-- > 0;) {  // the first one on top
+  for (std::size_t i = shown; i-- > 0;) {  // so that the first one is on top
     const Place& n = all.contact.optima[i].direction;
     if (dot(n, square.chart.z) < 0) continue;
     const Pixel p = square.pixel(n);
@@ -221,7 +221,7 @@ std::string legend_entry(std::size_t number, std::string_view sample, std::strin
                      column * static_cast<double>(number % 3), row * static_cast<double>(number / 3), sample, words);
 }
 
-/// What the lines mean.
+/// Returns the legend of the lines.
 std::string legend(double x, double y) {
   std::string result = fmt::format("<g transform=\"translate({:.1f} {:.1f})\">\n", x, y);
   std::size_t n = 0;
@@ -267,7 +267,7 @@ std::optional<SphereArc> arc_of(const StagedBody& body, stages::Index edge) {
   if (edge >= body.circles.size()) return std::nullopt;
   const Place& circle = body.circles[edge];
   if (from) return SphereArc{body.nodes[*from], cross(circle, body.nodes[*from]), 0, pi};
-  // A full circle begins anywhere on it.
+  // A full circle may begin at any of its points.
   const Place axis = std::abs(circle[0]) < 0.6 ? Place{1, 0, 0} : Place{0, 1, 0};
   const Place start = cross(circle, axis);
   const Place unit = scaled(start, 1 / length(start));
@@ -276,7 +276,7 @@ std::optional<SphereArc> arc_of(const StagedBody& body, stages::Index edge) {
 
 std::vector<SphereArc> parts_in(const SphereArc& arc, const Place& z) {
   const double a = dot(arc.from, z), b = dot(arc.side, z);
-  if (std::hypot(a, b) < least_angle) return {arc};  // all of it lies on the equator
+  if (std::hypot(a, b) < least_angle) return {arc};  // the whole arc lies on the equator
   const double top = std::atan2(b, a);
   std::vector<SphereArc> parts;
   for (const int turn : {-1, 0, 1}) {

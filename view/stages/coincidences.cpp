@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The names of the study for what coincides, and which monomials of the perturbation decide it.
-// Part of parts.hpp.
+// The coincidences under their names in the study, and the monomials of the perturbation that
+// resolve them. Part of parts.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,20 +21,19 @@ const chart::Frame& frame() {
   return upper;
 }
 
-/// Which monomials of the perturbation resolve a coincidence: the question that it makes zero is
-/// asked of the perturbed kernel.
-/// [proofs/perturbation.md]
+/// Finds the monomials of the perturbation that resolve a coincidence: it calls the predicate that
+/// the coincidence makes zero with the perturbed kernel. [proofs/perturbation.md]
 class Decisions {
  public:
   /// The bodies must outlive it.
   Decisions(const studies::StudiedBodies& bodies, const kernels::Perturbation& perturbation);
 
-  /// The monomials that decide about these features, by name, each once; empty if the method asks
-  /// no question that they make zero, as of bodies that only tie.
+  /// Returns the names of the monomials that decide about these features, each once; empty if the
+  /// method calls no predicate that they make zero, as for bodies that only tie.
   [[nodiscard]] std::vector<std::string> about(Coincidence kind, const Involved& involved) const;
 
  private:
-  /// Edges and facets by their points.
+  /// The edges and facets, by their points.
   struct Features {
     std::map<Feature, gaussian::ArcId> arcs;
     std::map<Feature, gaussian::NodeId> nodes;
@@ -95,7 +94,7 @@ void Decisions::ask_of_edges(const kernels::PerturbedKernel& kernel, Coincidence
                              const std::vector<Member>& all) const {
   for (const Member& member : all) {
     const gaussian::Arc* const own = arc(member);
-    if (own == nullptr || bodies_[member.colour].diagram.rank < 2) return;  // a full circle has no ends
+    if (own == nullptr || bodies_[member.colour].diagram.rank < 2) return;  // full circles have no ends
     const kernels::Direction &from = end(member, own->from), &to = end(member, own->to);
     if (kind == Coincidence::arcs_on_equator) {
       (void)kernel.side_of_equator(from, frame().z);
@@ -141,7 +140,7 @@ std::vector<std::string> Decisions::about(Coincidence kind, const Involved& invo
   PredicateCounts counts{};
   try {
     ask(kernels::PerturbedKernel(perturbation_, counts), kind, members(involved));
-  } catch (const std::logic_error&) {  // not a question that the perturbation answers: the method never asks it
+  } catch (const std::logic_error&) {  // the perturbation does not answer it, so the method never asks it
     return {};
   }
   std::vector<std::string> names;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The canonical pairs: each with its closest lines, by a search of its own, since that of the run
-// drops what cannot be the nearest; which one the first optimum comes from; and the cutting of one.
+// The canonical pairs: each with its closest lines, found by a separate search, because the run
+// discards pairs that cannot be the nearest; the pair of the first optimum; and the cutting of one
+// pair.
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,9 +14,9 @@
 namespace fathom::stages {
 namespace {
 
-// As in the engines: pairs with more crossings are cut.
+// The limit of the engines: pairs with more crossings are cut.
 constexpr std::uint64_t scanned = 2048;
-// Of few crossings each is looked at exactly: a search would take longer to begin.
+// Pairs with few crossings are scanned exactly, because starting a search would take longer.
 constexpr std::uint64_t few = 16;
 
 template <class Arc>
@@ -37,7 +38,7 @@ StagedPair staged_pair(const canonical::CanonicalPair& pair, Index chart, const 
   return staged;
 }
 
-// One hemisphere.
+// The search in one hemisphere.
 class ClosestOfPairs {
  public:
   ClosestOfPairs(const StagesSource& subject, const chart::Charts& charts, const lines::EdgeLinesOfA& a,
@@ -58,7 +59,7 @@ class ClosestOfPairs {
         lines::closest_by_cutting(lines::Grid(pair, scene_), search);
       }
     }
-    if (!trace.nearest) return std::nullopt;  // all are parallel
+    if (!trace.nearest) return std::nullopt;  // all lines are parallel
     const mpz_class& unit = subject_.pair.denominator;
     const mpq_class squared = kernels::ratio(nearest.numerator(), nearest.denominator() * unit * unit);
     return ClosestPair{scene_.a.edge(trace.nearest->a).value, scene_.b.edge(trace.nearest->b).value,
@@ -87,10 +88,10 @@ PairFate fate_of(lines::Treatment treatment) {
   return PairFate::none;
 }
 
-// ---- what the first optimum comes from: a facet of one body, or the crossing of two arcs ----
+// ---- the origin of the first optimum: a facet of one body, or the crossing of two arcs ----
 
-// The face of a hull, spanned by these input points, whose outward normal is `normal` if it is a
-// facet.
+// Returns the face of a hull spanned by these input points; `normal` is its outward normal if it is
+// a facet.
 StagedFeature feature_of(const polytope::Polytope& hull, const std::vector<std::uint32_t>& points,
                          const Vector& normal) {
   const auto vertex = [&](std::uint32_t point) {
@@ -128,13 +129,13 @@ using Blocks = std::vector<lines::SearchTrace::Block>;
 
 // ---- the cutting of one pair, level by level ----
 
-// That of the search, or a finer one for a picture if the search scanned the pair.
+// Returns that of the search; or a finer one for a picture, if the search scanned the pair.
 
-// A smaller grid is no picture.
+// The least number of crossings: a smaller grid is not worth a picture.
 constexpr std::uint64_t least_crossings = 4;
-// More blocks are too many to see, and to print.
+// The most blocks: more could not be distinguished, nor printed.
 constexpr std::size_t most_blocks = 4000;
-// About how many blocks a cutting for a picture may have at most.
+// The number of blocks that a cutting for a picture should have at most, approximately.
 constexpr std::uint64_t wanted_blocks = 256;
 
 std::optional<Index> pair_to_cut(const Stages& stages) {
@@ -151,8 +152,8 @@ Blocks as_searched(const lines::SearchTrace& trace, std::size_t pair) {
   return blocks;
 }
 
-// Cuts the grid until about as many blocks as wanted are left at the most. It starts with the
-// facets of step 1, as the search does.
+// Cuts the grid down to about the wanted number of blocks. It starts with the facets of step 1, as
+// the search does.
 Blocks cut_for_picture(const StagesSource& subject, const chart::Charts& charts, const canonical::CanonicalPair& pair) {
   const lines::EdgeLinesOfA a(subject.exact.hulls.a, subject.pair.exponent());
   const lines::EdgeLinesOfB b(subject.exact.hulls.b, subject.pair.exponent());

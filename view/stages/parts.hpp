@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of this room share: places for pixels, and the parts of the stages that are too
-// long for stages.cpp.
+// The common part of this room: places for pixels, and the parts of the stages that are too long
+// for stages.cpp.
 #pragma once
 
 #include <array>
@@ -15,25 +15,27 @@
 
 namespace fathom::stages {
 
-/// The scale for bodies around `origin`, whose coordinates differ from it by at most `extent`.
+/// Returns the scale for bodies around `origin`, whose coordinates differ from it by at most
+/// `extent`.
 StagedScale scale_of(const Point& origin, const mpq_class& extent);
-/// A length in the unit of places.
+/// Returns a length in the unit of places.
 double scaled(const mpq_class& value, const StagedScale& scale);
 
-/// From lattice and input to places.
+/// The map from lattice and input to places.
 class Placing {
  public:
-  /// Of the points of both bodies.
+  /// Uses the points of both bodies.
   explicit Placing(const polytope::PlacedPair& pair);
 
   [[nodiscard]] const StagedScale& scale() const { return scale_; }
-  /// The place of a lattice point; of a lattice vector, such as b - a: without the center.
+  /// Return the place of a lattice point; and of a lattice vector, such as b - a: without the
+  /// center.
   [[nodiscard]] Place point(const Vector& lattice) const;
   [[nodiscard]] Place vector(const Vector& lattice) const;
-  /// The same of rational points and vectors in the unit of the input.
+  /// Return the same for rational points and vectors in the unit of the input.
   [[nodiscard]] Place point(const Point& p) const;
   [[nodiscard]] Place vector(const Point& v) const;
-  /// A length in the unit of the input, by its square.
+  /// Returns a length, given by its square in the unit of the input.
   [[nodiscard]] double length(const mpq_class& squared) const;
 
  private:
@@ -41,14 +43,14 @@ class Placing {
   const polytope::PlacedPair* pair_;
 };
 
-/// The unit vector in a direction that is not 0.
+/// Returns the unit vector in a direction that is not 0.
 Place unit(const Vector& direction);
 
-/// Its coordinates may be 0, but not -0.
+/// Returns a multiple without -0: a coordinate may be 0.
 inline Place times(double c, const Place& p) { return {c * p[0] + 0.0, c * p[1] + 0.0, c * p[2] + 0.0}; }
 
-/// What the parts are made from. `exact` has hulls, diagrams, charts and canonical subsets whatever
-/// the status.
+/// The input of the parts. `exact` has hulls, diagrams, charts and canonical subsets for any
+/// status.
 struct StagesSource {
   const Body &a, &b;
   const polytope::PlacedPair& pair;
@@ -58,23 +60,23 @@ struct StagesSource {
   const StageOptions& options;
 };
 
-// Each fills its fields of `stages`, in which those before it are filled.
+// Each function sets fields of `stages`, and needs those that precede them.
 
-/// pairs.
+/// Sets pairs.
 void add_pairs(const StagesSource& subject, Stages& stages);
-/// winner, and its pair's closest lines, exactly.
+/// Sets winner, and the exact closest lines of its pair.
 void add_winner(const StagesSource& subject, const Depth& depth, Stages& stages);
-/// cutting.
+/// Sets cutting.
 void add_cutting(const StagesSource& subject, Stages& stages);
-/// sum.
+/// Sets sum.
 void add_sum(const StagesSource& subject, Stages& stages);
-/// coincidences, with decided_by.
+/// Sets coincidences, with decided_by.
 void add_coincidences(const StagesSource& subject, Stages& stages);
-/// decided.
+/// Sets decided.
 void add_decided(const PredicateCounts& counts, Stages& stages);
-/// Those kinds that there are, with what is listed of them, without decided_by.
+/// Returns the kinds that occur, with their listed coincidences, without decided_by.
 std::vector<StagedCoincidence> staged(const std::array<Coincidences, coincidence_names.size()>& found);
-/// The stages of two bodies one of which is no polytope: outlines and contact.
+/// Returns the stages of two bodies one of which is no polytope: outlines and contact.
 Stages stages_of_shapes(const Body& a, const Body& b, const StageOptions& options);
 
 // Input   the exact method's stages for bodies that penetrate.
@@ -96,8 +98,8 @@ struct ExactSumFacet {
   mpz_class height;                      ///< h(normal) in the unit of the lattice
   std::vector<SumCorner> corners;        ///< counter-clockwise from outside, none on a line with its neighbours
   std::vector<polytope::VertexId> a, b;  ///< the faces of A and B: extreme points, ascending
-  /// canonical pairs with a crossing in this direction, ascending; the lower chart's behind the
-  /// upper's
+  /// Canonical pairs with a crossing in this direction, ascending; those of the lower chart after
+  /// those of the upper.
   Indices pairs;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages of shapes: outlines, sampled; the contact; a mesh near P, which is the hull of
-// differences of samples, each extreme in one of many directions; what coincides. The exact
-// method's topology is that of polytopes.
+// The stages of shapes: sampled outlines; the contact; a mesh near P, which is the hull of
+// differences of samples, each extreme in one of many directions; and coincidences. The topology of
+// the exact method exists for polytopes only.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,29 +20,29 @@ namespace {
 
 using picture::largest;
 
-// The sampled directions: circles of latitude, and points on each.
+// The numbers of sampled directions: circles of latitude, and points on each.
 constexpr int latitudes = 16, longitudes = 32;
-// Samples lie on a lattice of so many steps across the body, or across P, so that flat parts are
-// flat.
+// Samples are rounded to a lattice with this many steps across the body, or across P, so that flat
+// parts are exactly flat.
 constexpr double steps = 1 << 20;
 
 Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; }
 
 const std::vector<Term>* terms_of(const Shape& shape) { return std::get_if<std::vector<Term>>(&shape.core); }
 
-// A point of the core: the sum of the first atoms' centers.
+// Returns a point of the core: the sum of the first atoms' centers.
 Point base_of(const std::vector<Term>& terms) {
   Point base;
   for (const Term& term : terms) base = base + term.atoms.front().center;
   return base;
 }
 
-// How far from the base a coordinate of the body can be.
+// Returns a bound of the distance of the body's points from the base, in each coordinate.
 mpq_class reach_of(const Shape& shape, const std::vector<Term>& terms) {
   return shape.radius + picture::reach_of(terms);
 }
 
-// A body in binary64, on the scale of places, seen from its base.
+// A body in binary64, on the scale of places, relative to its base.
 class Outline {
  public:
   Outline(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale)
@@ -60,7 +60,7 @@ class Outline {
     }
   }
 
-  // A point of the body that is extreme in a unit direction.
+  // Returns a point of the body that is extreme in a unit direction.
   [[nodiscard]] Place extreme(const Place& u) const {
     Place sum = times(radius_, u);
     for (const std::vector<Piece>& pieces : terms_) {
@@ -102,7 +102,7 @@ std::vector<Place> directions() {
   return result;
 }
 
-// The hull of the samples.
+// Returns the hull of the samples.
 StagedBody mesh_of(const Shape& shape, const std::vector<Term>& terms, const StagedScale& scale) {
   const Outline outline(shape, terms, scale);
   const double reach = scaled(reach_of(shape, terms), scale), step = reach > 0 ? reach / steps : 1;
@@ -146,7 +146,7 @@ StagedScale scale_of_shapes(const Shape& a, const Shape& b) {
   return scale_of(origin, extent);
 }
 
-// The exact square of the depth, if it is rational.
+// Returns the exact square of the depth, if it is rational.
 std::optional<mpq_class> square_of(const Surd& value) {
   if (value.root == 0) return mpq_class(value.rational * value.rational);
   if (value.rational == 0) return mpq_class(abs(value.root));
@@ -154,17 +154,17 @@ std::optional<mpq_class> square_of(const Surd& value) {
   return rational ? std::optional(mpq_class(*rational * *rational)) : std::nullopt;
 }
 
-// The nearest double, if it is known and one.
+// Returns the nearest double; nullopt if it is not known, or not finite.
 std::optional<double> nearest(const SignedDepth& depth) {
   const double low = depth.exact() ? kernels::nearest_binary64(*depth.exact()) : round_binary64(depth.bounds()->low);
   const double high = depth.exact() ? low : round_binary64(depth.bounds()->high);
   return low == high && std::isfinite(low) && low > 0 ? std::optional(low) : std::nullopt;
 }
 
-// The signed depth in the unit of places; of bounds the middle.
+// Returns the signed depth in the unit of places; for bounds their middle.
 double signed_length(const SignedDepth& depth, const StagedScale& scale) {
   if (const Bounds* const bounds = depth.bounds()) return scaled(mpq_class((bounds->low + bounds->high) / 2), scale);
-  // The two parts may nearly cancel: they are scaled exactly, and rounded once.
+  // Because the two parts may nearly cancel, they are scaled exactly and their sum is rounded once.
   mpq_class factor = 1;
   if (scale.exponent >= 0) factor <<= static_cast<unsigned long>(scale.exponent);
   else factor >>= static_cast<unsigned long>(-scale.exponent);
@@ -201,7 +201,7 @@ const Place& extreme(const std::vector<Place>& points, const Place& u) {
   return *std::ranges::max_element(points, {}, [&](const Place& p) { return dot(p, u); });
 }
 
-/// Differences b - a that are extreme in directions all around.
+/// Returns differences b - a that are extreme in directions all around.
 std::vector<Place> differences(const std::vector<Place>& a, const std::vector<Place>& b) {
   std::vector<Place> result;
   for (int i = 0; i <= latitudes; ++i) {
@@ -248,7 +248,7 @@ void add_sampled_sum(Stages& stages) {
   stages.left_out.emplace_back("P is a mesh near the set of all differences: its facets are left out of the ranking.");
 }
 
-/// By the names of the study.
+/// Adds the coincidences under their names in the study.
 void add_shape_coincidences(const Shape& a, const Shape& b, const StageOptions& options, Stages& stages) {
   const ShapeStudy found = study(a, b, {.listed = options.listed, .monitor = options.monitor});
   for (std::size_t i = 0; i < found.coincidences.size(); ++i) {

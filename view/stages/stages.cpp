@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stages of polytopes, part by part, and the door of all. First places for pixels: input
-// coordinates, moved and scaled by a power of two only where binary64 needs it.
+// Stages of polytopes, part by part, and the public function for all bodies. First places for
+// pixels: input coordinates, moved and scaled by a power of two only if binary64 needs it.
 #include "view/stages/stages.hpp"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ namespace {
 
 using picture::largest;
 
-// Far from O, a body's digits are those of its place: then places count from the body. So they do
-// if it is farther than this many extents.
+// If a body is farther from O than this many extents, its position takes up the digits of binary64,
+// so places are relative to the body.
 constexpr int near_origin = 4;
 
-// Beyond this power of two, squares and products of places would leave binary64.
+// Beyond this power of two, squares and products of places would overflow or underflow binary64.
 constexpr long comfortable_exponent = 300;
 
-/// A length by its square, in the unit of places.
+/// Returns a length, given by its square, in the unit of places.
 double scaled_root(const mpq_class& squared, const StagedScale& scale) {
   return root_binary64(kernels::times_power_of_two(squared, 2 * scale.exponent));
 }
@@ -47,7 +47,8 @@ mpq_class extent_of(const polytope::PlacedPair& pair) {
   return extent;
 }
 
-// The component of a direction whose components have at most so many bits, over 2^most.
+// Returns the component of a direction over 2^most, where `most` is the largest number of bits of
+// its components.
 double component(const mpz_class& c, long most) {
   long exponent = 0;
   const double fraction = mpz_get_d_2exp(&exponent, c.get_mpz_t());
@@ -56,7 +57,7 @@ double component(const mpz_class& c, long most) {
 
 // ---- the hulls with their Gaussian diagrams, and the answer ----
 
-// Of very many ties, so many are listed.
+// The most optima that are listed if there are very many ties.
 constexpr std::size_t most_listed_optima = 1000;
 
 std::optional<Index> index_of(gaussian::NodeId node) {
@@ -124,7 +125,8 @@ void add_contact(const Depth& depth, const Placing& placing, Stages& stages) {
 
 // ---- both hemispheres as charts ----
 
-// In longitude and latitude about v: walls stay vertical, and the hemisphere fits a square.
+// The projection is longitude and latitude about v, in which walls are vertical and the hemisphere
+// fits a square.
 
 std::optional<Index> end_of(gaussian::NodeId node) {
   return node == chart::at_infinity ? std::nullopt : std::optional(node.value);
@@ -139,7 +141,7 @@ StagedDiagram diagram_in(const chart::ColourChart& chart, const std::vector<Plac
   for (const gaussian::NodeId i : chart.wall_of.ids()) {
     if (chart.wall_of[i].is_none()) continue;
     const Place& n = nodes[i.value];
-    // Not asin, which loses half of the digits near v. Adding 0 turns -0 into 0.
+    // asin would lose half of the digits near v. Adding 0.0 turns -0.0 into 0.0.
     const double along = dot(n, right) + 0.0, ahead = dot(n, z) + 0.0;
     result.nodes.push_back({i.value, std::atan2(along, ahead), std::atan2(dot(n, v), std::hypot(along, ahead))});
   }
@@ -163,7 +165,7 @@ void add_charts(const StagesSource& subject, Stages& stages) {
 
 // ---- counts of the exact method beside the paper's bounds, without constants ----
 
-/// m and n: the numbers of edges.
+/// The numbers of edges m and n.
 struct Sizes {
   double m, n;
   [[nodiscard]] double both() const { return m + n; }
@@ -212,11 +214,11 @@ void add_bounds(const StagesSource& subject, Stages& stages) {
 
 // ---- all of it ----
 
-/// How long each stage of a run takes: a monitor that looks at the clock when a stage begins, and
-/// passes everything on.
+/// Measures the time of each stage of a run: a monitor that reads the clock when a stage begins,
+/// and passes everything on.
 class StageTimes : public Monitor {
  public:
-  /// Every call is passed on to `next`, which may be null.
+  /// Passes every call on to `next`, which may be null.
   explicit StageTimes(Monitor* next) : next_(next) {}
 
   void report(std::string_view stage, double share) override {
@@ -229,13 +231,13 @@ class StageTimes : public Monitor {
   }
   [[nodiscard]] bool stopped() override { return next_ && next_->stopped(); }
 
-  /// The stage that runs ends here.
+  /// Ends the current stage.
   void end() {
     if (!running_.empty() && begin_ != Clock::time_point{})
       running_.back().second = std::chrono::duration<double>(Clock::now() - begin_).count();
     begin_ = {};
   }
-  /// In the order in which they ran. Before the first: not measured.
+  /// Returns the times in the order of the stages. Before the first stage, no time is measured.
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& seconds() const { return running_; }
 
  private:
@@ -246,8 +248,8 @@ class StageTimes : public Monitor {
   Clock::time_point begin_{};
 };
 
-// The answer of penetration_depth. Where a common lattice would be too fine, that one takes another
-// way, and may name another of several right directions of touching bodies.
+// Returns the answer of penetration_depth. If a common lattice would be too fine, penetration_depth
+// uses another method, and may return another of several right directions of touching bodies.
 Depth answer_of(const StagesSource& subject, bool slim) {
   if (slim) return subject.exact.depth;
   kernels::Context context = subject.context.worker();

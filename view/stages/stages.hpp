@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Input   two bodies.
-// Output  what the exact method makes of them on its way to the depth, as plain numbers: the data
-//         of all pictures, schema fathom/stages/1. Places are binary64 numbers, for pixels; counts
-//         are exact, and depths are those of penetration_depth.
+// Output  the intermediate results of the exact method on its way to the depth, as plain numbers:
+//         the data of all pictures, schema fathom/stages/1. Places are binary64 numbers, for
+//         pixels; counts are exact, and depths are those of penetration_depth.
 // Size    linear in the diagrams and in sum |A_i| + |B_i|; the sum P is left out where it is large.
 //                                                                        [AGHRS, PENETRATION-DEPTH]
 #pragma once
@@ -38,8 +38,8 @@ inline Place cross(const Place& p, const Place& q) {
   return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
 }
 
-/// A place is (input - center) * 2^exponent: pixels are neither lost far from O nor beyond
-/// binary64.
+/// The map from input to places, (input - center) * 2^exponent: it keeps the accuracy of places far
+/// from O, and keeps them within binary64.
 struct StagedScale {
   Point center;
   long exponent = 0;
@@ -56,8 +56,8 @@ struct StagedBody {
   std::vector<Indices> facets;  ///< counter-clockwise from outside
   std::vector<Place> nodes;     ///< unit normals, negated for A
   std::vector<std::array<std::optional<Index>, 2>> arcs;
-  /// Only of rank 1 and 2, whose arcs are full and half circles, for each arc: the unit normal of
-  /// its circle. A half circle passes through circle x node.
+  /// For rank 1 and 2, whose arcs are full and half circles, the unit normal of each arc's circle.
+  /// A half circle passes through circle x node.
   std::vector<Place> circles;
 };
 
@@ -68,7 +68,7 @@ struct StagedOptimum {
 
 /// The answer, as the exact method finds it; of shapes as signed_depth does.
 struct StagedContact {
-  Place direction{}, translation{};  ///< of bodies that are apart: to the contact
+  Place direction{}, translation{};  ///< of disjoint bodies: to the contact
   std::optional<Contact> features;   ///< of the first optimum, or of the distance
   std::vector<StagedOptimum> optima;
 };
@@ -76,7 +76,7 @@ struct StagedContact {
 /// The part of an arc in a hemisphere, from left to right.
 struct StagedArc {
   Index edge;
-  std::optional<Index> from, to;  ///< nodes; none: the arc goes on over the equator
+  std::optional<Index> from, to;  ///< nodes; none: the arc continues beyond the equator
 };
 
 /// A node of this hemisphere, in the chart: longitude atan2(<n,r>, <n,z>) and latitude asin(<n,v>),
@@ -103,8 +103,8 @@ struct StagedChart {
   std::vector<StagedWall> walls;  ///< from left to right
 };
 
-/// What the search for closest lines did with a canonical pair: looked at each crossing, cleared
-/// all at once, or cut. `none`: no search.
+/// The treatment of a canonical pair by the search for closest lines: it scanned each crossing,
+/// cleared all at once, or cut the grid. `none`: there was no search.
 enum class PairFate { none, scanned, cleared, cut };
 
 /// The closest lines of a canonical pair.
@@ -120,7 +120,7 @@ struct StagedPair {
   Indices a, b;                               ///< edges, in the order of the grid
   std::array<std::optional<Index>, 2> strip;  ///< walls; none: infinity
   std::optional<ClosestPair> closest;         ///< none unless the bodies penetrate, or if all its edges are parallel
-  std::uint64_t evaluated = 0;                ///< pairs of lines that the search looked at
+  std::uint64_t evaluated = 0;                ///< pairs of lines that the search evaluated
   PairFate fate = PairFate::none;
 
   [[nodiscard]] std::uint64_t crossings() const { return std::uint64_t{a.size()} * b.size(); }
@@ -128,21 +128,21 @@ struct StagedPair {
 
 enum class BlockFate { cleared, refined, scanned, won };
 
-/// Rows are places in StagedPair::a, columns in StagedPair::b; half-open.
+/// Rows are indices into StagedPair::a, columns into StagedPair::b; half-open.
 struct StagedBlock {
   std::array<Index, 2> rows, columns;
   BlockFate fate;
 };
 
-/// Blocks of level 0: the whole grid. Those of a level partition the refined ones of the level
-/// before.
+/// The blocks of level 0 are the whole grid. Those of a level partition the refined ones of the
+/// level before.
 struct StagedLevel {
-  std::optional<bool> cut_a;  ///< whose chain was cut into these; none for level 0
+  std::optional<bool> cut_a;  ///< whether A's chain was cut, else B's; none for level 0
   std::vector<StagedBlock> blocks;
 };
 
-/// How a grid is cut. Blocks that are not refined partition it; exactly one of them won: it holds
-/// the pair's closest lines.
+/// The cutting of a grid. Blocks that are not refined partition it; exactly one of them contains
+/// the pair's closest lines: it is `won`.
 struct StagedCutting {
   Index pair;
   bool winner;       ///< whether the pair holds the optimum; else it is the largest one
@@ -158,10 +158,10 @@ struct StagedFeature {
   Index index;
 };
 
-/// Which step found the first optimum.
+/// The step that found the first optimum.
 struct StagedWinner {
   WinnerKind kind;
-  /// of edges: the canonical pair with their crossing; none if their arcs touch and do not cross
+  /// For edges: the canonical pair with their crossing; none if their arcs touch without crossing.
   std::optional<Index> pair;
   StagedFeature a, b;
 };
@@ -180,7 +180,8 @@ struct StagedFacet {
   bool optimal = false;
 };
 
-/// P, or the certificate's polytope Q inside it. O is at 0: differences do not see the center.
+/// P, or the certificate's polytope Q inside it. O is at 0, because the center cancels in
+/// differences.
 struct StagedSum {
   SumKind kind = SumKind::none;
   std::vector<Place> vertices;
@@ -204,15 +205,15 @@ struct StagedMonomial {
   std::uint64_t count;
 };
 
-/// How often the topology asked a predicate, whether or not the bodies overlap; of those, floating
-/// point could not tell `exact`, and `zero` were 0.
+/// The number of calls of a predicate by the topology, whether or not the bodies overlap; `exact`
+/// counts those that floating point could not decide, and `zero` those whose result was 0.
 struct StagedDecision {
   std::string_view predicate;
   std::uint64_t calls = 0, exact = 0, zero = 0;
   std::vector<StagedMonomial> monomials;
 };
 
-/// A count beside the paper's bound for it.
+/// A count and the paper's bound for it.
 struct StagedBound {
   std::string_view stage, what;
   std::uint64_t count;
@@ -223,9 +224,9 @@ struct StagedBound {
 
 struct Stages {
   std::string id;
-  std::optional<Status> status;      ///< none: bounds of a shape leave it open
-  std::optional<double> depth;       ///< the nearest binary64; none unless penetrating, or if it is not one
-  std::optional<mpq_class> squared;  ///< none if irrational, or known by bounds only
+  std::optional<Status> status;      ///< nullopt: bounds of a shape do not decide it
+  std::optional<double> depth;       ///< the nearest binary64; nullopt unless penetrating, or beyond binary64
+  std::optional<mpq_class> squared;  ///< nullopt if irrational, or if only bounds are known
   StagedScale scale;
   StagedBody a, b;
   StagedContact contact;
@@ -235,11 +236,11 @@ struct Stages {
   std::optional<StagedWinner> winner;
   StagedSum sum;
   std::vector<StagedCoincidence> coincidences;
-  std::vector<StagedCoincidence> cores;  ///< of shapes with polytopes as cores: what coincides of these
+  std::vector<StagedCoincidence> cores;  ///< for shapes with polytopes as cores: the coincidences of the cores
   std::vector<StagedDecision> decided;   ///< of polytopes, or of such cores
   Counters counters;                     ///< of the exact run, as in Depth
   std::vector<StagedBound> bounds;
-  /// With StageOptions::times.
+  /// Set with StageOptions::times.
   std::vector<std::pair<std::string, double>> seconds;
   std::vector<std::string> left_out;  ///< sentences
 };
@@ -248,7 +249,8 @@ struct StageOptions {
   bool times = false;  ///< measure the seconds of each stage: the result differs from run to run
   Monitor* monitor = nullptr;
   std::size_t listed = StudyOptions{}.listed;  ///< the most coincidences of a kind that are listed
-  /// the most pairs of a normal and an edge that are looked at for normals on arcs: a second or two
+  /// The most pairs of a normal and an edge for which normals on arcs are searched: a second or
+  /// two.
   std::uint64_t most_pairs = 50'000'000;
 };
 
@@ -256,15 +258,15 @@ struct StageOptions {
 /// signed_depth do.
 Stages stages_of(const Body& a, const Body& b, const StageOptions& options = {});
 
-/// One line of JSON without its newline, pure ASCII: stages.schema.json.
+/// Returns one line of JSON without its newline, pure ASCII: stages.schema.json.
 std::string to_json(const Stages& stages);
 
 // ---- unions ----
 
 // Input   two unions of convex pieces, with the answer about them.
-// Output  what pictures of them show, as plain numbers: the pieces, every shortest translation with
-//         what touches, and the differences P_ij of pieces that reach into the ball around O. A
-//         moved by t overlaps B exactly if t lies in the interior of some P_ij. Schema
+// Output  their data for pictures, as plain numbers: the pieces, every shortest translation with
+//         the features that touch, and the differences P_ij of pieces that reach into the ball
+//         around O. A moved by t overlaps B exactly if t lies in the interior of some P_ij. Schema
 //         fathom/union_stages/1. Places are binary64 numbers, for pixels; distances are exact.
 //                                                                         [proofs/unions_search.md]
 
@@ -276,7 +278,7 @@ struct StagedPiece {
   std::vector<Indices> facets;  ///< counter-clockwise from outside
 };
 
-/// Two pieces in contact once A has moved.
+/// Two pieces in contact after A has moved.
 struct StagedTouch {
   Index a, b;       ///< the pieces
   Place direction;  ///< a unit vector: from B to A, across a plane between them
@@ -297,11 +299,11 @@ struct PieceSum {
   bool inside = false;          ///< whether O lies in its interior: the pieces overlap
   mpq_class squared;            ///< of the distance of O from its boundary
   double distance = 0;          ///< the same, in the unit of places
-  Indices touches;              ///< ways at whose ends the pieces are in contact
-  std::vector<Place> vertices;  ///< none if it is not drawn; O is at 0
+  Indices touches;              ///< ways after which the pieces are in contact
+  std::vector<Place> vertices;  ///< empty if it is not drawn; O is at 0
   std::vector<Indices> facets;  ///< counter-clockwise from outside
   std::vector<Place> normals;   ///< of the facets: unit vectors
-  /// a facet, and a way whose end lies in its plane; of those at whose ends the pieces touch
+  /// A facet, and a way whose end lies in its plane; only ways after which the pieces touch.
   std::vector<std::array<Index, 2>> through;
 };
 
@@ -311,7 +313,7 @@ struct UnionStages {
   StagedScale scale;
   std::vector<StagedPiece> a, b;
   std::vector<StagedUnionWay> ways;
-  std::vector<PieceSum> sums;  ///< if penetrating: first those that touch, then the others, deepest first
+  std::vector<PieceSum> sums;  ///< if penetrating: first those that touch after a way, then the others, deepest first
   std::vector<std::string> left_out;
 };
 
@@ -319,7 +321,7 @@ struct UnionStages {
 /// the monitor stops it.
 UnionStages stages_of(const Pieces& a, const Pieces& b, const UnionDepth& depth, Monitor* monitor = nullptr);
 
-/// One line of JSON without its newline, pure ASCII: union_stages.schema.json.
+/// Returns one line of JSON without its newline, pure ASCII: union_stages.schema.json.
 std::string to_json(const UnionStages& stages);
 
 }  // namespace fathom::stages

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sum P for pictures, or the polytope Q inside it. A facet of P is the sum of two convex
 // polygons in parallel planes: their edges, merged by angle. First that sum, then all facets, then
-// what is shown of them.
+// the selection that is shown.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,12 +25,12 @@ using polytope::VertexId;
 struct Turn {
   Vector n, r, w;  // w = n x r is a right angle from r
 
-  /// Whether the angle of d is at least pi.
+  /// Returns whether the angle of d is at least pi.
   [[nodiscard]] bool is_late(const Vector& d) const {
     const int side = sgn(dot(w, d));
     return side < 0 || (side == 0 && sgn(dot(r, d)) < 0);
   }
-  /// Negative: d has the smaller angle. Zero: the same.
+  /// Compares angles. Negative: that of d is smaller. Zero: they are equal.
   [[nodiscard]] int compare(const Vector& d, const Vector& e) const {
     const bool late = is_late(d);
     if (late != is_late(e)) return late ? 1 : -1;
@@ -38,13 +38,13 @@ struct Turn {
   }
 };
 
-/// One of the two polygons: those of B as they are, those of A reflected. Its edges are taken by
+/// One of the two polygons: that of B unchanged, that of A reflected. Its edges are visited by
 /// angle.
 class Side {
  public:
   Side(const polytope::Polytope& body, bool reflected, std::vector<VertexId> cycle)
       : body_(&body), reflected_(reflected), cycle_(std::move(cycle)) {
-    if (reflected_) std::ranges::reverse(cycle_);  // a facet of A faces -n
+    if (reflected_) std::ranges::reverse(cycle_);  // a facet of A has the outward normal -n
   }
 
   [[nodiscard]] Vector point(std::size_t i) const {
@@ -53,7 +53,7 @@ class Side {
   }
   [[nodiscard]] bool has_edges() const { return cycle_.size() > 1; }
   [[nodiscard]] Vector edge(std::size_t i) const { return point(i + 1) - point(i); }
-  /// Starts at the corner behind which the angles of edges begin at 0.
+  /// Starts at the corner after which the angles of edges begin at 0.
   void start(const Turn& turn) {
     const auto lower = [&](std::size_t i, std::size_t j) {
       const Vector d = point(i) - point(j);
@@ -77,9 +77,9 @@ class Side {
   std::size_t taken_ = 0;
 };
 
-/// The corners of the facet of P with this normal, given the faces of A in direction -normal and of
-/// B in direction normal: each a vertex, the ends of an edge, or the cycle of a facet,
-/// counter-clockwise from outside its body.
+/// Returns the corners of the facet of P with this normal, given the faces of A in direction
+/// -normal and of B in direction normal: each a vertex, the ends of an edge, or the cycle of a
+/// facet, counter-clockwise from outside its body.
 std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal, std::vector<VertexId> of_a,
                                  std::vector<VertexId> of_b) {
   Side a(hulls.a, true, std::move(of_a)), b(hulls.b, false, std::move(of_b));
@@ -97,9 +97,9 @@ std::vector<SumCorner> sum_cycle(const depth::Hulls& hulls, const Vector& normal
   return corners;
 }
 
-constexpr std::size_t crossings_per_facet = 20;  // coplanar facets merge; more are not worth the work
+constexpr std::size_t crossings_per_facet = 20;  // coplanar facets merge; more crossings would take too long
 
-/// What lies in a direction: facets of the bodies, or edges that cross there.
+/// The features in a direction: facets of the bodies, or edges whose arcs cross there.
 struct Found {
   gaussian::PerColour<std::optional<FacetId>> facets;
   gaussian::PerColour<std::optional<ArcId>> edges;
@@ -107,7 +107,7 @@ struct Found {
 };
 using FoundByNormal = std::map<Vector, Found, kernels::NearestPlanes::LexicographicOrder>;
 
-/// Whether n, a multiple of a direction on the circle of the arc, lies on the closed arc.
+/// Returns whether n, a multiple of a direction on the circle of the arc, lies on the closed arc.
 bool is_on(const gaussian::GaussianDiagram& diagram, const gaussian::Arc& arc, const Vector& n) {
   if (diagram.rank < 2) return true;
   const Vector circle = arc.circle.exact();
@@ -123,7 +123,7 @@ class Directions {
     for (const FacetId i : exact_.hulls.a.facets.ids()) found_[-exact_.hulls.a.facets[i].normal].facets.a = i;
     for (const FacetId i : exact_.hulls.b.facets.ids()) found_[exact_.hulls.b.facets[i].normal].facets.b = i;
   }
-  /// Stops as soon as there are too many directions.
+  /// Stops as soon as there are more than `most` directions.
   void add_crossings(std::size_t most) {
     Index number = 0;
     for (std::size_t h = 0; h < exact_.subsets.size(); ++h) {
@@ -145,7 +145,7 @@ class Directions {
   void add(ArcId e, ArcId f, Index pair) {
     const gaussian::GaussianDiagram &a = exact_.diagrams.a, &b = exact_.diagrams.b;
     const Vector line = primitive(cross(a.arcs[e].circle.exact(), b.arcs[f].circle.exact()));
-    if (is_zero(line)) return;  // parallel edges cross only once they are perturbed
+    if (is_zero(line)) return;  // parallel edges cross only after perturbation
     for (const Vector& n : {line, -line}) {
       if (!is_on(a, a.arcs[e], n) || !is_on(b, b.arcs[f], n)) continue;
       Found& here = found_[n];
@@ -200,7 +200,7 @@ constexpr std::size_t most_facets = 20'000;  // a picture of more is a ball
 
 using Points = std::vector<std::uint32_t>;
 
-/// (height / (|normal| denominator))^2.
+/// Returns (height / (|normal| denominator))^2.
 mpq_class squared_distance(const mpz_class& height, const Vector& normal, const mpz_class& denominator) {
   return kernels::ratio(height * height, dot(normal, normal) * denominator * denominator);
 }
@@ -211,7 +211,7 @@ SumFacetKind kind_of(std::size_t corners_of_a, std::size_t corners_of_b) {
   return corners_of_a == 2 && corners_of_b == 2 ? SumFacetKind::edges : SumFacetKind::merged;
 }
 
-/// By distance, ties by normals; those that are nearest are optimal.
+/// Sorts by distance, ties by normals; marks the nearest facets as optimal.
 void rank(std::vector<StagedFacet>& facets) {
   std::ranges::stable_sort(facets, {}, &StagedFacet::squared);
   for (StagedFacet& facet : facets) facet.optimal = facet.squared == facets.front().squared;
@@ -249,7 +249,7 @@ StagedSum sum_of(const StagesSource& subject, const std::vector<ExactSumFacet>& 
   return sum;
 }
 
-/// The facet of Q with these corners.
+/// Returns the facet of Q with these corners.
 StagedFacet facet_of_q(const StagesSource& subject, const InnerPolytope& q, const std::vector<std::uint32_t>& corners) {
   const auto difference = [&](std::size_t i) {
     const auto& [a, b] = q.vertices[corners[i]];
@@ -272,7 +272,7 @@ StagedFacet facet_of_q(const StagesSource& subject, const InnerPolytope& q, cons
   return facet;
 }
 
-/// Passes the reports of a computation of its own on to the context that it belongs to.
+/// Passes the reports of a separate computation on to the context of the caller.
 class Relay : public Monitor {
  public:
   explicit Relay(kernels::Context& context) : context_(context) {}
@@ -290,7 +290,8 @@ class Relay : public Monitor {
   bool stopped_ = false;
 };
 
-/// Of the certificate, if it is found soon and not too large itself; kind none otherwise.
+/// Returns the polytope of the certificate, if it is found soon and is not too large; otherwise a
+/// sum of kind none.
 StagedSum inner_sum(const StagesSource& subject) {
   Relay relay(subject.context);
   const Depth certified = penetration_depth(subject.a, subject.b, {.monitor = &relay});

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::string_view unit_sentence = "A place is (input - center) * 2^exponent; a length is input * 2^exponent.";
 
-// Of the largest coordinate among both bodies; more where a body is small beside that, or far
-// thinner than long.
+// Digits of places, relative to the largest coordinate of both bodies; more if a body is small
+// beside it, or much thinner than long.
 constexpr int usual_digits = 6, most_digits = 17;
 
 constexpr int places_digits = 7;  // of lengths and angles
@@ -27,7 +27,7 @@ double largest_coordinate(const StagedBody& body) {
   return most;
 }
 
-// The least of the body's extents along the axes that is not 0; infinite if all are.
+// Returns the least of the body's extents along the axes that is not 0; infinity if all are 0.
 double least_extent(const StagedBody& body) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -201,7 +201,7 @@ void write_winner(text::JsonStream& json, const StagedWinner& winner) {
   });
 }
 
-// Of so many facets, the nearest, the exact squared distance is given: it is long.
+// The number of facets, the nearest ones, whose exact squared distance, a long number, is written.
 constexpr std::size_t exact_facets = 500;
 
 void write_facet(text::JsonStream& json, const StagedFacet& facet, bool exactly) {
@@ -324,7 +324,7 @@ void write_counts(text::JsonStream& json, const Counters& counters) {
   });
 }
 
-constexpr int digits_of_pieces = 0;  // the shortest text: pieces may be small beside the whole
+constexpr int digits_of_pieces = 0;  // the shortest exact text, because pieces may be small beside the whole
 constexpr int digits_of_sums = 7;
 
 void write_pieces(text::JsonStream& json, const std::vector<StagedPiece>& pieces) {

@@ -14,9 +14,9 @@
 namespace fathom::stages {
 namespace {
 
-constexpr std::size_t most_piece_pairs = 2000;  // of pieces whose depth is found for the list
+constexpr std::size_t most_piece_pairs = 2000;  // pairs of pieces whose depth is computed for the list
 constexpr std::size_t most_drawn = 40;          // P_ij
-constexpr std::size_t most_differences = 4000;  // of vertices, for one of them
+constexpr std::size_t most_differences = 4000;  // of vertices, for one P_ij
 constexpr std::size_t most_ways = 100;
 constexpr std::size_t most_edges_of_pieces = 50'000;
 
@@ -45,7 +45,7 @@ StagedUnionWay way_of(const UnionDistance& apart, const Placing& placing) {
   return {placing.vector(d.translation), true, {{apart.a, apart.b, unit(d.direction), d.contact}}};
 }
 
-/// The sums that are listed, without their facets.
+/// The listed sums, without their facets.
 class Sums {
  public:
   Sums(const Pieces& a, const Pieces& b, const UnionDepth& depth, const Placing& placing, Monitor* monitor)
@@ -95,12 +95,12 @@ class Sums {
   Monitor* monitor_;
 };
 
-/// Whether the facet's plane holds the translation.
+/// Returns whether the facet's plane contains the translation.
 bool holds(const polytope::Facet& facet, const mpz_class& height, const Point& t, const mpz_class& denominator) {
   return dot(facet.normal, t) * denominator == height;
 }
 
-/// The facets of a sum; false if there would be too much to do.
+/// Adds the facets of a sum; returns false if there would be too many differences.
 bool add_facets(PieceSum& sum, const polytope::Polytope& a, const polytope::Polytope& b, const UnionDepth& depth,
                 const mpz_class& denominator, const Placing& placing) {
   if (a.vertices.size() * b.vertices.size() > most_differences) return false;
