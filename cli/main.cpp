@@ -19,7 +19,7 @@ using namespace fathom::cli;
 
 constexpr const char* mpi_program = "fathom-mpi";
 
-/// Whether an MPI launcher started several processes, which share this command.
+/// Returns whether an MPI launcher started several processes, which share this command.
 bool is_shared_by_many(const std::vector<std::string>& words) {
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (size == nullptr || std::atoi(size) < 2 || words.empty()) return false;
@@ -34,8 +34,8 @@ ExitCode become_mpi(const std::vector<std::string>& words) {
       bad_input);
 }
 
-/// Asked by ./fathom, which builds a part that has packages of its own when it is first needed:
-/// which part the command line needs. Prints its name, or nothing.
+/// Prints the name of the part that the command line needs, or nothing. Called by ./fathom, which
+/// builds a part that needs further packages when it is first used.
 ExitCode tell_part(const std::vector<std::string>& words) {
   if (is_shared_by_many(words)) print("mpi");
   else if (const Arguments arguments = parse_arguments(words); arguments.given) {

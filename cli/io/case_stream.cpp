@@ -37,7 +37,7 @@
 namespace fathom::cli {
 namespace {
 
-constexpr int between_looks = 100;  // milliseconds
+constexpr int between_looks = 100;  // milliseconds between two checks of `stopped`
 
 int open_pipe(const std::string& path) {
   struct stat status {};
@@ -48,7 +48,7 @@ int open_pipe(const std::string& path) {
 
 constexpr std::size_t worth_a_thread = 2048;  // points
 
-/// What there is to say of the points of a body; empty if all are extreme.
+/// Returns a note on the points of a body; empty if all are extreme.
 std::string note_on(char body, const std::vector<Point>& points) {
   const std::optional<std::size_t> inner = polytope::count_inner_points(points);
   if (!inner)
@@ -79,8 +79,8 @@ std::optional<std::string> hull_note(const Case& input, bool one_body) {
 
 // A case of a stream on its way from its text to its answer, and between processes.
 
-/// What there is to say of a case beside its answer. The first of a kind is said, later ones are
-/// counted.
+/// Notes on a case that are printed beside its answer. Of each kind, the first note is printed and
+/// later ones are counted.
 enum class NoteKind { field, pose, sizes, dents };
 inline constexpr std::array<std::string_view, 4> later_notes = {
     "fields that look misspelt", "poses that are no rotations", "bodies of very different sizes",
@@ -92,21 +92,21 @@ struct StreamNote {
 
 /// A case of the stream, from its text to its reply.
 struct StreamedCase {
-  std::size_t number = 0;  ///< of cases before it
+  std::size_t number = 0;  ///< the number of cases before it
   files::UnreadCase text;
   std::optional<InterruptGuard> interrupt_guard;
   bool answered = false;
 
   std::string id;
   CaseReply reply;
-  std::optional<InputError> fault;  ///< in place of the reply
+  std::optional<InputError> fault;  ///< set if there is no reply
   ExitCode code = fine;
-  std::optional<std::string> hull_note;  ///< if none was said when it was answered
+  std::optional<std::string> hull_note;  ///< set if no note on a hull was printed before
   std::vector<StreamNote> notes;
   bool perhaps_inner = false;
 };
 
-/// What an error says behind file and line.
+/// Returns the message of an error without its file and line.
 std::string message_of(const InputError& error) {
   const std::string sentence = error.what(), place = InputError(error.file(), error.line(), "").what();
   return sentence.substr(std::min(place.size(), sentence.size()));
@@ -129,7 +129,7 @@ std::vector<StreamNote> notes_of(const std::string& text) {
   return notes;
 }
 
-/// Appends what was found about the case to texts that are packed.
+/// Appends the results for the case, packed, to other packed texts.
 void pack_answer(std::string& all, const StreamedCase& streamed) {
   const auto optional = [](const std::optional<std::string>& text) { return text ? "+" + *text : ""; };
   std::vector<std::string> texts = {streamed.id, std::to_string(streamed.code), streamed.perhaps_inner ? "+" : "",
@@ -141,7 +141,7 @@ void pack_answer(std::string& all, const StreamedCase& streamed) {
   pack(all, packed(texts));
 }
 
-/// Reads what pack_answer wrote.
+/// Reads the results that pack_answer wrote.
 void take_answer(const std::string& text, StreamedCase& streamed) {
   const std::vector<std::string> texts = unpacked(text);
   streamed.id = texts.at(0);
@@ -154,8 +154,8 @@ void take_answer(const std::string& text, StreamedCase& streamed) {
   streamed.answered = true;
 }
 
-// A longer text is answered before more is read: so many at once would take much memory, and two
-// threads share the work on large bodies.
+// Longer texts are answered before more cases are read: many of them at once would take much
+// memory, and two threads share the work on large bodies.
 constexpr std::size_t long_text = std::size_t{1} << 20;
 
 using Block = std::vector<std::shared_ptr<StreamedCase>>;
@@ -163,25 +163,25 @@ using Block = std::vector<std::shared_ptr<StreamedCase>>;
 // A block that is answered by another process ends with this many cases, or with this many bytes.
 constexpr std::size_t cases_in_a_block = 64, bytes_of_a_block = std::size_t{1} << 18;
 
-/// What is used for one case after another.
+/// The memory of a thread, reused from case to case.
 struct Memory {
   files::QuickCaseReader reader;
   Workspace workspace;
 };
 
-/// Memory for so many answers at once. It is there from the beginning, so that a case that does not
-/// fit takes none away from others.
+/// Memory for as many answers as there are threads. It is allocated at the beginning, so that a
+/// case that does not fit takes none away from others.
 class Memories {
  public:
   explicit Memories(unsigned count) : idle_(count) {}
 
-  /// Calls `use` with memory that nothing else uses until it returns.
+  /// Calls `use` with memory that no other thread uses meanwhile.
   template <class Use>
   void with_memory(Use use) {
     Memory memory = take();
     use(memory);
     const std::lock_guard lock(idle_lock_);
-    idle_.push_back(std::move(memory));  // it has room for all
+    idle_.push_back(std::move(memory));  // cannot allocate: there is room for all
   }
 
  private:
@@ -197,8 +197,8 @@ class Memories {
   std::vector<Memory> idle_;
 };
 
-/// Reads the text and answers the case; what goes wrong with it becomes its fault. Throws
-/// Interrupted. Once a note on a hull was told, others are not looked for.
+/// Reads the text and answers the case; an error of either becomes the case's fault. Throws
+/// Interrupted. Looks for a note on a hull only if none was printed before.
 void answer_case(StreamedCase& streamed, const std::string& name, const StreamWork& work, Monitor& monitor,
                  Memory& memory, bool hull_told) {
   const std::size_t line = streamed.text.line;
@@ -246,9 +246,9 @@ class Stream {
     if (progress_.is_seen()) all_ = cases_in(input);
   }
 
-  /// Null at the end.
+  /// Returns the next case; null at the end.
   std::shared_ptr<StreamedCase> next();
-  /// The same for several cases at once.
+  /// Does the same for several cases at once.
   std::shared_ptr<Block> next_block();
   void answer_elsewhere(Block& block);
   void answer(StreamedCase& streamed);
@@ -256,8 +256,8 @@ class Stream {
   ExitCode finish();
 
  private:
-  /// Shows the progress of the case that is to be delivered next: of one at a time, and the others
-  /// wait for it.
+  /// Shows the progress of one case at a time: of the one to be delivered next, for which the
+  /// others wait.
   class CaseMonitor;
 
   void tell_of_hull(const StreamedCase& streamed);
@@ -271,9 +271,9 @@ class Stream {
   files::UnreadCases texts_;
   Progress progress_;
   std::size_t read_ = 0, failures_ = 0, perhaps_inner_ = 0;
-  std::optional<std::size_t> all_;  // about so many cases
+  std::optional<std::size_t> all_;  // approximate number of cases
   std::atomic<std::size_t> delivered_ = 0;
-  std::array<std::size_t, later_notes.size()> cases_with_{};  // notes of a kind
+  std::array<std::size_t, later_notes.size()> cases_with_{};  // cases with a note of each kind
   ExitCode code_ = fine;
 };
 
@@ -309,7 +309,7 @@ std::shared_ptr<StreamedCase> Stream::next() {
     if (interrupt_requested()) throw Interrupted();
     if (failed_ || !text) return nullptr;
     streamed->text = std::move(*text);
-  } catch (const std::bad_alloc& error) {  // the case does not fit; the next may
+  } catch (const std::bad_alloc& error) {  // the case does not fit into memory; the next one may
     const std::size_t line = texts_.case_line();
     streamed->text = {line, "", InputError(texts_.name(), line, fault_text(error))};
     streamed->code = internal_error;
@@ -330,7 +330,7 @@ void Stream::answer(StreamedCase& streamed) {
     memories_.with_memory(
         [&](Memory& memory) { answer_case(streamed, texts_.name(), work_, monitor, memory, hull_told_); });
   } catch (const Interrupted&) {
-    if (!failed_) throw;  // else the run ends by what failed
+    if (!failed_) throw;  // otherwise the run ends with the first failure
   }
 }
 
@@ -386,7 +386,7 @@ void Stream::deliver(StreamedCase& streamed) try {
   streamed.interrupt_guard.reset();
   if (interrupt_requested()) throw Interrupted();
 } catch (...) {
-  failed_ = true;  // threads that wait for input or compute stop
+  failed_ = true;  // stops threads that wait for input or compute
   throw;
 }
 

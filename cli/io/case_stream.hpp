@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where cases come from: a file, a pipe or standard input, read so that Ctrl-C ends the waiting.
-// And what all commands that answer streams of cases share.
+// The input of cases: a file, a pipe or standard input, read so that Ctrl-C ends the waiting. And
+// the common part of all commands that answer streams of cases.
 #pragma once
 
 #include <unistd.h>
@@ -23,8 +23,8 @@
 
 namespace fathom::cli {
 
-/// Reads a file descriptor, which stays the caller's; standard input unless another is given.
-/// Throws Interrupted once `stopped` returns true, even if nothing comes. Throws InputError if it
+/// Reads a file descriptor, which remains the caller's; standard input unless another is given.
+/// Throws Interrupted once `stopped` returns true, even while waiting. Throws InputError if it
 /// cannot be read. A stream passes these on if its exceptions() have badbit.
 class InterruptibleInput : public std::streambuf {
  public:
@@ -40,7 +40,7 @@ class InterruptibleInput : public std::streambuf {
   std::array<char, 1 << 16> buffer_;
 };
 
-// The input of a stream of cases. To wait for a pipe can be stopped.
+// The input of a stream of cases. Waiting for a pipe can be stopped.
 
 class CaseInput {
  public:
@@ -51,7 +51,7 @@ class CaseInput {
   CaseInput(const CaseInput&) = delete;
   CaseInput& operator=(const CaseInput&) = delete;
 
-  /// The cases of this input, which must outlive them. Call it once.
+  /// Returns the cases of this input, which must outlive them. Call it once.
   [[nodiscard]] files::UnreadCases texts();
 
  private:
@@ -61,14 +61,14 @@ class CaseInput {
   std::istream stream_{&buffer_};
 };
 
-// How many cases a file holds, for the progress line.
+// The number of cases in a file, for the progress line.
 
-/// Returns how many lines of the file begin with a brace: so many cases there are if each has a
-/// line of its own, or is indented as usual. Returns nullopt if there are none, and for what can be
-/// read only once.
+/// Returns the number of lines of the file that begin with a brace, which is that of the cases if
+/// each has a line of its own, or is indented as usual. Returns nullopt if there are none, and for
+/// input that can be read only once.
 std::optional<std::size_t> cases_in(const std::string& path);
 
-// What all commands that answer streams of cases share.
+// The common part of all commands that answer streams of cases.
 
 struct AskedCase {
   const Case& input;
@@ -81,45 +81,47 @@ struct AskedCase {
 /// An answer to a case.
 struct CaseReply {
   std::string text;  ///< to be printed, without the last newline
-  /// if set: called first, in the order of the cases; may throw InputError and OutputError
+  /// If set, it is called before printing, in the order of the cases; may throw InputError and
+  /// OutputError.
   std::function<void()> keep = {};
-  ExitCode code = fine;  ///< of a single case that was interrupted and has part of an answer
+  ExitCode code = fine;  ///< for a single case that was interrupted and has a partial answer
 };
 
-/// What a command does with the cases of a stream.
+/// The functions and options with which a command answers the cases of a stream.
 struct StreamWork {
   /// Answers one case. Called for several at once, on other threads, each with a workspace of its
   /// own. May throw anything.
   std::function<CaseReply(const AskedCase&, Monitor&, Workspace&)> answer;
-  /// Returns the result line of a case without an answer; if not set, the sentence goes to standard
-  /// error.
+  /// Returns the result line of a case without an answer; if not set, the sentence is printed on
+  /// standard error.
   std::function<std::string(const CaseItem&, const std::string& sentence)> error_line;
-  /// Is called with the error of each case without an answer, in order, beside what is printed; may
-  /// be empty.
+  /// Called with the error of each case without an answer, in order, in addition to the printed
+  /// line; may be empty.
   std::function<void(const std::string& sentence)> lost = {};
-  /// Printed before all results, unless empty.
+  /// A line to print before all results, or "".
   std::string header;
   /// Whether B is ignored.
   bool one_body = false;
-  /// Empty if bodies may be shapes that are no polytopes; else such cases are errors, and this says
-  /// which command takes them.
+  /// Empty if shapes that are no polytopes are allowed as bodies; else such cases are errors, and
+  /// this sentence names the command that takes them.
   std::string refuses_shapes;
-  /// Empty if bodies may be unions of pieces; else such cases are errors, and this says why.
+  /// Empty if unions of pieces are allowed as bodies; else such cases are errors, and this sentence
+  /// gives the reason.
   std::string refuses_unions;
   /// Whether a mesh that is not convex is an error.
   bool require_convex = false;
-  /// How many cases are answered at once.
+  /// The number of cases answered at once.
   unsigned threads = 1;
-  /// If set, blocks of cases are answered by this, called by as many threads at once, instead of by
-  /// `answer`: it passes the block to answer_block in any process, and returns what that returns.
-  /// `name` describes the block. Then a block is answered once it is whole.
+  /// If set, blocks of cases are answered by this function instead of `answer`; it may be called by
+  /// `threads` threads at once. It passes the block to answer_block in any process, and returns its
+  /// result. `name` describes the block. A block is answered when it is complete.
   std::function<std::string(const std::string& block, const std::string& name)> elsewhere = {};
 };
 
 /// Returns whether a body of the case is a shape that is no polytope.
 inline bool has_shape(const Case& single) { return single.a.shape || single.b.shape; }
 
-/// Returns what is wrong with the bodies of a case, by the reasons not to take shapes and unions,
+/// Returns what is wrong with the bodies of a case, given the reasons to refuse shapes and unions,
 /// each of which may be empty; or "".
 std::string wrong_bodies(const Case& single, bool one_body, const std::string& refuses_shapes,
                          const std::string& refuses_unions);
@@ -132,18 +134,17 @@ std::string wrong_meshes(const shapes::HullFacts& facts, bool require_convex);
 /// Throws Interrupted, and std::invalid_argument for other texts.
 std::string answer_block(const std::string& block, const std::string& input, const StreamWork& work);
 
-/// Answers each case of the stream called `input`, in order: whatever is printed does not depend on
-/// the number of threads, and no answer waits for a later case to be there. Of cases that have no
-/// answer yet, a fixed number is read ahead, large ones only when their turn has come. A bad case
-/// gets its error and counts in the exit code, and the stream goes on. Notes the first case with
-/// points that are not extreme on standard error, and a count of others at the end. A stream
-/// without any case is an error. Throws InputError if the stream cannot be read, OutputError,
-/// Interrupted.
+/// Answers each case of the stream called `input`, in order: the output does not depend on the
+/// number of threads, and no answer waits for the arrival of a later case. Reads ahead a fixed
+/// number of cases, large ones only when they are next. A bad case gets its error and affects the
+/// exit code, and the stream continues. Prints a note on the first case with points that are not
+/// extreme on standard error, and a count of others at the end. A stream without any case is an
+/// error. Throws InputError if the stream cannot be read, OutputError, Interrupted.
 ExitCode for_each_case(const std::string& input, const StreamWork& work);
 
-/// Notes on standard error how many points of each body are not extreme, as those of a mesh that is
-/// not convex: the answer is about the hull. The note is the same with every method, and needs no
-/// hull where all points are seen to be extreme.
+/// Prints on standard error how many points of each body are not extreme, as those of a mesh that
+/// is not convex, because the answer is about the hull. The note is the same with every method, and
+/// needs no hull if all points are seen to be extreme.
 void tell_of_hulls(const Case& input, bool one_body, Progress& progress);
 
 }  // namespace fathom::cli

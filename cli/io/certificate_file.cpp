@@ -19,7 +19,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr std::size_t longest_name = 255;  // of a file, in bytes
-constexpr std::size_t kept_of_long = 180;  // of a name that would be longer
+constexpr std::size_t kept_of_long = 180;  // bytes kept of a longer name
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why, const std::string& what = "certificate") {
   throw InputError(path, 0, "cannot write a " + what + ": " + why);
@@ -68,7 +68,7 @@ CertificateFolder::CertificateFolder(std::string path, std::string what, std::st
     : path_(std::move(path)), what_(std::move(what)), ending_(std::move(ending)) {
   std::error_code fault;
   std::filesystem::create_directory(path_, fault);
-  std::error_code unseen;  // then making it has failed for the same reason
+  std::error_code unseen;  // ignored: create_directory has failed for the same reason
   if (!std::filesystem::is_directory(path_, unseen))
     refuse(path_, fault ? fault.message() : "a stream needs a directory, and this is none", what_);
   if (::access(path_.c_str(), W_OK | X_OK) != 0) refuse(path_, std::strerror(errno), what_);

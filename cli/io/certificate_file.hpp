@@ -28,14 +28,14 @@ class CertificateFile {
   files::WholeFile file_;
 };
 
-/// The file at `path`, opened; null where the path is empty, as none is wanted.
+/// Returns the file at `path`, opened; null if the path is empty.
 std::unique_ptr<CertificateFile> wanted_file(const std::string& path, const std::string& what);
 
 /// A folder for the certificates, or the pictures, of a stream; made if it is missing.
 class CertificateFolder {
  public:
-  /// `what` is for messages, `ending` that of its files. Throws InputError if it is not a folder
-  /// and cannot be made.
+  /// `what` names the files in messages, `ending` is that of their names. Throws InputError if the
+  /// path is not a folder and cannot be made.
   explicit CertificateFolder(std::string path, std::string what = "certificate", std::string ending = ".cert");
 
   /// Returns the path for the file of a case. Throws InputError if the id occurred before.

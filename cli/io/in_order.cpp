@@ -11,7 +11,7 @@ namespace fathom::cli {
 namespace {
 
 constexpr rlim_t of_a_thread = rlim_t{128}
-                               << 20;  // bytes of addresses: its stack, its heap, and the items that it works on
+                               << 20;  // bytes of address space for each thread: its stack, its heap, and its items
 
 std::optional<rlim_t> limit_of_addresses() {
   rlimit limit{};

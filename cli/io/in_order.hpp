@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stream's items, worked on by many threads, or processes, and handed on in order.
+// Processes the items of a stream with many threads, or processes, and delivers them in order.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -15,7 +15,7 @@
 
 namespace fathom::cli {
 
-/// Appends a text of any bytes: its length, a blank, itself.
+/// Appends a text of any bytes: its length, a space, the text.
 inline void pack(std::string& all, const std::string& text) { ((all += std::to_string(text.size())) += ' ') += text; }
 
 inline std::string packed(const std::vector<std::string>& texts) {
@@ -24,13 +24,13 @@ inline std::string packed(const std::vector<std::string>& texts) {
   return all;
 }
 
-/// The texts that were packed. Throws std::invalid_argument for other text.
+/// Returns the texts that were packed. Throws std::invalid_argument for other text.
 inline std::vector<std::string> unpacked(const std::string& all) {
   std::vector<std::string> texts;
   for (std::size_t at = 0; at < all.size();) {
     std::size_t length = 0;
     const auto [end, error] = std::from_chars(all.data() + at, all.data() + all.size(), length);
-    const std::size_t begin = static_cast<std::size_t>(end - all.data()) + 1;  // behind the blank
+    const std::size_t begin = static_cast<std::size_t>(end - all.data()) + 1;  // after the space
     if (error != std::errc() || begin > all.size() || *end != ' ' || length > all.size() - begin)
       throw std::invalid_argument("expected packed texts, found another text");
     texts.push_back(all.substr(begin, length));
@@ -39,7 +39,7 @@ inline std::vector<std::string> unpacked(const std::string& all) {
   return texts;
 }
 
-// A stream's items, worked on by many threads and handed on in order.
+// Processing of a stream's items by many threads, with delivery in order.
 
 /// Returns the default number of threads for a stream: one for each core that this process may use.
 /// One if the address space is limited, because every thread takes some of it.
@@ -52,12 +52,11 @@ unsigned possible_threads(unsigned asked);
 /// Read-ahead per thread: how many items may be in flight behind a slow one.
 inline constexpr std::size_t items_in_flight = 16;
 
-/// Calls `next` until it returns null, `work` for each item and then `deliver`. `next` and
-/// `deliver` are called for one item at a time, in order; `work` for several at once, on as many
-/// threads. `next` may wait: meanwhile other threads go on, and every item that is before the one
-/// awaited gets delivered. With one thread, each item is delivered before the next is asked for.
-/// The first exception that any of the three throws ends the run, once those under way return, and
-/// is rethrown.
+/// Calls `next` until it returns null, `work` for each item and then `deliver`. Calls `next` and
+/// `deliver` for one item at a time, in order; `work` for several at once, on as many threads.
+/// While `next` waits, other threads continue, and every item before the awaited one is delivered.
+/// With one thread, each item is delivered before `next` is called again. The first exception of
+/// any of the three ends the run, after running calls return, and is rethrown.
 template <class Item, class Next, class Work, class Deliver>
 void in_order(unsigned threads, Next next, Work work, Deliver deliver) {
   using Shared = std::shared_ptr<Item>;

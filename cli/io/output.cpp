@@ -25,14 +25,14 @@ namespace {
 
 constexpr std::size_t usual_columns = 80, least_columns = 20, most_of_help = 120;
 
-/// The width of a terminal that says it.
+/// Returns the width of the terminal, if it reports one.
 std::optional<std::size_t> said_columns(int descriptor) {
   winsize size = {};
   if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
   return size.ws_col;
 }
 
-/// COLUMNS, which users and tests set.
+/// Returns the value of COLUMNS, which users and tests set.
 std::optional<std::size_t> wanted_columns() {
   const char* const text = std::getenv("COLUMNS");
   if (text == nullptr) return std::nullopt;
@@ -43,10 +43,10 @@ std::optional<std::size_t> wanted_columns() {
                                                                                      : std::nullopt;
 }
 
-/// One line of folded().
+/// Adds one line of folded().
 void add_folded(std::string& result, std::string_view line, std::size_t width, std::size_t indent) {
   const std::string margin(std::min(indent, width / 2), ' ');
-  std::size_t unbroken = margin.size();  // characters in front that stay as they are
+  std::size_t unbroken = margin.size();  // the leading characters, among which no line break is made
   for (bool first = true;; first = false) {
     const std::size_t room = first ? width : width - margin.size();
     const std::string_view head = cut(line, room);
@@ -64,11 +64,11 @@ void add_folded(std::string& result, std::string_view line, std::size_t width, s
   result += line;
 }
 
-constexpr std::size_t sentence_indent = 2;  // spaces before the further lines of a sentence
+constexpr std::size_t sentence_indent = 2;  // spaces before continued lines of a sentence
 
 }  // namespace
 
-// mpirun gives its processes terminals of its own, which nobody sees.
+// mpirun connects its processes to terminals that nobody sees.
 bool is_terminal(int descriptor) {
   return ::isatty(descriptor) == 1 && std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE") == nullptr;
 }
@@ -109,7 +109,7 @@ std::string fitted(std::string_view text, std::size_t indent) {
 }
 
 void hold_standard_streams() {
-  // From the lowest: open() takes the lowest number that is free.
+  // Opens them in ascending order, because open() returns the lowest free number.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
@@ -127,7 +127,7 @@ std::string fault_text(const std::exception& error) {
 
 std::string without_controls(std::string_view text) {
   std::string result;
-  bool behind_lead = false;  // of a character of two bytes, U+0080 to U+00BF
+  bool behind_lead = false;  // in a character of two bytes, U+0080 to U+00BF
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     const bool second = behind_lead && byte >= 0x80 && byte < 0xa0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the process tells its caller: results on standard output, talk on standard error, both as
-// wide as a terminal is, and an exit code in the end.
+// The output of the process: results on standard output, messages on standard error, both folded to
+// the width of a terminal, and an exit code in the end.
 #pragma once
 
 #include <cstddef>
@@ -31,38 +31,38 @@ struct OutputError : std::runtime_error {
 /// their output. They stay unusable: reading and writing fail as before.
 void hold_standard_streams();
 
-/// Writes `text` and a newline to standard output and flushes, so that a reader has each result as
-/// soon as it is there. Throws OutputError.
+/// Writes `text` and a newline to standard output and flushes, so that a reader gets each result at
+/// once. Throws OutputError.
 void print(std::string_view text);
 
 /// Returns `text` with control characters, which a terminal would obey, as \xNN: line ends and
 /// those of two bytes in UTF-8 too.
 std::string without_controls(std::string_view text);
 
-/// Returns the message for `error`, which no input caused.
+/// Returns the message for `error`, which was not caused by input.
 std::string fault_text(const std::exception& error);
 
 /// Writes "fathom: `text`" and a newline to standard error. Never fails. Escapes control characters
 /// other than line ends.
 void talk(std::string_view text);
 
-/// Says the sentence and returns the code.
+/// Prints the sentence on standard error and returns the code.
 ExitCode failed(std::string_view sentence, ExitCode code);
 
-/// Returns what `run` returns, or says in one sentence what it threw and returns the exit code that
-/// goes with it. Does not throw.
+/// Returns the result of `run`, or prints one sentence on the exception that it threw and returns
+/// the corresponding exit code. Does not throw.
 ExitCode guarded(const std::function<ExitCode()>& run);
 
 // Text that fits the terminal. Widths are characters of UTF-8, each of which counts as one column.
 
-/// Stands for the width of files and pipes, which get whole lines.
+/// The width of files and pipes, which get whole lines.
 inline constexpr std::size_t unlimited = static_cast<std::size_t>(-1);
 
 /// Returns whether the descriptor is a terminal that a person may look at.
 bool is_terminal(int descriptor);
 
-/// Returns how many columns the terminal behind the descriptor has; 80 if it does not say, or if
-/// there is none.
+/// Returns the number of columns of the terminal behind the descriptor; 80 if it reports none, or
+/// if there is no terminal.
 std::size_t terminal_columns(int descriptor);
 
 /// Returns the width for help: the environment's COLUMNS if that is a number above 0, else that of
@@ -75,9 +75,9 @@ std::size_t seen_columns(int descriptor);
 /// Returns the first `most` characters.
 std::string_view cut(std::string_view text, std::size_t most);
 
-/// Returns the text in lines of at most `width` characters, broken at spaces behind the first
-/// `indent` characters. Lines behind a break begin with that many spaces, or half the width if that
-/// is less. Words that are too long keep their length; line ends stay.
+/// Returns the text in lines of at most `width` characters, broken at spaces after the first
+/// `indent` characters. Continued lines begin with `indent` spaces, or half the width if that is
+/// less. Words that are too long keep their length; line ends are kept.
 std::string folded(std::string_view text, std::size_t width, std::size_t indent = 0);
 
 /// Returns the text for standard output: folded() on a terminal, else as it is.

@@ -24,11 +24,11 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::size_t reserve_size = std::size_t{8} << 20, alignment = alignof(std::max_align_t);
-alignas(alignment) char reserve[reserve_size];  // pages that are never touched take no memory
+alignas(alignment) char reserve[reserve_size];  // untouched pages take no memory
 std::mutex taking;
 std::size_t reserve_used = 0;
 std::atomic<std::size_t> reserve_blocks = 0;
-thread_local bool must_throw = false;  // GMP has drawn on the reserve
+thread_local bool must_throw = false;  // GMP was served from the reserve
 bool is_guarded = false;
 
 [[noreturn]] void leave_without_memory() {
@@ -42,7 +42,7 @@ bool is_in_reserve(const void* block) {
          std::less<>()(static_cast<const char*>(block), reserve + reserve_size);
 }
 
-/// Block behind block; once all are given back, from the start again.
+/// Allocates consecutive blocks; starts again from the beginning when all have been freed.
 void* take_from_reserve(std::size_t size) {
   const std::lock_guard lock(taking);
   if (reserve_blocks == 0) reserve_used = 0;
@@ -54,8 +54,9 @@ void* take_from_reserve(std::size_t size) {
   return block;
 }
 
-/// GMP asks for one word and soon for two or three: in a block of so many bytes a number grows
-/// where it is. What it asked for before `guard_memory` are constants, which never grow.
+/// The least size of a block. GMP allocates one word first, and soon two or three: in a block of
+/// this size a number can grow in place. Blocks from before `guard_memory` belong to constants,
+/// which never grow.
 constexpr std::size_t least_block = 64;
 
 void* allocate(std::size_t size) {
@@ -94,7 +95,7 @@ void* reallocate(void* old, std::size_t old_size, std::size_t size) {
 
 void* checked(void* block) {
   if (block && !must_throw) return block;
-  if (!is_guarded) leave_without_memory();  // nothing is ready for exceptions yet
+  if (!is_guarded) leave_without_memory();  // handlers of exceptions are not installed yet
   std::free(block);
   must_throw = false;
   throw std::bad_alloc();
@@ -110,8 +111,8 @@ std::size_t at_least_one(std::size_t size) { return size > 0 ? size : 1; }
 
 }  // namespace
 
-// AddressSanitizer has operators of its own, as g++ and clang each say in their way. Nobody
-// replaces operator delete: it is free().
+// AddressSanitizer has operators of its own; g++ and clang indicate it in different ways. operator
+// delete is not replaced: it is free().
 #ifdef __SANITIZE_ADDRESS__
 #define FATHOM_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)

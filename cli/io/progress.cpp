@@ -29,7 +29,7 @@ void say(std::string_view text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Every result is flushed as soon as it is complete, so nothing is lost by leaving here.
+// Every result is flushed as soon as it is complete, so ending here loses nothing.
 [[noreturn]] void leave(int) {
   if (open_line) say("\r\033[K");
   say("fathom: interrupted\n");
@@ -59,14 +59,15 @@ void put(const std::string& text) {
   std::fflush(stderr);
 }
 
-/// "[####....]  50% " as long as `room` allows.
+/// Returns "[####....]  50% ", as long as `room` allows.
 std::string bar_text(double share, std::size_t room) {
   const std::size_t length = std::clamp(room, shortest_bar, longest_bar);
   const auto filled = static_cast<std::size_t>(share * static_cast<double>(length));
   return fmt::format("[{:#<{}}{:.<{}}] {:3.0f}% ", "", filled, "", length - filled, 100 * share);
 }
 
-/// The first part, and of the others those that fit: half a number says another one.
+/// Returns the first part, and those of the others that fit. A part is never cut, because half of a
+/// number is another number.
 std::string whole_parts(const std::vector<std::string>& parts, std::size_t room) {
   std::string text = parts.front();
   for (std::size_t i = 1; i < parts.size(); ++i)
@@ -74,7 +75,7 @@ std::string whole_parts(const std::vector<std::string>& parts, std::size_t room)
   return text;
 }
 
-/// "40 s", "3 min 20 s", "2 h 5 min".
+/// Returns "40 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds) {
   constexpr double longest = 1e9;
   const auto whole = static_cast<std::uint64_t>(std::clamp(seconds, 0.0, longest)), minutes = whole / 60,
@@ -83,7 +84,7 @@ std::string duration_text(double seconds) {
   return minutes > 0 ? fmt::format("{} min {} s", minutes, whole % 60) : fmt::format("{} s", whole);
 }
 
-/// Sets whether an unfinished line stands on the terminal, which is erased before a last message.
+/// Sets whether the terminal shows an unfinished line, which is erased before a last message.
 void line_is_open(bool open) { open_line = open; }
 
 }  // namespace
@@ -91,7 +92,7 @@ void line_is_open(bool open) { open_line = open; }
 void install_signal_handlers() {
   handle(SIGPIPE, SIG_DFL);
   handle(SIGALRM, leave);
-  // A shell starts background jobs with SIGINT ignored; keep that.
+  // A shell starts background jobs with SIGINT ignored; this is kept.
   struct sigaction before = {};
   if (::sigaction(SIGINT, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) handle(SIGINT, note_or_leave);
 }
@@ -166,7 +167,7 @@ void Progress::keep_drawing() {
   }
 }
 
-/// "12 of 500 cases", ", 3.2/s", ", 2 min 30 s left".
+/// Returns "12 of 500 cases", ", 3.2/s", ", 2 min 30 s left".
 std::vector<std::string> Progress::counted_parts(double seconds) const {
   const auto& [done, of, before] = *count_;
   const double rate = static_cast<double>(done - std::min(before, done)) / seconds;
@@ -180,7 +181,7 @@ std::vector<std::string> Progress::counted_parts(double seconds) const {
   return parts;
 }
 
-/// "line 12: hull of all differences 40%, 3 s" of a case that takes its time, or "".
+/// Returns "line 12: hull of all differences 40%, 3 s" for a case that takes long, or "".
 std::string Progress::stage_text() const {
   const auto time = Clock::now() - begin_of_case_;
   if (what_.empty() || (count_ && time < patience)) return "";

@@ -21,10 +21,10 @@ namespace fathom::cli {
 /// enough (`| head`) ends the run quietly.
 void install_signal_handlers();
 
-/// Whether SIGINT arrived while a `InterruptGuard` existed.
+/// Returns whether SIGINT arrived while an `InterruptGuard` existed.
 bool interrupt_requested();
 
-/// Stops a computation once SIGINT was noted. Any thread may ask it.
+/// Stops a computation after SIGINT. May be called by any thread.
 class StopOnInterrupt : public Monitor {
  public:
   void report(std::string_view /*stage*/, double /*share*/) override {}
@@ -46,40 +46,41 @@ class InterruptGuard {
 /// SIGINT ends the process early.
 void take_time_to_write();
 
-// One line on standard error, for work over a second and only on a terminal: how many of how many
-// are done, how long the rest will take, and what is being worked on. It never scrolls, and is
-// wiped at the end. It also carries Ctrl-C into a computation.
+// One line on standard error, for work over a second and only on a terminal: how many items of how
+// many are done, how long the rest will take, and the current item. It never scrolls, and is erased
+// at the end. It also stops a computation after Ctrl-C.
 
-/// How much of many things is done.
+/// The number of items that are done.
 struct ProgressCount {
   std::size_t done = 0;
-  std::optional<std::size_t> of;  ///< if it is known
-  std::size_t before = 0;         ///< of those done: by an earlier run
+  std::optional<std::size_t> of;  ///< if known
+  std::size_t before = 0;         ///< the number of these that an earlier run has done
 };
 
 class Progress : public StopOnInterrupt {
  public:
-  /// `units`: what is counted.
+  /// `units`: the name of the items.
   explicit Progress(std::string units = "cases");
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Whether anything is ever shown.
+  /// Returns whether anything is shown: on a terminal.
   [[nodiscard]] bool is_seen() const { return painter_.joinable(); }
-  /// Names what the next reports are about: "line 12". Restarts its clock, not that of the run.
+  /// Names the item of the next reports: "line 12". Restarts its clock, not that of the run.
   void about(std::string what);
-  /// The stage of what is being worked on. A share of 0 or less says nothing yet, and has no bar.
+  /// Shows the stage of the current item. A share of 0 or less means that it is not known yet, and
+  /// has no bar.
   void report(std::string_view stage, double share) override;
-  /// From now on the bar is about the whole run. `more`: what else there is to say of it.
+  /// Makes the bar show the progress of the whole run. `more`: a further text.
   void count(const ProgressCount& count, std::string more = "");
-  /// From now on the line is about what is being worked on again.
+  /// Makes the line show the current item again.
   void end_count();
-  /// Takes the line off the screen until the next report or count, so that other text can be
+  /// Removes the line from the screen until the next report or count, so that other text can be
   /// printed.
   void clear();
-  /// The same before text for standard output: if that is not a terminal the line stays, or many
-  /// short cases would show none.
+  /// Does the same before text for standard output. If that is not a terminal the line is kept,
+  /// because otherwise it would not be seen during many short cases.
   void answered();
 
  private:
@@ -97,7 +98,7 @@ class Progress : public StopOnInterrupt {
   bool answers_are_seen_ = true, active_ = false, drawn_ = false, stop_ = false;
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::thread painter_;  // a stage may take long without a report; the clock on the line shows that it lives
+  std::thread painter_;  // shows the time during a stage without reports
 };
 
 }  // namespace fathom::cli

@@ -38,7 +38,7 @@
 namespace fathom::cli {
 namespace {
 
-/// Threads for each process, unless the user says: the cores of this machine, shared by the
+/// Returns the default number of threads of each process: the cores of this machine, divided by the
 /// processes on it.
 unsigned usual_jobs() {
   const char* const ours = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
@@ -51,18 +51,18 @@ unsigned usual_jobs() {
 
 using harness::Examiner;
 
-// How an answer begins: which error it is, or none.
+// The first word of an answer: the kind of error, or `examined`.
 constexpr const char *examined = "examined", *subject_failed = "subject", *disagrees = "disagreement",
                      *faulty = "fault";
 
-/// Starts the subject with the first case.
+/// Returns the handler of tasks; it starts the subject with the first case.
 Handle examiner(const CertifyRequest& request) {
   return [&request, asked = std::make_shared<std::optional<Examiner>>()](const std::string& task) {
     try {
       if (!*asked) asked->emplace(subject_of(request), examiner_settings(request));
       const std::vector<std::string> words = unpacked(task);
       harness::Outcome outcome = (*asked)->examine(parse_case(words.at(0), "case").value(), std::stol(words.at(1)));
-      outcome.fit = 0;  // in its own unit the answer keeps all its digits
+      outcome.fit = 0;  // in the case's own unit the answer keeps all its digits
       return packed({examined, harness::outcome_line(outcome), hello_text((*asked)->info())});
     } catch (const harness::SubjectError& error) {
       return packed({subject_failed, error.what()});
@@ -74,7 +74,7 @@ Handle examiner(const CertifyRequest& request) {
   };
 }
 
-/// The outcome in an answer, or the error.
+/// Returns the outcome in an answer, or throws the error in it.
 harness::Outcome outcome_in(const std::string& answer, const Case& pair, long exponent, const std::string& hello) {
   const std::vector<std::string> words = unpacked(answer);
   if (words.at(0) == subject_failed) throw harness::SubjectError(words.at(1));
@@ -171,7 +171,8 @@ ExitCode generate(const Processes& world, const GenerateRequest& request, unsign
   return fine;
 }
 
-/// The records that were proved; then, if the shard is refused, place and reason.
+/// Returns the handler of tasks; its answers hold the number of records that were proved and, if
+/// the shard is refused, place and reason.
 Handle prover(const VerifyRequest& request, unsigned jobs) {
   golden::VerifyOptions options;
   options.methods = request.methods;
@@ -196,7 +197,7 @@ ExitCode verify(const Processes& world, const VerifyRequest& request, unsigned j
     follow(world, [&] { return prover(request, jobs); });
     return fine;
   }
-  Handle own;  // once the release's pages are known to be good
+  Handle own;  // set when the release's pages have been accepted
   Ranks ranks(world, [&](const std::string& task) { return own(task); });
   ExitCode code = internal_error;
   ranks.serve([&] {
@@ -243,6 +244,6 @@ int main(int argc, char** argv) {
   const fathom::kernels::DefaultFloatEnvironment environment;
   hold_standard_streams();
   const Processes processes(argc, argv);
-  unsetenv("OMPI_COMM_WORLD_SIZE");  // programs that we start are no part of the job
+  unsetenv("OMPI_COMM_WORLD_SIZE");  // otherwise programs started from here would join the job
   return guarded([&] { return run(processes, {argv + std::min(argc, 1), argv + argc}); });
 }

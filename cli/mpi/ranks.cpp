@@ -24,13 +24,13 @@ namespace {
 constexpr int tag_task = 1, tag_answer = 2, tag_end = 3;
 constexpr char answered = 'a', threw = 'f';  // the first letter of an answer
 constexpr auto patience =
-    std::chrono::microseconds(100);  // between two looks for messages: MPI's own waiting keeps a core busy
-constexpr auto long_patience = std::chrono::milliseconds(2);  // when nothing has come for a while
+    std::chrono::microseconds(100);  // between two looks for messages, as MPI's own waiting keeps a core busy
+constexpr auto long_patience = std::chrono::milliseconds(2);  // if no message has come for a while
 constexpr int ended_from_outside = 128 + SIGTERM;
 
 volatile std::sig_atomic_t is_to_end = 0;
 
-/// Waits a little, longer the longer there was nothing.
+/// Waits briefly, and longer after many waits without a message.
 class Patience {
  public:
   void wait() {
@@ -44,8 +44,8 @@ class Patience {
   int waits_ = 0;
 };
 
-/// Ends half a second later. mpirun asks all ranks to end, and kills them as soon as one has ended:
-/// rank 0 must have said by then who was at what.
+/// Ends the process after half a second. mpirun tells all ranks to end, and kills them as soon as
+/// one has ended: until then rank 0 must have printed which rank was at which task.
 void end_after_rank_0(int) {
   const timespec later{0, 500'000'000};
   nanosleep(&later, nullptr);
@@ -98,7 +98,7 @@ std::string Ranks::ask(const std::string& task, const std::string& name) {
   return text;
 }
 
-/// Sends what waits and takes what has come. Returns whether there was anything.
+/// Sends waiting messages and receives arrived ones. Returns whether there were any.
 bool Ranks::pass_messages() {
   bool any = false;
   std::vector<std::pair<int, std::string>> letters;
@@ -190,7 +190,7 @@ void in_order_by_ranks(Ranks& ranks, std::size_t count, const std::function<std:
   std::mutex mutex;
   std::size_t next = 0, taken = 0;
   bool wanted = true;
-  std::map<std::size_t, std::string> answers;  // of tasks that are not taken yet
+  std::map<std::size_t, std::string> answers;  // of tasks whose turn has not come
   std::map<std::size_t, std::exception_ptr> errors;
   const auto work = [&] {
     for (;;) {

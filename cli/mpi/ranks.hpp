@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The processes of an MPI job: rank 0 leads and hands out tasks, which are texts, and every rank
-// answers one at a time, by a text. Who is slow gets fewer. All messages pass through one thread of
+// The processes of an MPI job: rank 0 distributes tasks, which are texts, and every rank answers
+// one at a time, by a text. Slow ranks get fewer tasks. All messages pass through one thread of
 // each process.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace fathom::cli {
 
-/// This process as one of an MPI job: MPI runs while it exists.
+/// This process as a member of an MPI job; MPI is initialised while it exists.
 class Processes {
  public:
   Processes(int& argc, char**& argv);
@@ -32,25 +32,25 @@ class Processes {
   std::unique_ptr<Mpi> mpi_;
 };
 
-/// Answers a task. What it throws becomes an error of whoever asked.
+/// Answers a task. An exception that it throws is rethrown by Ranks::ask.
 using Handle = std::function<std::string(const std::string& task)>;
 
-/// Rank 0's side.
+/// The side of rank 0.
 class Ranks {
  public:
-  /// `own` answers what falls to rank 0 itself.
+  /// `own` answers the tasks of rank 0 itself.
   Ranks(const Processes& world, Handle own);
 
   [[nodiscard]] unsigned count() const { return static_cast<unsigned>(world_.size()); }
 
-  /// Returns the answer of the first rank that is free. Any thread may call it while `serve` runs;
-  /// it waits. Throws std::runtime_error with "rank 2: " and what the rank's handle threw, or what
-  /// the own one threw. `name` is what is told of the task if the job is ended while a rank is at
-  /// it.
+  /// Returns the answer of the first free rank, and waits for it. Any thread may call it while
+  /// `serve` runs. Throws std::runtime_error with "rank 2: " and the message of that rank's
+  /// exception, or rethrows that of `own`. `name` describes the task in the message that is printed
+  /// if the job is ended meanwhile.
   std::string ask(const std::string& task, const std::string& name);
 
   /// Runs `work` on a thread of its own and passes its messages; then dismisses all ranks. Rethrows
-  /// what `work` throws. If the job is ended from outside, as mpirun does when a rank dies, says
+  /// exceptions of `work`. If the job is ended from outside, as by mpirun when a rank dies, prints
   /// which rank was at which task, and ends the process.
   void serve(const std::function<void()>& work);
 
@@ -68,17 +68,17 @@ class Ranks {
   std::condition_variable changed_;
   std::vector<int> idle_;
   std::map<int, Errand*> busy_;  // by rank
-  std::string own_task_;         // the name of what rank 0 is at
+  std::string own_task_;         // the name of rank 0's current task
   bool own_is_busy_ = false;
 };
 
-/// The side of every other rank: answers until it is dismissed. `start` is called with the first
-/// task that comes.
+/// The side of every other rank: answers tasks until it is dismissed. Calls `start` when the first
+/// task arrives.
 void follow(const Processes& world, const std::function<Handle()>& start);
 
-/// Has tasks 0, 1, ... below `count` answered by all ranks at once, and takes the answers in order,
-/// one at a time; `take` returns false if it wants no more. Rethrows the first exception of the
-/// lowest task.
+/// Has tasks 0, 1, ... below `count` answered by all ranks at once, and passes the answers to
+/// `take` in order, one at a time, until it returns false. Rethrows the exception of the lowest
+/// task that failed.
 void in_order_by_ranks(Ranks& ranks, std::size_t count, const std::function<std::string(std::size_t)>& task,
                        const std::function<std::string(std::size_t)>& name,
                        const std::function<bool(std::size_t, const std::string&)>& take);

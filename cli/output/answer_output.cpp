@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// First what an answer tells, piece by piece, of bodies of any kinds; then the three forms that put
-// the pieces in their order: several lines, one line, and the text below a picture.
+// First the parts of an answer, for bodies of any kinds; then the three forms that arrange them:
+// several lines, one line, and the text below a picture.
 #include "cli/output/answer_output.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ const UnionDepth* unions(const Answer& answer) { return std::get_if<UnionDepth>(
 
 // ---- lengths ----
 
-/// A length, and what is asked for beside it; empty texts if nothing is.
+/// A length, with its exact form and enclosure if requested, else "".
 struct Length {
   std::string what, value;
   std::string exact_label = {}, exactly = {}, enclosure = {};
@@ -40,7 +40,7 @@ Length root_length(const std::string& what, const mpq_class& squared, const Answ
           form.digits && enclosed ? enclosure_text(squared, *form.digits) : ""};
 }
 
-/// The signed depth of bodies that are not apart, or the distance of those that are.
+/// Returns the signed depth of bodies that are not disjoint, or the distance of those that are.
 Length surd_length(const std::string& what, const SignedDepth& depth, bool apart, const AnswerForm& form) {
   if (const Surd* const exactly = depth.exact()) {
     const Surd value = apart ? negated(*exactly) : *exactly;
@@ -81,14 +81,15 @@ std::vector<Length> lengths_of(const UnionDepth& depth, const AnswerForm& form) 
   return lengths;
 }
 
-/// The last one is that of the status.
+/// Returns the lengths of an answer; the last one belongs to its status.
 std::vector<Length> lengths_of(const Answer& answer, const AnswerForm& form) {
   return std::visit([&](const auto& found) { return lengths_of(found, form); }, answer.found);
 }
 
-// ---- ways and places ----
+// ---- translations and points ----
 
-/// Of A: the first shortest way out of B, or until it touches; empty if only bounds are known.
+/// Returns the first shortest translation of A out of B, or to the contact; empty if only bounds
+/// are known.
 std::string way_of_a(const Answer& answer, bool exact) {
   if (const Depth* const depth = polytopes(answer)) return place_text(depth->contact_translation(), exact);
   if (const SignedDepth* const depth = shapes_of(answer)) {
@@ -106,7 +107,7 @@ void add_way(Rows& rows, const Answer& answer, const AnswerForm& form) {
   rows.emplace_back(answer.status() == Status::disjoint ? "A to B" : "translation", way);
 }
 
-/// The points of the answer; of unions the pieces that are nearest.
+/// Adds the points of the answer; for unions the nearest pieces.
 void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
   const std::string what = answer.status() == Status::disjoint ? "nearest" : "witness";
   const auto add = [&](const auto& points) {
@@ -125,11 +126,11 @@ void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
 
 // ---- contacts ----
 
-constexpr std::size_t most_contacts = 8;  // that text lists
+constexpr std::size_t most_contacts = 8;  // that the text lists
 constexpr std::size_t most_below_picture = 3;
 
-/// Of pieces, each in the words of `one`; behind the first `most`, in those of `more`, how many
-/// more there are.
+/// Returns texts of contacts of pieces, the first `most` formatted by `one`, and the number of the
+/// others by `more`.
 Parts contact_texts(const std::vector<PieceContact>& contacts, std::size_t most, const char* one, const char* more) {
   Parts texts;
   for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i)
@@ -153,15 +154,16 @@ void add_contacts(Rows& rows, const Answer& answer, const AnswerForm& form) {
 
 // ---- ties ----
 
-/// How many ways are as short, listed or not; 0 if that is not known. A pair of planes is found
-/// from both of its sides.
+/// Returns the number of optima, listed or not; 0 if it is not known. Of a width, each pair of
+/// planes is counted once, though it is found from both sides.
 std::size_t ties(const Answer& answer, const AnswerForm& form) {
   if (unions(answer)) return answer.ways_out();
   const std::size_t count = answer.core() ? answer.core()->optima_count() : 0;
   return form.width ? count / 2 : count;
 }
 
-/// Whether cores touch such that not one direction is optimal but all of a cone.
+/// Returns the cone of optimal directions if cores touch and it has more than one direction; else
+/// null.
 const OptimalCone* continuum(const Answer& answer) {
   const SignedDepth* const depth = shapes_of(answer);
   const bool one =
@@ -193,9 +195,9 @@ void add_ties(Rows& rows, const Answer& answer, const AnswerForm& form) {
 
 // ---- contact manifolds ----
 
-constexpr std::size_t most_corners = 8;  // that text lists
+constexpr std::size_t most_corners = 8;  // that the text lists
 
-/// "vertex 3 of A", "edge 1 2 of A", "facet 0 1 2 of A", "the plane of A".
+/// Returns "vertex 3 of A", "edge 1 2 of A", "facet 0 1 2 of A", "the plane of A".
 std::string feature_text(const std::vector<std::uint32_t>& ids, const char* body) {
   if (ids.empty()) return fmt::format("the plane of {}", body);
   const char* const what = ids.size() == 1 ? "vertex" : ids.size() == 2 ? "edge" : "facet";
@@ -221,7 +223,7 @@ void add_patch(Rows& rows, const Patch& patch, const AnswerForm& form) {
     rows.emplace_back("", fmt::format("and {} more corners; --json lists all", patch.corners.size() - most_corners));
 }
 
-/// The patch with the slack that is asked for, by its corners on A.
+/// Adds the patch with the requested slack, by its corners on A.
 void add_with_slack(Rows& rows, const output::Manifold& manifold, const Patch& patch, const AnswerForm& form) {
   if (!form.slack) return;
   const auto& corners = manifold.with_slack[static_cast<std::size_t>(&patch - manifold.geometry.patches.data())];
@@ -245,8 +247,8 @@ std::string rate_text(const std::variant<DirectionalDerivative, LeftOut>& deriva
   return sign(value) < 0 ? "-" + surd_text(negated(value)) : surd_text(value);
 }
 
-/// The patches of the first way out, whether the depth is smooth, and the derivative that is asked
-/// for.
+/// Adds the patches of the first optimum, whether the depth is smooth, and the requested
+/// derivative.
 void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& form) {
   if (!answered.manifold) return;
   const ContactGeometry& g = answered.manifold->geometry;
@@ -269,10 +271,10 @@ void add_manifold(Rows& rows, const AnsweredCase& answered, const AnswerForm& fo
     rows.emplace_back("derivative", rate_text(*derivative, form.exact));
 }
 
-// ---- what was done ----
+// ---- the work ----
 
-/// Which method answered, and why if it is not the one that was tried first; empty if there was no
-/// choice.
+/// Returns which method answered, with a reason if it is not the one that was tried first; empty if
+/// there was no choice.
 std::string method_text(const Answer& answer, const AnswerForm& form) {
   if (unions(answer)) return "";
   if (const SignedDepth* const depth = shapes_of(answer)) return std::string(output::method_name(*depth));
@@ -284,7 +286,8 @@ std::string method_text(const Answer& answer, const AnswerForm& form) {
   return form.by_default ? ran + ": the inner polytope took too many points" : ran;
 }
 
-/// Stage by stage. Of the stages that ran: what another method would have counted is no 0.
+/// Adds the counts of the stages that ran. Other stages are omitted: a count of 0 would be
+/// misleading.
 void add_counters(Rows& rows, const Counters& counters) {
   std::vector<std::string_view> stages;
   Rows counts;
@@ -317,7 +320,7 @@ Rows counter_rows(const Answer& answer) {
   return rows;
 }
 
-/// The bounds beside the depth of unions that penetrate; null for all else.
+/// Returns the bounds beside the depth of unions that penetrate; null for other answers.
 const UnionBounds* bounds_beside(const Answer& answer) {
   const UnionDepth* const depth = unions(answer);
   return depth && depth->bounds && depth->status == Status::penetrating ? &*depth->bounds : nullptr;
@@ -329,7 +332,7 @@ constexpr std::string_view until_touching = "arrow: the way of A until it touche
 constexpr std::string_view out_of_b =
     "arrow: the shortest way of A out of B, and its outline there, dashed; thick: the faces in contact.";
 
-/// What the parts of a picture are.
+/// Returns the meaning of the parts of a picture.
 std::string legend(const picture::PairScene& scene) {
   std::string result = scene.has_edges() ? "A toned, B hatched, hidden edges dashed" : "A toned, B hatched";
   if (!scene.moves()) return fmt::format("{}; the dot: {}.", result, scene.dot_text());
@@ -358,8 +361,8 @@ std::string way_caption(const Answer& answer, const AnswerForm& form) {
   return text;
 }
 
-/// The patches of the first way out, or of bodies that do not penetrate, as they are drawn: to the
-/// nearest binary64, without those that are beyond it.
+/// Returns the patches of the first optimum, or of bodies that do not penetrate, for drawing:
+/// rounded to binary64, without those beyond its range.
 std::vector<std::vector<Point>> drawn_patches(const ContactGeometry& geometry) {
   std::vector<std::vector<Point>> drawn;
   const auto add = [&](const Patch& patch, RoundedPoint (Patch::*place)(std::size_t) const) {

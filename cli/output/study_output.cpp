@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Studies for people: a block for one case, a line for each case of a stream; for programs; for
-// spreadsheets; and the table of a stream as a page.
+// Studies as text: a block for one case, a line for each case of a stream; as JSON; as CSV; and the
+// table of a stream as a page.
 
 #include "cli/output/study_output.hpp"
 
@@ -26,7 +26,7 @@
 namespace fathom::cli {
 namespace {
 
-/// Where the further lines of a body begin: below what follows "A  ".
+/// The column of continued lines of a body: below the text that follows "A  ".
 constexpr std::size_t body_column = 3;
 
 constexpr std::size_t most_monomials = 6;
@@ -36,7 +36,7 @@ constexpr std::size_t decided_column = 52, features_column = 32, none_column = 6
 using kernels::counted;
 using Lines = std::vector<std::string>;
 
-/// With the gap to the column before.
+/// Returns the text with the gap to the column before it.
 std::string decided_text(const TierCounts& tiers) {
   Lines parts;
   for (const auto& [packed, count] : tiers.decided) {
@@ -68,7 +68,7 @@ void add_features(Lines& parts, std::string_view body, const std::vector<Feature
   for (const Feature& points : features) parts.push_back(fmt::format("{} {}", body, indices_text(points)));
 }
 
-/// "A 0 1, B 4 5": the input points of each feature.
+/// Returns "A 0 1, B 4 5": the input points of each feature.
 std::string points_text(const Involved& involved) {
   Lines parts;
   add_features(parts, "A", involved.a);
@@ -76,7 +76,7 @@ std::string points_text(const Involved& involved) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Of a line: what occurs, and how often.
+/// Adds the coincidences that occur with their counts, for a line.
 template <class Names, class Coincidences>
 void add_present(Lines& parts, const Names& names, const Coincidences& coincidences) {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -84,8 +84,9 @@ void add_present(Lines& parts, const Names& names, const Coincidences& coinciden
       parts.push_back(fmt::format("{} {}", spoken(names[i]), count));
 }
 
-/// A row for each coincidence that occurs, with the features of the first, or of all that are
-/// listed; and one row with the names of the others. `head` says what the last column shows.
+/// Adds a row for each coincidence that occurs, with the features of the first one, or of all that
+/// are listed; and one row with the names of those that do not occur. `head` is the heading of the
+/// last column.
 template <class Names, class Coincidences, class Text>
 void add_coincidences(Lines& lines, const Names& names, const Coincidences& coincidences, bool all,
                       std::string_view head, const Text& text) {
@@ -139,7 +140,7 @@ Json involved_object(const Involved& involved) { return {{"a", points_of(involve
 
 // Studies as lines of CSV.
 
-/// Safe for a terminal, and between quotes where it must be.
+/// Returns the text of a field: control characters escaped, and quoted if necessary.
 std::string field(const std::string& any) {
   const std::string text = safe_id(any);
   if (text.find_first_of(",\"") == std::string::npos) return text;
@@ -183,7 +184,7 @@ Json involved_object(const ShapeInvolved& involved) {
   return {{"a", feature_object(involved.a)}, {"b", feature_object(involved.b)}};
 }
 
-/// Each coincidence by its name, with the features that are listed.
+/// Returns each coincidence by its name, with the listed features.
 template <class Names, class Coincidences>
 Json coincidences_object(const Names& names, const Coincidences& coincidences) {
   Json result;
@@ -204,13 +205,13 @@ void add_study(Json& object, const Study& study) {
   object["coincidences"] = coincidences_object(coincidence_names, study.coincidences);
 }
 
-/// "8 vertices, 12 edges, 6 facets"; "1 disc, radius 1/2".
+/// Returns "8 vertices, 12 edges, 6 facets"; "1 disc, radius 1/2".
 std::string size_text(const BodySize& size) {
   return fmt::format("{}, {}, {}{}", counted(size.vertices, "vertex", "vertices"), counted(size.edges, "edge", "edges"),
                      counted(size.facets, "facet", "facets"), size.rank < 3 ? "; flat" : "");
 }
 
-/// "penetrating; depth^2 1/16; 1 optimum"; "penetrating; signed depth 1/2".
+/// Returns "penetrating; depth^2 1/16; 1 optimum"; "penetrating; signed depth 1/2".
 std::string status_text(const Depth& depth) {
   std::string result(name(depth.status()));
   if (depth.status() != Status::penetrating) return result;
@@ -240,7 +241,7 @@ std::string size_text(const ShapeSize& size) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// "axis (0, 0, 1) at (0, 0, 0)".
+/// Returns "axis (0, 0, 1) at (0, 0, 0)".
 std::string feature_text(const ShapeFeature& feature) {
   std::string text(feature.what);
   if (feature.length) text += " " + kernels::exact_surd_text(*feature.length);
@@ -249,12 +250,12 @@ std::string feature_text(const ShapeFeature& feature) {
   return text;
 }
 
-/// "A axis ..., B axis ...".
+/// Returns "A axis ..., B axis ...".
 std::string involved_text(const ShapeInvolved& involved) {
   return fmt::format("A {}, B {}", feature_text(involved.a), feature_text(involved.b));
 }
 
-/// What studies of polytopes and of shapes begin with; and what one of polytopes has beside that.
+/// Returns the fields at the beginning of every study.
 Json study_head(const std::string& id) { return {{"schema", schema}, {"id", id}}; }
 
 }  // namespace
@@ -373,7 +374,8 @@ StudyTableRow row_of(const std::string& id, std::string_view status, std::string
   return result;
 }
 
-/// A table in a box, of rows that are markup. Heads that begin with ' stand to the left.
+/// Returns a table in a box, of rows that are markup. Columns whose heading begins with ' are
+/// aligned left.
 std::string boxed(const std::string& name, std::initializer_list<std::string_view> heads, const std::string& body,
                   const std::string& rows) {
   std::string head;
@@ -401,7 +403,7 @@ void StudyTable::add(const StudyTableRow& row) {
     Total& total = coincidences_[kind];
     ++total.cases;
     total.count += count;
-    present += fmt::format("; {}: {}", spoken(kind), count);  // a search for "; ties:" finds this kind alone
+    present += fmt::format("; {}: {}", spoken(kind), count);  // so that a search for "; ties:" finds this kind alone
   }
   if (++cases_ > most_rows) return;
   rows_ += fmt::format("<tr data-kind=\"{}\"><th scope=\"row\" class=\"id\">{}</th><td class=\"text\">{}{}</td></tr>\n",

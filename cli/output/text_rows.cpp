@@ -20,13 +20,13 @@
 namespace fathom::cli {
 namespace {
 
-constexpr std::size_t longest_triple = 72;  // characters; beyond, nobody reads the digits
+constexpr std::size_t longest_triple = 72;  // characters; longer exact texts are replaced by decimals
 constexpr std::size_t few = 9;              // digits of an approximate component
 constexpr std::size_t beyond_binary64_digits = 17;
 
 bool is_informative(double value) { return std::isfinite(value) && value != 0; }
 
-/// To nine digits, or truncated to as many where binary64 ends.
+/// Returns nine digits, rounded; truncated for values beyond binary64.
 std::string few_digits(const mpq_class& value) {
   if (sgn(value) == 0) return "0";
   if (const double rounded = round_binary64(value, Rounding::rn); is_informative(rounded))
@@ -34,7 +34,7 @@ std::string few_digits(const mpq_class& value) {
   return fmt::format("{}{}", sgn(value) < 0 ? "-" : "", enclose_root(value * value, few).low);
 }
 
-/// Component / length, from its exact square.
+/// Returns component / length, from its exact square.
 std::string unit_component(const mpz_class& component, const mpz_class& squared_length) {
   const mpq_class squared = kernels::ratio(component * component, squared_length);
   if (sgn(squared) == 0) return "0";
@@ -56,14 +56,14 @@ std::string in_full(const Vector& n) {
   return fmt::format("({}, {}, {})", n.x.get_str(), n.y.get_str(), n.z.get_str());
 }
 
-/// from + length n/|n|.
+/// Returns from + length n/|n|.
 std::string in_full(const Point& from, const mpq_class& length, const Vector& n) {
   if (const std::optional<Point> point = rational_point(RoundedPoint{from, n, length})) return in_full(*point);
   return fmt::format("{} and {} along {}", in_full(from), exact_text(length), in_full(n));
 }
 
 constexpr std::size_t most_indices = 12;
-constexpr std::size_t case_indent = 4;  // spaces before the further lines of a case
+constexpr std::size_t case_indent = 4;  // spaces before continued lines of a case
 constexpr std::size_t short_pair = 54;  // characters of two points that share a line of 80
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Answers for people, piece by piece: numbers, points and directions, in full where that is short,
-// else a few digits behind a "~", or the nearest binary64; and the rows and lines made of them.
+// The parts of answers as text: numbers, points and directions, exact if that is short, else a few
+// digits after a "~", or the nearest binary64; and rows and lines of them.
 #pragma once
 
 #include <gmpxx.h>
@@ -22,22 +22,22 @@
 
 namespace fathom::cli {
 
-/// The square root as a decimal: the shortest one that reads back as its nearest binary64; 17
-/// digits beyond that range.
+/// Returns the square root as a decimal: the shortest one that reads back as its nearest binary64;
+/// 17 digits beyond that range.
 std::string root_text(const mpq_class& squared);
 /// Returns a value >= 0 as root_text does.
 std::string surd_text(const Surd& value);
 
 inline Surd negated(const Surd& value) { return {-value.rational, -value.root}; }
 
-/// "(1/2, 0, -3)", or "~(0.333333333, ...)".
+/// Returns "(1/2, 0, -3)", or "~(0.333333333, ...)".
 std::string point_text(const Point& p);
 
-/// "(-1, 0, 0)", or where the integers are long the unit vector of that direction: "~(0.577350269,
-/// ...)".
+/// Returns "(-1, 0, 0)", or if the integers are long the unit vector of that direction:
+/// "~(0.577350269, ...)".
 std::string direction_text(const Vector& n);
 
-// Points, translations and directions to the nearest binary64 or exactly, for people.
+// Points, translations and directions, rounded to the nearest binary64 or exact.
 
 using rounded::CoordinatePair;
 using rounded::Coordinates;
@@ -46,34 +46,34 @@ using rounded::nearest_binary64;
 using rounded::rational_point;
 using rounded::unit;
 
-/// "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers; 17 digits
-/// beyond that range.
+/// Returns "(-0.25, 0, 1)": the shortest decimals that read back as the nearest binary64 numbers;
+/// 17 digits beyond that range.
 std::string decimals(const Coordinates& values);
 
-/// A point or translation: its decimals; or, if it is to be exact, fractions, and what is along a
+/// Returns a point or translation: its decimals; or, if `exact`, fractions, with a part along a
 /// direction apart: "(1/2, 0, 0) and 1/3 along (1, 1, 1)".
 std::string place_text(const Point& p, bool exact);
 std::string place_text(const AlongNormal& vector, bool exact);
 std::string place_text(const RoundedPoint& point, bool exact);
 
-/// A direction: the unit vector's decimals; or, if it is to be exact, the integers in lowest terms.
+/// Returns a direction: the unit vector's decimals; or, if `exact`, the integers in lowest terms.
 std::string way_text(const Vector& n, bool exact);
 
-// The pieces of results for people.
+// The rows of answers.
 
-/// How an answer is written, as the options of its command say.
+/// The form of an answer, by the options of its command.
 struct AnswerForm : output::Shown {
   AnswerForm() = default;
   explicit AnswerForm(const Given& given);
 
-  bool exact = false;      ///< text: exact numbers where else decimals stand
-  bool by_default = true;  ///< the user left the method to fathom
+  bool exact = false;      ///< text: exact numbers instead of decimals
+  bool by_default = true;  ///< the user did not choose the method
 };
 
 /// A label and its text.
 using Row = std::pair<std::string, std::string>;
 
-/// What the command computes: "depth" or "width".
+/// Returns the quantity that the command computes: "depth" or "width".
 std::string quantity(const AnswerForm& form);
 
 /// Returns the heading, if there is one, and the rows with their texts in one column; without the
@@ -86,27 +86,28 @@ std::string case_line(const std::string& id, const std::vector<std::string>& par
 /// Returns the id, or as a JSON string if it holds control characters.
 std::string safe_id(const std::string& id);
 
-/// Indices of the points that span a face, "0 1 2"; the first few of a large one.
+/// Returns the indices of the points that span a face, "0 1 2"; the first few of a large face.
 std::string indices_text(const std::vector<std::uint32_t>& indices);
 
-/// "edge-edge: points 1 2 of A, 3 4 of B"; for one body against itself both are of A.
+/// Returns "edge-edge: points 1 2 of A, 3 4 of B"; for the width of one body both are of A.
 std::string contact_text(const Contact& contact, bool same_body = false);
 
-/// Adds two points, in two rows if one would be long; or the one that both bodies share.
+/// Adds two points, in two rows if one would be too long; one point if they are equal.
 void add_points(std::vector<Row>& rows, const std::string& label, const std::string& a, const std::string& b,
                 bool same_body = false);
 void add_witness(std::vector<Row>& rows, const Witness& witness, const AnswerForm& form);
 
-/// The bodies without interior: "A and B", or "". For one body against itself: "A", or "".
+/// Returns the bodies without interior: "A and B", or ""; for one body "A", or "".
 std::string flat_text(const BodyFacts& facts, bool same_body = false);
 
-/// Explains why a flat A may have a positive depth.
+/// Returns a row that explains why a flat A may have a positive depth.
 Row flat_note();
 
-/// Of bodies that are solids of meshes, a row "solid" each, and what people may not expect of it.
+/// Adds a row "solid" for each body that is the solid of a mesh, with properties that users may not
+/// expect.
 void add_solids(std::vector<Row>& rows, const output::AboutBodies& bodies);
 
-/// "[low, high]".
+/// Returns "[low, high]".
 std::string enclosure_text(const Enclosure& enclosure);
 /// Returns the enclosure of the root, to that many digits.
 inline std::string enclosure_text(const mpq_class& squared, unsigned digits) {

@@ -10,7 +10,7 @@
 
 namespace fathom::digest {
 
-/// How many bytes there were, and their SHA-256 in 64 lower-case hexadecimal digits.
+/// The number of bytes, and their SHA-256 in 64 lower-case hexadecimal digits.
 struct Digest {
   std::uint64_t bytes = 0;
   std::string sha256;

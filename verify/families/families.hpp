@@ -16,7 +16,7 @@
 
 namespace fathom::families {
 
-/// What the bodies of a case are.
+/// The kind of the bodies of a case.
 enum class Kind { polytopes, shapes, unions };
 
 struct Family {
@@ -43,7 +43,7 @@ struct Family {
 /// both unions are convex.
 std::span<const Family> families(Kind kind = Kind::polytopes);
 
-/// Those of all kinds, in the order of Kind. Names are unique.
+/// Returns the families of all kinds, in the order of Kind. Names are unique.
 std::span<const Family> all_families();
 /// Their names.
 std::vector<std::string_view> family_names();

@@ -491,7 +491,7 @@ def width(body: BodyLike, *, pose: PoseLike = None, bits: int = DEFAULT_BITS) ->
 
 
 class Checked(NamedTuple):
-    """What the checker says of a certificate."""
+    """The verdict of the checker on a certificate."""
 
     accepted: bool
     status: str  #: of the bodies, if it is accepted

@@ -113,7 +113,7 @@ def union(pieces: Iterable[BodyLike]) -> Body:
 
 
 def solid(mesh: BodyLike) -> Body:
-    """What a closed mesh goes around, convex or not: the union of convex pieces into which it is cut, exactly.
+    """The inside of a closed mesh, convex or not: the union of convex pieces into which it is cut, exactly.
 
     mesh  a body with faces, as `read_mesh` reads it, or anything with `vertices` and `faces`; a mesh that is not closed, or has a part
           inside out, raises ValueError with a place (docs/solids.md)

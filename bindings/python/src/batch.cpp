@@ -22,8 +22,8 @@ namespace {
 /// The answer about a pair, or the exception in its place.
 using MaybeAnswer = std::variant<std::exception_ptr, PairAnswer>;
 
-/// What a wrong pair does. returned: its exception is its result. thrown: the first wrong pair, by
-/// its index, ends the work and its exception is thrown.
+/// The treatment of wrong pairs. returned: the exception of a pair is its result. thrown: the first
+/// wrong pair, by its index, ends the work and its exception is thrown.
 enum class Faults { returned, thrown };
 
 /// The bodies of a pair, or the exception in their place.

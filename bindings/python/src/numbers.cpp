@@ -69,7 +69,7 @@ py::object int_attribute(py::handle number, const char* name) {
 
 using Triples = std::vector<std::array<double, 3>>;
 
-/// Whether each element of the array is a binary64 number.
+/// Returns whether each element of the array is a binary64 number.
 bool fits_binary64(const py::dtype& type) {
   constexpr py::ssize_t exact_integer = 4, binary64 = 8;
   return type.kind() == 'f' ? type.itemsize() <= binary64

@@ -49,8 +49,8 @@ std::string read_small_file(const std::filesystem::path& path, std::size_t most 
 /// Returns the digest of a file. Throws FileError if it cannot be read.
 digest::Digest digest_of_file(const std::filesystem::path& path);
 
-/// How hidden names begin and end: ".new-" name. A killed process leaves such files behind; the
-/// next one overwrites them.
+/// The prefix of hidden names: ".new-" name. A killed process leaves such files behind; the next
+/// one overwrites them.
 inline constexpr std::string_view hidden_prefix = ".new-";
 
 /// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no

@@ -46,7 +46,7 @@ constexpr Kind kind_of(Source source) {
   return Kind::polytopes;
 }
 
-/// Whether a case has a size and a seed.
+/// Returns whether a case of this source has a size and a seed.
 constexpr bool from_family(Source source) {
   return source == Source::family || source == Source::shape_family || source == Source::union_family;
 }
@@ -60,7 +60,7 @@ struct Recipe {
   friend bool operator==(const Recipe&, const Recipe&) = default;
 };
 
-/// How the numbers of a record come from those of the base case.
+/// The relation of a record's numbers to those of the base case.
 enum class Form {
   given,     ///< unchanged
   binary64,  ///< each is rounded to the nearest binary64, ties to even

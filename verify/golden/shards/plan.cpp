@@ -18,7 +18,7 @@
 
 namespace fathom::golden {
 
-/// What a level adds to those below it.
+/// The cases that a level adds to those of lower levels.
 struct LevelShare {
   unsigned each;           ///< cases of each family
   unsigned most;           ///< the largest size except for a few cases

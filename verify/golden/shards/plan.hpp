@@ -30,7 +30,7 @@ enum class Level {
 
 /// "L0", "L1", "L2", "L3", "P0", "P1", "U0", "C0".
 std::string_view name_of(Level level);
-/// Whether its records are of polytopes alone, and have rows of CSV.
+/// Returns whether its records are of polytopes alone, and have rows of CSV.
 constexpr bool of_polytopes(Level level) { return level < Level::P0; }
 std::optional<Level> find_level(std::string_view name);
 
