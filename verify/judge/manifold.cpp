@@ -132,7 +132,7 @@ std::vector<Point> ContactJudge::with_slack(const Extent& extent, const mpq_clas
 /// Returns how far a corner may be from the contacts. A subject that reports at most `most_`
 /// contacts chooses among the corners where the bodies overlap as deep, within the tolerance of a
 /// depth, or among those of the patch: what the best choice misses is allowed. For a patch with
-/// slack, the slack is allowed in place of the first choice.
+/// slack, the slack is allowed too, and the corners are those of this patch alone.
 ContactJudge::Reach ContactJudge::reach_of(const Extent& extent) const {
   Reach reach{slack_ ? mpq_class(near_ + *slack_) : near_};
   if (!most_) return reach;

@@ -49,7 +49,7 @@ struct Curved {
 /// The union of polytopes.
 struct Compound {
   std::vector<Wires> pieces;     ///< at least one; without edges if all together have too many
-  std::vector<bool> in_contact;  ///< for each piece; all false for bodies that are apart
+  std::vector<bool> in_contact;  ///< for each piece, after A has moved; empty: none
 };
 
 using Drawn = std::variant<Wires, Curved, HalfSpace, Compound>;
