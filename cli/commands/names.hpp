@@ -11,8 +11,8 @@
 
 namespace fathom::cli {
 
-/// Returns a few names, of families unless others are given, that are similar to `name`: first those
-/// that contain it, then those at the smallest edit distance.
+/// Returns a few of the names, by default those of families, that are similar to `name`: first
+/// those that contain it, then those at the smallest edit distance.
 std::vector<std::string_view> nearest_families(std::string_view name,
                                                std::vector<std::string_view> names = families::family_names());
 

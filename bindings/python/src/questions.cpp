@@ -34,8 +34,8 @@ struct Pair {
   Body a, b;
 };
 
-/// Returns two bodies that are no unions, which are refused for the reason `no_union`. Warns of meshes
-/// that are not convex.
+/// Returns two bodies; a union is refused for the reason `no_union`. Warns of meshes that are not
+/// convex.
 Pair any_pair_from(const py::object& a, const py::object& b, const py::object& pose_a, const py::object& pose_b,
                    const char* no_union) {
   Pair pair{body_from(a, pose_a, "a", nullptr, no_union), body_from(b, pose_b, "b", nullptr, no_union)};
