@@ -6,12 +6,13 @@ from fractions import Fraction
 
 class Union:
     """A certificate of format 3 without comments and id. Rows are lists of words."""
+    header, apart = "fathom-certificate 3", "separations"
 
     def __init__(self, text):
         self.lines = [line.split(" ") for line in text.split("\n")[:-1] if not line.startswith(("#", "id "))]
-        assert self.lines[0] == ["fathom-certificate", "3"] and self.lines[-1][0] == "end"
+        assert self.lines[0] == self.header.split(" ") and self.lines[-1][0] == "end"
         self.at = 1
-        self.a, self.b = self.pieces(), self.pieces()
+        self.a, self.b = self.body("a"), self.body("b")
         self.claim = self.line()[1:]
         self.optima, self.polytopes, self.tree, self.nearest, self.weights_a, self.weights_b = [], [], [], [], [], []
         if self.claim[0] == "depth":
@@ -31,46 +32,55 @@ class Union:
     def part(self):
         return [list(self.line()) for _ in range(int(self.line()[1]))]
 
+    def body(self, x):
+        return self.pieces()
+
     def pieces(self):
         return [self.part() for _ in range(int(self.line()[1]))]
 
     def text(self):
-        out, counts = ["fathom-certificate 3"], []
+        out, counts = [self.header], []
+
+        def announce(word, items):
+            counts.append(len(items))
+            out.append(f"{word} {len(items)}")
 
         def part(word, rows):
-            counts.append(len(rows))
-            out.append(f"{word} {len(rows)}")
+            announce(word, rows)
             out.extend(" ".join(row) for row in rows)
 
-        for word, pieces in (("a", self.a), ("b", self.b)):
-            counts.append(len(pieces))
-            out.append(f"pieces_{word} {len(pieces)}")
-            for piece in pieces:
-                part(word, piece)
+        self.announce_body("a", self.a, announce, part)
+        self.announce_body("b", self.b, announce, part)
         out.append(" ".join(["claim", *self.claim]))
         if self.claim[0] == "depth":
-            counts.append(len(self.optima))
-            out.append(f"optima {len(self.optima)}")
+            announce("optima", self.optima)
             for t, separations in self.optima:
                 out.append(" ".join(["optimum", *t]))
-                part("separations", separations)
-            counts.append(len(self.polytopes))
-            out.append(f"polytopes {len(self.polytopes)}")
+                part(self.apart, separations)
+            announce("polytopes", self.polytopes)
             for which, vertices, facets in self.polytopes:
                 out.append(" ".join(["polytope", *which]))
                 part("vertices", vertices)
                 part("facets", facets)
             part("tree", self.tree)
         else:
-            part("separations", self.optima[0][1])
+            part(self.apart, self.optima[0][1])
             out.append(" ".join(["nearest", *self.nearest]))
             part("weights_a", self.weights_a)
             part("weights_b", self.weights_b)
         return "\n".join(out + [" ".join(map(str, ["end", *counts]))]) + "\n"
 
+    def announce_body(self, x, pieces, announce, part):
+        announce("pieces_" + x, pieces)
+        for piece in pieces:
+            part(x, piece)
+
+    def bodies(self):
+        return [self.a, self.b]
+
     def statement(self):
         """What it claims, as exact values."""
-        bodies = [[[tuple(map(Fraction, p)) for p in piece] for piece in pieces] for pieces in (self.a, self.b)]
+        bodies = [[[tuple(map(Fraction, p)) for p in piece] for piece in pieces] for pieces in self.bodies()]
         return bodies, self.claim[0], [Fraction(q) for q in self.claim[1:]], [tuple(map(Fraction, t)) for t, _ in self.optima if t]
 
 

@@ -7,6 +7,7 @@ import re
 import sys
 from collections import Counter
 from fractions import Fraction
+from itertools import accumulate
 from math import gcd, lcm
 
 Refused, Malformed = (type(name, (Exception,), {}) for name in ("Refused", "Malformed"))
@@ -20,7 +21,7 @@ NUMBERS = {1: {"depth": 1, "bounds": 2, "touching": 0, "disjoint": 0},  # of eac
            2: {"depth": 1, "touching": 0, "apart": 1, "signed_bounds": 2},
            3: {"depth": 1, "touching": 0, "apart": 1},
            4: {"depth": 1, "touching": 0, "apart": 1},
-           5: {"solid": 0}}
+           5: {"solid": 0}}  # of one solid; those of two bodies are as in format 3
 ATOMS = {"point": 1, "disc": 3, "ball": 4}  # vectors: the center, then the axes
 
 
@@ -151,8 +152,8 @@ class Reader:
             c["radius_" + x] = rational(self.these("radius_" + x, RATIONAL)[1])
             self.advance()
 
-    def claim(self, c):
-        word, claims = (self.fields() + [""])[1], NUMBERS[c["format"]]
+    def claim(self, c, claims=None):
+        word, claims = (self.fields() + [""])[1], claims or NUMBERS[c["format"]]
         demand(word in claims, "expected a claim", Malformed)
         c["claim"], *bounds = self.these("claim", word, *[RATIONAL] * claims[word])[1:]
         c["bounds"] = [rational(q) for q in bounds]
@@ -170,11 +171,23 @@ class Reader:
     def separations(self):
         return self.part("separations", [INTEGER] * 3, int)
 
-    def optimum(self):
+    def blocks(self):
+        """Of an apart tree, each a word or a vector."""
+        found = []
+        for _ in self.header("apart"):
+            self.advance()
+            split = self.fields() in (["a"], ["b"])
+            row = self.these(*(self.fields() if split else [INTEGER] * 3))
+            self.count_numbers(len(row))
+            found.append(row[0] if split else tuple(map(int, row)))
+        self.advance()
+        return found
+
+    def optimum(self, apart):
         t = tuple(map(rational, self.these("optimum", *[RATIONAL] * 3)[1:]))
         self.count_numbers(3)
         self.advance()
-        return t, self.separations()
+        return t, apart()
 
     def indices(self, word):
         """Two on one line, behind a word."""
@@ -199,29 +212,43 @@ class Reader:
 
     def union(self, c):
         c["pieces_a"], c["pieces_b"] = self.pieces("a"), self.pieces("b")
-        self.claim(c)
+        self.proof_of_unions(c, self.separations)
+
+    def proof_of_unions(self, c, apart):
+        self.claim(c, NUMBERS[3])
         c["optima"], c["polytopes"], c["tree"] = [], [], []
         if c["claim"] == "depth":
             count = self.header("optima")
             self.advance()
-            c["optima"] = [self.optimum() for _ in count]
+            c["optima"] = [self.optimum(apart) for _ in count]
             count = self.header("polytopes")
             self.advance()
             c["polytopes"] = [self.polytope() for _ in count]
             c["tree"] = self.tree()
         else:
-            c["optima"] = [((0, 0, 0), self.separations())]
+            c["optima"] = [((0, 0, 0), apart())]
             c["nearest"] = self.indices("nearest")
             self.weights(c)
 
-    def solid(self, c):
-        c["a"], c["mesh"] = self.part("solid_a", [RATIONAL] * 3, rational), self.part("mesh", [NATURAL] * 3, int)
-        count, c["pieces"] = self.header("pieces"), []
+    def solid(self, x):
+        points, mesh = self.part("solid_" + x, [RATIONAL] * 3, rational), self.part("mesh", [NATURAL] * 3, int)
+        count, pieces = self.header("pieces"), []
         self.advance()
         for _ in count:
             self.count_numbers(1)
-            c["pieces"].append(self.facets("piece"))
-        self.claim(c)
+            pieces.append(self.facets("piece"))
+        return points, mesh, pieces
+
+    def solids(self, c):
+        """One solid, or two bodies."""
+        for x in "ab":
+            if self.fields()[0] == "pieces_" + x:
+                c["body_" + x] = Body(self.pieces(x))
+            else:
+                c["body_" + x] = Body(solid=self.solid(x))
+                if x == "a" and self.fields()[0] == "claim":
+                    return self.claim(c)
+        return self.proof_of_unions(c, self.blocks)
 
     def weights(self, c):
         c["weights_a"] = self.part("weights_a", [NATURAL, RATIONAL], rational)
@@ -234,7 +261,7 @@ class Reader:
         if self.fields()[0] == "id":
             c["id"] = self.these("id", TEXT)[1]
             self.advance()
-        {3: self.union, 5: self.solid}.get(c["format"], self.convex)(c)
+        {3: self.union, 5: self.solids}.get(c["format"], self.convex)(c)
         if c["format"] == 4:
             self.patches(c)
         counts = self.counts + [0] * (5 - len(self.counts) if c["format"] == 1 else 0)
@@ -385,16 +412,79 @@ def require_union_limits(c):
         c["weights_" + x] = [(int(i), w.numerator * (c["whole"] // w.denominator)) for i, w in c["weights_" + x]]
 
 
+class Body:
+    """Of format 5. Each piece has the numbers of its corners among the points."""
+
+    def __init__(self, pieces=(), solid=None):
+        ends = [*accumulate(map(len, pieces), initial=0)]
+        self.points, self.mesh, self.facets = solid or ([p for piece in pieces for p in piece], None, [])
+        self.pieces = [range(*between) for between in zip(ends, ends[1:])]
+        self.pieces += [{k for f in facets for k in f if k < len(self.points)} for facets in self.facets]
+        units = [lcm(*(x.denominator for x in p)) for p in self.points]  # x y z w, integers, stand for x/w, y/w, z/w, with w > 0
+        self.homogeneous = [(*scaled(p, unit), unit) for p, unit in zip(self.points, units)]
+
+    def corner(self, i, k):
+        """The number of corner k of piece i; None if there is none."""
+        corners = self.pieces[i] if i < len(self.pieces) else ()
+        k += corners[0] if self.mesh is None and corners else 0
+        return k if k in corners else None
+
+
+def size_and_work(bodies):
+    """Section 14, and h."""
+    h = max((p[3].bit_length() + widest(p[:3]) for body in bodies for p in body.homogeneous), default=0)
+    triangles = sum(len(body.mesh or ()) for body in bodies)
+    corners = sum(len(f) for body in bodies for facets in body.facets for f in facets)
+    corners += sum(len(body.points) for body in bodies if body.mesh is None)
+    products = sum(len(facets) * len(named) for body in bodies for facets, named in zip(body.facets, body.pieces))
+    size = (sum(len(body.points) for body in bodies) + 10 * triangles + 4 * corners) * h
+    return size, 3 * (3 * triangles + corners) * cost(4 * h, 4 * h) + products * cost(5 * h, h), h
+
+
 def require_solid_limits(c):
-    """Section 14: the same of a solid. From here on the points are x y z w, integers: x/w, y/w, z/w, with w > 0."""
-    units = [lcm(*(x.denominator for x in p)) for p in c["a"]]
-    c["a"] = [(*scaled(p, unit), unit) for p, unit in zip(c["a"], units)]
-    h = max((p[3].bit_length() + widest(p[:3]) for p in c["a"]), default=0)
-    corners, triangles = sum(len(f) for facets in c["pieces"] for f in facets), len(c["mesh"])
-    demand((len(c["a"]) + 10 * triangles + 4 * corners) * h <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
-    products = sum(len(facets) * len({k for f in facets for k in f if k < len(c["a"])}) for facets in c["pieces"])
-    work = 3 * (3 * triangles + corners) * cost(4 * h, 4 * h) + products * cost(5 * h, h)
+    size, work, _ = size_and_work([c["body_a"]])
+    demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
     demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
+
+
+def require_limits_of_two(c):
+    """Section 15; those of the tree come later."""
+    a, b = bodies = c["body_a"], c["body_b"]
+    size, work, h = size_and_work(bodies)
+    for _, _, vertices, facets in c["polytopes"]:
+        size += (2 * len(vertices) + 12 * len(facets)) * h
+        named = {k for f in facets for k in f if k < len(vertices)}
+        work += 3 * sum(map(len, facets)) * cost(8 * h, 8 * h) + len(facets) * len(named) * cost(10 * h, 2 * h)
+    depth, vectors = c["claim"] == "depth", [u for _, blocks in c["optima"] for u in blocks if u not in ("a", "b")]
+    u, c["b"] = widest(x for v in vectors for x in v), widest(n for q in c["bounds"] for n in q.as_integer_ratio())
+    _, c["e"] = common_denominator([x for t, _ in c["optima"] for x in t], len(c["optima"])) if depth and c["optima"] else (1, 0)
+    weights = c["weights_a"] + c["weights_b"]
+    numbers = [w for _, w in weights]
+    for x, body, i in zip("ab", bodies, c.get("nearest", ())):
+        named = {body.corner(i, int(k)) for k, _ in c["weights_" + x]} - {None}
+        numbers += [y for k in named for y in body.points[k]]
+    x = common_denominator(numbers, len(weights))[1] if weights else 0
+    size += len(vectors) * u + len(c["optima"]) * c["e"] + len(weights) * x
+    demand(size <= LARGEST_SIZE, f"a certificate of a size above {LARGEST_SIZE}", Malformed)
+    sums = [[*accumulate(map(len, body.pieces), initial=0)] for body in bodies]
+    products = 0
+    for _, blocks in c["optima"]:
+        for _, *both in ranges(blocks, len(a.pieces), len(b.pieces))[0]:
+            products += sum(of_body[pieces.stop] - of_body[pieces.start] for of_body, pieces in zip(sums, both))
+    z = 4 * h + 2 * u + c["b"] + c["e"]
+    work += 4 * products * cost(h + u, h) + 8 * len(vectors) * cost(z, z) + 4 * len(weights) * cost(2 * x, 2 * x)
+    demand(work <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
+    c["work"] = work
+    for x in "ab":
+        c["weights_" + x] = [(int(k), w) for k, w in c["weights_" + x]]
+
+
+def spend(c, planes, r=0):
+    """Section 15: the work of facets, or of a leaf with r constraints of these planes."""
+    p = widest(x for n, h in planes for x in (*n, h))
+    y = (2 * r + 2) * (p + 8) + c["b"]
+    c["work"] += 8 * cost(5 * p + 40, 5 * p + 40) if r == 4 else 16 * cost(y, y + c["e"])
+    demand(c["work"] <= MOST_WORK, f"a certificate of work above {MOST_WORK}", Malformed)
 
 
 def scaled(numbers, unit):
@@ -622,9 +712,8 @@ def proved(c, rho):
 
 
 def has_interior(points):
-    """Whether some four of them do not lie in one plane."""
-    p = points[0] if points else None
-    edges = [tuple(x - y for x, y in zip(r, p)) for r in points]
+    """Whether some four of them, each x y z w, do not lie in one plane."""
+    edges = [edge(points[0], p) for p in points]
     u = next(filter(any, edges), (0, 0, 0))
     n = next(filter(any, (cross(u, v) for v in edges)), (0, 0, 0))
     return any(dot(n, v) for v in edges)
@@ -683,8 +772,9 @@ def dot_all(u, v):
     return sum(x * y for x, y in zip(u, v))
 
 
-def check_tree(nodes, polytopes, done):
-    """No point that is nearer than the optima, and none as near but they, is outside of all polytopes: each a list of planes."""
+def check_tree(nodes, polytopes, done, take):
+    """No point that is nearer than the optima, and none as near but they, is outside of all polytopes: each a list of planes. Of each leaf
+    take(its planes) is called before it is checked."""
     undone = [{f for f, plane in enumerate(planes) if not done(*plane)} for planes in polytopes]
     path, splits, complete = [], [], False  # of each split above: its planes, its children, the next one, the path before it
     for word, *numbers in nodes:
@@ -697,6 +787,7 @@ def check_tree(nodes, polytopes, done):
         else:
             demand(len(numbers) <= 4 and all(i < len(path) for i in numbers), "more than four constraints, or one that is not on the path")
             used = [path[i] for i in numbers]
+            take(used)
             factors = multipliers(used)
             demand(all(l >= 0 for l in factors), "a constraint that does not count")
             normal = tuple(sum(l * n[k] for l, (n, _) in zip(factors, used)) for k in range(3))
@@ -719,30 +810,39 @@ def check_tree(nodes, polytopes, done):
 def check_union(c):
     """Section 12. What is proved, for the verdict line."""
     a, b, unit = c["pieces_a"], c["pieces_b"], c["unit"]
-    demand(a and b and all(map(has_interior, a + b)), "no pieces, or one without an interior")
+    demand(a and b and all(has_interior([(*p, 1) for p in piece]) for piece in a + b), "no pieces, or one without an interior")
+
+    def z(i, j):
+        demand(i < len(a) and j < len(b), "no such piece")
+        ends = combination(c["weights_a"], a[i], c["whole"]), combination(c["weights_b"], b[j], c["whole"])
+        return [Fraction(y - x, unit * c["whole"]) for x, y in zip(*ends)]
+
+    planes = lambda: [facet_planes(c, polytope) for polytope in c["polytopes"]]
+    return check_proof(c, unit, lambda *apart: require_separations(c, *apart), planes, z, lambda _: None) + f" pieces={len(a)}x{len(b)}"
+
+
+def check_proof(c, unit, require_apart, planes, z, take):
+    """Of two unions; with what formats 3 and 5 do in ways of their own."""
     q = c["bounds"][0] if c["bounds"] else 0
     demand(c["claim"] == "touching" or q > 0, "a distance that is not positive")
-    size = f"pieces={len(a)}x{len(b)}"
     if c["claim"] == "depth":
         found = [t for t, _ in c["optima"]]
         demand(found and all(t < s for t, s in zip(found, found[1:])), "no optimum, or not in ascending order")
         for t, vectors in c["optima"]:
             demand(dot(t, t) == q, "an optimum that is not as far as claimed")
-            require_separations(c, vectors, lambda u, h: dot(u, t) * unit >= h)
+            require_apart(vectors, lambda u, h: dot(u, t) * unit >= h)
         listed, squared = set(found), q * unit**2
 
         def done(n, h):  # the half-space <n,x> >= h, in units of the points
             reached, needed = h * h * squared.denominator, squared.numerator * dot(n, n)
             return h > 0 and (reached > needed or (reached == needed and tuple(Fraction(h * x, dot(n, n) * unit) for x in n) in listed))
 
-        check_tree(c["tree"], [facet_planes(c, polytope) for polytope in c["polytopes"]], done)
-        return f"penetrating depth_squared={q} optima={len(found)} {size}"
-    require_separations(c, c["optima"][0][1], lambda u, h: square(h) <= -q * unit**2 * dot(u, u))
-    i, j = c["nearest"]
-    demand(i < len(a) and j < len(b), "no such piece")
-    z = [y - x for x, y in zip(combination(c["weights_a"], a[i], c["whole"]), combination(c["weights_b"], b[j], c["whole"]))]
-    demand(dot(z, z) == q * (unit * c["whole"])**2, "points that are not as far from each other as claimed")
-    return f"disjoint distance_squared={q} {size}" if q else f"touching depth_squared=0 {size}"
+        check_tree(c["tree"], planes(), done, take)
+        return f"penetrating depth_squared={q} optima={len(found)}"
+    require_apart(c["optima"][0][1], lambda u, h: square(h) <= -q * unit**2 * dot(u, u))
+    difference = z(*c["nearest"])
+    demand(dot(difference, difference) == q, "points that are not as far from each other as claimed")
+    return f"disjoint distance_squared={q}" if q else "touching depth_squared=0"
 
 
 def primitive(v):
@@ -760,20 +860,20 @@ def edge(p, q):
     return tuple(y * p[3] - x * q[3] for x, y in zip(p[:3], q[:3]))
 
 
-def normal_of(corners):
+def normal_of(points, polygon):
     """The primitive vector of which the normals of all triangles are positive multiples that are fanned out from the first corner."""
-    first, *others = corners
+    first, *others = [points[k] for k in polygon]
     fan = [cross(edge(first, p), edge(first, q)) for p, q in zip(others, others[1:])]
     demand(fan and all(map(any, fan)), "fewer than three corners, or some on a line")
     normal, *others = map(primitive, fan)
     demand(all(n == normal for n in others), "not a flat and convex polygon")
-    demand(len(set(corners)) == len(corners), "a corner twice")
+    demand(len(set(polygon)) == len(polygon), "a corner twice")
     return normal
 
 
 def check_piece(points, facets):
     """It is the hull of its corners, and each of its faces is one facet. The normals of the facets."""
-    normals = [normal_of([points[k] for k in f]) for f in facets]
+    normals = [normal_of(points, f) for f in facets]
     demand(len(set(normals)) == len(facets) > 0, "no facets, or two with the same normal")
     corners = [points[k] for k in {k for f in facets for k in f}]
     for n, (k, *_) in zip(normals, facets):
@@ -784,14 +884,14 @@ def check_piece(points, facets):
     return normals
 
 
-def check_solid(c):
-    """Section 14. What is proved, for the verdict line."""
-    points, mesh, pieces = c["a"], c["mesh"], c["pieces"]
+def check_tiling(body):
+    """Section 14: the pieces tile what the mesh encloses."""
+    points, mesh, pieces = body.homogeneous, body.mesh, body.facets
     demand(pieces, "no pieces")
     demand(all(k < len(points) for facets in [mesh, *pieces] for f in facets for k in f), "there is no point of this number")
     demand(len(set(points)) == len(points), "a point that is there twice")
     triangles = [t for t in mesh if any(cross(*(edge(points[t[0]], points[k]) for k in t[1:])))]
-    polygons = [(t, normal_of([points[k] for k in t]), 1) for t in triangles]
+    polygons = [(t, normal_of(points, t), 1) for t in triangles]
     polygons += [(f, n, -1) for facets in pieces for f, n in zip(facets, check_piece(points, facets))]
     flags = Counter()
     for polygon, n, sign in polygons:
@@ -800,7 +900,81 @@ def check_solid(c):
             flags[v, unsigned(n), along] += sign
             flags[u, unsigned(n), along] -= sign
     demand(not any(flags.values()), "the pieces do not tile what the mesh encloses")
-    return f"solid triangles={len(mesh)} pieces={len(pieces)}"
+
+
+def check_solid(c):
+    """Section 14. What is proved, for the verdict line."""
+    check_tiling(c["body_a"])
+    return f"solid triangles={len(c['body_a'].mesh)} pieces={len(c['body_a'].facets)}"
+
+
+def ranges(blocks, m, n):
+    """The vectors of an apart tree, each with the pieces of A and of B that it is for; and what shows that the blocks are no tree."""
+    found, left = [], [(range(m), range(n))]
+    for block in blocks:
+        if not left:
+            return found, "blocks behind the tree"
+        of_a, of_b = left.pop()
+        whole = {"a": of_a, "b": of_b}.get(block)
+        if whole is None:
+            found.append((block, of_a, of_b))
+        elif len(whole) < 2:
+            return found, "a split of fewer than two pieces"
+        else:
+            halves = whole[len(whole) // 2:], whole[:len(whole) // 2]
+            left += [(half, of_b) if block == "a" else (of_a, half) for half in halves]
+    return found, "a block is missing" if left else ""
+
+
+def require_blocks(a, b, blocks, separates):
+    """They form a tree, and separates(u, h) holds of each vector u and the largest <u,b> minus the smallest <u,a> of its corners."""
+    found, fault = ranges(blocks, len(a.pieces), len(b.pieces))
+    demand(not fault, fault)
+    for u, of_a, of_b in found:
+        demand(any(u), "a separation that is zero and proves nothing")
+        heights = [[Fraction(dot(u, p), p[3]) for p in {body.homogeneous[k] for i in pieces for k in body.pieces[i]}]
+                   for body, pieces in ((a, of_a), (b, of_b))]
+        demand(separates(u, max(heights[1]) - min(heights[0])), "a pair of pieces that is not separated")
+
+
+def primitive_planes(a, b, i, j, pairs, facets):
+    """The planes <N,x> = d of the facets of a polytope inside P_ij, of integers without a common divisor."""
+    ends = [(a.corner(i, k), b.corner(j, l)) for l, k in pairs]
+    demand(None not in {k for both in ends for k in both}, "a polytope or a vertex without its pieces")
+    vertices = [(*edge(a.homogeneous[k], b.homogeneous[l]), a.homogeneous[k][3] * b.homogeneous[l][3]) for k, l in ends]
+    demand(all(k < len(vertices) for f in facets for k in f), "a facet without corners")
+    heights = [(n, Fraction(dot(n, vertices[f[0]]), vertices[f[0]][3])) for n, f in zip(check_piece(vertices, facets), facets)]
+    return [(tuple(x * d.denominator for x in n), d.numerator) for n, d in heights]
+
+
+def check_two(c):
+    """Section 15. What is proved, for the verdict line."""
+    a, b = bodies = c["body_a"], c["body_b"]
+    for body in bodies:
+        demand(body.pieces, "no pieces")
+        if body.mesh is None:
+            demand(all(has_interior([body.homogeneous[k] for k in corners]) for corners in body.pieces), "a piece without an interior")
+        else:
+            check_tiling(body)
+
+    def planes():
+        found = [primitive_planes(a, b, *polytope) for polytope in c["polytopes"]]
+        for each in found:
+            for plane in each:
+                spend(c, [plane])
+        return found
+
+    def z(*pair):
+        ends = []
+        for x, body, i in zip("ab", bodies, pair):
+            weights = [(body.corner(i, k), w) for k, w in c["weights_" + x]]
+            demand(i < len(body.pieces) and all(k is not None for k, _ in weights), "no such piece, or no such corner")
+            ends.append(combination(weights, body.points, 1))
+        return [y - x for x, y in zip(*ends)]
+
+    said = check_proof(c, 1, lambda *apart: require_blocks(a, b, *apart), planes, z, lambda used: used and spend(c, used, len(used)))
+    triangles = ["-" if body.mesh is None else len(body.mesh) for body in bodies]
+    return f"{said} pieces={len(a.pieces)}x{len(b.pieces)} triangles={triangles[0]}x{triangles[1]}"
 
 
 def place(c, name):
@@ -814,13 +988,15 @@ def verdicts(file, name):
     while reader.line is not None or not any_yet:
         any_yet, first = True, reader.number
         c = {"id": "", "radius_a": 0, "radius_b": 0, "cone": False}
-        c.update((f"{part}_{x}", None) for part in ("terms", "halfspace") for x in "ab")
+        c.update((f"{part}_{x}", None) for part in ("terms", "halfspace", "body") for x in "ab")
         c.update((f"{part}{x}", []) for part in ("", "heights_", "inner_", "weights_") for x in "ab")
         c.update({"vertices": [], "facets": None, "lineality": [], "rays": [], "differences": [], "patches": [], "rates": []})
         try:
             reader.certificate(c)
-            require, judge = {3: (require_union_limits, check_union), 5: (require_solid_limits, check_solid)}.get(
+            require, judge = {3: (require_union_limits, check_union), 5: (require_limits_of_two, check_two)}.get(
                 c["format"], (require_limits, check))
+            if c["claim"] == "solid":
+                require, judge = require_solid_limits, check_solid
             require(c)
             yield 0, f"s VERIFIED {judge(c)} {c['id'] or name}"
             reader.advance()
