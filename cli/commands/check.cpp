@@ -198,7 +198,19 @@ void write_body(Text& text, const Body& body, const char* name) {
       });
       break;
     }
-    case Body::Core::solid: text.part(std::string("solid_") + name, body.points.items, point); break;
+    case Body::Core::solid: {
+      text.part(std::string("solid_") + name, body.points.items, point);
+      text.part("mesh", body.solid.mesh.items, [&](const fathom_check::SolidParts::Triangle& t) {
+        text.line(std::size_t{t[0]}, std::size_t{t[1]}, std::size_t{t[2]});
+      });
+      std::size_t first = 0;
+      text.part("pieces", body.solid.pieces, [&](const fathom_check::List& piece) {
+        text.facets(body.solid.facets.items, first, piece.end, "piece");
+        first = piece.end;
+      });
+      break;
+    }
+    case Body::Core::none: break;
   }
   if (body.radius.num.sign() != 0) text.line(std::string("radius_") + name, body.radius);
 }
@@ -248,20 +260,6 @@ void write_proof_of_unions(Text& text, const Certificate& c) {
   text.tree(parts.tree.items);
 }
 
-/// Writes all lines of format 5.
-void write_solid(Text& text, const Certificate& c) {
-  write_body(text, c.a, "a");
-  text.part("mesh", c.of_solid.mesh.items, [&](const fathom_check::SolidParts::Triangle& t) {
-    text.line(std::size_t{t[0]}, std::size_t{t[1]}, std::size_t{t[2]});
-  });
-  std::size_t first = 0;
-  text.part("pieces", c.of_solid.pieces, [&](const fathom_check::List& piece) {
-    text.facets(c.facets.items, first, piece.end, "piece");
-    first = piece.end;
-  });
-  write_claim(text, c);
-}
-
 /// Writes the patches and rates of format 4.
 void write_patches(Text& text, const fathom_check::PatchParts& parts) {
   const auto sides = [&](const fathom_check::PatchParts::Side& side) {
@@ -288,17 +286,12 @@ std::string text_of(const Certificate& c) {
   const auto vector = [&](const fathom_check::Vector& n) { text.line(n.x, n.y, n.z); };
   const auto pair = [&](const fathom_check::Pair& v) { text.line(std::size_t{v.j}, std::size_t{v.i}); };
   const auto weight = [&](const fathom_check::Weight& w) { text.line(std::size_t{w.index}, w.weight); };
-  if (c.format == 5) {
-    write_solid(text, c);
-    return std::move(text).ended(c.format);
-  }
   write_body(text, c.a, "a");
   write_body(text, c.b, "b");
   write_claim(text, c);
-  if (c.format == 3) {
-    write_proof_of_unions(text, c);
-    return std::move(text).ended(c.format);
-  }
+  if (c.format == 3) write_proof_of_unions(text, c);
+  // Of two solids the proof is left out: the proved checker, which cannot read it, stops before.
+  if (c.format == 3 || c.format == 5) return std::move(text).ended(c.format);
   text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
   for (const bool heights : {true, false}) {
     write_proof_of_body(text, c.a, "a", heights);

@@ -186,6 +186,9 @@ def random_bodies(rng):
 
 
 class Campaign:
+    """Forgeries of certificates that `read` cuts into parts; `aimed` yields those that aim at one condition, `damaged` makes one."""
+    read, aimed, damaged = unions.Union, staticmethod(aimed), staticmethod(damaged)
+
     def __init__(self, options, folder):
         self.options, self.folder = options, pathlib.Path(folder)
         self.kinds, self.verdicts, self.faults = collections.Counter(), collections.Counter(), []
@@ -231,7 +234,7 @@ class Campaign:
             if answer != (("depth", squared, optima) if squared else ("apart", gap, []) if gap else ("touching", 0, [])):
                 self.fault(f"fathom says {answer}, the definition {squared, optima, gap}", text or "")
             elif seen[answer[0]] < (count if answer[0] == "depth" else count // 5):
-                texts.append(unions.Union(text).text())
+                texts.append(self.read(text).text())
                 seen[answer[0]] += 1
         print(", ".join(f"{n} {claim}" for claim, n in sorted(seen.items())) + " genuine certificates")
         if len(seen) < 3:
@@ -257,14 +260,14 @@ class Campaign:
             if genuine is not None and accepted != genuine:
                 self.fault(f"{kind}: {verdict}", text)
             elif accepted:
-                bodies, claim, numbers, optima = unions.Union(text).statement()
+                bodies, claim, numbers, optima = self.read(text).statement()
                 true = self.truth(bodies)
                 if true is None or (claim, numbers or [Fraction(0)], optima) != (true[0], [true[1]], true[2]):
                     self.fault(f"{kind}: an untrue claim is accepted, {verdict}; the truth is {true}", text)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(campaign=Campaign):
+    parser = argparse.ArgumentParser(description=sys.modules["__main__"].__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--checker", action="append", required=True)
     parser.add_argument("--fathom", required=True)
     parser.add_argument("--count", type=int, default=2000)
@@ -272,15 +275,15 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        campaign = Campaign(options, folder)
-        campaign.judge([(name, text, name.startswith("genuine")) for name, text in aimed()])
+        campaign = campaign(options, folder)
+        campaign.judge([(name, text, name.startswith("genuine")) for name, text in campaign.aimed()])
         aimed_at = sum(campaign.kinds.values())
         texts = campaign.genuine(40, options.seed)
         campaign.judge([("genuine: of fathom", text, True) for text in texts])
         rng, batch = random.Random(options.seed), []
         while len(batch) < options.count:
             text = rng.choice(texts)
-            forged = damaged(text, rng)
+            forged = campaign.damaged(text, rng)
             if forged is not None and forged[1] != text:
                 batch.append((*forged, None))
         for k in range(0, len(batch), forgeries.BATCH):

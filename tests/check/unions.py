@@ -136,7 +136,7 @@ def box_certificate(a, b, q, optima, polytopes, tree):
     c.claim = ["depth", str(q)]
     c.optima = [(list(map(str, t)), [separation(block, t) for block in differences(a, b)]) for t in optima]
     c.polytopes = [block_polytope(i, j) for i, j in polytopes]
-    c.tree = [node.split(" ") for node in tree]
+    c.tree, c.nearest, c.weights_a, c.weights_b = [node.split(" ") for node in tree], [], [], []
     return c
 
 

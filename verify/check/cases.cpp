@@ -225,7 +225,8 @@ const CaseFile::Bodies& CaseFile::find(const Certificate& certificate,
 }
 
 void CaseFile::compare(const Certificate& certificate, bool width, const std::optional<std::string>& result_id) const {
-  if (certificate.format == 5) throw refused(certificate.a.line, "a solid is not what a case holds");
+  for (const Body* const body : {&certificate.a, &certificate.b})
+    if (body->core == Body::Core::solid) throw refused(body->line, "a solid is not what a case holds");
   const Bodies& own = find(certificate, result_id);
   compare_body(certificate.a, own.a, "a");
   if (!width) compare_body(certificate.b, own.b, "b");

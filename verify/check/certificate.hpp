@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A certificate as it was read: nothing in it is believed yet.
-//                                                       [FORMAT.md, sections 2, 3, 12, 13 and 14]
+//                                                           [FORMAT.md, sections 2, 3, 12 to 15]
 #pragma once
 
 #include <gmpxx.h>
@@ -81,14 +81,24 @@ struct Place {
   RationalPoint y;
 };
 
+/// What a mesh encloses, in convex pieces; its points are those of the body.
+struct SolidParts {
+  using Triangle = std::array<std::uint32_t, 3>;
+  Part<std::vector<Triangle>> mesh;
+  Part<Facets> facets;       ///< of all pieces, one after another
+  std::vector<List> pieces;  ///< of facets
+  std::size_t line = 0;      ///< that announces the pieces
+};
+
 /// A core, the radius around it, and what the proof says about the core alone.
 struct Body {
-  enum class Core { points, shape, half_space, pieces, solid };
+  enum class Core { points, shape, half_space, pieces, solid, none };
 
   Core core = Core::points;
   std::size_t line = 0;                     ///< that announces the core
   Part<std::vector<RationalPoint>> points;  ///< of all pieces, one after another, if there are pieces
-  std::vector<List> pieces;
+  std::vector<List> pieces;                 ///< of points, if there are pieces
+  SolidParts solid;
   std::vector<Term> terms;  ///< of a shape
   RationalPoint normal;     ///< of a half-space
   Rational offset;
@@ -120,17 +130,27 @@ struct Nodes {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : ends[k - 1]; }
 };
 
-/// What a certificate of format 3 says besides; its polytopes have `vertices` and `facets`, the
-/// nearest pieces `weights_a` and `weights_b`.
+/// A range of pieces of A times one of B, which is split, or separated by a vector.
+struct Block {
+  enum class Kind { splits_a, splits_b, vector };
+  Kind kind;
+  Vector u;  ///< of a vector
+};
+
+/// What a certificate of format 3, or one of format 5 about two bodies, says besides; its polytopes
+/// have `vertices` and `facets`, the nearest pieces `weights_a` and `weights_b`.
 struct UnionParts {
   Part<std::vector<RationalPoint>> optima;
-  Part<std::vector<Vector>> separations;  ///< of all lists, one after another
+  Part<std::vector<Vector>> separations;  ///< of all lists, one after another; of format 3
+  Part<std::vector<Block>> blocks;        ///< likewise; of format 5
   std::vector<List> separation_lists;     ///< one for each optimum; a single one for other claims
   std::vector<InnerPolytope> polytopes;
   Part<Nodes> tree;
   std::uint32_t nearest_a = 0, nearest_b = 0;  ///< the pieces of the weights
   std::size_t nearest_line = 0;
   mpz_class unit = 1;  ///< the least common multiple of the denominators of all coordinates of optima
+  /// of format 5: what the tree's work adds to; the letters b and e of section 15
+  std::uint64_t work = 0, width_of_claim = 0, width_of_optima = 0;
 };
 
 /// What a certificate of format 4 says besides: a patch for each direction.
@@ -162,14 +182,6 @@ struct PatchParts {
   [[nodiscard]] std::size_t begin_of(std::size_t k) const { return k == 0 ? 0 : corners.items[k - 1].end_b; }
 };
 
-/// What a certificate of format 5 says; its points are those of `a`.
-struct SolidParts {
-  using Triangle = std::array<std::uint32_t, 3>;
-  Part<std::vector<Triangle>> mesh;
-  std::vector<List> pieces;  ///< of facets of the certificate
-  std::size_t line = 0;      ///< that announces the pieces
-};
-
 struct Certificate {
   Arena integers;  ///< where all below lie
   int format = 1;
@@ -189,13 +201,18 @@ struct Certificate {
   Part<std::vector<Pair>> differences;
   UnionParts of_unions;
   PatchParts of_patches;
-  SolidParts of_solid;
   mpz_class fine = 1;   ///< the least common multiple of the denominators of all parameters of inner points
   mpz_class scale = 1;  ///< `fine` times that of the denominators of all coordinates of points and atoms
 };
 
 /// Whether bodies have radii and may be half-spaces, and the signed depth is what is claimed.
 inline bool is_of_bodies(int format) { return format == 2 || format == 4; }
+
+/// Whether it is about two bodies that are solids or unions.                         [section 15]
+inline bool is_of_solids(const Certificate& c) { return c.format == 5 && c.claim != Claim::solid; }
+
+/// Whether the claim is one about unions.
+inline bool is_of_unions(const Certificate& c) { return c.format == 3 || is_of_solids(c); }
 
 inline bool has_half_space(const Certificate& c) {
   return c.a.core == Body::Core::half_space || c.b.core == Body::Core::half_space;

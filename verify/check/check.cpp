@@ -39,8 +39,10 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
                            : v.distance_squared.empty()   ? " depth_squared"
                                                           : " distance_squared";
   std::string line = "s VERIFIED " + v.status;
-  if (v.format == 5) {
-    line += " triangles=" + std::to_string(v.triangles);
+  const std::string triangles = v.triangles.empty() ? "" : " triangles=" + v.triangles;
+  const bool solid = v.status == "solid";
+  if (solid) {
+    line += triangles;
   } else if (v.at_least.empty()) {
     line += what + ("=" + v.depth_squared + v.distance_squared + v.signed_depth);
   } else {
@@ -49,6 +51,7 @@ std::string verdict_line(const Verdict& v, std::string_view name) {
   if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
   if (!v.cone.empty()) line += " cone=" + v.cone;
   if (!v.pieces.empty()) line += " pieces=" + v.pieces;
+  if (!solid) line += triangles;
   if (!v.patches.empty()) line += " patches=" + v.patches;
   if (v.rates > 0) line += " rates=" + std::to_string(v.rates);
   return line + " " + label;

@@ -21,7 +21,7 @@ struct Verdict {
   /// "penetrating", "touching", "disjoint"; "undecided" where signed bounds leave it open; "solid"
   std::string status;
   /// of the certificate: 1 sets depth_squared, 2 and 4 signed_depth, unless it claims bounds; 3 one
-  /// of the squares; 5 none
+  /// of the squares; 5 one of two bodies, none of one solid
   int format = 1;
   std::string depth_squared;      ///< exact, in lowest terms: "1/4"
   std::string distance_squared;   ///< exact, of unions that are apart
@@ -34,8 +34,8 @@ struct Verdict {
   /// claimed
   std::string cone;
 
-  std::string pieces;         ///< of unions: "2x5", of a and of b; of a solid: "5"
-  std::size_t triangles = 0;  ///< of the mesh of a solid
+  std::string pieces;     ///< of unions and of two solids: "2x5", of a and of b; of one solid: "5"
+  std::string triangles;  ///< of the mesh of a solid: "12"; of two bodies "12x24", a union has "-"
   std::string patches;    ///< "4+1": how many corners the contact patch of each direction has; empty if none is claimed
   std::size_t rates = 0;  ///< number of derivatives of the signed depth that are claimed
 

@@ -998,6 +998,7 @@ def verdicts(file, name):
             if c["claim"] == "solid":
                 require, judge = require_solid_limits, check_solid
             require(c)
+            c["complete"] = True
             yield 0, f"s VERIFIED {judge(c)} {c['id'] or name}"
             reader.advance()
         except Refused as error:
@@ -1005,9 +1006,9 @@ def verdicts(file, name):
             reader.advance()
         except (Malformed, MemoryError) as error:
             yield 2, f"s MALFORMED {c['id'] or name}:{reader.number}: {error or 'out of memory'}{place(c, name)}"
-            if reader.number == first:
+            if reader.number == first or "complete" in c:
                 reader.step()
-            while reader.line is not None and not reader.line.startswith("fathom-certificate"):
+            while "complete" not in c and reader.line is not None and not reader.line.startswith("fathom-certificate"):
                 reader.step()
 
 

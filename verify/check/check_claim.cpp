@@ -45,8 +45,9 @@ void check_counts(const Certificate& c) {
 }  // namespace
 
 void check_claim(const Certificate& c, Arithmetic arithmetic) {
-  if (c.format == 5) return check_solid(c);
+  if (c.claim == Claim::solid) return check_solid(c.a);
   check_numbers(c);
+  if (is_of_solids(c)) return check_two_bodies(c, of_cores(c, c.low));
   if (c.format != 3) check_counts(c);
   const Scaled bodies = scaled(c, arithmetic);
   const Bound low = of_cores(c, c.low);

@@ -62,15 +62,18 @@ class Done {
 // Without recursion: a tree may be as deep as it has nodes.
 class Tree {
  public:
-  Tree(const Certificate& certificate, const std::vector<Plane>& facets, const Bound& squared)
+  Tree(const Certificate& certificate, const std::vector<Plane>& facets, const Bound& squared, WorkOfTree* work)
       : polytopes_(&certificate.of_unions.polytopes),
         part_(&certificate.of_unions.tree),
         nodes_(&part_->items),
         facets_(&facets),
+        work_(work),
         done_(certificate, squared),
         listed_by_(facets.size()) {}
 
   void check() {
+    if (work_)
+      for (const Plane& plane : *facets_) work_->take(0, width(plane));
     if (nodes_->size() == 0) throw refused(part_->line, "a tree has a root");
     find_open_facets();
     for (std::size_t node = 0; node < nodes_->size(); ++node) {
@@ -98,6 +101,11 @@ class Tree {
   [[nodiscard]] std::size_t facet(std::size_t node, std::size_t child) const {
     const std::uint32_t* const indices = nodes_->indices.data() + nodes_->begin_of(node);
     return first_facet(indices[0]) + indices[1 + child];
+  }
+
+  /// How many digits the numbers of a plane have.
+  static std::size_t width(const Plane& plane) {
+    return std::max({bits(plane.normal.x), bits(plane.normal.y), bits(plane.normal.z), bits(plane.c)});
   }
 
   // So that a split takes no longer than it has children.
@@ -144,16 +152,19 @@ class Tree {
     const std::size_t line = part_->lines[node], begin = nodes_->begin_of(node), count = nodes_->ends[node] - begin;
     if (count > most_constraints) throw refused(line, "a leaf has at most four constraints");
     std::vector<Constraint> constraints;
+    std::size_t widest = 0;
     for (std::size_t k = begin; k < nodes_->ends[node]; ++k) {
       if (nodes_->indices[k] >= path_.size()) throw refused(line, "the path has no constraint of this number");
       const Side side = path_[nodes_->indices[k]];
       const Plane& plane = (*facets_)[side.facet];
+      widest = std::max(widest, width(plane));
       if (side.beyond) {
         constraints.push_back({copied(plane.normal), plane.c.value()});
       } else {
         constraints.push_back({negated(plane.normal), -plane.c.value()});
       }
     }
+    if (work_ && count > 0) work_->take(count, widest);
     const std::optional<Constraint> sum = combined(constraints);
     if (!sum) throw refused(line, "these constraints have no multipliers that are not negative");
     if (!done_(sum->n, sum->c)) throw refused(line, "these constraints leave a place that is nearer, or not listed");
@@ -163,6 +174,7 @@ class Tree {
   const Part<Nodes>* part_;
   const Nodes* nodes_;
   const std::vector<Plane>* facets_;  ///< of all polytopes, one after another
+  WorkOfTree* work_;
   Done done_;
   std::vector<std::size_t> open_;       ///< for each polytope, how many of its facets are not done
   std::vector<bool> is_open_;           ///< for each facet
@@ -173,8 +185,9 @@ class Tree {
 
 }  // namespace
 
-void check_tree(const Certificate& certificate, const std::vector<Plane>& facets, const Bound& squared) {
-  Tree(certificate, facets, squared).check();
+void check_tree(const Certificate& certificate, const std::vector<Plane>& facets, const Bound& squared,
+                WorkOfTree* work) {
+  Tree(certificate, facets, squared, work).check();
 }
 
 }  // namespace fathom_check

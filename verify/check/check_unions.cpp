@@ -8,34 +8,16 @@
 namespace fathom_check {
 namespace {
 
-/// Whether some four of these points do not lie in one plane.
-bool has_interior(const Points& points) {
-  MutableVector edge, other, normal;
-  mpz_class height;
-  for (const Vector& p : points) {
-    subtract(other, p, points[0]);
-    if (is_zero(edge)) {
-      std::swap(edge, other);
-    } else if (is_zero(normal)) {
-      cross(normal, edge, other);
-    } else {
-      dot(height, normal, other);
-      if (height != 0) return true;
-    }
-  }
-  return false;
-}
-
 void check_pieces(const Body& body, const ScaledBody& scaled) {
   for (std::size_t k = 0; k < body.pieces.size(); ++k)
-    if (!has_interior(piece(body, scaled, k)))
+    if (const Points points = piece(body, scaled, k); !has_interior(points.begin(), points.end()))
       throw refused(body.pieces[k].line, "the points of this piece lie in one plane");
 }
 
 class Separations {
  public:
   Separations(const Certificate& certificate, const Scaled& bodies, const Bound& low)
-      : c_(&certificate), bodies_(&bodies), low_(&low) {}
+      : c_(&certificate), bodies_(&bodies), separation_(certificate, low) {}
 
   /// The list of this number, for the place t / den.
   void check(std::size_t list, const MutableVector& t, const mpz_class& den) {
@@ -45,11 +27,9 @@ class Separations {
     if (count != m * n)
       throw refused(parts.separation_lists[list].line, "there is not one separation for each pair of pieces");
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t line = parts.separations.lines[first + k];
       const Vector& u = parts.separations.items[first + k];
-      if (is_zero(u)) throw refused(line, "a direction that is zero proves nothing");
       find_height(u, k / n, k % n);
-      c_->claim == Claim::apart ? check_gap(u, line) : check_side(u, t, den, line);
+      separation_.check(u, height_, 1, t, den, parts.separations.lines[first + k]);
     }
   }
 
@@ -61,26 +41,10 @@ class Separations {
     height_ += of_a_;
   }
 
-  void check_side(const Vector& u, const MutableVector& t, const mpz_class& den, std::size_t line) {
-    dot(reached_, u, t);
-    reached_ *= c_->scale;
-    height_ *= den;
-    if (reached_ < height_) throw refused(line, "this direction does not separate the two pieces");
-  }
-
-  void check_gap(const Vector& u, std::size_t line) {
-    if (height_ >= 0) throw refused(line, "this direction does not separate the two pieces");
-    dot(reached_, u, u);
-    reached_ *= low_->num;  // which is negative
-    height_ *= height_;
-    height_ *= low_->den;
-    if (height_ < -reached_) throw refused(line, "the two pieces may be nearer to each other than claimed");
-  }
-
   const Certificate* c_;
   const Scaled* bodies_;
-  const Bound* low_;
-  mpz_class height_, of_a_, reached_, scratch_;
+  Separation separation_;
+  mpz_class height_, of_a_, scratch_;
 };
 
 bool below(const Rational& r, const Rational& s) {
@@ -99,10 +63,28 @@ Points piece(const Body& body, const ScaledBody& scaled, std::size_t number) {
   return {scaled.points, scaled.words, begin_of(body.pieces, number), body.pieces[number].end};
 }
 
-void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squared) {
+void Separation::check(const Vector& u, const mpz_class& num, const mpz_class& den, const MutableVector& t,
+                       const mpz_class& den_t, std::size_t line) {
+  if (is_zero(u)) throw refused(line, "a direction that is zero proves nothing");
+  const bool gap = c_->claim == Claim::apart;
+  if (gap) {
+    dot(reached_, u, u);
+    reached_ *= low_->num;  // which is negative
+    reached_ *= den * den;
+    needed_ = num * num;
+    needed_ *= low_->den;
+  } else {
+    dot(reached_, u, t);
+    reached_ *= c_->scale * den;
+    needed_ = num * den_t;
+  }
+  if (gap ? num >= 0 : reached_ < needed_) throw refused(line, "this direction does not separate the two pieces");
+  if (gap && needed_ < -reached_) throw refused(line, "the two pieces may be nearer to each other than claimed");
+}
+
+void check_optima(const Certificate& c, const CheckApart& check_apart) {
   const Part<std::vector<RationalPoint>>& optima = c.of_unions.optima;
   if (optima.items.empty()) throw refused(optima.line, "there is no optimum");
-  Separations separations(c, bodies, squared);
   mpz_class reached;
   for (std::size_t k = 0; k < optima.items.size(); ++k) {
     const RationalPoint& p = optima.items[k];
@@ -112,7 +94,7 @@ void check_optima(const Certificate& c, const Scaled& bodies, const Bound& squar
     dot(reached, t, t);
     if (reached * c.low.den.value() != c.low.num.value() * den * den)
       throw refused(optima.lines[k], "the length of this translation is not the depth");
-    separations.check(k, t, den);
+    check_apart(k, t, den);
   }
 }
 
@@ -121,7 +103,10 @@ void check_unions(const Certificate& c, const Scaled& bodies, const Bound& low) 
   check_pieces(c.b, bodies.b);
   const UnionParts& parts = c.of_unions;
   if (c.claim == Claim::depth) {
-    check_optima(c, bodies, low);
+    Separations separations(c, bodies, low);
+    check_optima(c, [&separations](std::size_t optimum, const MutableVector& t, const mpz_class& den) {
+      separations.check(optimum, t, den);
+    });
     Arena integers;
     check_tree(c, check_polytopes(c, bodies, integers), low);
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The checks of FORMAT.md, sections 4, 12, 13 and 14. Each returns if all is proved and throws a
+// The checks of FORMAT.md, sections 4 and 12 to 15. Each returns if all is proved and throws a
 // Fault otherwise.
 #pragma once
 
@@ -72,11 +72,12 @@ void check_cone(const Certificate& certificate, const Scaled& bodies);
 /// Section 13: each patch is the hull of its corners, and the rates follow.
 void check_patches(const Certificate& certificate, const Scaled& bodies);
 
-/// Section 14: the numbers of the points that the facets of this piece name, ascending, each once.
-std::vector<std::uint32_t> corners_of_piece(const Certificate& certificate, std::size_t piece);
+/// Section 14: the pieces of this solid tile what its mesh encloses.
+void check_solid(const Body& body);
 
-/// Section 14: the pieces tile what the mesh encloses.
-void check_solid(const Certificate& certificate);
+/// Section 15, once it is known that the number of the claim is positive. `low` is that of the
+/// claim, negative if they are apart.
+void check_two_bodies(const Certificate& certificate, const Bound& low);
 
 /// Section 12, once it is known that the number of the claim is positive.
 void check_unions(const Certificate& certificate, const Scaled& bodies, const Bound& low);

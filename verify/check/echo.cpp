@@ -36,7 +36,12 @@ void core(std::ostream& out, const char* name, const Body& body) {
     case Body::Core::half_space:
       out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n';
       return;
-    case Body::Core::solid: return;
+    case Body::Core::none: return;
+    case Body::Core::solid:
+      points(out, (std::string("solid_") + name).c_str(), body, 0, body.points.items.size());
+      out << "c mesh " << body.solid.mesh.items.size() << '\n';
+      for (const auto& [i, j, k] : body.solid.mesh.items) out << "c " << i << ' ' << j << ' ' << k << '\n';
+      return;
     case Body::Core::pieces:
       out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
       for (std::size_t k = 0; k < body.pieces.size(); ++k)
@@ -83,11 +88,6 @@ void patches(std::ostream& out, const Certificate& c) {
 std::string echo(const Certificate& c) {
   std::ostringstream out;
   if (!c.id.empty()) out << "c id " << c.id << '\n';
-  if (c.format == 5) {
-    points(out, "solid_a", c.a, 0, c.a.points.items.size());
-    out << "c mesh " << c.of_solid.mesh.items.size() << '\n';
-    for (const auto& [i, j, k] : c.of_solid.mesh.items) out << "c " << i << ' ' << j << ' ' << k << '\n';
-  }
   for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
     core(out, name, *body);
     if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';

@@ -3,65 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
-#include "budget.hpp"
-#include "checks.hpp"
 #include "combine.hpp"
-#include "scaled.hpp"
-#include "vectors.hpp"
+#include "counts.hpp"
 
 namespace fathom_check {
 namespace {
-
-using Count = std::uint64_t;
-
-/// No amount of work is counted above this.
-constexpr Count too_much = std::numeric_limits<Count>::max() / 2;
-
-Count sum(Count s, Count t) { return std::min(too_much, std::min(too_much, s) + std::min(too_much, t)); }
-Count product(Count s, Count t) { return s != 0 && t > too_much / s ? too_much : s * t; }
-
-/// How wide numbers become over their common denominator, if `vectors` of them are kept.
-class Width {
- public:
-  Width(Count vectors, std::size_t line, const Limits& limits)
-      : vectors_(vectors), line_(line), largest_(limits.size) {}
-
-  void take(const Rational& r) {
-    numerator_ = std::max(numerator_, bits(r.num));
-    const mpz_srcptr common = denominator_.get_mpz_t(), den = r.den.get_mpz_t();
-    const bool words = bits(common) <= 63 && bits(den) <= 63;
-    if (words ? to_word(common) % to_word(den) == 0 : mpz_divisible_p(common, den) != 0) return;
-    mpz_lcm(denominator_.get_mpz_t(), denominator_.get_mpz_t(), r.den.get_mpz_t());
-    if (vectors_ * bits(denominator_) > largest_) throw too_large();
-  }
-  [[nodiscard]] Count value() const { return bits(denominator_) + numerator_; }
-  [[nodiscard]] const mpz_class& denominator() const { return denominator_; }
-
-  [[nodiscard]] Fault too_large() const {
-    return malformed(line_, "a certificate larger than the limit, " + std::to_string(largest_) + " in its size");
-  }
-
- private:
-  Count vectors_, numerator_ = 0;
-  std::size_t line_;
-  std::uint64_t largest_;
-  mpz_class denominator_ = 1;
-};
-
-/// What a product of numbers of these sizes takes.
-Count cost(Count s, Count t) {
-  constexpr Count fixed = 256, linear_from = 4'000;
-  return product(fixed + std::max(s, t), fixed + std::min({s, t, linear_from}));
-}
-
-Count widest(const Vector& n) { return std::max({bits(n.x), bits(n.y), bits(n.z)}); }
-Count widest(const Part<std::vector<Vector>>& vectors) {
-  Count result = 0;
-  for (const Vector& n : vectors.items) result = std::max(result, widest(n));
-  return result;
-}
 
 Count width_of_claim(const Certificate& c) {
   if (!is_of_bodies(c.format)) {
@@ -94,11 +41,6 @@ void for_each_coordinate(const Body& body, const Take& take) {
   for (const Term& term : body.terms)
     for (const Atom& atom : term)
       for (const RationalPoint& vector : atom) take_point(vector);
-}
-
-void require_work(Count work, std::size_t line, const Limits& limits) {
-  if (work > limits.work)
-    throw malformed(line, "a certificate of more work than the limit, " + std::to_string(limits.work));
 }
 
 /// How many leaves there are with 0, 1, .. 4 constraints. Others are refused when they are met.
@@ -181,31 +123,12 @@ void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& li
   c.of_unions.unit = of_optima.denominator();
 }
 
-// The letters are those of section 14.
-void require_limits_of_solid(const Certificate& c, std::size_t line, const Limits& limits) {
-  const Count n = c.a.points.items.size(), f = c.of_solid.mesh.items.size(), corners = c.facets.items.corners.size();
-  Count h = 0, s = 0;
-  for (const RationalPoint& point : c.a.points.items) {
-    const auto [p, d] = homogeneous(point);
-    h = std::max<Count>(h, bits(d) + std::max({bits(p.x), bits(p.y), bits(p.z)}));
-  }
-  const std::vector<List>& pieces = c.of_solid.pieces;
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const std::vector<std::uint32_t> named = corners_of_piece(c, k);
-    const auto there = std::lower_bound(named.begin(), named.end(), n) - named.begin();
-    s = sum(s, product(pieces[k].end - begin_of(pieces, k), static_cast<Count>(there)));
-  }
-  if (product(n + 10 * f + 4 * corners, h) > limits.size) throw Width(0, line, limits).too_large();
-  const Count work = product(3 * (3 * f + corners), cost(4 * h, 4 * h));
-  require_work(sum(work, product(s, cost(5 * h, h))), line, limits);
-}
-
 }  // namespace
 
 // The letters are those of section 8.
 void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   if (c.format == 3) return require_limits_of_unions(c, line, limits);
-  if (c.format == 5) return require_limits_of_solid(c, line, limits);
+  if (c.format == 5) return require_limits_of_solids(c, line, limits);
   Count n = 0;
   for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
   n /= 3;

@@ -20,8 +20,25 @@ struct Limits {
   std::uint64_t size = 4'000'000'000, work = 100'000'000'000'000;
 };
 
-/// Sets the common denominator of the points. Throws Fault (malformed, on `line`) if the
+/// Sets the common denominators of the points and the optima. Throws Fault (malformed, on `line`) if the
 /// certificate is too large, or too much work.
 void require_limits(Certificate& certificate, std::size_t line, const Limits& limits);
+
+/// The same for format 5, sections 14 and 15; for two bodies the work of the tree is left.
+void require_limits_of_solids(Certificate& certificate, std::size_t line, const Limits& limits);
+
+/// The work of a tree of format 5, which is known when its planes are.
+class WorkOfTree {
+ public:
+  explicit WorkOfTree(const UnionParts& parts) : parts_(&parts), total_(parts.work) {}
+
+  /// Takes a leaf with this number of constraints, or with 0 a facet, the numbers of whose planes
+  /// have at most this many digits. Throws Fault (malformed) if it is too much work.
+  void take(std::size_t constraints, std::size_t digits);
+
+ private:
+  const UnionParts* parts_;
+  std::uint64_t total_;
+};
 
 }  // namespace fathom_check

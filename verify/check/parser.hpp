@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From lines to a certificate: the grammar of FORMAT.md, sections 2, 12 and 13, and nothing
+// From lines to a certificate: the grammar of FORMAT.md, sections 2 and 12 to 15, and nothing
 // more lenient.
 #pragma once
 
@@ -67,13 +67,15 @@ class Parser {
   void read_proof(Certificate& result);
   void read_convex(Certificate& result);
   void read_unions(Certificate& result);
+  void read_proof_of_unions(Certificate& result);
   void read_pieces(Body& body, const std::string& name);
-  void read_separations(UnionParts& parts);
-  void read_optima(UnionParts& parts);
+  void read_apart(Certificate& result);
+  void read_optima(Certificate& result);
   void read_polytopes(Certificate& result);
   void read_tree(Part<Nodes>& part);
   void read_nearest(Certificate& result);
-  void read_solid(Certificate& result);
+  void read_solids(Certificate& result);
+  void read_solid(Body& body, const std::string& name);
   void read_patches(PatchParts& parts);
   void read_corner(PatchParts& parts);
   std::size_t read_weights_of_corner(std::vector<Weight>& weights, std::size_t first);

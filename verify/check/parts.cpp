@@ -46,7 +46,7 @@ void Parser::read(Certificate& result) {
   switch (result.format) {
     case 3: read_unions(result); break;
     case 4: read_convex(result), read_patches(result.of_patches); break;
-    case 5: read_solid(result); break;
+    case 5: read_solids(result); break;
     default: read_convex(result);
   }
   read_footer(result);
@@ -88,26 +88,6 @@ std::size_t Parser::header(const std::string& word, const char* number, std::siz
 
 RationalPoint Parser::point(std::size_t first) const {
   return {rational(fields_[first]), rational(fields_[first + 1]), rational(fields_[first + 2])};
-}
-
-void Parser::read_solid(Certificate& result) {
-  result.a.core = result.b.core = Body::Core::solid;
-  result.a.line = lines_->number();
-  read_rows(result.a.points, header("solid_a", "the number of its points"), 3, "a point: three rational numbers",
-            [this](auto& points) { points.push_back(point(0)); });
-  SolidParts& parts = result.of_solid;
-  read_rows(parts.mesh, header("mesh", "the number of its triangles"), 3, "a triangle: three indices of points",
-            [this](auto& mesh) {
-              mesh.push_back({index_number(fields_[0]), index_number(fields_[1]), index_number(fields_[2])});
-            });
-  parts.line = lines_->number();
-  std::size_t left = header("pieces");
-  for (advance(); left > 0; --left) {
-    count_numbers(1);
-    read_facets(result.facets, "piece");
-    parts.pieces.push_back({result.facets.items.size(), result.facets.line});
-  }
-  read_claim(result);
 }
 
 void Parser::read_body(Body& body, const std::string& name, int format) {
@@ -168,14 +148,14 @@ void Parser::read_claim(Certificate& result) {
   if (result.format == 1) expected = "'claim depth Q', 'claim bounds LO HI', 'claim touching' or 'claim disjoint'";
   if (shapes) expected = "'claim signed_bounds LO HI'";
   if (result.format > 2) expected = "'claim depth Q', 'claim touching' or 'claim apart Q'";
-  if (result.format == 5) expected = "'claim solid'";
+  if (result.claim == Claim::solid) expected = "'claim solid'";
   require_line(expected);
   result.claim_line = lines_->number();
   if (fields_.size() < 2 || fields_[0] != "claim") throw wrong(expected);
   const auto is = [&](std::string_view word, std::size_t numbers, bool there) {
     return there && fields_[1] == word && fields_.size() == 2 + numbers;
   };
-  const bool first = result.format == 1, second = result.format == 2, solid = result.format == 5;
+  const bool first = result.format == 1, second = result.format == 2, solid = result.claim == Claim::solid;
   if (is("solid", 0, solid)) {
     result.claim = Claim::solid;
   } else if (is("depth", 1, !shapes && !solid)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser's parts of unions. Each begins on the line at hand; when it has been read, the line
+// The parser's parts of unions and solids. Each begins on the line at hand; when it has been read, the line
 // behind it is at hand.
+#include <utility>
+
 #include "parser.hpp"
 
 namespace fathom_check {
@@ -8,14 +10,51 @@ namespace fathom_check {
 void Parser::read_unions(Certificate& result) {
   read_pieces(result.a, "a");
   read_pieces(result.b, "b");
+  read_proof_of_unions(result);
+}
+
+void Parser::read_proof_of_unions(Certificate& result) {
   read_claim(result);
   if (result.claim == Claim::depth) {
-    read_optima(result.of_unions);
+    read_optima(result);
     read_polytopes(result);
     read_tree(result.of_unions.tree);
   } else {
-    read_separations(result.of_unions);
+    read_apart(result);
     read_nearest(result);
+  }
+}
+
+/// One solid, or two bodies that are solids or unions.
+void Parser::read_solids(Certificate& result) {
+  for (const auto& [name, body] : {std::pair{"a", &result.a}, std::pair{"b", &result.b}}) {
+    if (at(std::string("pieces_") + name)) read_pieces(*body, name);
+    else read_solid(*body, name);
+    const bool is_all = body == &result.a && body->core == Body::Core::solid && at("claim");
+    if (!is_all) continue;
+    result.b.core = Body::Core::none;
+    result.claim = Claim::solid;
+    return read_claim(result);
+  }
+  read_proof_of_unions(result);
+}
+
+void Parser::read_solid(Body& body, const std::string& name) {
+  body.core = Body::Core::solid;
+  body.line = lines_->number();
+  read_rows(body.points, header("solid_" + name, "the number of its points"), 3, "a point: three rational numbers",
+            [this](auto& points) { points.push_back(point(0)); });
+  SolidParts& parts = body.solid;
+  read_rows(parts.mesh, header("mesh", "the number of its triangles"), 3, "a triangle: three indices of points",
+            [this](auto& mesh) {
+              mesh.push_back({index_number(fields_[0]), index_number(fields_[1]), index_number(fields_[2])});
+            });
+  parts.line = lines_->number();
+  std::size_t left = header("pieces");
+  for (advance(); left > 0; --left) {
+    count_numbers(1);
+    read_facets(parts.facets, "piece");
+    parts.pieces.push_back({parts.facets.items.size(), parts.facets.line});
   }
 }
 
@@ -31,14 +70,35 @@ void Parser::read_pieces(Body& body, const std::string& name) {
   }
 }
 
-void Parser::read_separations(UnionParts& parts) {
+/// What shows that a translation is not in the interior of any difference of pieces.
+void Parser::read_apart(Certificate& result) {
+  UnionParts& parts = result.of_unions;
   const std::size_t line = lines_->number();
-  read_vectors(parts.separations, header("separations"));
-  parts.separation_lists.push_back({parts.separations.items.size(), line});
+  if (result.format == 3) {
+    read_vectors(parts.separations, header("separations"));
+    parts.separation_lists.push_back({parts.separations.items.size(), line});
+    return;
+  }
+  constexpr const char* expected = "a block: 'a', 'b' or three integers";
+  for (std::size_t left = header("apart", "the number of its blocks"); left > 0; --left) {
+    next(expected);
+    Block block{fields_[0] == "a" ? Block::Kind::splits_a : Block::Kind::splits_b, {}};
+    if (fields_.size() > 1 || (fields_[0] != "a" && fields_[0] != "b")) {
+      demand(3, expected);
+      block = {Block::Kind::vector,
+               {integer(fields_[0], expected), integer(fields_[1], expected), integer(fields_[2], expected)}};
+    }
+    count_numbers(fields_.size());
+    parts.blocks.items.push_back(block);
+    parts.blocks.lines.push_back(lines_->number());
+  }
+  advance();
+  parts.separation_lists.push_back({parts.blocks.items.size(), line});
 }
 
-void Parser::read_optima(UnionParts& parts) {
+void Parser::read_optima(Certificate& result) {
   constexpr const char* expected = "'optimum' and a translation: three rational numbers";
+  UnionParts& parts = result.of_unions;
   parts.optima.line = lines_->number();
   std::size_t left = header("optima");
   for (advance(); left > 0; --left) {
@@ -49,7 +109,7 @@ void Parser::read_optima(UnionParts& parts) {
     parts.optima.lines.push_back(lines_->number());
     count_numbers(3);
     advance();
-    read_separations(parts);
+    read_apart(result);
   }
 }
 

@@ -34,12 +34,18 @@ Verdict verified(const Certificate& c) {
   Verdict verdict;
   verdict.status = status(c);
   verdict.format = c.format;
-  if (c.format == 5) {
-    verdict.triangles = c.of_solid.mesh.items.size();
-    verdict.pieces = std::to_string(c.of_solid.pieces.size());
-  } else if (c.format == 3) {
-    const auto pieces = [](const Body& body) { return std::to_string(body.pieces.size()); };
+  const auto pieces = [](const Body& body) {
+    return std::to_string(body.core == Body::Core::solid ? body.solid.pieces.size() : body.pieces.size());
+  };
+  const auto triangles = [](const Body& body) {
+    return body.core == Body::Core::solid ? std::to_string(body.solid.mesh.items.size()) : "-";
+  };
+  if (c.claim == Claim::solid) {
+    verdict.triangles = triangles(c.a);
+    verdict.pieces = pieces(c.a);
+  } else if (is_of_unions(c)) {
     verdict.pieces = pieces(c.a) + "x" + pieces(c.b);
+    if (c.format == 5) verdict.triangles = triangles(c.a) + "x" + triangles(c.b);
     (c.claim == Claim::apart ? verdict.distance_squared : verdict.depth_squared) = text(c.low);
     verdict.optima = c.of_unions.optima.items.size();
   } else if (c.claim == Claim::bounds || c.claim == Claim::signed_bounds) {

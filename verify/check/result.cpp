@@ -149,7 +149,7 @@ bool is_depth(const std::optional<mpq_class>& square, const Certificate& c) {
 /// that are disjoint, null or its square.
 bool is_distance(const std::optional<mpq_class>& square, const Certificate& c) {
   if (std::string_view(status(c)) != "disjoint") return false;
-  return c.format == 3 ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
+  return is_of_unions(c) ? square && *square == value(c.low) : !square || is_square_of_signed_depth(*square, c);
 }
 
 /// `disjoint` proves that the signed depth is negative, and nothing else.
@@ -180,7 +180,7 @@ void compare(const Result& result, const Certificate& c) {
   const auto demand = [&c](bool right, const char* fault) {
     if (!right) throw refused(c.claim_line, fault);
   };
-  demand(c.format != 5, "a solid is no result");
+  demand(c.claim != Claim::solid, "a solid is no result");
   demand(!result.id || c.id.empty() || unescaped(c.id) == *result.id,
          "the result's id is another than the certificate's");
   demand(!result.status || *result.status == status(c), "the result's status is another than the certificate's");
@@ -189,7 +189,7 @@ void compare(const Result& result, const Certificate& c) {
            "distance not proved: 'disjoint' says that there is one, not how long it is");
   for (const Result::Square& distance : result.distances)
     demand(is_distance(distance.value, c), "the result's distance is another than the certificate's");
-  if (c.format == 3) {
+  if (is_of_unions(c)) {
     demand(!result.depth || result.depth->value == (c.claim == Claim::depth ? value(c.low) : 0),
            "the result's depth is another than the certificate's");
     demand(!result.bound && !result.signed_depth,

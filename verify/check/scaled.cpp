@@ -26,7 +26,8 @@ class Scaling {
         break;
       case Body::Core::shape: make_shape(body, result); break;
       case Body::Core::half_space: make_half_space(body, result); break;
-      case Body::Core::solid: break;
+      case Body::Core::solid:
+      case Body::Core::none: break;
     }
     return result;
   }
@@ -123,6 +124,21 @@ Homogeneous homogeneous(const RationalPoint& p) {
   const mpz_class w = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
   const auto over = [&w](const Rational& r) { return mpz_class(w / r.den.value() * r.num.value()); };
   return {{over(p.x), over(p.y), over(p.z)}, w};
+}
+
+std::vector<Homogeneous> homogeneous(const Body& body) {
+  std::vector<Homogeneous> result;
+  result.reserve(body.points.items.size());
+  for (const RationalPoint& p : body.points.items) result.push_back(homogeneous(p));
+  return result;
+}
+
+void subtract(MutableVector& difference, const Homogeneous& to, const Homogeneous& from) {
+  const auto entry = [&](mpz_class& result, const mpz_class& x, const mpz_class& y) {
+    mpz_mul(result.get_mpz_t(), y.get_mpz_t(), from.w.get_mpz_t());
+    mpz_submul(result.get_mpz_t(), x.get_mpz_t(), to.w.get_mpz_t());
+  };
+  entry(difference.x, from.x.x, to.x.x), entry(difference.y, from.x.y, to.x.y), entry(difference.z, from.x.z, to.x.z);
 }
 
 Scaled scaled(const Certificate& certificate, Arithmetic arithmetic) {

@@ -18,6 +18,10 @@ struct Homogeneous {
   mpz_class w;  ///< positive, the least there is
 };
 Homogeneous homogeneous(const RationalPoint& p);
+std::vector<Homogeneous> homogeneous(const Body& body);
+
+/// Finds a positive multiple of `to` - `from`: the difference times both denominators.
+void subtract(MutableVector& difference, const Homogeneous& to, const Homogeneous& from);
 
 /// In units of 1 / certificate.scale.
 struct ScaledBody {

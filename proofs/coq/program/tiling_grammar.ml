@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* The grammar of format 5 (verify/check/FORMAT.md, section 14): from lines to a certificate as it stands there. *)
+(* The grammar of format 5 about one solid (verify/check/FORMAT.md, section 14): from lines to a certificate as it stands there. *)
 open Lines
 open Grammar
 
@@ -20,9 +20,17 @@ let triangle f =
   let j = natural f in blank f;
   ((i, j), natural f)
 
+(* section 15 is about two bodies, of which nothing is proved here *)
+let only_one r word =
+  match r.text with
+  | Whole s when has_prefix word s ->
+    raise (Malformed (r.number, "a certificate about two bodies, which are solids or unions, is not read by this checker: use fathom-check"))
+  | _ -> ()
+
 let certificate r name =
   advance r;
   name_of r name;
+  only_one r "pieces_a ";
   let points = counted r "solid_a" "three rationals: a point" point in
   let mesh = part r "mesh" "three numbers: a triangle" triangle in
   advance r;
@@ -36,6 +44,8 @@ let certificate r name =
     incr got
   done;
   advance r;
+  only_one r "solid_b ";
+  only_one r "pieces_b ";
   words_of r "claim solid" "claim solid" ignore;
   let claim_line = r.number in
   let size p = Array.length p.items in
