@@ -51,10 +51,11 @@ std::optional<Fault> for_each_vector(
     }
     PieceRange& split = block.kind == Block::Kind::splits_a ? ranges.a : ranges.b;
     if (split.size() < 2) return refused(parts.blocks.lines[k], "fewer than two pieces cannot be split");
-    const std::size_t middle = (split.first + split.last) / 2, last = split.last;
-    split = {middle, last};
+    const PieceRange whole = split;
+    const std::size_t middle = (whole.first + whole.last) / 2;
+    split = {middle, whole.last};
     left.push_back(ranges);
-    split.last = middle, split.first = middle - (last - middle);
+    split = {whole.first, middle};
     left.push_back(ranges);
   }
   if (!left.empty()) return refused(blocks.line, "a block of this tree is missing");
