@@ -10,6 +10,7 @@
 #include "fathom/certificate.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
+#include "reference/certificate/certificate.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/rounded/coordinates.hpp"
 
@@ -220,7 +221,7 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
           [&](const SignedDepth& shapes) {
             return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest, monitor);
           },
-          [&](const UnionDepth& unions) { return certificate_text(pieces_of(a), pieces_of(b), unions, id, monitor); }},
+          [&](const UnionDepth& unions) { return certificate::union_text(a, b, unions, id, monitor); }},
       answer.found);
 }
 

@@ -176,8 +176,7 @@ class Check {
 
 template <class P>
 void write_head(Writer& out, std::size_t format, std::string_view id, std::span<const P> a, std::span<const P> b) {
-  out.word("fathom-certificate").word(format).end();
-  if (!id.empty()) out.word("id").word(escaped(id)).end();
+  write_header(out, format, id);
   write_points(out, "a", a);
   write_points(out, "b", b);
 }
@@ -200,13 +199,6 @@ std::size_t likely_size(std::size_t points, const InnerPolytope* inner) {
   return 500 + 120 * points + (inner != nullptr ? 8 * inner->vertices.size() + 24 * inner->facets.size() : 0);
 }
 
-// The last line counts what came before.
-void write_end(Writer& out, const std::array<std::size_t, 5>& counts) {
-  out.word("end");
-  for (const std::size_t n : counts) out.word(n);
-  out.end();
-}
-
 // The text of an answer that brings its proof along.
 template <class P>
 std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<const P> b, const Penetration& answer) {
@@ -217,7 +209,7 @@ std::string text_of_depth(std::string_view id, std::span<const P> a, std::span<c
   out.word("directions").word(answer.optima.size()).word(answer.unlisted == 0 ? "all" : "some").end();
   for (const Optimum& optimum : answer.optima) out.words(optimum.direction).end();
   write_inner(out, inner);
-  write_end(out, {a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});
+  write_end(out, std::array{a.size(), b.size(), answer.optima.size(), inner.vertices.size(), inner.facets.size()});
   return out.take();
 }
 
@@ -232,6 +224,17 @@ kernels::Report validate(const Certificate& certificate) { return Check(certific
 
 void contradiction(const char* what) {
   throw std::logic_error(std::string("the certificate contradicts the answer: ") + what);
+}
+
+void write_header(Writer& out, std::size_t format, std::string_view id) {
+  out.word("fathom-certificate").word(format).end();
+  if (!id.empty()) out.word("id").word(escaped(id)).end();
+}
+
+void write_end(Writer& out, std::span<const std::size_t> counts) {
+  out.word("end");
+  for (const std::size_t n : counts) out.word(n);
+  out.end();
 }
 
 void write_inner(Writer& out, const InnerPolytope& inner) {
@@ -316,9 +319,10 @@ std::string certificate_text(const Certificate& certificate) {
     certificate::write_weights(out, "weights_a", certificate.weights_a);
     certificate::write_weights(out, "weights_b", certificate.weights_b);
   }
-  certificate::write_end(out, {certificate.a.size(), certificate.b.size(), certificate.directions.size(),
-                               inner ? certificate.inner.vertices.size() : certificate.weights_a.size(),
-                               inner ? certificate.inner.facets.size() : certificate.weights_b.size()});
+  const std::array counts = {certificate.a.size(), certificate.b.size(), certificate.directions.size(),
+                             inner ? certificate.inner.vertices.size() : certificate.weights_a.size(),
+                             inner ? certificate.inner.facets.size() : certificate.weights_b.size()};
+  certificate::write_end(out, counts);
   return out.take();
 }
 

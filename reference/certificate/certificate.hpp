@@ -176,7 +176,20 @@ std::vector<Point> points_of(const Shape& shape);
 /// Throws std::logic_error: an answer and its proof do not agree.
 [[noreturn]] void contradiction(const char* what);
 
-// The parts that both formats have.
+// The parts that several formats have.
+
+/// The first lines: the format, and the id if there is one. The last line: all counts.
+void write_header(Writer& out, std::size_t format, std::string_view id);
+void write_end(Writer& out, std::span<const std::size_t> counts);
+
+/// A solid, with `name` before its points. Adds its counts, and returns for each of its points the
+/// number that it has in the text. Throws std::out_of_range for an index that names no point.
+std::vector<std::uint32_t> write_solid(Writer& out, std::string_view name, const Solid& solid,
+                                       std::vector<std::size_t>& counts);
+
+/// The certificate of an answer about two unions, of which either may be a polytope, or a solid:
+/// then it is about the mesh. Throws as certificate_text does.
+std::string union_text(const Body& a, const Body& b, const UnionDepth& answer, std::string_view id, Monitor* monitor);
 
 void write_inner(Writer& out, const InnerPolytope& inner);
 void write_weights(Writer& out, std::string_view name, const std::vector<Weight>& weights);

@@ -260,8 +260,7 @@ class ShapeWriter {
   explicit ShapeWriter(const ShapeCertificate& certificate) : c_(certificate), out_(4000) {}
 
   std::string text() {
-    out_.word(c_.patches.empty() ? "fathom-certificate 2" : "fathom-certificate 4").end();
-    if (!c_.id.empty()) out_.word("id").word(escaped(c_.id)).end();
+    write_header(out_, c_.patches.empty() ? 2 : 4, c_.id);
     body(c_.a, "a", "shape_a", "halfspace_a", "radius_a");
     body(c_.b, "b", "shape_b", "halfspace_b", "radius_b");
     claim();
@@ -269,9 +268,7 @@ class ShapeWriter {
     if (!of_half_space()) lower_side();
     if (c_.cone) cone(*c_.cone);
     if (!c_.patches.empty()) patches();
-    out_.word("end");
-    for (const std::size_t n : counts_) out_.word(n);
-    out_.end();
+    write_end(out_, counts_);
     return out_.take();
   }
 

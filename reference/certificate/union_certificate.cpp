@@ -1,44 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate of unions as text: format 3.                 [verify/check/FORMAT.md, section 12]
+// The certificate of unions as text: format 3, with a direction for each pair of pieces; or format
+// 5, with blocks of pairs, and with solids as they are.
+//                                                      [verify/check/FORMAT.md, sections 12 and 14]
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "fathom/certificate.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/polytope/position.hpp"
+#include "reference/solids/listed_pieces.hpp"
+#include "reference/unions/apart_tree.hpp"
 #include "reference/unions/union_prover.hpp"
 
 namespace fathom::certificate {
 namespace {
 
-class UnionWriter {
- public:
-  UnionWriter(const Pieces& a, const Pieces& b, std::string_view id) : a_(a), b_(b), out_(20000) {
-    out_.word("fathom-certificate 3").end();
-    if (!id.empty()) out_.word("id").word(escaped(id)).end();
-    write_pieces("pieces_a", "a", a);
-    write_pieces("pieces_b", "b", b);
+/// A body as a certificate lists its pieces: a solid may list one several times.
+struct ListedBody {
+  explicit ListedBody(const Pieces& all) : pieces(all) {}
+  explicit ListedBody(const Body& body) : solid(body.solid.get()) {
+    if (solid == nullptr) pieces = pieces_of(body);
+    else list();
   }
 
-  std::string penetrating(kernels::Context& context, const UnionDepth& answer) {
-    const unions::UnionProof proof = unions::prove(context, unions::place_pieces(a_, b_), answer.optima);
-    if (proof.squared != answer.squared()) contradiction("another depth");
+  /// The number here of a piece of pieces_of(body).
+  [[nodiscard]] std::uint32_t number(std::uint32_t piece) const {
+    if (piece >= (solid == nullptr ? pieces.size() : first.size())) contradiction("no such pieces");
+    return solid == nullptr ? piece : first[piece];
+  }
+
+  const Solid* solid = nullptr;
+  Pieces pieces;
+  std::vector<std::vector<std::uint32_t>> corners;  ///< of a solid: for each piece the numbers of its points
+  std::vector<std::uint32_t> first;                 ///< of a solid: which of its pieces are no repetitions
+
+ private:
+  void list() {
+    for (std::uint32_t i = 0; i < solid->pieces.size(); ++i) {
+      if (!solids::is_repeated(*solid, i)) first.push_back(i);
+      corners.push_back(solids::corners_of(solid->pieces[i]));
+      std::vector<Point>& points = pieces.emplace_back();
+      for (const std::uint32_t k : corners.back()) points.push_back(solid->points.at(k));
+    }
+  }
+};
+
+// What a format 3 of all pairs would have: a number more, and no checker reads it.
+constexpr std::size_t most_numbers = 10'000'000;
+
+/// Whether the proof is of format 5: where format 3 has no words for a body, where its one lattice
+/// for all pieces would be out of proportion, or its directions of all pairs too many.
+bool needs_blocks(const ListedBody& a, const ListedBody& b, const unions::PlacedPieces& placed,
+                  const UnionDepth& answer) {
+  if (a.solid != nullptr || b.solid != nullptr || !placed.on_one_lattice()) return true;
+  const std::size_t lists = std::max<std::size_t>(answer.optima.size(), 1);
+  return a.pieces.size() * b.pieces.size() > most_numbers / 3 / lists;
+}
+
+class UnionWriter {
+ public:
+  UnionWriter(kernels::Context& context, ListedBody a, ListedBody b, const UnionDepth& answer, std::string_view id)
+      : context_(context),
+        a_(std::move(a)),
+        b_(std::move(b)),
+        pieces_(unions::place_pieces(a_.pieces, b_.pieces)),
+        answer_(answer),
+        blocks_(needs_blocks(a_, b_, pieces_, answer)),
+        out_(20000) {
+    write_header(out_, blocks_ ? 5 : 3, id);
+    numbers_a_ = write_body("solid_a", "pieces_a", "a", a_);
+    numbers_b_ = write_body("solid_b", "pieces_b", "b", b_);
+  }
+
+  std::string run() {
+    if (answer_.status == Status::penetrating) penetrating();
+    else if (answer_.status == Status::touching) touching(answer_.optima.at(0));
+    else disjoint(answer_.apart.value());
+    write_end(out_, counts_);
+    return out_.take();
+  }
+
+ private:
+  void penetrating() {
+    const unions::UnionProof proof = unions::prove(context_, pieces_, answer_.optima);
+    if (proof.squared != answer_.squared()) contradiction("another depth");
     out_.word("claim").word("depth").word(proof.squared).end();
     announce("optima", proof.optima.size());
-    for (const unions::ProofOptimum& optimum : proof.optima) {
-      out_.word("optimum").words(optimum.translation).end();
-      write_separations(optimum.directions);
+    for (std::size_t i = 0; i < proof.optima.size(); ++i) {
+      out_.word("optimum").words(proof.optima[i]).end();
+      write_free(pieces_.point(proof.optima[i]), answer_.optima.at(i));
     }
     announce("polytopes", proof.polytopes.size());
-    for (const unions::PiecePolytope& polytope : proof.polytopes) {
-      out_.word("polytope").word(std::size_t{polytope.a}).word(std::size_t{polytope.b}).end();
-      write_inner(out_, polytope.inner);
-      counts_.insert(counts_.end(), {polytope.inner.vertices.size(), polytope.inner.facets.size()});
-    }
+    for (const unions::PiecePolytope& polytope : proof.polytopes) write_polytope(polytope);
     announce("tree", proof.nodes.size());
     for (const unions::ProofNode& node : proof.nodes) {
       if (node.split) out_.word("split").word(std::size_t{node.polytope});
@@ -46,62 +105,79 @@ class UnionWriter {
       for (const std::uint32_t number : node.numbers) out_.word(std::size_t{number});
       out_.end();
     }
-    return end();
   }
 
   // The first pair of pieces that touch has a common point.
-  std::string touching(kernels::Context& context, const PieceContact& first) {
-    if (first.a >= a_.size() || first.b >= b_.size()) contradiction("no such pieces");
-    const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
+  void touching(const UnionOptimum& here) {
+    const std::uint32_t i = a_.number(here.contacts.at(0).a), j = b_.number(here.contacts.at(0).b);
     out_.word("claim").word("touching").end();
-    write_separations(unions::separations(context, pieces, {}));
-    const polytope::PlacedPair pair = pieces.pair(first.a, first.b);
+    write_free({}, here);
+    const polytope::PlacedPair pair = pieces_.pair(i, j);
     const polytope::PositionOfOrigin origin = polytope::position_of_origin(pair.a, pair.b);
     if (origin.position != polytope::Position::boundary) contradiction("pieces that do not touch");
-    write_nearest(first.a, first.b, origin.a, origin.b);
-    return end();
+    write_nearest(i, j, origin.a, origin.b);
   }
 
-  // Each pair has a direction in which it is as far apart as it is; the first nearest one has the
-  // nearest points.
-  std::string disjoint(kernels::Context& context, const UnionDistance& answer) {
-    if (answer.a >= a_.size() || answer.b >= b_.size()) contradiction("no such pieces");
-    const unions::PlacedPieces pieces = unions::place_pieces(a_, b_);
+  // The first pair of nearest pieces has the nearest points.
+  void disjoint(const UnionDistance& answer) {
+    const std::uint32_t i = a_.number(answer.a), j = b_.number(answer.b);
+    const polytope::PlacedPair pair = pieces_.pair(i, j);
+    const polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
+    if (squared(pair, nearest) != answer.distance.squared) contradiction("another distance");
+    out_.word("claim").word("apart").word(answer.distance.squared).end();
+    if (blocks_) {
+      const Vector known[] = {answer.distance.direction};
+      write_blocks(unions::distance_tree(context_, pieces_, answer.distance.squared, known));
+    } else {
+      write_separations(distances(answer.distance.squared));
+    }
+    write_nearest(i, j, nearest.a, nearest.b);
+  }
+
+  static mpq_class squared(const polytope::PlacedPair& pair, const polytope::NearestPoints& nearest) {
+    return kernels::ratio(nearest.height * nearest.height, dot(nearest.normal, nearest.normal)) * pair.unit() *
+           pair.unit();
+  }
+
+  // Each pair has a direction in which it is as far apart as it is.
+  [[nodiscard]] std::vector<Vector> distances(const mpq_class& least) const {
     std::vector<Vector> directions;
-    polytope::NearestPoints nearest;
-    for (std::uint32_t i = 0; i < a_.size(); ++i) {
-      for (std::uint32_t j = 0; j < b_.size(); ++j) {
-        context.check();
-        const polytope::PlacedPair pair = pieces.pair(i, j);
-        polytope::NearestPoints found = polytope::nearest_points(pair.a, pair.b);
-        const mpq_class squared =
-            kernels::ratio(found.height * found.height, dot(found.normal, found.normal)) * pair.unit() * pair.unit();
-        if (squared < answer.distance.squared) contradiction("nearer pieces");
-        directions.push_back(found.normal);
-        if (std::pair(i, j) != std::pair(answer.a, answer.b)) continue;
-        if (squared != answer.distance.squared) contradiction("another distance");
-        nearest = std::move(found);
+    for (std::uint32_t i = 0; i < a_.pieces.size(); ++i) {
+      for (std::uint32_t j = 0; j < b_.pieces.size(); ++j) {
+        context_.check();
+        const polytope::PlacedPair pair = pieces_.pair(i, j);
+        polytope::NearestPoints nearest = polytope::nearest_points(pair.a, pair.b);
+        if (squared(pair, nearest) < least) contradiction("nearer pieces");
+        directions.push_back(std::move(nearest.normal));
       }
     }
-    out_.word("claim").word("apart").word(answer.distance.squared).end();
-    write_separations(directions);
-    write_nearest(answer.a, answer.b, nearest.a, nearest.b);
-    return end();
+    return directions;
   }
 
- private:
   // A line with a count, which the last line repeats.
   void announce(std::string_view name, std::size_t count) {
     counts_.push_back(count);
     out_.word(name).word(count).end();
   }
 
-  void write_pieces(std::string_view all, std::string_view one, const Pieces& pieces) {
-    announce(all, pieces.size());
-    for (const std::vector<Point>& piece : pieces) {
+  // Returns the numbers of a solid's points in the text.
+  std::vector<std::uint32_t> write_body(std::string_view of_solid, std::string_view all, std::string_view one,
+                                        const ListedBody& body) {
+    if (body.solid != nullptr) return write_solid(out_, of_solid, *body.solid, counts_);
+    announce(all, body.pieces.size());
+    for (const std::vector<Point>& piece : body.pieces) {
       counts_.push_back(piece.size());
       write_points(out_, one, std::span<const Point>(piece));
     }
+    return {};
+  }
+
+  // That all pairs keep O moved by p free.
+  void write_free(const kernels::RationalPoint& p, const UnionOptimum& optimum) {
+    if (!blocks_) return write_separations(unions::separations(context_, pieces_, p));
+    std::vector<Vector> known;
+    for (const PieceContact& contact : optimum.contacts) known.push_back(contact.direction);
+    write_blocks(unions::apart_tree(context_, pieces_, p, known));
   }
 
   void write_separations(const std::vector<Vector>& directions) {
@@ -109,39 +185,72 @@ class UnionWriter {
     for (const Vector& u : directions) out_.words(u).end();
   }
 
-  void write_nearest(std::uint32_t i, std::uint32_t j, const std::vector<Weight>& a, const std::vector<Weight>& b) {
+  void write_blocks(const std::vector<unions::ApartBlock>& blocks) {
+    announce("apart", blocks.size());
+    for (const unions::ApartBlock& block : blocks) {
+      if (block.kind == unions::ApartBlock::Kind::apart) out_.words(block.direction);
+      else out_.word(block.kind == unions::ApartBlock::Kind::halves_of_a ? "a" : "b");
+      out_.end();
+    }
+  }
+
+  void write_polytope(const unions::PiecePolytope& polytope) {
+    out_.word("polytope").word(std::size_t{polytope.a}).word(std::size_t{polytope.b}).end();
+    InnerPolytope inner = polytope.inner;
+    for (auto& [k, l] : inner.vertices) {
+      k = number(a_, numbers_a_, polytope.a, k);
+      l = number(b_, numbers_b_, polytope.b, l);
+    }
+    write_inner(out_, inner);
+    counts_.insert(counts_.end(), {inner.vertices.size(), inner.facets.size()});
+  }
+
+  // Of a point of a piece: in the piece, or among the points of a solid.
+  static std::uint32_t number(const ListedBody& body, const std::vector<std::uint32_t>& numbers, std::uint32_t piece,
+                              std::uint32_t point) {
+    return body.solid == nullptr ? point : numbers[body.corners[piece][point]];
+  }
+
+  void write_nearest(std::uint32_t i, std::uint32_t j, std::vector<Weight> a, std::vector<Weight> b) {
+    for (Weight& w : a) w.index = number(a_, numbers_a_, i, w.index);
+    for (Weight& w : b) w.index = number(b_, numbers_b_, j, w.index);
     out_.word("nearest").word(std::size_t{i}).word(std::size_t{j}).end();
     write_weights(out_, "weights_a", a);
     write_weights(out_, "weights_b", b);
     counts_.insert(counts_.end(), {a.size(), b.size()});
   }
 
-  std::string end() {
-    out_.word("end");
-    for (const std::size_t n : counts_) out_.word(n);
-    out_.end();
-    return out_.take();
-  }
-
-  const Pieces &a_, &b_;
+  kernels::Context& context_;
+  ListedBody a_, b_;
+  unions::PlacedPieces pieces_;
+  const UnionDepth& answer_;
+  bool blocks_;
   Writer out_;
+  std::vector<std::uint32_t> numbers_a_, numbers_b_;
   std::vector<std::size_t> counts_;
 };
 
+std::string text_of_union(ListedBody a, ListedBody b, const UnionDepth& answer, std::string_view id,
+                          Monitor* monitor) {
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(monitor);
+  if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");
+  return UnionWriter(context, std::move(a), std::move(b), answer, id).run();
+}
+
 }  // namespace
+
+std::string union_text(const Body& a, const Body& b, const UnionDepth& answer, std::string_view id, Monitor* monitor) {
+  return text_of_union(ListedBody(a), ListedBody(b), answer, id, monitor);
+}
+
 }  // namespace fathom::certificate
 
 namespace fathom {
 
 std::string certificate_text(const Pieces& a, const Pieces& b, const UnionDepth& answer, std::string_view id,
                              Monitor* monitor) {
-  const kernels::DefaultFloatEnvironment environment;
-  kernels::Context context(monitor);
-  if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");
-  certificate::UnionWriter writer(a, b, id);
-  if (answer.status == Status::penetrating) return writer.penetrating(context, answer);
-  if (answer.status == Status::touching) return writer.touching(context, answer.optima.at(0).contacts.at(0));
-  return writer.disjoint(context, answer.apart.value());
+  return certificate::text_of_union(certificate::ListedBody(a), certificate::ListedBody(b), answer, id, monitor);
 }
 
 }  // namespace fathom

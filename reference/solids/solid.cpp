@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,6 +22,7 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/solids/arrangement.hpp"
 #include "reference/solids/chain.hpp"
+#include "reference/unions/box_tree.hpp"
 
 namespace fathom::solids {
 namespace {
@@ -311,6 +313,26 @@ std::vector<ConvexPart> convex_parts(Arrangement& space, const polytope::PlacedP
       times, place));
 }
 
+/// The parts in the order of halves of space, so that proofs can speak of many neighbours at once.
+std::vector<ConvexPart> in_order(const Arrangement& space, std::vector<ConvexPart> parts) {
+  std::vector<unions::BoxTree::Node> boxes;
+  for (std::uint32_t i = 0; i < parts.size(); ++i) {
+    unions::BoxTree::Node& box = boxes.emplace_back();
+    box.first = i;
+    box.low.fill(std::numeric_limits<double>::infinity());
+    box.high.fill(-std::numeric_limits<double>::infinity());
+    for (const PointId p : parts[i].corners)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double c = kernels::coordinate(space[p].image, static_cast<int>(k));
+        box.low[k] = std::min(box.low[k], c);
+        box.high[k] = std::max(box.high[k], c);
+      }
+  }
+  std::vector<ConvexPart> result;
+  for (const std::uint32_t i : unions::BoxTree(std::move(boxes)).order()) result.push_back(std::move(parts[i]));
+  return result;
+}
+
 /// The solid as users read it: points by numbers, facets by their corners.
 class SolidWriter {
  public:
@@ -371,9 +393,9 @@ Solid solid_of(const Body& mesh) {
   const polytope::PlacedPair placed = polytope::place(points, std::span(points).first(1));
   solids::Arrangement space(placed.exponent());
   const solids::MeshChain chain(space, placed, *mesh.faces);
-  const std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::convex_parts(space, placed, chain));
+  std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::convex_parts(space, placed, chain));
   if (parts.empty()) throw std::invalid_argument("the mesh encloses no volume: its faces cancel");
-  return solids::SolidWriter(space, placed).run(chain, parts);
+  return solids::SolidWriter(space, placed).run(chain, solids::in_order(space, std::move(parts)));
 }
 
 }  // namespace fathom

@@ -10,14 +10,9 @@
 #include "fathom/solid.hpp"
 #include "kernels/messages.hpp"
 #include "kernels/vector.hpp"
+#include "reference/solids/listed_pieces.hpp"
 
-namespace fathom {
-namespace {
-
-/// Whether the piece of that number is listed before: equal ones follow one another.
-bool is_repeated(const Solid& solid, std::size_t i) {
-  return i > 0 && solid.pieces[i].facets == solid.pieces[i - 1].facets;
-}
+namespace fathom::solids {
 
 std::vector<std::uint32_t> corners_of(const Solid::Piece& piece) {
   std::vector<std::uint32_t> corners;
@@ -27,6 +22,17 @@ std::vector<std::uint32_t> corners_of(const Solid::Piece& piece) {
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
 }
+
+bool is_repeated(const Solid& solid, std::size_t i) {
+  return i > 0 && solid.pieces[i].facets == solid.pieces[i - 1].facets;
+}
+
+}  // namespace fathom::solids
+
+namespace fathom {
+namespace {
+
+using solids::is_repeated;
 
 mpq_class det_at(const Solid& solid, std::uint32_t p, std::uint32_t q, std::uint32_t r) {
   const Point& origin = solid.points.front();
@@ -58,7 +64,7 @@ Pieces pieces_of(const Solid& solid) {
   for (std::size_t k = 0; k < solid.pieces.size(); ++k) {
     if (is_repeated(solid, k)) continue;
     std::vector<Point>& points = pieces.emplace_back();
-    for (const std::uint32_t i : corners_of(solid.pieces[k])) points.push_back(solid.points[i]);
+    for (const std::uint32_t i : solids::corners_of(solid.pieces[k])) points.push_back(solid.points[i]);
   }
   return pieces;
 }

@@ -4,138 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <span>
 
-#include "kernels/filters/support.hpp"
+#include "reference/unions/separating.hpp"
 
 namespace fathom::unions {
 namespace {
 
 // Bounds on errors, in any rounding mode.             [proofs/unions.md, "Pairs on demand"]
-constexpr double of_margin = 0x1p-46;      // of a box's margin, times 1 + |p|
-constexpr double of_distance = 0x1p-46;    // of a distance of boxes, relative
-constexpr double of_separation = 0x1p-43;  // of <u, p> - h(u), times |u| (1 + |p|)
-constexpr int most_turns = 24;
-
-double largest(const Vec3<double>& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-// ---- boxes ----
-
-BoxTree::Node leaf(const PlacedPiece& piece, std::uint32_t number) {
-  BoxTree::Node node;
-  node.first = number;
-  const kernels::Images images = piece.cloud.images();
-  for (std::size_t k = 0; const std::span<const double>& axis : {images.x, images.y, images.z}) {
-    const auto [low, high] = std::minmax_element(axis.begin(), axis.end());
-    node.low[k] = piece.scale * *low;
-    node.high[k] = piece.scale * *high;
-    node.widest[k] = node.high[k] - node.low[k];
-    ++k;
-  }
-  return node;
-}
-
-BoxTree::Node about(const BoxTree::Node& p, const BoxTree::Node& q) {
-  BoxTree::Node node;
-  node.first = std::min(p.first, q.first);
-  for (std::size_t k = 0; k < 3; ++k) {
-    node.low[k] = std::min(p.low[k], q.low[k]);
-    node.high[k] = std::max(p.high[k], q.high[k]);
-    node.widest[k] = std::max(p.widest[k], q.widest[k]);
-  }
-  return node;
-}
-
-double size_of(const BoxTree::Node& node) {
-  double size = 0;
-  for (std::size_t k = 0; k < 3; ++k) size = std::max(size, node.high[k] - node.low[k]);
-  return size;
-}
-
-// The node of the leaves in the range, cut at the median of their middles where they spread most.
-std::uint32_t build(std::vector<BoxTree::Node>& nodes, std::span<std::uint32_t> leaves) {
-  if (leaves.size() == 1) return leaves[0];
-  const auto middle = [&](std::uint32_t leaf, std::size_t k) { return nodes[leaf].low[k] + nodes[leaf].high[k]; };
-  std::size_t axis = 0;
-  double most = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto before = [&](std::uint32_t x, std::uint32_t y) { return middle(x, k) < middle(y, k); };
-    const auto [low, high] = std::minmax_element(leaves.begin(), leaves.end(), before);
-    const double spread = middle(*high, k) - middle(*low, k);
-    if (spread > most) {
-      most = spread;
-      axis = k;
-    }
-  }
-  const std::size_t half = leaves.size() / 2;
-  std::nth_element(
-      leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(half), leaves.end(),
-      [&](std::uint32_t x, std::uint32_t y) { return std::pair(middle(x, axis), x) < std::pair(middle(y, axis), y); });
-  const std::uint32_t left = build(nodes, leaves.first(half)), right = build(nodes, leaves.subspan(half));
-  BoxTree::Node node = about(nodes[left], nodes[right]);
-  node.left = left;
-  node.right = right;
-  nodes.push_back(node);
-  return static_cast<std::uint32_t>(nodes.size() - 1);
-}
-
-// ---- directions ----
-
-struct Farthest {
-  Vec3<double> at;
-  double height;
-};
-
-// The image farthest in direction u.
-Farthest farthest(const PlacedPiece& piece, const Vec3<double>& u) {
-  const kernels::Images images = piece.cloud.images();
-  Farthest found{{}, -std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i < images.size(); ++i) {
-    const Vec3<double> at{images.x[i], images.y[i], images.z[i]};
-    if (const double height = dot(u, at); height > found.height) found = {at, height};
-  }
-  return {piece.scale * found.at, piece.scale * found.height};
-}
-
-// Whether a plane between p and P_ij is found that keeps them apart, beyond what its images may err
-// by. `u` is the direction to begin with, or O, and the one to begin with the next time: reflected
-// in the way to the farthest point until it points away from it.
-bool surely_apart(const PlacedPiece& a, const PlacedPiece& b, const Vec3<double>& p, Vec3<double>& u) {
-  const double size = largest(p);
-  if (!(size < 0x1p40)) return false;
-  if (largest(u) == 0) {
-    const kernels::Images of_a = a.cloud.images(), of_b = b.cloud.images();
-    u = p - (b.scale * Vec3<double>{of_b.x[0], of_b.y[0], of_b.z[0]} -
-             a.scale * Vec3<double>{of_a.x[0], of_a.y[0], of_a.z[0]});
-    const double length = largest(u);
-    if (!(length > 0x1p-40)) return false;
-    u = (1 / length) * u;
-  }
-  for (int turn = 0; turn < most_turns; ++turn) {
-    const Farthest of_a = farthest(a, -u), of_b = farthest(b, u);
-    const double above = dot(u, p) - (of_a.height + of_b.height);
-    if (above > of_separation * largest(u) * (1 + size)) return true;
-    const Vec3<double> away = p - (of_b.at - of_a.at);
-    const double square = dot(away, away);
-    if (!(square > 0x1p-100)) return false;
-    u = u - (2 * dot(u, away) / square) * away;
-  }
-  return false;
-}
+constexpr double of_distance = 0x1p-46;  // of a distance of boxes, relative
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<PlacedPiece>& pieces) {
-  nodes.reserve(2 * pieces.size());
-  for (std::uint32_t i = 0; i < pieces.size(); ++i) nodes.push_back(leaf(pieces[i], i));
-  std::vector<std::uint32_t> leaves(pieces.size());
-  std::iota(leaves.begin(), leaves.end(), 0U);
-  root = build(nodes, leaves);
-}
-
 RankedPairs::RankedPairs(const BoxTree& a, const BoxTree& b, const Vec3<double>& at, bool all)
-    : a_(a), b_(b), at_{at.x, at.y, at.z}, error_(of_margin * (1 + largest(at))), all_(all) {
+    : a_(a), b_(b), at_{at.x, at.y, at.z}, error_(margin_error(at)), all_(all) {
   push(a.root, b.root);
 }
 
@@ -172,9 +53,8 @@ std::optional<RankedPair> RankedPairs::next() {
     const Block block = heap_.back();
     heap_.pop_back();
     const BoxTree::Node &a = a_.nodes[block.node_a], &b = b_.nodes[block.node_b];
-    const bool one_a = a.left == BoxTree::none, one_b = b.left == BoxTree::none;
-    if (one_a && one_b) return RankedPair{block.bound, block.first_a, block.first_b};
-    if (one_b || (!one_a && size_of(a) >= size_of(b))) {
+    if (a.is_leaf() && b.is_leaf()) return RankedPair{block.bound, block.first_a, block.first_b};
+    if (b.is_leaf() || (!a.is_leaf() && a.size() >= b.size())) {
       push(a.left, block.node_b);
       push(a.right, block.node_b);
     } else {
@@ -195,7 +75,7 @@ typename PairTableIn<Numbers>::Pair* PairTableIn<Numbers>::find(const RankedPair
   const auto& [bound, i, j] = ranked;
   Entry& entry = entries_[std::uint64_t{i} * pieces_.b.size() + j];
   if (!entry.pair) {
-    if (!all_ && surely_apart(pieces_.a[i], pieces_.b[j], p.image, entry.separating)) return nullptr;
+    if (!all_ && surely_apart({{&pieces_.a[i], 1}, {&pieces_.b[j], 1}}, p.image, 0, entry.separating)) return nullptr;
     entry.pair = std::make_unique<Pair>(pieces_, i, j);
     ++made_;
   }

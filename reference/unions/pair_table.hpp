@@ -5,33 +5,16 @@
 //         [proofs/unions.md, "Pairs on demand"]
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "reference/unions/box_tree.hpp"
 #include "reference/unions/pieces.hpp"
 
 namespace fathom::unions {
-
-/// Boxes about the pieces of a body, about halves of them, about halves of those and so on. Lengths
-/// are those of images: in units of 2^exponent.
-struct BoxTree {
-  using Corner = std::array<double, 3>;
-  static constexpr std::uint32_t none = UINT32_MAX;
-  struct Node {
-    Corner low, high;                         ///< of all its pieces; each within 2^-49 of its place
-    Corner widest;                            ///< the largest extent of one piece
-    std::uint32_t first = 0;                  ///< the least number of a piece
-    std::uint32_t left = none, right = none;  ///< of a leaf, which has one piece, none
-  };
-
-  explicit BoxTree(const std::vector<PlacedPiece>& pieces);
-  std::vector<Node> nodes;
-  std::uint32_t root = 0;
-};
 
 /// A pair of pieces, and an upper bound of how far inside of P_ij a point is: its distance from the
 /// boundary, or minus its distance from P_ij. In units of 2^exponent.

@@ -69,9 +69,8 @@ class Prover {
   UnionProof run() {
     prove_cell(RationalPoint{});
     proof_.squared = *search_.squared_best();
-    for (const RationalPoint& p : search_.optima()) add_optimum(p);
-    std::sort(proof_.optima.begin(), proof_.optima.end(),
-              [](const ProofOptimum& s, const ProofOptimum& t) { return is_before(s.translation, t.translation); });
+    for (const RationalPoint& p : search_.optima()) proof_.optima.push_back(pieces_.translation(p));
+    std::sort(proof_.optima.begin(), proof_.optima.end(), is_before);
     return std::move(proof_);
   }
 
@@ -201,12 +200,6 @@ class Prover {
     for (const Barrier barrier : path_)
       if (kernels::side(*barrier, p) == 0) tight.push_back(barrier);
     close(deciding(tight, p.v));
-  }
-
-  void add_optimum(const RationalPoint& p) {
-    ProofOptimum& optimum = proof_.optima.emplace_back();
-    optimum.translation = pieces_.translation(p);
-    optimum.directions = separations(context_, pieces_, p);
   }
 
   kernels::Context& context_;

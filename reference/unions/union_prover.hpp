@@ -36,23 +36,18 @@ struct ProofNode {
   std::vector<std::uint32_t> numbers;
 };
 
-/// A place of O outside all interiors of P_ij at the depth, and for each pair of pieces a direction
-/// u other than 0 with <u, t> >= h_ij(u).
-struct ProofOptimum {
-  Point translation;               ///< t, with |t|^2 = q
-  std::vector<Vector> directions;  ///< that of pieces i and j is at i * (number of pieces of B) + j; primitive
-};
-
-/// Together they prove that q is the squared depth, and that the optima are all.
+/// Together they prove that q is the squared depth if the optima are free, which is proved by
+/// separations or by an apart_tree of each; and that the optima are all.
 struct UnionProof {
   mpq_class squared;  ///< q
   std::vector<PiecePolytope> polytopes;
-  std::vector<ProofNode> nodes;      ///< the first is the root
-  std::vector<ProofOptimum> optima;  ///< all, in lexicographic order of their translations
+  std::vector<ProofNode> nodes;  ///< the first is the root
+  std::vector<Point> optima;     ///< all translations, in lexicographic order
 };
 
-/// For each pair of pieces a direction u other than 0 with <u, p> >= h_ij(u), as in ProofOptimum.
-/// Throws std::logic_error if p is not free, and Interrupted.
+/// For each pair of pieces a direction u other than O with <u, p> >= h_ij(u), primitive; that of
+/// pieces i and j is at i * (number of pieces of B) + j. The naive twin of apart_tree. Throws
+/// std::logic_error if p is not free, and Interrupted.
 std::vector<Vector> separations(kernels::Context& context, const PlacedPieces& pieces, const kernels::RationalPoint& p);
 
 /// Proves that these are the optima of unions that penetrate, translations of A in the unit of the
