@@ -216,12 +216,12 @@ BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer) {
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id,
                              Monitor* monitor) {
   return std::visit(
-      ByKind{
-          [&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
-          [&](const SignedDepth& shapes) {
-            return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest, monitor);
-          },
-          [&](const UnionDepth& unions) { return certificate::union_text(a, b, unions, id, monitor); }},
+      ByKind{[&](const Depth& depth) { return certificate_text(a, b, depth, id, monitor); },
+             [&](const SignedDepth& shapes) {
+               return certificate_text(files::shape_of(a), files::shape_of(b), shapes, id, ShapeFormat::shortest,
+                                       monitor);
+             },
+             [&](const UnionDepth& unions) { return certificate::union_text(a, b, unions, id, monitor); }},
       answer.found);
 }
 

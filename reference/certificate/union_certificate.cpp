@@ -230,8 +230,7 @@ class UnionWriter {
   std::vector<std::size_t> counts_;
 };
 
-std::string text_of_union(ListedBody a, ListedBody b, const UnionDepth& answer, std::string_view id,
-                          Monitor* monitor) {
+std::string text_of_union(ListedBody a, ListedBody b, const UnionDepth& answer, std::string_view id, Monitor* monitor) {
   const kernels::DefaultFloatEnvironment environment;
   kernels::Context context(monitor);
   if (!answer.complete) throw std::logic_error("a certificate of an answer about unions that is not complete");

@@ -119,7 +119,8 @@ class ApartTree {
         if (margin + error_ < 0) continue;
         const auto entry = [&, s = sign](std::size_t axis) { return axis == k ? s : 0; };
         Vector u{entry(0), entry(1), entry(2)};
-        if (margin - error_ > distance_ * (1 + 0x1p-30) || (margin + error_ >= distance_ * (1 - 0x1p-30) && shows(pairs, u)))
+        if (margin - error_ > distance_ * (1 + 0x1p-30) ||
+            (margin + error_ >= distance_ * (1 - 0x1p-30) && shows(pairs, u)))
           return u;
         (k == 0 ? way.x : k == 1 ? way.y : way.z) = sign * std::max(0.0, margin);
       }
@@ -170,7 +171,7 @@ class ApartTree {
   mpq_class least_;      // the squared distance that is to be shown, in common units; or 0
   double distance_ = 0;  // its root in units of images, from above
   BoxTree tree_a_, tree_b_;
-  double error_;  // of margins of boxes
+  double error_;               // of margins of boxes
   std::vector<Vector> known_;  // directions that have shown a block, the last one first
   std::vector<ApartBlock> blocks_;
 };

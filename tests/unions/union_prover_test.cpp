@@ -123,8 +123,7 @@ void expect_proof(const Pieces& a, const Pieces& b) {
   UnionProof proof = prove(context, place_pieces(a, b), depth.optima);
   EXPECT_EQ(proof.squared, depth.squared());
   ASSERT_EQ(proof.optima.size(), depth.optima.size());
-  for (std::size_t i = 0; i < proof.optima.size(); ++i)
-    EXPECT_EQ(proof.optima[i], depth.optima[i].translation);
+  for (std::size_t i = 0; i < proof.optima.size(); ++i) EXPECT_EQ(proof.optima[i], depth.optima[i].translation);
   EXPECT_EQ(ProofCheck(a, b, proof).run(), "");
   UnionProof fewer = proof;
   fewer.optima.pop_back();
