@@ -29,7 +29,9 @@ struct Solid {
   /// The mesh: its triangles, and of each larger face the fan from its first corner. Those without
   /// an area are left out.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Piece> pieces;   ///< a piece around which the surface goes k times is listed k times
+  /// A piece around which the surface goes k times is listed k times. Neighbours are near one
+  /// another: halves of the list, and halves of these, lie in halves of space.
+  std::vector<Piece> pieces;
   bool turned = false;         ///< the faces of the mesh looked inwards; `triangles` look outwards
   bool overlaps = false;       ///< the surface goes around some points more than once
   std::size_t bent_faces = 0;  ///< faces whose corners do not lie in one plane

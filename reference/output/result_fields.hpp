@@ -133,7 +133,7 @@ inline constexpr std::tuple union_result_fields{
     field("solids", &UnionResult::solids, "", "Of bodies that are the solids of closed meshes, cut into the pieces."),
     field("certificate", &UnionResult::certificate, "",
           "With --embed-certificate, if complete: the text of the answer's certificate (verify/check/FORMAT.md, "
-          "section 12)."),
+          "sections 12 and 15)."),
     field("manifold", &UnionResult::manifold, "",
           "With --patch: all contact points after each listed way out, or of bodies that touch or are apart; and "
           "whether the signed depth is differentiable by the poses."),
