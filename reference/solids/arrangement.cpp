@@ -57,11 +57,19 @@ std::optional<PlaneSide> Arrangement::plane(PointId p, PointId q, PointId r) {
   mpz_class height = dot(normal, origin);
   const int sign = sgn(kernels::coordinate(normal, first_axis(normal)));
   reduce({&normal.x, &normal.y, &normal.z, &height}, sign);
-  const PlaneId id = interned(
+  return PlaneSide{plane(normal, height), sign < 0};
+}
+
+PlaneId Arrangement::plane_across(int axis, PointId p) {
+  const Vector normal{axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0};
+  return plane(normal, kernels::coordinate(points_[p].v, axis));
+}
+
+PlaneId Arrangement::plane(const Vector& normal, const mpz_class& height) {
+  return interned(
       planes_, known_planes_, hash_of(normal, height),
       [&](const kernels::OrientedPlane& e) { return e.normal == normal && e.height == height; },
       [&] { return kernels::oriented_plane(normal, height, exponent_); });
-  return PlaneSide{id, sign < 0};
 }
 
 LineId Arrangement::line(Vector direction, Vector moment) {

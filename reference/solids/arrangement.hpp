@@ -2,9 +2,9 @@
 // The points, lines and planes that cuts of a mesh meet, each once: equal ones have equal ids.
 //                                                                              [proofs/solids.md]
 //
-// Every plane is one of the mesh's, every line is an edge's or where two of these planes meet,
-// every point a corner of the mesh or where such a line meets a plane. So numbers stay short,
-// however many cuts follow one another.
+// Every plane is one of the mesh's, or goes across an axis through a corner of it; every line is an
+// edge's or where two of these planes meet, every point a corner of the mesh or where such a line
+// meets a plane. So numbers stay short, however many cuts follow one another.
 #pragma once
 
 #include <gmpxx.h>
@@ -51,6 +51,8 @@ class Arrangement {
   /// The plane through three points of the mesh's lattice, its outside where they appear
   /// counter-clockwise; nullopt if they lie on a line.
   std::optional<PlaneSide> plane(PointId p, PointId q, PointId r);
+  /// The plane through a point of the mesh's lattice where coordinate `axis` is constant.
+  PlaneId plane_across(int axis, PointId p);
   /// The line through two points; where two planes meet, which are not parallel.
   LineId line(PointId p, PointId q);
   LineId line(PlaneId e, PlaneId f);
@@ -80,6 +82,7 @@ class Arrangement {
  private:
   using Known = std::unordered_multimap<std::size_t, std::uint32_t>;  // by hashes
 
+  PlaneId plane(const Vector& normal, const mpz_class& height);
   LineId line(Vector direction, Vector moment);
 
   long exponent_;

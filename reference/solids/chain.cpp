@@ -136,9 +136,10 @@ Cutter::Sides Cutter::look(PlaneId e, const std::vector<PointId>& points) {
   for (const PointId p : points) {
     const int side = space_.side(e, p);
     sides_[p.value] = static_cast<std::int8_t>(side);
-    found.above = found.above || side > 0;
-    found.below = found.below || side < 0;
+    found.above += side > 0 ? 1 : 0;
+    found.below += side < 0 ? 1 : 0;
   }
+  looked_at_ += points.size();
   return found;
 }
 

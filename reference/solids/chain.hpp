@@ -5,6 +5,7 @@
 // it, and so is all that happens to them when a plane cuts the solid.            [proofs/solids.md]
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -68,11 +69,13 @@ class Cutter {
 
   /// On which sides of the plane the points lie: those asked about last.
   struct Sides {
-    bool above = false, below = false;  ///< whether some do, strictly
-    [[nodiscard]] bool both() const { return above && below; }
+    std::size_t above = 0, below = 0;  ///< how many do, strictly
+    [[nodiscard]] bool both() const { return above > 0 && below > 0; }
   };
   Sides look(PlaneId e, const std::vector<PointId>& points);
   [[nodiscard]] int side(PointId p) const { return sides_[p.value]; }
+  /// How many points were asked about, each as often as it was.
+  [[nodiscard]] std::uint64_t looked_at() const { return looked_at_; }
 
   /// Both parts, closed by caps in the plane, after look(e, points_of(chunk)).
   CutChunk cut(Chunk chunk, PlaneId e);
@@ -89,6 +92,7 @@ class Cutter {
   std::vector<Chunk> united_where_boxes_overlap(std::vector<Chunk> chunks);
 
   Arrangement& space_;
+  std::uint64_t looked_at_ = 0;
   std::vector<std::int8_t> sides_;     // by points
   std::vector<std::uint32_t> number_;  // by points: among those of the chunk at hand
 };
@@ -99,6 +103,16 @@ struct ConvexPart {
   std::vector<PointId> corners;    ///< sorted
   std::int64_t times = 0;
 };
+
+/// A surface that was cut.
+struct CutSurface {
+  std::vector<ConvexPart> parts;
+  std::uint64_t looked_at;  ///< points on whose sides planes were chosen, each as often as it was
+};
+/// The convex parts of what a closed surface goes around. If it goes around one inwards, so that
+/// `times` < 0, that is the last, and the rest is not cut. The points known to `space` are corners
+/// of the mesh.
+CutSurface convex_parts(Arrangement& space, const Chunk& surface);
 
 /// The parts with neighbours joined where that makes a convex part, those with the largest common
 /// facet first.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh becomes chains, which say whether it is closed; planes through reflex edges cut it until
-// every part is convex; parts that fit are joined again.                      [proofs/solids.md]
+// A mesh becomes chains, which say whether it is closed; what these go around is cut into convex
+// parts; parts that fit are joined again.                                     [proofs/solids.md]
 #include "fathom/solid.hpp"
 
 #include <fmt/format.h>
@@ -160,139 +160,6 @@ class MeshChain {
   std::size_t bent_faces_ = 0;
 };
 
-/// Where the surface goes around a part inwards.
-struct InvertedPart {
-  std::vector<PointId> corners;
-  std::int64_t times;
-};
-
-/// Cuts a closed surface into convex parts.
-class Decomposition {
- public:
-  explicit Decomposition(Arrangement& space) : space_(space), cutter_(space) {}
-
-  /// Returns false as soon as a part is inverted.
-  bool run(const Chunk& surface) {
-    std::vector<Chunk> todo{surface};
-    while (!todo.empty()) {
-      Chunk chunk = std::move(todo.back());
-      todo.pop_back();
-      std::vector<Chunk> parts = cutter_.components(std::move(chunk));
-      chunk = std::move(parts.back());
-      parts.pop_back();
-      std::ranges::move(parts, std::back_inserter(todo));
-      const std::vector<PointId> points = Cutter::points_of(chunk);
-      if (const std::optional<PlaneId> plane = best_cut(chunk, points)) {
-        cutter_.look(*plane, points);
-        auto [above, below] = cutter_.cut(std::move(chunk), *plane);
-        for (Chunk* part : {&above, &below})
-          if (!part->empty()) todo.push_back(std::move(*part));
-      } else if (!add_part(chunk, points)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  [[nodiscard]] std::vector<ConvexPart>& parts() { return parts_; }
-  [[nodiscard]] const std::optional<InvertedPart>& inverted() const { return inverted_; }
-
- private:
-  static constexpr std::size_t most_candidates = 8;
-
-  // Planes at reflex edges: those at most of them, and as many from all the others.
-  static std::vector<PlaneId> candidates(const std::vector<ReflexEdge>& reflex) {
-    constexpr std::size_t half = most_candidates / 2;
-    std::map<PlaneId, int> uses;
-    for (const ReflexEdge& e : reflex) ++uses[e.first], ++uses[e.second];
-    std::vector<std::pair<int, PlaneId>> order;
-    for (const auto& [plane, count] : uses) order.emplace_back(-count, plane);
-    std::ranges::sort(order);
-    std::vector<PlaneId> result;
-    for (std::size_t i = 0; i < std::min(order.size(), half); ++i) result.push_back(order[i].second);
-    const std::size_t rest = order.size() - result.size(), more = std::min(rest, half);
-    for (std::size_t i = 0; i < more; ++i) result.push_back(order[half + (2 * i + 1) * rest / (2 * more)].second);
-    return result;
-  }
-
-  // By how much more reflex edges lie in the plane that was looked at than it crosses, and how few
-  // others it crosses.
-  long score(const Chunk& chunk, const std::vector<ReflexEdge>& reflex) const {
-    constexpr long per_reflex_edge = 50;
-    long sum = 0;
-    for (const ReflexEdge& e : reflex) {
-      const int low = cutter_.side(e.low), high = cutter_.side(e.high);
-      if (low == 0 && high == 0) sum += per_reflex_edge;
-      if (low * high < 0) sum -= per_reflex_edge;
-    }
-    for (const ChainFacet& facet : chunk)
-      for (const ChainEdge& e : facet.edges) sum -= cutter_.side(e.low) * cutter_.side(e.high) < 0 ? 1 : 0;
-    return sum;
-  }
-
-  // The best plane of several; nullopt if the chunk lies on one side of the planes of all its
-  // facets.
-  std::optional<PlaneId> best_cut(const Chunk& chunk, const std::vector<PointId>& points) {
-    const std::vector<ReflexEdge> reflex = reflex_edges(space_, chunk);
-    std::optional<PlaneId> best;
-    long best_score = 0;
-    std::size_t found = 0;
-    const auto consider = [&](PlaneId plane) {
-      if (!cutter_.look(plane, points).both()) return;
-      const long of_plane = score(chunk, reflex);
-      if (++found > 1 && of_plane <= best_score) return;
-      best = plane;
-      best_score = of_plane;
-    };
-    for (const PlaneId plane : candidates(reflex)) consider(plane);
-    if (best) return best;
-    std::set<PlaneId> tried;
-    for (const ChainFacet& facet : chunk)
-      if (found < most_candidates && tried.insert(facet.side.plane).second) consider(facet.side.plane);
-    return best;
-  }
-
-  // All points lie on one side of each facet's plane, so the winding number is one number inside
-  // their hull.
-  bool add_part(const Chunk& chunk, const std::vector<PointId>& points) {
-    std::map<PlaneId, std::vector<ChainEdge>> edges;
-    for (const ChainFacet& facet : chunk)
-      edges[facet.side.plane].insert(edges[facet.side.plane].end(), facet.edges.begin(), facet.edges.end());
-    ConvexPart part;
-    for (const auto& [plane, all] : edges) {
-      ChainFacet facet{{plane, cutter_.look(plane, points).above}, normalised(space_, all)};
-      if (facet.edges.empty()) continue;
-      const ChainEdge& first = facet.edges.front();
-      const auto next = std::ranges::find_if(facet.edges, [&](const ChainEdge& e) { return e.from() == first.to(); });
-      if (next == facet.edges.end()) throw std::logic_error("the chain of a facet is not closed");
-      const int turn = space_.turn(facet.side, first.from(), first.to(), next->to());
-      const std::int64_t times = turn * (first.times < 0 ? -first.times : first.times);
-      if (times == 0 || (part.times != 0 && part.times != times))
-        throw std::logic_error("the winding number of a convex part is not one number");
-      part.times = times;
-      for (ChainEdge& e : facet.edges) {
-        e.times = (e.times < 0) == (times < 0) ? 1 : -1;
-        part.corners.push_back(e.from());
-      }
-      part.facets.push_back(std::move(facet));
-    }
-    if (part.facets.empty()) return true;
-    std::ranges::sort(part.corners);
-    part.corners.erase(std::unique(part.corners.begin(), part.corners.end()), part.corners.end());
-    if (part.times < 0) {
-      inverted_ = InvertedPart{part.corners, part.times};
-      return false;
-    }
-    parts_.push_back(std::move(part));
-    return true;
-  }
-
-  Arrangement& space_;
-  Cutter cutter_;
-  std::vector<ConvexPart> parts_;
-  std::optional<InvertedPart> inverted_;
-};
-
 /// A point in the interior of the hull of these points, which is not flat.
 Point inner_point(const Arrangement& space, const polytope::PlacedPair& placed, const std::vector<PointId>& corners) {
   Point sum;
@@ -300,10 +167,10 @@ Point inner_point(const Arrangement& space, const polytope::PlacedPair& placed, 
   return mpq_class(1, static_cast<unsigned long>(corners.size())) * sum;
 }
 
-std::vector<ConvexPart> convex_parts(Arrangement& space, const polytope::PlacedPair& placed, const MeshChain& mesh) {
-  Decomposition decomposition(space);
-  if (decomposition.run(mesh.surface())) return std::move(decomposition.parts());
-  const InvertedPart& part = *decomposition.inverted();
+std::vector<ConvexPart> parts_of(Arrangement& space, const polytope::PlacedPair& placed, const MeshChain& mesh) {
+  CutSurface cut = convex_parts(space, mesh.surface());
+  if (cut.parts.empty() || cut.parts.back().times > 0) return std::move(cut.parts);
+  const ConvexPart& part = cut.parts.back();
   const long times = static_cast<long>(mesh.turned() ? -part.times : part.times);
   std::string place = place_text(inner_point(space, placed, part.corners));
   if (!place.starts_with("near ")) place = "at " + place;
@@ -393,7 +260,7 @@ Solid solid_of(const Body& mesh) {
   const polytope::PlacedPair placed = polytope::place(points, std::span(points).first(1));
   solids::Arrangement space(placed.exponent());
   const solids::MeshChain chain(space, placed, *mesh.faces);
-  std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::convex_parts(space, placed, chain));
+  std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::parts_of(space, placed, chain));
   if (parts.empty()) throw std::invalid_argument("the mesh encloses no volume: its faces cancel");
   return solids::SolidWriter(space, placed).run(chain, solids::in_order(space, std::move(parts)));
 }
