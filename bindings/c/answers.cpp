@@ -116,15 +116,11 @@ auto asked_with_proof(const fathom_body* a, const fathom_body* b, const fathom_o
 
 // ---- exact texts ----
 
-std::string text_of(const SurdPoint& values) {
-  return surd_text(values[0]) + " " + surd_text(values[1]) + " " + surd_text(values[2]);
-}
-
 std::string text_of(const Vector& n) { return n.x.get_str() + " " + n.y.get_str() + " " + n.z.get_str(); }
 
 std::string text_of(const OverlapProof& proof) {
   std::string text;
-  if (proof.common) text += "common " + text_of(rounded::coordinates(*proof.common)) + "\n";
+  if (proof.common) text += "common " + coordinates_text(rounded::coordinates(*proof.common)) + "\n";
   if (proof.normal) text += "normal " + text_of(*proof.normal) + "\n";
   if (!proof.around.empty()) text += "around";
   for (const auto& [i, j] : proof.around) text += " " + std::to_string(i) + " " + std::to_string(j);
@@ -133,8 +129,8 @@ std::string text_of(const OverlapProof& proof) {
 
 std::string text_of(const ClosenessProof& proof) {
   if (proof.normal) return "normal " + text_of(*proof.normal) + "\n";
-  return "points " + text_of(rounded::coordinates(proof.points->a)) + " " +
-         text_of(rounded::coordinates(proof.points->b)) + "\n";
+  return "points " + coordinates_text(rounded::coordinates(proof.points->a)) + " " +
+         coordinates_text(rounded::coordinates(proof.points->b)) + "\n";
 }
 
 std::string exact_of(const Answer& answer, int quantity) {
@@ -143,9 +139,9 @@ std::string exact_of(const Answer& answer, int quantity) {
       return answer.exact() ? surd_text(*answer.exact())
                             : "[" + surd_text(answer.low()) + "," + surd_text(answer.high()) + "]";
     case FATHOM_DIRECTION: return text_of(present(answer.direction()));
-    case FATHOM_TRANSLATION: return text_of(present(answer.translation()));
-    case FATHOM_WITNESS_A: return text_of(present(answer.witness()).a);
-    case FATHOM_WITNESS_B: return text_of(present(answer.witness()).b);
+    case FATHOM_TRANSLATION: return coordinates_text(present(answer.translation()));
+    case FATHOM_WITNESS_A: return coordinates_text(present(answer.witness()).a);
+    case FATHOM_WITNESS_B: return coordinates_text(present(answer.witness()).b);
     case FATHOM_DEEPEST_PAIR: return surd_text(Surd{0, present(answer.union_bounds()).deepest_pair});
     case FATHOM_HULLS: return surd_text(Surd{0, present(answer.union_bounds()).hulls});
     default: throw std::invalid_argument("quantity: expected one from 0 to 6, found " + std::to_string(quantity));
@@ -176,10 +172,7 @@ std::size_t ways_out(const fathom_answer& answer) {
 
 /// Throws std::invalid_argument unless there are more ways out than this.
 void require_way_out(const fathom_answer& answer, std::size_t index) {
-  const std::size_t count = ways_out(answer);
-  if (index < count) return;
-  throw std::invalid_argument("index: expected one below " + std::to_string(count) + ", the number of optima, found " +
-                              std::to_string(index));
+  require_below(index, ways_out(answer), "index", "optima");
 }
 
 // ---- the checker ----
@@ -207,6 +200,10 @@ fathom_check::Verdict verify_about(std::string_view text, const fathom_body& a, 
 }  // namespace
 
 void copy_numbers(const std::array<double, 3>& from, double* to) { std::ranges::copy(from, to); }
+
+std::string coordinates_text(const SurdPoint& values) {
+  return surd_text(values[0]) + " " + surd_text(values[1]) + " " + surd_text(values[2]);
+}
 
 std::string surd_text(const Surd& value) {
   std::string text = kernels::exact_surd_text(value);

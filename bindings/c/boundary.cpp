@@ -27,12 +27,6 @@ constexpr std::size_t most = std::size_t{1} << 31;  // of anything that is count
 
 std::string of_point(std::size_t i) { return "point " + std::to_string(i) + ": "; }
 
-/// From 1 to 2^31 of `what`, or from 0: throws std::invalid_argument else.
-void require_count(std::size_t count, const char* what) {
-  if (count < 1 || count > most)
-    throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
-}
-
 GivenPoints points_from(const double* xyz, std::size_t count) {
   require_count(count, "points");
   require(xyz, "xyz");
@@ -127,6 +121,17 @@ void require_convex(const Body& body, const std::string& name) {
 void require_at_most(std::size_t count, const char* what) {
   if (count > most)
     throw std::invalid_argument(std::string("expected at most 2^31 ") + what + ", found " + std::to_string(count));
+}
+
+void require_count(std::size_t count, const char* what) {
+  if (count < 1 || count > most)
+    throw std::invalid_argument(std::string("expected from 1 to 2^31 ") + what + ", found " + std::to_string(count));
+}
+
+void require_below(std::size_t index, std::size_t count, const std::string& what, const std::string& of) {
+  if (index < count) return;
+  throw std::invalid_argument(what + ": expected one below " + std::to_string(count) + ", the number of " + of +
+                              ", found " + std::to_string(index));
 }
 
 fathom_body handle(Body body) { return {std::make_shared<const Body>(std::move(body))}; }

@@ -89,7 +89,13 @@ Decimals decimals_from(int decimals);
 /// Throws std::invalid_argument that begins with the name if the body is a union of pieces.
 void require_convex(const Body& body, const std::string& name);
 
+/// Throws std::invalid_argument unless there are from 1 to 2^31 of `what`.
+void require_count(std::size_t count, const char* what);
+
 void require_at_most(std::size_t count, const char* what);
+
+/// Throws std::invalid_argument that begins with `what` unless `index` is below `count`.
+void require_below(std::size_t index, std::size_t count, const std::string& what, const std::string& of);
 
 fathom_body handle(Body body);
 
@@ -161,6 +167,8 @@ std::string json_of(const fathom_answer& asked, const std::string& id, std::opti
 
 /// In lowest terms: "3/5", "-sqrt(1/3)".
 std::string surd_text(const Surd& value);
+/// The three of them, joined by blanks.
+std::string coordinates_text(const SurdPoint& values);
 
 /// To nearest.
 void copy_numbers(const std::array<double, 3>& from, double* to);

@@ -39,12 +39,6 @@ const std::vector<Patch>& patches_in(const fathom_answer* answer) {
   return geometry.patches;
 }
 
-void require_below(std::size_t index, std::size_t count, const std::string& what, const std::string& of) {
-  if (index < count) return;
-  throw std::invalid_argument(what + ": expected one below " + std::to_string(count) + ", the number of " + of +
-                              ", found " + std::to_string(index));
-}
-
 const Patch& patch_in(const fathom_answer* answer, std::size_t index) {
   const std::vector<Patch>& patches = patches_in(answer);
   require_below(index, patches.size(), "patch", "patches");

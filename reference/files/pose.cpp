@@ -10,6 +10,7 @@
 
 #include "fathom/files.hpp"
 #include "fathom/numbers.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
@@ -249,6 +250,18 @@ class Words {
   AngleUnit unit_ = AngleUnit::degrees;
 };
 
+/// Null if it becomes flat. Of a mirrored one, corners are listed the other way around.
+std::shared_ptr<const Solid> placed_solid(Solid solid, const Pose& pose) {
+  const int turn = sgn(determinant(linear_part(pose)));
+  if (turn == 0) return nullptr;
+  for (Point& p : solid.points) p = placed(p, pose);
+  if (turn > 0) return std::make_shared<const Solid>(std::move(solid));
+  for (auto& triangle : solid.triangles) std::ranges::reverse(triangle);
+  for (Solid::Piece& piece : solid.pieces)
+    for (std::vector<std::uint32_t>& facet : piece.facets) std::ranges::reverse(facet);
+  return std::make_shared<const Solid>(std::move(solid));
+}
+
 }  // namespace
 
 Quaternion product(const Quaternion& p, const Quaternion& q) {
@@ -313,7 +326,7 @@ void place(Body& body, const GivenPose& given) {
     for (std::vector<Point>& piece : pieces)
       for (Point& point : piece) point = placed(point, pose);
     body.pieces = std::make_shared<const Pieces>(std::move(pieces));
-    body.solid = nullptr;
+    if (body.solid) body.solid = placed_solid(*body.solid, pose);
     return;
   }
   for (Point& point : body.points.edit()) point = placed(point, pose);

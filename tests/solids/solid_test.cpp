@@ -10,6 +10,7 @@
 
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
+#include "reference/files/pose.hpp"
 #include "reference/solids/validate.hpp"
 #include "tests/solids/meshes.hpp"
 #include "tests/support/rounding_modes.hpp"
@@ -195,6 +196,19 @@ TEST(Solid, IsTheSameInEveryRoundingMode) {
   for (const int mode : testing::rounding_modes) {
     const testing::RoundingMode rounding(mode);
     EXPECT_EQ(pieces_obj(solid_of(mesh.body())), expected) << "mode " << mode;
+  }
+}
+
+TEST(Solid, MovesWithItsMesh) {
+  const Mesh mesh = schoenhardt() + moved(prism(L, 1), 1, {9, 0, 0});
+  for (const int mirror : {1, -1}) {
+    Body body = solid_body(mesh.body());
+    const Pose pose{{{mirror, 1, 0, 3}, {0, 2, mpq_class(1, 3), 0}, {0, 0, 1, -1}}};
+    files::place(body, {.matrix = pose});
+    const kernels::Report report = validate(*body.solid);
+    EXPECT_TRUE(report.ok()) << report.faults.front();
+    EXPECT_EQ(volume(*body.solid), 2 * volume(solid_of(mesh.body())));
+    EXPECT_EQ(*body.pieces, pieces_of(*body.solid));
   }
 }
 
