@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The limits of verify/check/FORMAT.md, section 14, as limits.py has those of section 8; with the same options."""
+import functools
 import pathlib
 import sys
 from fractions import Fraction
@@ -34,6 +35,7 @@ class Solid(Certificate):
         return (n + 10 * f + 4 * c) * h, 3 * (3 * f + c) * cost(4 * h, 4 * h) + s * cost(5 * h, h)
 
     @staticmethod
+    @functools.cache
     def width_of(row):
         p = [Fraction(word) for word in row.split(" ")]
         unit = lcm(*(x.denominator for x in p))
