@@ -15,7 +15,6 @@
 #include "reference/certificate/certificate.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solids/listed_pieces.hpp"
-#include "reference/unions/apart_tree.hpp"
 #include "reference/unions/union_prover.hpp"
 
 namespace fathom::certificate {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/unions/apart_tree.hpp"
-
+// Proofs that pairs of pieces are apart, for blocks of them at once: part of union_prover.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "reference/polytope/position.hpp"
 #include "reference/unions/box_tree.hpp"
 #include "reference/unions/separating.hpp"
+#include "reference/unions/union_prover.hpp"
 
 namespace fathom::unions {
 namespace {

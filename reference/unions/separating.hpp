@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Directions that keep a point apart from the P_ij of many pairs of pieces at once, by images: what
-// they say is certain, within their bounds on errors.  [proofs/unions.md, "Pairs on demand", "Blocks"]
+// they say is certain.                      [proofs/unions.md, "Pairs on demand" and "Blocks"]
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace fathom::unions {
 
-/// All pairs of a piece of A and a piece of B. Their support function h(u) is the largest of h_ij(u).
+/// All pairs of a piece of A and a piece of B. Their support function h(u) is the largest h_ij(u).
 struct PairBlock {
   std::span<const PlacedPiece> a, b;
 };

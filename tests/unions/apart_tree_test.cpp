@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blocks of pairs that are apart: by their definition, against the naive twin that asks each pair;
 // and how few they are.
-#include "reference/unions/apart_tree.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

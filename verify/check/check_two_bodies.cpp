@@ -110,8 +110,8 @@ std::vector<Plane> TwoBodies::check_polytopes(Arena& integers) const {
       divisor = gcd(height, w);
       const mpz_class factor = w / divisor;
       const auto times = [&](const Integer& entry) { return integers.keep(entry.value() * factor); };
-      result.push_back({{times(facet.normal.x), times(facet.normal.y), times(facet.normal.z)},
-                        integers.keep(height / divisor)});
+      result.push_back(
+          {{times(facet.normal.x), times(facet.normal.y), times(facet.normal.z)}, integers.keep(height / divisor)});
     }
     vertices = polytope.vertices;
     facets = polytope.facets;

@@ -48,8 +48,8 @@ void add_polytopes(const Certificate& c, SizeAndWork& total) {
     const Count corners = all.begin_of(polytope.facets.end) - all.begin_of(facets.end), h = total.h;
     total.size = sum(total.size, product(2 * v + 12 * p, h));
     total.work = sum(total.work, product(3 * corners, cost(8 * h, 8 * h)));
-    total.work = sum(total.work, product(product(p, count_named(all, facets.end, polytope.facets.end, v)),
-                                         cost(10 * h, 2 * h)));
+    total.work =
+        sum(total.work, product(product(p, count_named(all, facets.end, polytope.facets.end, v)), cost(10 * h, 2 * h)));
     vertices = polytope.vertices;
     facets = polytope.facets;
   }

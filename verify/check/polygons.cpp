@@ -100,15 +100,13 @@ void Polygons::check_support(const Polygon& facet, const std::vector<std::uint32
 void Polygons::check_edges(std::size_t first) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (std::size_t f = first; f < all_.size(); ++f)
-    for (std::size_t k = 0; k < all_[f].size; ++k)
-      edges.emplace_back(all_[f].corner(k), all_[f].corner(k + 1));
+    for (std::size_t k = 0; k < all_[f].size; ++k) edges.emplace_back(all_[f].corner(k), all_[f].corner(k + 1));
   std::sort(edges.begin(), edges.end());
   for (std::size_t f = first; f < all_.size(); ++f)
     for (std::size_t k = 0; k < all_[f].size; ++k) {
       const std::uint32_t u = all_[f].corner(k), v = all_[f].corner(k + 1);
       if (!std::binary_search(edges.begin(), edges.end(), std::pair{v, u}))
-        throw refused(all_[f].line,
-                      "no facet lies across the edge " + std::to_string(u) + " " + std::to_string(v));
+        throw refused(all_[f].line, "no facet lies across the edge " + std::to_string(u) + " " + std::to_string(v));
     }
 }
 
