@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
-  rates_moving crossings tiles_winding tilings.
-From Fathom.soundness Require Import main corollaries facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
+  rates_moving motions crossings tiles_winding tilings.
+From Fathom.soundness Require Import main corollaries every_motion facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
   patch_example tiling_sound tiling_example.
 
 Print Assumptions check_sound.
@@ -25,6 +25,12 @@ Print Assumptions facet_kinds.
 Print Assumptions naive_algorithm.
 Print Assumptions three_states.
 Print Assumptions hull_comb.
+Print Assumptions depth_every_map.
+Print Assumptions depth_every_motion.
+Print Assumptions depth_some_motion.
+Print Assumptions width_every_map.
+Print Assumptions verdict_every_map.
+Print Assumptions verdict_every_motion.
 Print Assumptions cubes_depth.
 Print Assumptions cubes_verdict.
 Print Assumptions forgeries_refused.
@@ -41,6 +47,12 @@ Print Assumptions signed_depth_depth.
 Print Assumptions signed_depth_touch.
 Print Assumptions ways_out_touch.
 Print Assumptions cone_sound.
+Print Assumptions body_every_map.
+Print Assumptions corners_every_map.
+Print Assumptions body_every_motion.
+Print Assumptions signed_verdict_every_map.
+Print Assumptions signed_verdict_every_corner.
+Print Assumptions signed_verdict_every_motion.
 Print Assumptions union_verdict_sound.
 Print Assumptions union_check_sound.
 Print Assumptions union_deep_pairs.
