@@ -47,6 +47,7 @@ Print Assumptions signed_depth_depth.
 Print Assumptions signed_depth_touch.
 Print Assumptions ways_out_touch.
 Print Assumptions cone_sound.
+Print Assumptions pieces_every_motion.
 Print Assumptions body_every_map.
 Print Assumptions corners_every_map.
 Print Assumptions body_every_motion.

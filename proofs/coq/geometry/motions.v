@@ -5,7 +5,7 @@
 Require Import Reals Lra Psatz List.
 From Fathom.checker Require Import body.
 From Fathom.geometry Require Import meaning bodies space norm hulls difference depth minkowski width wording.
-From Fathom.geometry Require Import signed_depth rounded compact existence curved gaps seams.
+From Fathom.geometry Require Import signed_depth rounded compact existence curved gaps unions seams.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -160,6 +160,19 @@ Proof.
   - intros p. replace (sub (add p t) p) with t by (pteq; ring). auto.
 Qed.
 
+(* of unions it holds of each pair of pieces, the deepest one included; of their own depth it does not
+   (proofs/README.md) *)
+Theorem pieces_every_motion : forall As Bs A B q f, solid_pieces As -> solid_pieces Bs -> In A As -> In B Bs ->
+  depth2_is A B q -> rigid f -> (forall p, ~ (interior (image f (union As)) p /\ interior (union Bs) p)) ->
+  exists a, In a A /\ q <= norm2 (sub (f a) a).
+Proof.
+  intros As Bs A B q f [_ SA] [_ SB] IA IB D Hf H. apply (depth_every_motion A B); auto. intros p [Hp Bp].
+  destruct (SB B IB) as (g & Hg).
+  destruct (common_interior _ _ p g (hull_convex _) Hp Bp Hg) as (x & (e & He & X) & Xb).
+  apply (H x). split; [|apply (piece_interior Bs B); auto]. exists e. split; auto. intros s Hs.
+  destruct (X s Hs) as (a & Ha & ->). exists a. split; auto. exists A. auto.
+Qed.
+
 (* ---- rounded and curved bodies ---- *)
 Definition ball (r : R) (p : pt) : Prop := norm2 p <= r * r.
 
@@ -183,7 +196,8 @@ Proof.
     + exists origin. rewrite norm2_origin. split; [lra|]. rewrite (norm2_zero q); [pteq; ring|].
       assert (N := norm2_nonneg q). lra.
     + exists (scal (/ r) q). split; [|pteq; field; auto]. rewrite norm2_scal. assert (Pr : 0 < r * r) by nra.
-      apply Rmult_le_reg_l with (r * r); auto. replace (r * r * (/ r * / r * norm2 q)) with (norm2 q) by (field; auto). lra.
+      apply Rmult_le_reg_l with (r * r); auto.
+      replace (r * r * (/ r * / r * norm2 q)) with (norm2 q) by (field; auto). lra.
 Qed.
 Lemma ball_convex : forall r, convex (ball r).
 Proof.
@@ -220,13 +234,15 @@ Proof.
   intros A r B v f L Hv (n & Hn & H). assert (Pn := norm_pos n Hn).
   assert (HA : A <> []).
   { assert (I : gaps (Body (Points A) r) B origin) by (apply interior_in, L; auto; rewrite norm2_origin; nra).
-    intros ->. destruct I as (b & a & _ & (s & Hs & _) & _). apply (Hs (fun _ => False)); [intros u w l _ []|simpl; tauto]. }
+    intros ->. destruct I as (b & a & _ & (s & Hs & _) & _).
+    apply (Hs (fun _ => False)); [intros u w l _ []|simpl; tauto]. }
   destruct (lowest_corner_of A n HA) as (a & Ia & Low). exists a. split; auto. apply norm_ge; [lra|].
   set (d := along n (Rabs r)). assert (Hd : dot n d = Rabs r * norm n) by (apply dot_along; auto).
   replace (sub (f a) a) with (sub (sub (f a) d) (sub a d)) by (pteq; ring).
   apply (moved_far (in_body (Body (Points A) r)) (in_body B) _ n); auto.
   - intros s Hs. apply thick_sum in Hs. destruct Hs as (c & e & Hc & He & ->). apply ball_norm in He.
-    cbn [radius] in He. specialize (Low c Hc). assert (D := dot_le_norm n (scal (-1) e)). rewrite norm_minus, dot_scal_r in D.
+    cbn [radius] in He. specialize (Low c Hc). assert (D := dot_le_norm n (scal (-1) e)).
+    rewrite norm_minus, dot_scal_r in D.
     rewrite dot_sub_r, dot_add_r, Hd. nra.
   - intros t Ht. apply H; auto. apply thick_sum. exists (f a), (scal (-1) d).
     split; [apply hull_in, in_map; auto|]. split; [|pteq; ring]. apply ball_norm. rewrite norm_minus. unfold d.

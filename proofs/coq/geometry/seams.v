@@ -38,6 +38,18 @@ Proof.
   unfold a, x. pteq; field; lra.
 Qed.
 
+(* an interior point of S that is in a convex T with an interior: some point is interior to both *)
+Lemma common_interior : forall S T p g, convex T -> interior S p -> T p -> interior T g ->
+  exists x, interior S x /\ interior T x.
+Proof.
+  intros S T p g C (d & Hd & H) Hp Hg. set (N := norm (sub g p)). assert (PN : 0 <= N) by apply norm_nonneg.
+  set (k := d / (d + N)). assert (Ek : k * (d + N) = d) by (unfold k; field; lra).
+  assert (Pk : 0 < k) by (apply Rdiv_lt_0_compat; lra). assert (Lk : k <= 1) by nra.
+  exists (add p (scal k (sub g p))). split; [|apply step_inside; auto].
+  apply (interior_near _ p d); auto. replace (sub (add p (scal k (sub g p))) p) with (scal k (sub g p)) by (pteq; ring).
+  apply norm_lt; [lra|]. rewrite norm_scal by lra. fold N. nra.
+Qed.
+
 (* ---- two pieces ---- *)
 Theorem pair_interiors : forall A B t, (exists p, interior (conv A) p) -> (exists p, interior (conv B) p) ->
   (interior (P A B) t <-> exists p, interior (translate (conv A) t) p /\ interior (conv B) p).
@@ -46,12 +58,7 @@ Proof.
   assert (NB : B <> []).
   { intros ->. apply interior_in in Hg. apply (Hg (fun _ => False)); [intros u v l _ []|simpl; tauto]. }
   rewrite <- meets_interior; auto. split.
-  - intros (p & (d & Hd & H) & Hp). set (N := norm (sub g p)). assert (PN : 0 <= N) by apply norm_nonneg.
-    set (k := d / (d + N)). assert (Ek : k * (d + N) = d) by (unfold k; field; lra).
-    assert (Pk : 0 < k) by (apply Rdiv_lt_0_compat; lra). assert (Lk : k <= 1) by nra.
-    exists (add p (scal k (sub g p))). split; [|apply step_inside; auto; apply hull_convex].
-    apply (interior_near _ p d); auto. replace (sub (add p (scal k (sub g p))) p) with (scal k (sub g p)) by (pteq; ring).
-    apply norm_lt; [lra|]. rewrite norm_scal by lra. fold N. nra.
+  - intros (p & HAp & Hp). apply (common_interior _ _ p g); auto. apply hull_convex.
   - intros (p & HAp & HBp). exists p. split; auto. apply interior_in. auto.
 Qed.
 
