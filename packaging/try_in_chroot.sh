@@ -5,6 +5,7 @@
 # try_in_chroot.sh --depth [SUITE]             what ./fathom depth builds on a bare Debian SUITE answers as this machine's does, byte for byte.
 # try_in_chroot.sh --parse [SUITE]             the compilers of SUITE, g++ and clang, parse all sources but tests; a warning is an error.
 # try_in_chroot.sh --check [SUITE] [ARGUMENTS] --depth of the whole program, the data of L0, and every test, by ./check ARGUMENTS.
+# try_in_chroot.sh --proofs [SUITE]            the Coq and the OCaml of SUITE prove proofs/coq, build the proved checker, and make its tests.
 # try_in_chroot.sh --arm64 [SUITE]             cross-builds fathom-depth, fathom-check and the library for C for arm64; under qemu they answer,
 #                                              prove, check the proofs of L0, and run the examples in C.
 #
@@ -30,7 +31,7 @@ die() {
 own=$(. /etc/os-release && echo "$VERSION_CODENAME")
 mode=$1 suite=$own debs=''
 case $mode in
-  --depth | --parse | --check | --arm64)
+  --depth | --parse | --check | --proofs | --arm64)
     shift
     if [[ ${1-} =~ ^[a-z]+$ ]]; then
       suite=$1
@@ -183,6 +184,11 @@ if [[ -z $debs ]]; then
   if [[ $mode == --parse ]]; then
     say "$suite: all sources are parsed"
     limit=3h parse_all
+  elif [[ $mode == --proofs ]]; then
+    say "$suite: everything is proved, and the proved checker built"
+    limit=2h inside there bash -euc 'root=/fathom me=proofs && . /fathom/cmake/launcher.sh && lock && start_log && install_packages proved && cd /fathom
+      make -C proofs/coq OUT=/data/proofs check >/data/log 2>&1 || { tail -n 20 /data/log >&2; exit 1; }
+      coqc --version | head -n 1'
   else
     say "$suite: the launcher builds depth"
     limit=3h inside there /fathom/fathom depth /fathom/tests/data/cube.off /fathom/tests/data/icosahedron.off

@@ -56,6 +56,18 @@ TRIED=1 expect 1 "$tree/.ci/run"
 TRIED=2 expect 2 "$tree/.ci/run"
 CHECK=3 expect 3 "$tree/.ci/run"
 
+law='the nightly script begins with the proofs, made with the Coq of Debian 13'
+mkdir -p "$tree/tests/nightly"
+cp "$project/tests/nightly/nightly.sh" "$tree/tests/nightly"
+for program in fathom fathom-two-ways; do stand_in "$tree/build/release/$program" "echo $program >>\"\$STEPS\""; done
+: >"$STEPS"
+expect 0 "$tree/tests/nightly/nightly.sh"
+steps $'check --room nightly\ntry --proofs trixie\nfathom\nfathom\nfathom-two-ways'
+TRIED=3 expect 0 "$tree/tests/nightly/nightly.sh"
+[[ $talk == 'nightly: the proofs were not tried with the Coq of Debian 13: no bare system of it can be made here' ]] ||
+  broken 'no such line'
+TRIED=1 expect 3 "$tree/tests/nightly/nightly.sh"
+
 law='a warning of clang is an error under sanitizers'
 python3 - "$project/CMakePresets.json" <<'PYTHON' || broken 'it is none'
 import json, sys
@@ -74,12 +86,17 @@ if ((!EUID)); then
   stand_in "$work/bin/mmdebstrap" 'for last; do [[ $last == "$HOME"* || $last != /* ]] || target=$last; done
     (( ${BARE-0} )) && exit "$BARE"; mkdir -p "$target/etc/apt/apt.conf.d" "$target/ccache"; echo kept >"$target/ccache/object"'
   stand_in "$work/bin/unshare" '[[ $* != *--root=* ]] || exit "${INSIDE-0}"; exit "${MOUNT-0}"'
-  try() { expect "$1" env PATH="$work/bin:$PATH" HOME="$work" XDG_CACHE_HOME="$work/cache" "${@:2}" "$tree/packaging/try_in_chroot.sh" --depth trixie; }
+  try() {
+    expect "$1" env PATH="$work/bin:$PATH" HOME="$work" XDG_CACHE_HOME="$work/cache" "${@:2}" \
+      "$tree/packaging/try_in_chroot.sh" "${mode---depth}" trixie
+  }
   try 3 MOUNT=1
   try 3 BARE=1
   [[ $talk == *'mmdebstrap could not make a bare trixie'* ]] || broken 'no such sentence'
   try 1 INSIDE=3
   try 2 INSIDE=2
   [[ -f $work/cache/fathom/ccache-trixie/object ]] || broken 'nothing was kept'
+  mode=--proofs try 0
+  mode=--proofs try 1 INSIDE=1
 fi
 echo 'every law holds'

@@ -6,7 +6,8 @@
 # too; then a random stream of cases of all families for 10 minutes, or as long as one likes. Every fifth case is one of unions, whose second
 # way are pairs of pieces, convex wholes and a naive search. The seed is printed; --seed and --from go on with a stream, and golden data that
 # is there already is not made again. The first difference is made small and kept as DIR/differences/difference.case.json; DIR is
-# build/nightly unless given. Builds what it needs, unless --built names a folder with the programs.
+# build/nightly unless given. Builds what it needs, and makes the proofs with the Coq of Debian 13 too, unless --built names a folder with
+# the programs.
 #
 # Exit codes: 0 all agree; 1 a difference, and what was printed says where; 2 wrong arguments; 3 something that this script needs failed.
 set -u
@@ -22,7 +23,7 @@ die() {
 while (($#)); do
   case $1 in
     -h | --help)
-      sed -n '3,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+      sed -n '3,12s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
       exit 0
       ;;
     --level | --work | --built | --seed | --from | --until | --cases) (($# > 1)) || die 2 "$1 expects a value" ;;&
@@ -37,6 +38,12 @@ done
 if [[ -z $built ]]; then
   "$root/check" --room nightly || die 3 "the programs could not be built, or their own test failed"
   built=$root/build/release
+  "$root/packaging/try_in_chroot.sh" --proofs trixie
+  case $? in
+    0) ;;
+    2 | 3) echo 'nightly: the proofs were not tried with the Coq of Debian 13: no bare system of it can be made here' >&2 ;;
+    *) die 3 'the proofs fail with the Coq of Debian 13' ;;
+  esac
 fi
 two_ways=$built/fathom-two-ways
 [[ -x $two_ways ]] || two_ways=$built/tests/nightly/fathom-two-ways
