@@ -40,6 +40,9 @@ int main() {
   const fathom::Pieces pieces = fathom::pieces_of(solid);
   const fathom::UnionDepth depth = fathom::union_depth(pieces, fathom::read_pieces("ell_pieces.obj"));
   std::cout << "in itself: depth^2 = " << depth.squared() << '\n';
+  const fathom::PieceCoverage of_one = fathom::coverage(solid, {pieces[0]});
+  std::cout << "its first piece alone: " << of_one.missing << " is missing, " << of_one.outside << " outside, "
+            << (of_one.tiles() || of_one.same_union() || of_one.most_outside() ? "not so\n" : "no piece sticks out\n");
   const fathom::Body body = fathom::solid_body(fathom::parse_mesh(ell, "ell.off"));
   std::cout << "as a body: " << body.pieces->size() << " pieces\n";
 
@@ -52,5 +55,6 @@ int main() {
 
 //> 12 of 14 points are the mesh's, 2 pieces, volume 3, 0 notes
 //> in itself: depth^2 = 1
+//> its first piece alone: 1 is missing, 0 outside, no piece sticks out
 //> as a body: 2 pieces
 //> the mesh is not closed: 3 edges have more faces on one side than on the other, such as (0, 0, 0) -> (1, 0, 0). A solid has no hole in its surface

@@ -203,6 +203,7 @@ constexpr Example solid_examples[] = {
     {"fathom solid -o pieces.obj a.off", "and the pieces, one group each"},
     {"fathom solid --exact --exact-decimals a.obj", "0.1 means 1/10, so that flat faces stay flat; the volume exactly"},
     {"fathom solid --certificate a.cert a.off", "and the proof that the pieces tile what it goes around: fathom check"},
+    {"fathom solid --judge pieces.obj a.off", "do the convex pieces of another program tile it? what is missing?"},
     {"fathom solid --json a.stl", "one JSON object"},
 };
 
@@ -280,6 +281,8 @@ constexpr ExitMeaning certify_exits[] = {
     fault_exit,
     {4, "incomplete: the subject could not be started, declined all cases, or cases have no reply"},
     interrupted_exit};
+constexpr ExitMeaning solid_exits[] = {
+    fine_exit, {1, "with --judge: the pieces do not tile the solid"}, usage_exit, fault_exit, interrupted_exit};
 constexpr ExitMeaning check_exits[] = {
     {0, "all were accepted, and there was one"},
     {1, "some were refused"},
@@ -321,7 +324,7 @@ constexpr CommandHelp commands[] = {
      "fathom explain [OPTIONS] A B -o PAGE.html | CASES.jsonl --case ID -o PAGE.html", explain_examples, usual_exits,
      usual_notes},
     {"solid", "Convex pieces of the solid that a closed mesh bounds, exactly.", "fathom solid [OPTIONS] MESH",
-     solid_examples, usual_exits, solid_notes},
+     solid_examples, solid_exits, solid_notes},
     {"cases", "Test cases by name, or from two meshes.",
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE",
      cases_examples, usual_exits, usual_notes},

@@ -234,6 +234,10 @@ std::vector<Option> make_table() {
            "the pieces: an OBJ file with a group for each, exactly, for --pieces and for other programs"),
       file("solid", "--certificate", "FILE", FileUse::written,
            "write the proof that the pieces tile what the mesh goes around to FILE"),
+      file(
+          "solid", "--judge", "PIECES", FileUse::read,
+          "judge convex pieces of another program, in groups of an OBJ file or in a folder of meshes: by which volumes "
+          "do they miss the solid, stick out of it and overlap? Exit code 1 unless they tile it"),
       flag("solid", "--json", "one JSON object, schema fathom/solid/1"),
       flag("explain", "--times", "add how long each stage took: then the page differs from run to run"),
 

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,5 +73,28 @@ std::string pieces_obj(const Solid& solid);
 /// facets stand in it in their order. Whether it is true is for the checkers to say: it is, if the
 /// solid is what its type promises. Throws std::out_of_range for an index that names no point.
 std::string certificate_text(const Solid& solid, std::string_view id = {});
+
+/// How far convex pieces are from tiling a solid. Volumes are exact.
+struct PieceCoverage {
+  mpq_class missing;                  ///< of the solid, what no piece covers
+  mpq_class outside;                  ///< of what pieces cover, what is not in the solid
+  mpq_class overlap;                  ///< what the volumes of the pieces sum to beyond that of their union
+  std::vector<mpq_class> outside_of;  ///< for each piece: of it, what is not in the solid
+  std::optional<Point> uncovered;     ///< a point in the interior of the solid and in no piece, if some is missing
+  std::optional<Point> stray;         ///< a point in the interior of a piece, not in the solid, if some is outside
+
+  /// Whether the union of the pieces is the solid.
+  [[nodiscard]] bool same_union() const { return missing == 0 && outside == 0; }
+  /// Whether they tile it: they do not overlap either.
+  [[nodiscard]] bool tiles() const { return same_union() && overlap == 0; }
+  /// The first of the pieces of which most is outside; nullopt if nothing is.
+  [[nodiscard]] std::optional<std::size_t> most_outside() const;
+};
+
+/// Compares the union of convex pieces, each the hull of its points, with a solid. Exact. Numbers
+/// are long where many pieces are cut. Throws std::invalid_argument, with the number of the piece,
+/// if one is flat or has no points, and if there are no pieces or a coordinate is not in lowest
+/// terms.
+PieceCoverage coverage(const Solid& solid, const Pieces& pieces);
 
 }  // namespace fathom

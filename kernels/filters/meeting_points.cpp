@@ -46,9 +46,11 @@ double quotient(const FixedInteger<Bits>& v, const FixedInteger<Bits>& w, long e
   return of_views([](mpz_srcptr n, mpz_srcptr d, long e) { return quotient(n, d, e); }, v, w, exponent);
 }
 
-// Divides a plane's equation by what its normal's components share.
+// Divides a plane's equation by what its numbers share: all that the normal's components do, if the
+// plane goes through a lattice point.
 void reduce(Vector& normal, mpz_class& height) {
-  const mpz_class shared = gcd(gcd(normal.x, normal.y), normal.z);
+  mpz_class shared = gcd(gcd(normal.x, normal.y), normal.z);
+  if (shared > 1) shared = gcd(shared, height);
   if (shared <= 1) return;
   for (mpz_class* c : {&normal.x, &normal.y, &normal.z, &height})
     mpz_divexact(c->get_mpz_t(), c->get_mpz_t(), shared.get_mpz_t());

@@ -64,8 +64,9 @@ struct OrientedPlaneIn {
 };
 using OrientedPlane = OrientedPlaneIn<AnyNumbers>;
 
-/// The plane with its normal made primitive; the plane goes through a lattice point, so that height
-/// stays an integer. Points that it is asked about have coordinates of size about 2^exponent.
+/// The plane, its equation divided by what its numbers share: so the normal is primitive, if the
+/// plane goes through a lattice point. Points that it is asked about have coordinates of size about
+/// 2^exponent.
 template <class Numbers = AnyNumbers>
 OrientedPlaneIn<Numbers> oriented_plane(Vec3<typename Numbers::OfPlane> normal, typename Numbers::OfPlane height,
                                         long exponent);

@@ -25,6 +25,12 @@ void reduce(std::initializer_list<mpz_class*> numbers, int sign) {
   for (mpz_class* n : numbers) mpz_divexact(n->get_mpz_t(), n->get_mpz_t(), shared.get_mpz_t());
 }
 
+/// Normal to the plane through three points, on the side where they appear counter-clockwise.
+Vector normal_through(const kernels::RationalPoint& a, const kernels::RationalPoint& b,
+                      const kernels::RationalPoint& c) {
+  return cross(a.w * b.v - b.w * a.v, a.w * c.v - c.w * a.v);
+}
+
 /// Which component of v, not zero, is the first that is not 0.
 int first_axis(const Vector& v) { return v.x != 0 ? 0 : v.y != 0 ? 1 : 2; }
 
@@ -50,11 +56,19 @@ PointId Arrangement::point(Vector v, mpz_class w) {
       [&] { return kernels::rational_point(v, w, exponent_); });
 }
 
+PointId Arrangement::point_at(const Point& position) {
+  const auto& [x, y, z] = position;
+  const mpz_class w = lcm(lcm(x.get_den(), y.get_den()), z.get_den());
+  const auto over_w = [&](const mpq_class& c) { return mpz_class(c.get_num() * (w / c.get_den())); };
+  return point({over_w(x), over_w(y), over_w(z)}, w);
+}
+
 std::optional<PlaneSide> Arrangement::plane(PointId p, PointId q, PointId r) {
-  const Vector& origin = points_[p].v;
-  Vector normal = cross(points_[q].v - origin, points_[r].v - origin);
+  const kernels::RationalPoint& origin = points_[p];
+  Vector normal = normal_through(origin, points_[q], points_[r]);
   if (is_zero(normal)) return std::nullopt;
-  mpz_class height = dot(normal, origin);
+  mpz_class height = dot(normal, origin.v);
+  if (origin.w != 1) normal = origin.w * normal;
   const int sign = sgn(kernels::coordinate(normal, first_axis(normal)));
   reduce({&normal.x, &normal.y, &normal.z, &height}, sign);
   return PlaneSide{plane(normal, height), sign < 0};
@@ -109,9 +123,7 @@ int Arrangement::turn(PlaneSide e, PlaneSide f, LineId l) const {
 }
 
 int Arrangement::turn(PlaneSide e, PointId p, PointId q, PointId r) const {
-  const kernels::RationalPoint &a = points_[p], &b = points_[q], &c = points_[r];
-  const Vector normal = cross(a.w * b.v - b.w * a.v, a.w * c.v - c.w * a.v);
-  const int sign = sgn(dot(planes_[e.plane].normal, normal));
+  const int sign = sgn(dot(planes_[e.plane].normal, normal_through(points_[p], points_[q], points_[r])));
   return e.reversed ? -sign : sign;
 }
 

@@ -48,8 +48,10 @@ class Arrangement {
 
   /// The point v / w; w is not 0.
   PointId point(Vector v, mpz_class w = 1);
-  /// The plane through three points of the mesh's lattice, its outside where they appear
-  /// counter-clockwise; nullopt if they lie on a line.
+  /// The same of the point in this position.
+  PointId point_at(const Point& position);
+  /// The plane through three points, its outside where they appear counter-clockwise; nullopt if
+  /// they lie on a line.
   std::optional<PlaneSide> plane(PointId p, PointId q, PointId r);
   /// The plane through a point of the mesh's lattice where coordinate `axis` is constant.
   PlaneId plane_across(int axis, PointId p);

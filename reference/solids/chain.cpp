@@ -2,7 +2,6 @@
 #include "reference/solids/chain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
@@ -203,13 +202,6 @@ CutChunk Cutter::cut(Chunk chunk, PlaneId e) {
   return parts;
 }
 
-namespace {
-
-/// Points with the extreme coordinates of a chunk, along each axis.
-struct ChunkBox {
-  std::array<PointId, 3> low, high;
-};
-
 ChunkBox box_of(const Arrangement& space, const Chunk& chunk) {
   const PointId first = chunk.front().edges.front().low;
   ChunkBox box{{first, first, first}, {first, first, first}};
@@ -221,15 +213,12 @@ ChunkBox box_of(const Arrangement& space, const Chunk& chunk) {
   return box;
 }
 
-/// Whether they have common points in their interiors.
 bool overlap(const Arrangement& space, const ChunkBox& a, const ChunkBox& b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (space.compare(a.high[axis], b.low[axis], axis) <= 0 || space.compare(b.high[axis], a.low[axis], axis) <= 0)
       return false;
   return true;
 }
-
-}  // namespace
 
 std::vector<Chunk> Cutter::components(Chunk chunk) {
   const std::vector<PointId> points = points_of(chunk);

@@ -5,6 +5,7 @@
 // it, and so is all that happens to them when a plane cuts the solid.            [proofs/solids.md]
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,14 @@ using Chunk = std::vector<ChainFacet>;
 std::vector<ChainEdge> edges_between(const Arrangement& space, std::vector<ChainEnd> ends);
 /// The same chain by such segments: those that overlap are added up.
 std::vector<ChainEdge> normalised(const Arrangement& space, const std::vector<ChainEdge>& edges);
+
+/// Points with the extreme coordinates of a chunk, along each axis.
+struct ChunkBox {
+  std::array<PointId, 3> low, high;
+};
+ChunkBox box_of(const Arrangement& space, const Chunk& chunk);
+/// Whether they have common points in their interiors.
+bool overlap(const Arrangement& space, const ChunkBox& a, const ChunkBox& b);
 
 /// A segment at which a chunk is not convex, with the planes that meet there.
 struct ReflexEdge {

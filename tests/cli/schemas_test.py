@@ -66,7 +66,10 @@ TEETH = {
             (["more"], 1), (["status"], "inside"), (["contact", "a", "feature"], "nose")])],
     "solid": [({"solid": PRESENT}, set(), [
         (["more"], 1), (["solid", "pieces"], 0), (["solid", "points", "all"], 3), (["solid", "volume", "exact"], "0.5"),
-        (["solid", "turned"], 1), (["solid", "more"], 1), (["solid"], None)])],
+        (["solid", "turned"], 1), (["solid", "more"], 1), (["solid"], None)]), ({"coverage": PRESENT}, set(), [
+        (["coverage"], None), (["coverage", "tiles"], 1), (["coverage", "missing", "exact"], "0.5"), (["coverage", "outside"], "1"),
+        (["coverage", "most_outside", "piece"], -1), (["coverage", "stray"], ["1", "2"]), (["coverage", "uncovered"], [1, 2, 3]),
+        (["coverage", "overlap"], None), (["coverage", "more"], 1)])],
     "union": [({"status": "penetrating"}, {"hull", "solids"}, [
         (["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["extra"], 1),
         (["optima", 0, "translation", 0], 0.5), (["deepest_pair", "pieces"], [0])])],

@@ -86,6 +86,7 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("reference/solids/chain.cpp", "if (overlap(space_, boxes[i].first, boxes[k].first)) groups", "if (i == k) groups", "solids_tests"),
     ("reference/solids/solid.cpp", "if (volume < 0) turn();", "", "solids_tests"),
     ("reference/solids/convex_parts.cpp", "for (const PlaneId plane : middle_planes(points)) consider(plane);", ";", "solids_tests"),
+    ("reference/solids/coverage.cpp", "if (facet.side.reversed) std::swap(above, below);", "", "solids_tests"),
     ("reference/solids/joined_parts.cpp", "&& is_below(b, a, common);", ";", "solids_tests"),
     ("reference/curved/assembly.cpp", "if (up && rest != 0) ++result;", "if (rest != 0) ++result;", "curved_tests"),
     ("reference/curved/face.cpp", "if (auto found = of_one_disc(Choices(a_, b_))) return found;", "", "curved_tests"),

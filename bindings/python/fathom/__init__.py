@@ -41,8 +41,8 @@ except ImportError as fault:
     raise ImportError("fathom._fathom cannot be loaded: is it built for this Python? docs/python.md says how") from fault
 
 from fathom._answers import Depth, Depths, Exact, NotConvexWarning, Optimum, Root, check, Checked, depth, depths, distance, width, Width
-from fathom._bodies import (Body, Convexity, Pose, box, capsule, cone, convexity, cylinder, ellipsoid, frustum, halfspace, pose, read_mesh,
-                            read_pieces, solid, sphere, tapered_capsule, union)
+from fathom._bodies import (Body, Convexity, Coverage, Pose, box, capsule, cone, convexity, coverage, cylinder, ellipsoid, frustum,
+                            halfspace, pose, read_mesh, read_pieces, solid, sphere, tapered_capsule, union)
 from fathom._fathom import version as __version__
 from fathom._files import Case, Record, cases, family, golden
 from fathom._patches import Derivative, Gradient, OptimalCone, Patch, PatchCorner, VertexWeights
@@ -51,9 +51,9 @@ from fathom._questions import (Approx, Growth, Judgement, Metric, Ray, Study, ap
                                study)
 from fathom._unions import PieceContact, UnionBounds, UnionDepth, UnionDistance, UnionOptimum, union_depth
 
-__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Depth", "Depths", "Derivative", "Exact", "Gradient", "Growth", "Judgement",
-           "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared", "Ray",
-           "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width", "approx",
-           "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "cylinder", "depth", "depths", "distance", "ellipsoid",
-           "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray", "read_mesh", "read_pieces",
-           "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]
+__all__ = ["Approx", "Body", "Case", "Checked", "Convexity", "Coverage", "Depth", "Depths", "Derivative", "Exact", "Gradient", "Growth",
+           "Judgement", "Metric", "NotConvexWarning", "OptimalCone", "Optimum", "Patch", "PatchCorner", "PieceContact", "Pose", "Prepared",
+           "Ray", "Record", "Root", "Study", "UnionBounds", "UnionDepth", "UnionDistance", "UnionOptimum", "VertexWeights", "Width",
+           "approx", "box", "capsule", "cases", "check", "closer_than", "cone", "convexity", "coverage", "cylinder", "depth", "depths",
+           "distance", "ellipsoid", "family", "frustum", "golden", "growth", "halfspace", "judge", "metric", "overlap", "pose", "ray",
+           "read_mesh", "read_pieces", "solid", "sphere", "study", "tapered_capsule", "union", "union_depth", "width", "__version__"]

@@ -10,10 +10,10 @@ from typing import Any, Iterable, NamedTuple
 
 from fathom import _fathom
 from fathom._fathom import Body, Pose
-from fathom._types import BodyLike, Number, Triple
+from fathom._types import BodyLike, FractionTriple, Number, Triple, UnionLike
 
-__all__ = ["Body", "Convexity", "Pose", "box", "capsule", "cone", "convexity", "cylinder", "ellipsoid", "frustum", "halfspace", "pose",
-           "read_mesh", "read_pieces", "solid", "sphere", "tapered_capsule", "union"]
+__all__ = ["Body", "Convexity", "Coverage", "Pose", "box", "capsule", "cone", "convexity", "coverage", "cylinder", "ellipsoid", "frustum",
+           "halfspace", "pose", "read_mesh", "read_pieces", "solid", "sphere", "tapered_capsule", "union"]
 
 
 def _body_of_state(*state: Any) -> Body:
@@ -126,6 +126,35 @@ def solid(mesh: BodyLike) -> Body:
     'penetrating'
     """
     return _fathom.solid(mesh)
+
+
+class Coverage(NamedTuple):
+    """How far convex pieces are from tiling the solid of a mesh. Volumes are exact."""
+
+    tiles: bool  #: whether the pieces cover the solid, lie in it and do not overlap
+    same_union: bool  #: whether their union is the solid: they may overlap
+    missing: Fraction  #: of the solid, what no piece covers
+    outside: Fraction  #: of what pieces cover, what is not in the solid
+    overlap: Fraction  #: what the volumes of the pieces sum to beyond that of their union
+    outside_of: list[Fraction]  #: for each piece: of it, what is not in the solid
+    most_outside: int | None  #: the first piece of which most is outside; None if nothing is
+    uncovered: FractionTriple | None  #: a point inside the solid that no piece covers, if some is missing
+    stray: FractionTriple | None  #: a point inside a piece that is not in the solid, if some is outside
+
+
+def coverage(mesh: BodyLike, pieces: UnionLike) -> Coverage:
+    """Compares the union of convex pieces, such as another program made, with what a closed mesh goes around, exactly.
+
+    mesh  as for `solid`, or what that returned
+    pieces  as for `union`; fractions are long where many of them are cut
+
+    >>> import fathom
+    >>> mesh = fathom.read_mesh("tests/data/decompositions/spanner.off")
+    >>> found = fathom.coverage(mesh, fathom.read_pieces("tests/data/decompositions/spanner.obj"))
+    >>> found.tiles, float(found.missing), float(found.outside), found.most_outside
+    (False, 0.6111927516283405, 0.9834834002352644, 3)
+    """
+    return Coverage(**_fathom.coverage(mesh, pieces))
 
 
 def read_pieces(path: str | os.PathLike[str], decimals: str = "binary64") -> Body:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
 #include "fathom/solid.hpp"
+#include "fathom/union.hpp"
 #include "reference/files/case_json.hpp"
 #include "reference/files/piece_files.hpp"
 #include "reference/files/pose.hpp"
@@ -378,6 +380,29 @@ Body union_from(py::handle from, const std::string& called, const std::string& n
   return files::union_of(pieces_from(from, called, name));
 }
 
+namespace {
+
+using py::literals::operator""_a;
+
+// The fields of fathom.Coverage.
+py::dict coverage_of(const py::object& mesh, const py::object& pieces) {
+  const Body body = body_from(mesh, py::none(), "mesh"), given = union_from(pieces, "the pieces", "pieces");
+  const Body solid = body.solid ? body : named("mesh", [&] { return solid_body(body); });
+  const PieceCoverage found = named("pieces", [&] {
+    const py::gil_scoped_release unlocked;
+    return coverage(*solid.solid, pieces_of(given));
+  });
+  const auto point = [](const std::optional<Point>& p) { return p ? py::object(fractions(*p)) : py::none(); };
+  py::list outside_of;
+  for (const mpq_class& volume : found.outside_of) outside_of.append(fraction(volume));
+  return py::dict("tiles"_a = found.tiles(), "same_union"_a = found.same_union(), "missing"_a = fraction(found.missing),
+                  "outside"_a = fraction(found.outside), "overlap"_a = fraction(found.overlap),
+                  "outside_of"_a = outside_of, "most_outside"_a = py::cast(found.most_outside()),
+                  "uncovered"_a = point(found.uncovered), "stray"_a = point(found.stray));
+}
+
+}  // namespace
+
 void warn_of_dents(const Body& body, const std::string& called) {
   const std::string sentence = [&]() -> std::string {
     const py::gil_scoped_release unlocked;
@@ -432,6 +457,7 @@ void bind_bodies(py::module_& module) {
         });
       },
       py::arg("mesh"));
+  module.def("coverage", coverage_of, py::arg("mesh"), py::arg("pieces"));
   module.def("read_pieces", union_in_files, py::arg("path"), py::arg("decimals"));
   module.def(
       "read_mesh",
