@@ -130,8 +130,8 @@ def sizes():
                     90_000)
     vector, large = f"{-2**49_998} 0 1", Solid([*wide[0], *[ZERO] * 12_480])  # vectors alone would be too much work
     yield from pair("vectors", lambda k: Two(large, apart=["a", vector] + ["1 0 0"] * k), 10, 900)
-    yield from pair("vectors of optima", lambda k: Two(large, claim="depth 1", optima=[("0 0 0", ["b", vector] * 9), ("0 0 0", ["1 0 0"] * k)]),
-                    10, 900)
+    optima = ("0 0 0", ["b", vector] * 9)
+    yield from pair("vectors of optima", lambda k: Two(large, claim="depth 1", optima=[optima, ("0 0 0", ["1 0 0"] * k)]), 10, 900)
     place = f"1/{3**100_000} 0 {7**90_000}/{7**50_000}"
     yield from pair("optima", lambda k: Two(claim="depth 1", optima=[(place, [])] + [("0 1 0", [])] * k), 1_000, 30_000)
     weights = [f"0 {2**150_000}/{3**100_000}", f"0 1/{5**60_000}"]
@@ -143,7 +143,8 @@ def sizes():
 def works():
     long = f"{7**30_000} 0 0"
     many, tree = [POINTS] * 5, ["a", "b", long, "1 0 0", "a", "1 0 0"]  # the rest, where the list is no tree, does not count
-    yield from pair("vectors and corners", lambda k: Two(many, many, apart=[*tree, "a", "b", "0 0 1", "0 0 1", *["0 0 1"] * k]), 1_000, 900_000)
+    tree += ["a", "b", "0 0 1", "0 0 1"]
+    yield from pair("vectors and corners", lambda k: Two(many, many, apart=[*tree, *["0 0 1"] * k]), 1_000, 900_000)
     optima = [("1/7 0 0", ["0 0 1"]), ("1 1 1", ["b", "b", "1 0 0", "1 0 0"]), ("1 0 0", ["a", "0 0 1"])]
     yield from pair("optima", lambda k: Two([POINTS] * 9, many, claim="depth 1", optima=optima * k), 1_000, 900_000)
     yield from pair("vectors and a claim", lambda k: Two(claim=f"apart 1/{7**20_000}", apart=[long] + ["1 0 0"] * k), 100, 900_000)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parser's parts of unions and solids. Each begins on the line at hand; when it has been read, the line
-// behind it is at hand.
+// The parser's parts of unions and solids. Each begins on the line at hand; when it has been read,
+// the line behind it is at hand.
 #include <utility>
 
 #include "parser.hpp"
