@@ -90,6 +90,12 @@ class Certificates(ProgramTest):
             "s VERIFIED solid triangles=15 pieces=1 a%20cube%20with%20a%20T-junction%20and%20a%20flap",
             "s VERIFIED solid triangles=24 pieces=2 boxes%20that%20share%20an%20edge",
             "s VERIFIED solid triangles=4 pieces=2 two%20tetrahedra"]))
+        files = sorted((DATA / "format_5" / "two_bodies").glob("*.cert"))
+        self.assertEqual(self.both(*files), (0, [
+            "s VERIFIED penetrating depth_squared=1 optima=1 pieces=2x2 triangles=24x- a%20bar%20across%20a%20beam",
+            "s VERIFIED disjoint distance_squared=1 pieces=2x1 triangles=4x- beside%20two%20tetrahedra",
+            "s VERIFIED disjoint distance_squared=1/4 pieces=6x1 triangles=24x12 a%20cube%20in%20a%20cavity",
+            "s VERIFIED touching depth_squared=0 pieces=2x2 triangles=24x24 a%20bar%20on%20a%20beam"]))
 
     def test_the_faults_of_formats_4_and_5(self):
         """Those of faults.jsonl, as check.py sees them too."""
@@ -106,7 +112,7 @@ class Certificates(ProgramTest):
         page = (ROOT / "verify" / "check" / "FORMAT.md").read_text()
         blocks = [block for block in re.findall(r"(?:^    .+\n)+", page, re.MULTILINE) if block.startswith("    fathom-certificate")]
         files = [re.sub("^#.*\n", "", file.read_text(), flags=re.MULTILINE) for file in DATA.rglob("*.cert")]
-        self.assertEqual(len(blocks), 5)
+        self.assertEqual(len(blocks), 6)
         for block in blocks:
             text = "".join(re.sub("  .*", "", line[4:]) + "\n" for line in block.splitlines())
             found = [file for file in files if re.sub("^id .*\n", "", file,

@@ -26,8 +26,8 @@ def aimed():
     for solids in ("", "a", "b", "ab"):
         for claim, make in (("depth", deep), ("touching", touching), ("apart", apart)):
             yield "genuine: " + claim, make(solids).text()
-            for name, change in [*OF_BLOCKS, *OF_DEPTH * (claim == "depth"), *OF_NEAREST * (claim != "depth"),
-                                 *OF_UNION * ("b" not in solids), *OF_SOLID * ("a" in solids), *OF_GAP * (claim == "apart")]:
+            of_claim = OF_DEPTH if claim == "depth" else OF_NEAREST + OF_GAP * (claim == "apart")
+            for name, change in OF_BLOCKS + of_claim + OF_UNION * ("b" not in solids) + OF_SOLID * ("a" in solids):
                 c = make(solids)
                 change(c)
                 yield f"{name}: {claim}, {solids}", c.text()
@@ -96,8 +96,7 @@ OF_NEAREST = (("weights of another piece", lambda c: c.nearest.__setitem__(1, "1
               ("weights that sum to more", lambda c: c.weights_a[0].__setitem__(1, "2/5")),
               ("a weight below nothing", lambda c: c.weights_b.extend([[c.weights_b[0][0], "-1"], [c.weights_b[0][0], "1"]])),
               ("no weights", lambda c: c.weights_b.clear()))
-OF_GAP = (("a gap too large", lambda c: c.claim.__setitem__(1, "901/100")),
-          ("a gap too small", lambda c: c.claim.__setitem__(1, "899/100")))
+OF_GAP = (("a gap too large", lambda c: c.claim.__setitem__(1, "901/100")), ("a gap too small", lambda c: c.claim.__setitem__(1, "899/100")))
 OF_UNION = (("no pieces", lambda c: c.b.pieces.clear()),
             ("a flat piece", lambda c: c.b.pieces.__setitem__(1, [["40", y, z] for y in "01" for z in "01"])),
             ("a piece without points", lambda c: c.b.pieces[1].clear()))
@@ -112,7 +111,7 @@ OF_SOLID = (("a triangle gone", lambda c: c.a.mesh.pop()),
 
 def lists_of(c):
     """Every list of rows that may lose one, or get one twice; and the rows that are on their own."""
-    of_body = lambda body: [body.points, body.mesh, body.pieces, *body.pieces] if isinstance(body, Solid) else [body.pieces, *body.pieces]
+    of_body = lambda body: [body.pieces, *body.pieces, *([body.points, body.mesh] if isinstance(body, Solid) else [])]
     lists = [*of_body(c.a), *of_body(c.b), c.polytopes, c.tree, c.weights_a, c.weights_b, *(each for _, each in c.optima)]
     lists += [part for polytope in c.polytopes for part in polytope[1:]] + [c.optima] * (c.claim[0] == "depth")
     single = [*(t for t, _ in c.optima if t), *(polytope[0] for polytope in c.polytopes), *([c.nearest] if c.nearest else [])]

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The limits of verify/check/FORMAT.md, section 15, as limits.py has those of section 8; with the same options."""
+import functools
 import pathlib
 import sys
 
@@ -130,8 +131,8 @@ def sizes():
                     90_000)
     vector, large = f"{-2**49_998} 0 1", Solid([*wide[0], *[ZERO] * 12_480])  # vectors alone would be too much work
     yield from pair("vectors", lambda k: Two(large, apart=["a", vector] + ["1 0 0"] * k), 10, 900)
-    optima = ("0 0 0", ["b", vector] * 9)
-    yield from pair("vectors of optima", lambda k: Two(large, claim="depth 1", optima=[optima, ("0 0 0", ["1 0 0"] * k)]), 10, 900)
+    optimum = ("0 0 0", ["b", vector] * 9)
+    yield from pair("vectors of optima", lambda k: Two(large, claim="depth 1", optima=[optimum, ("0 0 0", ["1 0 0"] * k)]), 10, 900)
     place = f"1/{3**100_000} 0 {7**90_000}/{7**50_000}"
     yield from pair("optima", lambda k: Two(claim="depth 1", optima=[(place, [])] + [("0 1 0", [])] * k), 1_000, 30_000)
     weights = [f"0 {2**150_000}/{3**100_000}", f"0 1/{5**60_000}"]
@@ -171,10 +172,14 @@ class Deep(Certificate):
     chains = ((), (0,), (0, 2), (0, 2, 4))  # of splits, for leaves of one constraint more
 
     def __init__(self, kind, leaves):
-        x = self.unit
-        text = union_forgeries.about(x * x, [(0, -x, 0)], ["leaf"], ((-4 * x, -x, -4 * x), (4 * x, 4 * x, 4 * x)))
-        self.certificate, self.chain, self.leaves = two_bodies.of_union(text, "b"), self.chains[kind - 1], leaves
-        self.last = (0, 2, 4, 1)[kind - 1]
+        self.certificate, self.chain, self.leaves, self.last = self.box(), self.chains[kind - 1], leaves, (0, 2, 4, 1)[kind - 1]
+
+    @classmethod
+    @functools.cache
+    def box(cls):
+        x = cls.unit
+        box = ((-4 * x, -x, -4 * x), (4 * x, 4 * x, 4 * x))
+        return two_bodies.of_union(union_forgeries.about(x * x, [(0, -x, 0)], ["leaf"], box), "")
 
     def lines(self):
         names, n = "".join(f" {k}" for k in range(len(self.chain))), len(self.chain)
@@ -184,21 +189,22 @@ class Deep(Certificate):
         return self.certificate.text().split("\n")[:-1]
 
     def within(self):
-        x, c = self.unit, self.certificate
-        bodies = [c.a.pieces, Solid([" ".join(p) for p in c.b.points], [], [[" ".join(f) for f in piece] for piece in c.b.pieces])]
-        words = lambda rows: [" ".join(row) for row in rows]
-        bodies[0] = [words(piece) for piece in bodies[0]]
-        bodies[1].mesh = words(c.b.mesh)
-        two = Two(*bodies, claim=" ".join(c.claim), optima=[(" ".join(t), words(rows)) for t, rows in c.optima],
-                  polytopes=[(words(vertices), words(facets)) for _, vertices, facets in c.polytopes])
-        size, work = two.size_and_work()
-        b, e = two.b_and_e
+        (size, work), (b, e), x = *self.without_leaves(), self.unit
         p, r = [bits(d) for d in (4 * x, 4 * x, x, 4 * x, 4 * x, 4 * x)], len(self.chain) + 1
         y = lambda r, p: (2 * r + 2) * (p + 8) + b
         work += sum(16 * cost(y(0, p), y(0, p) + e) for p in p)
         wide = max(p[f] for f in (*self.chain, self.last))
         each = 8 * cost(5 * wide + 40, 5 * wide + 40) if r == 4 else 16 * cost(y(r, wide), y(r, wide) + e)
         return size <= SIZE and work + self.leaves * each <= WORK
+
+    @classmethod
+    @functools.cache
+    def without_leaves(cls):
+        c, words = cls.box(), lambda rows: [" ".join(row) for row in rows]
+        two = Two([words(piece) for piece in c.a.pieces], [words(piece) for piece in c.b.pieces], claim=" ".join(c.claim),
+                  optima=[(" ".join(t), words(rows)) for t, rows in c.optima],
+                  polytopes=[(words(vertices), words(facets)) for _, vertices, facets in c.polytopes])
+        return two.size_and_work(), two.b_and_e
 
 
 def trees():

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of limits.hpp on format 5.                              [FORMAT.md, sections 14 and 15]
+// The part of limits.hpp on format 5.                               [FORMAT.md, sections 14 and 15]
 #include <algorithm>
 
 #include "combine.hpp"

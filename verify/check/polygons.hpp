@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flat and convex polygons by the numbers of their corners, and the polytopes whose facets they
 // are: what the pieces of solids and the polytopes of two bodies have in common.
-//                                                          [FORMAT.md, section 14, checks 2 to 5]
+//                                                           [FORMAT.md, section 14, checks 2 to 5]
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The bodies of section 15, solids and unions alike: points over denominators of their own, and
-// pieces with corners. Trees that show that a translation takes them apart. [FORMAT.md, section 15]
+// pieces with corners. Trees that show that a translation takes them apart.
+//                                                                           [FORMAT.md, section 15]
 #pragma once
 
 #include <cstddef>
