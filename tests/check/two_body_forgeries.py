@@ -96,7 +96,8 @@ OF_NEAREST = (("weights of another piece", lambda c: c.nearest.__setitem__(1, "1
               ("weights that sum to more", lambda c: c.weights_a[0].__setitem__(1, "2/5")),
               ("a weight below nothing", lambda c: c.weights_b.extend([[c.weights_b[0][0], "-1"], [c.weights_b[0][0], "1"]])),
               ("no weights", lambda c: c.weights_b.clear()))
-OF_GAP = (("a gap too large", lambda c: c.claim.__setitem__(1, "901/100")), ("a gap too small", lambda c: c.claim.__setitem__(1, "899/100")))
+OF_GAP = (("a gap too large", lambda c: c.claim.__setitem__(1, "901/100")),
+          ("a gap too small", lambda c: c.claim.__setitem__(1, "899/100")))
 OF_UNION = (("no pieces", lambda c: c.b.pieces.clear()),
             ("a flat piece", lambda c: c.b.pieces.__setitem__(1, [["40", y, z] for y in "01" for z in "01"])),
             ("a piece without points", lambda c: c.b.pieces[1].clear()))

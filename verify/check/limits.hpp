@@ -20,8 +20,8 @@ struct Limits {
   std::uint64_t size = 4'000'000'000, work = 100'000'000'000'000;
 };
 
-/// Sets the common denominators of the points and the optima. Throws Fault (malformed, on `line`) if
-/// the certificate is too large, or too much work.
+/// Sets the common denominators of the points and the optima. Throws Fault (malformed, on `line`)
+/// if the certificate is too large, or too much work.
 void require_limits(Certificate& certificate, std::size_t line, const Limits& limits);
 
 /// The same for format 5, sections 14 and 15; for two bodies the work of the tree is left.
