@@ -87,7 +87,7 @@ std::string line_of(const Body& a, const Body& b, const UnionDepth& answer) {
   else line << " depth_squared=" << answer.squared();
   if (answer.status == Status::penetrating) line << " optima=" << answer.optima.size();
   line << " pieces=" << size_of(a, false) << 'x' << size_of(b, false);
-  line << " triangles=" << size_of(a, true) << 'x' << size_of(b, true) << " name";
+  line << " triangles=" << size_of(a, true) << 'x' << size_of(b, true) << " two%20bodies";
   return line.str();
 }
 
@@ -101,7 +101,7 @@ Tried expect_accepted(const Body& a, const Body& b) {
   const std::string text = certificate_text(a, b, answer, "two bodies");
   const auto& unions = std::get<UnionDepth>(answer.found);
   EXPECT_TRUE(text.starts_with("fathom-certificate 5\nid two%20bodies\n"));
-  EXPECT_EQ(fathom_check::verdict_line(fathom_check::verify(text), "name"), line_of(a, b, unions));
+  EXPECT_EQ(fathom_check::verdict_line(fathom_check::verify(text), "unnamed"), line_of(a, b, unions));
   return {unions.status, text};
 }
 
