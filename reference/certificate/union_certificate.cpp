@@ -50,7 +50,7 @@ struct ListedBody {
   }
 };
 
-// What a format 3 of all pairs would have: a number more, and no checker reads it.
+// That a certificate may have, three for each direction.            [FORMAT.md, section 8]
 constexpr std::size_t most_numbers = 10'000'000;
 
 /// Whether the proof is of format 5: where format 3 has no words for a body, where its one lattice

@@ -112,21 +112,20 @@ class ApartTree {
   // An axis; or the way from box to box, which shows the distance of corners.
   std::optional<Vector> between_boxes(const Node& a, const Node& b, const PairBlock& pairs) {
     const std::array<double, 3> at{p_.image.x, p_.image.y, p_.image.z};
-    Vec3<double> way{};
-    for (const std::size_t k : {0U, 1U, 2U}) {
+    std::array<double, 3> way{};
+    for (std::size_t k = 0; k < 3; ++k) {
       const double up = at[k] - (b.high[k] - a.low[k]), down = b.low[k] - a.high[k] - at[k];
-      for (const auto& [margin, sign] : {std::pair(up, 1), std::pair(down, -1)}) {
-        if (margin + error_ < 0) continue;
-        const auto entry = [&, s = sign](std::size_t axis) { return axis == k ? s : 0; };
-        Vector u{entry(0), entry(1), entry(2)};
-        if (margin - error_ > distance_ * (1 + 0x1p-30) ||
-            (margin + error_ >= distance_ * (1 - 0x1p-30) && shows(pairs, u)))
-          return u;
-        (k == 0 ? way.x : k == 1 ? way.y : way.z) = sign * std::max(0.0, margin);
-      }
+      const double margin = std::max(up, down);
+      if (margin + error_ < 0) continue;
+      way[k] = up > down ? std::max(up, 0.0) : -std::max(down, 0.0);
+      Vector u{0, 0, 0};
+      (k == 0 ? u.x : k == 1 ? u.y : u.z) = up > down ? 1 : -1;
+      if (margin - error_ > distance_ * (1 + 0x1p-30)) return u;
+      if (margin + error_ >= distance_ * (1 - 0x1p-30) && shows(pairs, u)) return u;
     }
-    if (distance_ == 0 || dot(way, way) < distance_ * distance_) return std::nullopt;
-    return near(pairs, way);
+    const Vec3<double> from_box_to_box{way[0], way[1], way[2]};
+    if (distance_ == 0 || dot(from_box_to_box, from_box_to_box) < distance_ * distance_) return std::nullopt;
+    return near(pairs, from_box_to_box);
   }
 
   // A direction near to u with entries as short as can be.
