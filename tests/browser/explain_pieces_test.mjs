@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of `fathom explain --pieces`, of unions: it shows, turns, moves A until pieces touch, steps through optima, lights pieces, fits, prints,
+// The page of `fathom explain --pieces`, of unions, and `--solid`: it shows, turns, moves A until pieces touch, steps through optima, lights pieces, fits, prints,
 // can be read by all, and every number is one of `depth --pieces --patch --json`.
 import assert from 'node:assert/strict';
+import { statSync } from 'node:fs';
+import test from 'node:test';
 import { numbersOfPatches } from './explained.mjs';
 import { accessible, colours, fathom, fits, inBothLooks, made, onPage, prints, withoutWebGl } from './lib.mjs';
 
@@ -14,12 +16,12 @@ const row = (count) => obj(...Array.from({ length: count }, (_, i) => [[i, -2, -
 const known = new Map();
 
 /** {page, depth, stages} of two files, or of two texts of OBJ. Made once. */
-function explained(name, a, b) {
+function explained(name, a, b, words = ['--pieces']) {
   if (!known.has(name)) {
     const file = (text, end) => (text.includes('\n') ? made(`${name}-${end}.obj`, text) : text);
     const [of_a, of_b] = [file(a, 'a'), file(b, 'b')], page = made(`${name}.html`);
-    fathom(['explain', '--pieces', of_a, of_b, '-o', page]);
-    known.set(name, { page, depth: JSON.parse(fathom(['depth', '--pieces', '--patch', '--json', of_a, of_b])) });
+    fathom(['explain', ...words, of_a, of_b, '-o', page]);
+    known.set(name, { page, depth: JSON.parse(fathom(['depth', ...words, '--patch', '--json', of_a, of_b])) });
   }
   return known.get(name);
 }
@@ -33,12 +35,23 @@ const all = {
   many: () => explained('many', obj([[0, 0, 0], [1, 1, 1]], [[1, 0, 0], [2, 1, 1]]), row(60)),
 };
 
+/** Closed meshes of the gallery. */
+const solid = (name, a, b, pose) => () =>
+  explained(name, `docs/gallery/${a}.off`, `docs/gallery/${b}.off`, ['--solid', '--exact-decimals', '--pose-a', pose]);
+const meshes = {
+  rings: solid('rings', 'ring', 'ring', 'xyz=6.5,0,0.25 rpy=80,0,0deg'),
+  mug: solid('mug', 'spoon', 'mug', 'xyz=-1.25,1.9,0 rpy=0,0,55deg'),
+  sponge: solid('sponge', 'sponge', 'sponge', 'xyz=4/3,1,3/2'),
+};
+for (const [name, make] of Object.entries(meshes))
+  test(`the page of the ${name} is small`, () => assert.ok(statSync(make().page).size < 1e6, 'law: a megabyte holds a small scene'));
+
 async function started(page) {
   assert.equal(await page.evaluate(() => document.documentElement.dataset.ready), 'yes', 'law: the page starts');
   assert.deepEqual(await page.getByText('could not start').allTextContents(), [], 'law: every part of the page starts');
 }
 
-for (const [name, make] of Object.entries(all))
+for (const [name, make] of Object.entries({ ...all, ...meshes }))
   inBothLooks(`pieces ${name}`, () => make().page, async (page) => {
     await started(page);
     await fits(page);

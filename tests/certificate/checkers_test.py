@@ -69,7 +69,7 @@ class Checkers(unittest.TestCase):
             self.assertEqual(result, other)
 
     def test_reports_of_all_kinds_of_bodies(self):
-        cases = (ROOT / "tests" / "data" / "report_cases.jsonl").read_text()
+        cases = "".join((ROOT / "tests" / "data" / name).read_text() for name in ("report_cases.jsonl", "report_solids.jsonl"))
         results = accepted_answers(self, cases)
         self.assertEqual([(result["id"], result["status"]) for result in results],
                          [(case["id"], case["answer"]["status"]) for case in map(json.loads, cases.splitlines())])

@@ -66,7 +66,7 @@ TEETH = {
             (["more"], 1), (["status"], "inside"), (["contact", "a", "feature"], "nose")])],
     "solid": [({"solid": PRESENT}, set(), [
         (["more"], 1), (["solid", "pieces"], 0), (["solid", "points", "all"], 3), (["solid", "volume", "exact"], "0.5"),
-        (["solid", "turned"], 1), (["solid", "more"], 1), (["solid"], None)]), ({"coverage": PRESENT}, set(), [
+        (["solid", "turned"], 1), (["solid", "more"], 1), (["solid"], None)]), ({"coverage": PRESENT}, {"coverage"}, [
         (["coverage"], None), (["coverage", "tiles"], 1), (["coverage", "missing", "exact"], "0.5"), (["coverage", "outside"], "1"),
         (["coverage", "most_outside", "piece"], -1), (["coverage", "stray"], ["1", "2"]), (["coverage", "uncovered"], [1, 2, 3]),
         (["coverage", "overlap"], None), (["coverage", "more"], 1)])],

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of real_cases.jsonl and report_cases.jsonl with the answers that stand with them.
+// The cases of real_cases.jsonl, report_cases.jsonl and others, with the answers that stand with
+// them.
 //                                                                            [tests/data/README.md]
 #pragma once
 
@@ -21,10 +22,11 @@ struct StatedCase {
   nlohmann::json answer;
 };
 
-/// Both files; 63 and 141 cases.
-inline std::vector<StatedCase> stated_cases() {
+/// Of these files; of the first two 63 and 141 cases.
+inline std::vector<StatedCase> stated_cases(const std::vector<std::string>& names = {"real_cases.jsonl",
+                                                                                     "report_cases.jsonl"}) {
   std::vector<StatedCase> result;
-  for (const std::string name : {"real_cases.jsonl", "report_cases.jsonl"}) {
+  for (const std::string& name : names) {
     std::ifstream file(FATHOM_TEST_DATA "/" + name);
     std::size_t number = 0;
     for (std::string line; std::getline(file, line);) {
