@@ -64,11 +64,11 @@ std::vector<Cell> cells_of(Arrangement& space, const Pieces& pieces) {
     for (const polytope::Facet& facet : hull.facets) {
       const std::span<const polytope::VertexId> corners(&hull.corners[facet.begin], facet.end - facet.begin);
       const auto corner = [&](std::size_t k) { return ids[corners[k % corners.size()].value]; };
-      ChainFacet& made = facets.emplace_back(*space.plane(corner(0), corner(1), corner(2)));
+      facets.push_back({*space.plane(corner(0), corner(1), corner(2)), {}});
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const PointId p = corner(k), q = corner(k + 1);
         const LineId line = space.line(p, q);
-        made.edges.push_back(space.before(line, p, q) ? ChainEdge{line, p, q, 1} : ChainEdge{line, q, p, -1});
+        facets.back().edges.push_back(space.before(line, p, q) ? ChainEdge{line, p, q, 1} : ChainEdge{line, q, p, -1});
       }
     }
     cells.push_back(cell_of(space, std::move(facets)));
@@ -93,7 +93,8 @@ class Splitter {
     std::vector<std::pair<Cell, Others>> todo;
     todo.emplace_back(std::move(whole), others);
     while (!todo.empty()) {
-      auto [cell, near] = std::move(todo.back());
+      Cell cell = std::move(todo.back().first);
+      Others near = std::move(todo.back().second);
       todo.pop_back();
       std::erase_if(near, [&](const Cell* other) { return !overlap(space_, cell.box, other->box); });
       std::optional<Cut> cut;

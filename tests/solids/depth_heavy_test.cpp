@@ -64,8 +64,8 @@ std::vector<Point> corners_of_common(const Mesh& a, const Mesh& b) {
 std::optional<Point> common_point(const Mesh& a, const Mesh& b, long parts, std::size_t& tried) {
   std::mt19937 random(3);
   for (const Point& corner : corners_of_common(a, b))
-    for (const long step : {3L, 31L, 1009L})
-      for (int i = 0; i < 16; ++i) {
+    for (const long step : {3L, 101L})
+      for (int i = 0; i < 10; ++i) {
         const auto beside = [&] { return mpq_class(static_cast<long>(random() % 2003) - 1001, 1013 * step * parts); };
         const mpq_class x = beside(), y = beside(), z = beside();
         const Point candidate = corner + Point{x, y, z};
@@ -86,7 +86,7 @@ std::vector<std::pair<Mesh, Mesh>> overlapping_pairs() {
   std::vector<std::pair<Mesh, Mesh>> pairs{{schoenhardt(), moved(house, 1, {-2, mpq_class(-1, 3), 1})},
                                            {tilted(ring_mesh(true), {0, 0, 0}), moved(ring_mesh(false), 1, {-2, 1, 2})},
                                            {house, moved(house, mpq_class(1, 2), {1, 1, mpq_class(1, 2)})}};
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
     std::mt19937 random(seed);
     const Mesh a = cells_mesh(random_cells(random, 5, 3)), b = cells_mesh(random_cells(random, 4, 3));
     pairs.emplace_back(tilted(a, {0, 0, 0}), moved(b, 1, {mpq_class(1, 3), mpq_class(-1, 7), mpq_class(1, 11)}));
@@ -96,7 +96,8 @@ std::vector<std::pair<Mesh, Mesh>> overlapping_pairs() {
 
 TEST(SolidDepth, ShorterTranslationsOverlapOnTheMeshesAlone) {
   std::size_t shorter = 0, at_optimum = 0;
-  for (const auto& [a, b] : overlapping_pairs()) {
+  for (const std::pair<Mesh, Mesh>& pair : overlapping_pairs()) {
+    const Mesh &a = pair.first, &b = pair.second;
     const UnionDepth depth = depth_of(a, b);
     ASSERT_EQ(depth.status, Status::penetrating);
     std::mt19937 random(3);
@@ -110,7 +111,7 @@ TEST(SolidDepth, ShorterTranslationsOverlapOnTheMeshesAlone) {
         expect_overlap(mpq_class(parts - 1, parts) * optimum.translation, parts);
       EXPECT_FALSE(common_point(moved(a, 1, optimum.translation), b, 50, at_optimum)) << "law: optima separate";
     }
-    for (int drawn = 0; drawn < 8;) {
+    for (int drawn = 0; drawn < 4;) {
       const auto coordinate = [&] { return mpq_class(static_cast<long>(random() % 2001) - 1000, 500); };
       const mpq_class x = coordinate(), y = coordinate(), z = coordinate();
       if (x * x + y * y + z * z >= depth.squared()) continue;
@@ -118,8 +119,8 @@ TEST(SolidDepth, ShorterTranslationsOverlapOnTheMeshesAlone) {
       ++drawn;
     }
   }
-  EXPECT_GE(shorter, 88U);
-  EXPECT_GT(at_optimum, 5000U);
+  EXPECT_GE(shorter, 42U);
+  EXPECT_GT(at_optimum, 2000U);
 }
 
 using Place = std::tuple<mpq_class, mpq_class, mpq_class>;
