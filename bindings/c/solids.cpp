@@ -35,12 +35,9 @@ std::shared_ptr<const MeshFaces> faces_from(const unsigned* corners, std::size_t
   require_count(count, "triangles");
   require(corners, "corners");
   MeshFaces faces;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      require_below(corners[3 * i + k], points, "triangle " + std::to_string(i), "points");
-      faces.corners.push_back(static_cast<std::uint32_t>(corners[3 * i + k]));
-    }
-    faces.ends.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+  for (std::size_t i = 0; i < 3 * count; ++i) {
+    if (corners[i] >= points) require_below(corners[i], points, "triangle " + std::to_string(i / 3), "points");
+    faces.corners.push_back(static_cast<std::uint32_t>(corners[i]));
   }
   return std::make_shared<const MeshFaces>(std::move(faces));
 }
@@ -67,8 +64,8 @@ int fathom_body_volume(const fathom_body* solid, double* volume, char** exact) {
   return guarded([&] {
     if (!body_in(solid).solid) throw Absence("the body is not the solid of a mesh");
     const mpq_class value = fathom::volume(*solid->body->solid);
-    if (exact) *exact = text_for_caller(fathom::exact_text(value));
     if (volume) *volume = fathom::round_binary64(value);
+    if (exact) *exact = text_for_caller(fathom::exact_text(value));
   });
 }
 
@@ -100,7 +97,7 @@ int fathom_body_point(const fathom_body* body, size_t index, double point[3], ch
     const std::vector<fathom::Point>& points = points_in(body);
     require_below(index, points.size(), "index", "points");
     const fathom::SurdPoint values = fathom::rounded::coordinates(points[index]);
-    if (exact) *exact = text_for_caller(coordinates_text(values));
     if (point) copy_numbers(fathom::rounded::nearest_binary64(values), point);
+    if (exact) *exact = text_for_caller(coordinates_text(values));
   });
 }

@@ -109,8 +109,8 @@ Answer exact_answer(const Body& a, const Body& b, const Question& question = {})
 /// with each call, by elimination in rationals.
 BodyFacts facts_of(const Body& a, const Body& b, const Answer& answer);
 
-/// Returns the certificate of an answer about these two bodies, in the shortest format that holds
-/// it; where a body is the solid of a mesh, it is about the mesh. Throws as the functions of
+/// Returns the certificate of an answer about these two bodies, in the first format that holds it;
+/// where a body is the solid of a mesh, it is about the mesh. Throws as the functions of
 /// fathom/certificate.hpp do.
 std::string certificate_text(const Body& a, const Body& b, const Answer& answer, std::string_view id = {},
                              Monitor* monitor = nullptr);

@@ -375,7 +375,8 @@ enum {
 /** Checks whether a text of `length` bytes, at most 2^31, is a proof, by a checker that shares
  * nothing with what makes certificates. What acceptance proves is written in FORMAT.md. With both
  * bodies, hulls of points or unions of them, it is refused too unless it is about the same points
- * in the same order; without them, NULL, it is taken on its own. `line` gets what the checker
+ * in the same order; without them, NULL, it is taken on its own, as a proof about solids must be,
+ * which holds their meshes. `line` gets what the checker
  * prints, "s VERIFIED penetrating depth_squared=9/25 certificate", or the line and the reason; it
  * may be NULL. FATHOM_OK says that the text was checked, not that it is a proof. */
 FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate of unions as text: format 3, with a direction for each pair of pieces; or format
 // 5, with blocks of pairs, and with solids as they are.
-//                                                      [verify/check/FORMAT.md, sections 12 and 14]
+//                                                 [verify/check/FORMAT.md, sections 12, 14 and 15]
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -50,8 +50,9 @@ struct ListedBody {
   }
 };
 
-// That a certificate may have, three for each direction.            [FORMAT.md, section 8]
-constexpr std::size_t most_numbers = 10'000'000;
+// Half of the numbers that a certificate may have, three for each direction: the others are for
+// points, polytopes and the tree.                                            [FORMAT.md, section 8]
+constexpr std::size_t most_numbers = 10'000'000 / 2;
 
 /// Whether the proof is of format 5: where format 3 has no words for a body, where its one lattice
 /// for all pieces would be out of proportion, or its directions of all pairs too many.

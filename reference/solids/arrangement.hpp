@@ -2,9 +2,9 @@
 // The points, lines and planes that cuts of a mesh meet, each once: equal ones have equal ids.
 //                                                                              [proofs/solids.md]
 //
-// Every plane is one of the mesh's, or goes across an axis through a corner of it; every line is an
-// edge's or where two of these planes meet, every point a corner of the mesh or where such a line
-// meets a plane. So numbers stay short, however many cuts follow one another.
+// Every plane is one of the mesh's, or of a piece that it is compared with, or goes across an axis
+// through a corner; every line is an edge's or where two of these planes meet, every point a corner
+// or where such a line meets a plane. So numbers stay short, however many cuts follow one another.
 #pragma once
 
 #include <gmpxx.h>

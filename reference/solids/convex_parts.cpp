@@ -79,14 +79,14 @@ class Decomposition {
     return sum;
   }
 
-  // Across each axis, through corners of the mesh about which as many points of the chunk lie on
-  // either side. Each plane of a round mesh has all but a few points on one side; cut by these
-  // alone, n triangles are looked at n times.
+  // Across each axis, through the median of the corners of the mesh that the chunk has. Each plane
+  // of a round mesh has all but a few points on one side; cut by these alone, n triangles are
+  // looked at n times.
   std::vector<PlaneId> middle_planes(const std::vector<PointId>& points) {
-    constexpr std::size_t most_points = 100;
+    constexpr std::size_t few_points = 100;
     std::vector<PlaneId> planes;
     std::vector<PointId> corners(points.begin(), std::ranges::lower_bound(points, PointId(corner_count_)));
-    if (points.size() <= most_points || corners.empty()) return planes;
+    if (points.size() <= few_points || corners.empty()) return planes;
     const auto middle = corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2);
     for (const int axis : {0, 1, 2}) {
       std::ranges::nth_element(corners, middle, [&](PointId p, PointId q) { return space_.compare(p, q, axis) < 0; });

@@ -22,8 +22,8 @@ using Node = BoxTree::Node;
 constexpr std::uint32_t most_together = 64;  // pieces of a body, of a block that more than boxes are asked about
 constexpr std::size_t most_known = 32;       // directions
 
-/// A direction with short numbers, and one with all the bits that it has.
-constexpr std::array<int, 5> lengths_of_directions = {3, 6, 12, 24, 52};
+// Bits of a direction's entries, tried in turn: short numbers first.
+constexpr std::array<int, 5> entry_bits = {3, 6, 12, 24, 52};
 
 /// The direction with entries of so many bits that is near to u, which is not O.
 Vector rounded(const Vec3<double>& u, int bits) {
@@ -46,7 +46,7 @@ class ApartTree {
         tree_b_(pieces.b, BoxTree::Halves::of_numbers),
         error_(margin_error(p.image)) {
     if (squared) {
-      least_ = *squared * pieces.whole.denominator * pieces.whole.denominator;
+      squared_ = *squared * pieces.whole.denominator * pieces.whole.denominator;
       distance_ = pieces.image_above(*squared);
     }
     for (const Vector& u : known)
@@ -111,6 +111,7 @@ class ApartTree {
 
   // An axis; or the way from box to box, which shows the distance of corners.
   std::optional<Vector> between_boxes(const Node& a, const Node& b, const PairBlock& pairs) {
+    constexpr double off = 0x1p-30;  // far more than distance_ is off by
     const std::array<double, 3> at{p_.image.x, p_.image.y, p_.image.z};
     std::array<double, 3> way{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -120,8 +121,8 @@ class ApartTree {
       way[k] = up > down ? std::max(up, 0.0) : -std::max(down, 0.0);
       Vector u{0, 0, 0};
       (k == 0 ? u.x : k == 1 ? u.y : u.z) = up > down ? 1 : -1;
-      if (margin - error_ > distance_ * (1 + 0x1p-30)) return u;
-      if (margin + error_ >= distance_ * (1 - 0x1p-30) && shows(pairs, u)) return u;
+      if (margin - error_ > distance_ * (1 + off)) return u;
+      if (margin + error_ >= distance_ * (1 - off) && shows(pairs, u)) return u;
     }
     const Vec3<double> from_box_to_box{way[0], way[1], way[2]};
     if (distance_ == 0 || dot(from_box_to_box, from_box_to_box) < distance_ * distance_) return std::nullopt;
@@ -130,7 +131,7 @@ class ApartTree {
 
   // A direction near to u with entries as short as can be.
   std::optional<Vector> near(const PairBlock& pairs, const Vec3<double>& u) const {
-    for (const int bits : lengths_of_directions)
+    for (const int bits : entry_bits)
       if (Vector v = rounded(u, bits); keeps_apart(pairs, p_.image, distance_, image_of(v)) == true) return v;
     return std::nullopt;
   }
@@ -139,8 +140,8 @@ class ApartTree {
   [[nodiscard]] bool shows(const PairBlock& pairs, const Vector& u) const {
     if (const std::optional<bool> told = keeps_apart(pairs, p_.image, distance_, image_of(u))) return *told;
     const mpq_class h = highest(pairs.b, u) + highest(pairs.a, -u);
-    if (least_ == 0) return dot(u, p_.v) >= h * p_.w;
-    return h < 0 && h * h >= least_ * dot(u, u);
+    if (squared_ == 0) return dot(u, p_.v) >= h * p_.w;
+    return h < 0 && h * h >= squared_ * dot(u, u);
   }
 
   // The greatest <u, x> of the points of pieces, in the common unit.
@@ -155,7 +156,7 @@ class ApartTree {
   }
 
   [[nodiscard]] Vector of_pair(std::uint32_t i, std::uint32_t j) const {
-    if (least_ != 0) {
+    if (squared_ != 0) {
       const polytope::PlacedPair pair = pieces_.pair(i, j);
       return polytope::nearest_points(pair.a, pair.b).normal;
     }
@@ -167,7 +168,7 @@ class ApartTree {
   kernels::Context& context_;
   const PlacedPieces& pieces_;
   const kernels::RationalPoint& p_;
-  mpq_class least_;      // the squared distance that is to be shown, in common units; or 0
+  mpq_class squared_;    // the squared distance that is to be shown, in common units; or 0
   double distance_ = 0;  // its root in units of images, from above
   BoxTree tree_a_, tree_b_;
   double error_;               // of margins of boxes

@@ -29,7 +29,7 @@ struct BoxTree {
     of_numbers  ///< the lower numbers, half of them or one less, and the others
   };
 
-  /// One box for each piece, with its place in the list as its number.
+  /// One box for each piece, with its place in the list as its number. There is at least one.
   explicit BoxTree(const std::vector<PlacedPiece>& pieces, Halves halves = Halves::of_space);
   explicit BoxTree(std::vector<Node> leaves, Halves halves = Halves::of_space);
 

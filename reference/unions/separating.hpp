@@ -20,8 +20,8 @@ struct PairBlock {
 double margin_error(const Vec3<double>& at);
 
 /// Whether <u, p> - h(u) >= d |u|, for the image `at` of p and that of a direction, which may be
-/// off by a rounding in each component. `d`: in units of 2^exponent, within 2^-37 of itself.
-/// Returns nullopt where images leave it open.
+/// off by a rounding in each component. `d`: in units of 2^exponent, an upper bound, within 2^-37
+/// of itself from 2^-400 on. Returns nullopt where images leave it open.
 std::optional<bool> keeps_apart(const PairBlock& block, const Vec3<double>& at, double d, const Vec3<double>& u);
 
 /// Whether a direction u is found for which keeps_apart is true. `u` is the direction to begin

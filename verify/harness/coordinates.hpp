@@ -65,6 +65,7 @@ void for_each_hull(Body& body, Change change) {
   Pieces pieces = *body.pieces;
   for (std::vector<Point>& piece : pieces) change(piece);
   body.pieces = std::make_shared<const Pieces>(std::move(pieces));
+  body.solid = nullptr;  // its pieces are others now
 }
 template <class Look>
 void for_each_hull(const Body& body, Look look) {
