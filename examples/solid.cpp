@@ -61,5 +61,5 @@ int main() {
 //> 12 of 14 points are the mesh's, 2 pieces, volume 3, 0 notes
 //> in itself: depth^2 = 1
 //> its first piece alone: 1 is missing, 0 outside, no piece sticks out
-//> as a body: 2 pieces; s VERIFIED penetrating depth_squared=1 optima=2 pieces=2x2 triangles=20x20 proof
+//> as a body: 2 pieces; s VERIFIED penetrating depth_squared=1 optima=2 pieces=2x2 triangles=20x20 two%20ells
 //> the mesh is not closed: 3 edges have more faces on one side than on the other, such as (0, 0, 0) -> (1, 0, 0). A solid has no hole in its surface

@@ -3,6 +3,8 @@
 // narrow for: which format is written, and that checkers accept it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -128,6 +130,20 @@ TEST(UnionCertificate, OfSolidsIsAcceptedWhereverTheyStand) {
   EXPECT_EQ(status_of(cube + at(cube, {1, 1, 1}), at(l_shape(), {half, 0, 0})), Status::penetrating) << "overlaps";
   EXPECT_EQ(status_of(cube + at(cube, {1, 1, 1}), at(l_shape(), {half, -3, 2})), Status::disjoint) << "overlaps";
   EXPECT_EQ(status_of(cube + cube, at(cube, {2, 1, 0})), Status::touching) << "listed twice";
+}
+
+std::size_t blocks_of(const Tried& tried) { return std::stoul(tried.text.substr(tried.text.find("\napart ") + 7)); }
+
+TEST(UnionCertificate, HasFewBlocksAsPiecesAreInTheOrderOfSpace) {
+  const Body a = solid_body(menger(2).body()), b = solid_body(at(menger(2), {4, 3, mpq_class(5, 2)}).body());
+  EXPECT_LE(blocks_of(expect_accepted(a, b)), 800U) << "of 25,600 pairs, of which hundreds touch";
+  Solid mixed = *a.solid;
+  std::mt19937 random(1);
+  std::shuffle(mixed.pieces.begin(), mixed.pieces.end(), random);
+  Body other;
+  other.pieces = std::make_shared<const Pieces>(pieces_of(mixed));
+  other.solid = std::make_shared<const Solid>(std::move(mixed));
+  EXPECT_GT(blocks_of(expect_accepted(other, b)), 1600U) << "law: the order counts";
 }
 
 TEST(UnionCertificate, OfToriIsAccepted) {
