@@ -51,6 +51,15 @@ int main() {
   std::cout << "as a body: " << body.pieces->size() << " pieces; "
             << fathom_check::verdict_line(fathom_check::verify(proof), "proof") << '\n';
 
+  // Pieces are made by cuts; what touches after the way out is named by the mesh.
+  const mpq_class low(3, 4);
+  const fathom::Body bar{
+      {{low, 1, 0}, {2, 1, 0}, {low, 2, 0}, {2, 2, 0}, {low, 1, 1}, {2, 1, 1}, {low, 2, 1}, {2, 2, 1}}};
+  const fathom::Answer of_bar = fathom::exact_answer(bar, body);
+  for (const fathom::PieceContact& met : std::get<fathom::UnionDepth>(of_bar.found).optima.front().contacts)
+    for (const fathom::MeshFeature& feature : met.mesh_b)
+      std::cout << "touches piece " << met.b << " at " << name(feature.kind) << ' ' << feature.ids.front() << '\n';
+
   try {
     fathom::solid_of(fathom::parse_mesh("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "open.off"));
   } catch (const std::exception& error) {

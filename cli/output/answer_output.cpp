@@ -107,6 +107,14 @@ void add_way(Rows& rows, const Answer& answer, const AnswerForm& form) {
   rows.emplace_back(answer.status() == Status::disjoint ? "A to B" : "translation", way);
 }
 
+/// Returns "face 3, edge 0 5"; for a body that is no solid, by its piece.
+std::string place_on(const std::vector<MeshFeature>& of_mesh, std::uint32_t piece) {
+  if (of_mesh.empty()) return fmt::format("piece {}", piece);
+  Parts texts;
+  for (const MeshFeature& f : of_mesh) texts.push_back(fmt::format("{} {}", name(f.kind), fmt::join(f.ids, " ")));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 /// Adds the points of the answer; for unions the nearest pieces.
 void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
   const std::string what = answer.status() == Status::disjoint ? "nearest" : "witness";
@@ -115,7 +123,8 @@ void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
   };
   if (const UnionDepth* const depth = unions(answer)) {
     if (depth->apart)
-      rows.emplace_back("between", fmt::format("piece {} of A, piece {} of B", depth->apart->a, depth->apart->b));
+      rows.emplace_back("between", fmt::format("{} of A, {} of B", place_on(depth->apart->mesh_a, depth->apart->a),
+                                               place_on(depth->apart->mesh_b, depth->apart->b)));
   } else if (const Depth* const depth = polytopes(answer)) {
     if (depth->distance()) add(depth->contact_points());
     else add_witness(rows, *depth->witness(), form);
@@ -129,13 +138,22 @@ void add_places(Rows& rows, const Answer& answer, const AnswerForm& form) {
 constexpr std::size_t most_contacts = 8;  // that the text lists
 constexpr std::size_t most_below_picture = 3;
 
-/// Returns texts of contacts of pieces, the first `most` formatted by `one`, and the number of the
-/// others by `more`.
-Parts contact_texts(const std::vector<PieceContact>& contacts, std::size_t most, const char* one, const char* more) {
+/// Returns texts of contacts of pieces, formatted by `one`, or for solids, by their meshes, by
+/// `of_mesh`; after the first `most` the number of the others by `more`.
+Parts contact_texts(const std::vector<PieceContact>& contacts, std::size_t most, const char* one, const char* of_mesh,
+                    const char* more) {
   Parts texts;
-  for (std::size_t i = 0; i < std::min(contacts.size(), most); ++i)
-    texts.push_back(fmt::format(fmt::runtime(one), contacts[i].a, contacts[i].b, contact_text(contacts[i].contact)));
-  if (contacts.size() > most) texts.push_back(fmt::format(fmt::runtime(more), contacts.size() - most));
+  for (const PieceContact& met : contacts) {
+    const bool known = !met.mesh_a.empty() || !met.mesh_b.empty();
+    std::string text =
+        known ? fmt::format(fmt::runtime(of_mesh), place_on(met.mesh_a, met.a), place_on(met.mesh_b, met.b))
+              : fmt::format(fmt::runtime(one), met.a, met.b, contact_text(met.contact));
+    if (std::ranges::find(texts, text) == texts.end()) texts.push_back(std::move(text));
+  }
+  if (const std::size_t count = texts.size(); count > most) {
+    texts.resize(most);
+    texts.push_back(fmt::format(fmt::runtime(more), count - most));
+  }
   return texts;
 }
 
@@ -146,8 +164,8 @@ void add_contacts(Rows& rows, const Answer& answer, const AnswerForm& form) {
   } else if (!depth->optima.empty()) {
     const UnionOptimum& first = depth->optima.front();
     rows.emplace_back("clearance", first.clearance ? "yes" : "none: an exact fit");
-    for (const std::string& text :
-         contact_texts(first.contacts, most_contacts, "piece {} of A, piece {} of B; {}", "and {} more pairs"))
+    for (const std::string& text : contact_texts(first.contacts, most_contacts, "piece {} of A, piece {} of B; {}",
+                                                 "{} of A; {} of B", "and {} more pairs"))
       rows.emplace_back(rows.back().first == "clearance" ? "touching" : "", text);
   }
 }
@@ -384,7 +402,7 @@ Parts contact_captions(const Answer& answer) {
   if (!depth) return answer.contact() ? Parts{"contact: " + contact_text(*answer.contact())} : Parts{};
   if (depth->optima.empty()) return {};
   return contact_texts(depth->optima.front().contacts, most_below_picture, "piece {} of A touches piece {} of B: {}",
-                       "and {} more pairs of pieces touch");
+                       "{} of A touches {} of B", "and {} more pairs of pieces touch");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "fathom/point.hpp"
@@ -81,6 +83,18 @@ struct MeshFaces {
   std::vector<std::uint32_t> ends;  ///< for each face, where its corners end. Empty: triangles
   friend bool operator==(const MeshFaces&, const MeshFaces&) = default;
 };
+
+/// A face, an edge or a vertex of a mesh.
+struct MeshFeature {
+  enum class Kind : std::uint8_t { face, edge, vertex };  ///< which of the three
+  Kind kind;                                              ///< of the feature
+  /// the number of the face, in the order of the mesh, or the index of the vertex; of an edge those
+  /// of its ends, the lower one first
+  std::vector<std::uint32_t> ids;
+  friend auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
+};
+/// "face", "edge" or "vertex".
+std::string_view name(MeshFeature::Kind kind);
 
 /// A body that need not be convex: the union of the convex hulls of these point sets.
 using Pieces = std::vector<std::vector<Point>>;

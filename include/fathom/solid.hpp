@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,10 @@ struct Solid {
   bool turned = false;         ///< the faces of the mesh looked inwards; `triangles` look outwards
   bool overlaps = false;       ///< the surface goes around some points more than once
   std::size_t bent_faces = 0;  ///< faces whose corners do not lie in one plane
+  /// The mesh as it was given, by whose indices and numbers answers name its features; no points
+  /// and null if it is not known.
+  GivenPoints mesh_points = {};
+  std::shared_ptr<const MeshFaces> mesh_faces = nullptr;  ///< its faces
 };
 
 /// Cuts the solid of a mesh into convex pieces. Exact, whatever the mesh looks like: corners are

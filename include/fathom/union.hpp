@@ -35,6 +35,10 @@ struct PieceContact {
   /// A
   Vector direction;
   Contact contact;  ///< the faces of the two pieces that meet, by the indices of points in the pieces
+  /// Of a body that is the solid of a mesh (fathom/solid.hpp), in exact_answer: what of the mesh
+  /// holds the contact, as pieces are made by cuts: of a point the vertex, else the edges, else the
+  /// faces; of a segment or polygon all that hold a part of it. Else none.
+  std::vector<MeshFeature> mesh_a = {}, mesh_b = {};
 };
 
 /// A shortest way out.
@@ -50,6 +54,8 @@ struct UnionOptimum {
 struct UnionDistance {
   std::uint32_t a, b;  ///< the first pair of pieces that are nearest
   Distance distance;   ///< of these pieces, and of the unions
+  std::vector<MeshFeature> mesh_a = {},
+                           mesh_b = {};  ///< as in PieceContact, of all points of the pieces that are nearest
 };
 
 /// What simpler measures say: deepest_pair <= depth^2 <= hulls.

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "fathom/certificate.hpp"
+#include "fathom/solid.hpp"
 #include "kernels/number/irrational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
 #include "reference/files/shape_names.hpp"
+#include "reference/patch/patch.hpp"
 #include "reference/rounded/coordinates.hpp"
 
 namespace fathom {
@@ -37,6 +39,34 @@ ByKind(Functions...) -> ByKind<Functions...>;  // clang 14 asks for it
 SurdWitness surds(const rounded::CoordinatePair& pair) { return {pair[0], pair[1]}; }
 
 Surd negated_root(const mpq_class& squared) { return {0, mpq_class(-squared)}; }
+
+/// Of a solid whose mesh is known.
+std::optional<patch::MeshSurface> surface_of(const Body& body) {
+  if (!body.solid || !body.solid->mesh_faces) return std::nullopt;
+  return patch::MeshSurface(body.solid->mesh_points, *body.solid->mesh_faces);
+}
+
+/// Names what of the meshes holds the contacts.
+void name_features(UnionDepth& depth, const Body& a, const Body& b) {
+  const std::optional<patch::MeshSurface> of_a = surface_of(a), of_b = surface_of(b);
+  if (!depth.complete || (!of_a && !of_b)) return;
+  const Pieces pieces_a = pieces_of(a), pieces_b = pieces_of(b);
+  const auto name = [&](auto& met, const Point& t, const Vector& n, const Contact& contact) {
+    const Patch patch = patch::shared_after(t, {n, pieces_a[met.a], contact.a, pieces_b[met.b], contact.b});
+    std::vector<Point> on_a, on_b;
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+      on_a.push_back(patch.a(k).core);
+      on_b.push_back(patch.b(k).core);
+    }
+    if (of_a) met.mesh_a = of_a->features(on_a);
+    if (of_b) met.mesh_b = of_b->features(on_b);
+  };
+  for (UnionOptimum& optimum : depth.optima)
+    for (PieceContact& met : optimum.contacts) name(met, optimum.translation, met.direction, met.contact);
+  if (!depth.apart) return;
+  const Distance& distance = depth.apart->distance;
+  name(*depth.apart, distance.translation, distance.direction, distance.contact);
+}
 
 }  // namespace
 
@@ -197,8 +227,11 @@ Part<UnionBounds> Answer::union_bounds() const {
 }
 
 Answer exact_answer(const Body& a, const Body& b, const Question& question) {
-  if (a.pieces || b.pieces)
-    return {union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds})};
+  if (a.pieces || b.pieces) {
+    UnionDepth depth = union_depth(pieces_of(a), pieces_of(b), {question.options.monitor, question.union_bounds});
+    name_features(depth, a, b);
+    return {std::move(depth)};
+  }
   if (!a.shape && !b.shape) return {penetration_depth(a, b, question.options)};
   return {signed_depth(files::shape_of(a), files::shape_of(b),
                        {.cores = question.options, .bits = question.bits, .coaxial = question.coaxial})};

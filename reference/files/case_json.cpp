@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "fathom/solid.hpp"
+#include "reference/files/mesh_formats.hpp"
 
 namespace fathom::files {
 namespace {
@@ -40,6 +41,11 @@ Json body_json(const Body& body, const std::optional<Pose>& pose) {
   const auto vertices = [](const auto& points) { return Json{{"vertices", Json::array_of(points, point_json)}}; };
   const auto solid = [](const Solid& s) {
     const auto indices = [](const auto& t) { return Json(std::vector<std::uint32_t>(t.begin(), t.end())); };
+    if (s.mesh_faces) {
+      Json faces = Json::array();
+      for_each_face(*s.mesh_faces, s.mesh_points.size(), [&](const auto& face) { faces.push_back(indices(face)); });
+      return Json{{"vertices", Json::array_of(s.mesh_points.exact(), point_json)}, {"faces", faces}};
+    }
     const std::span mesh(s.points.data(), given_points(s));
     return Json{{"vertices", Json::array_of(mesh, point_json)}, {"faces", Json::array_of(s.triangles, indices)}};
   };

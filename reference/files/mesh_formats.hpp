@@ -5,11 +5,14 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -142,6 +145,27 @@ template <class Items>
 void reserve_within(Items& items, std::uint64_t announced, std::size_t bytes_left, std::size_t bytes_each) {
   const std::uint64_t possible = bytes_left / bytes_each + 1;
   items.reserve(static_cast<std::size_t>(announced < possible ? announced : possible));
+}
+
+/// Calls f with the corners of each face of a mesh of so many points. Throws std::invalid_argument
+/// if one is none of them.
+template <class F>
+void for_each_face(const MeshFaces& faces, std::size_t points, F f) {
+  std::vector<std::uint32_t> corners = faces.corners;
+  if (corners.empty() && faces.ends.empty())
+    for (std::uint32_t i = 0; i < points; ++i) corners.push_back(i);
+  const bool ordered =
+      std::ranges::is_sorted(faces.ends) && (faces.ends.empty() || faces.ends.back() <= corners.size());
+  if (!ordered || std::ranges::any_of(corners, [&](std::uint32_t i) { return i >= points; }))
+    throw std::invalid_argument("expected faces of points of the mesh, found an index that is none of them");
+  const std::span<const std::uint32_t> all = corners;
+  if (faces.ends.empty())
+    for (std::size_t i = 0; i + 2 < all.size(); i += 3) f(all.subspan(i, 3));
+  std::size_t begin = 0;
+  for (const std::uint32_t end : faces.ends) {
+    f(all.subspan(begin, end - begin));
+    begin = end;
+  }
 }
 
 }  // namespace fathom::files

@@ -255,6 +255,7 @@ std::shared_ptr<const Solid> placed_solid(Solid solid, const Pose& pose) {
   const int turn = sgn(determinant(linear_part(pose)));
   if (turn == 0) return nullptr;
   for (Point& p : solid.points) p = placed(p, pose);
+  for (Point& p : solid.mesh_points.edit()) p = placed(p, pose);
   if (turn > 0) return std::make_shared<const Solid>(std::move(solid));
   for (auto& triangle : solid.triangles) std::ranges::reverse(triangle);
   for (Solid::Piece& piece : solid.pieces)

@@ -236,10 +236,22 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
 
 // ---- unions ----
 
+/// Adds what of the meshes holds a contact, of bodies that are solids.
+template <class Met>
+Json with_features(Json json, const Met& met) {
+  for (const auto& [key, features] : {std::pair("mesh_a", &met.mesh_a), std::pair("mesh_b", &met.mesh_b)})
+    if (!features->empty())
+      json[key] = Json::array_of(*features, [](const MeshFeature& f) {
+        return Json{{"kind", name(f.kind)}, {"ids", f.ids}};
+      });
+  return json;
+}
+
 Json contact_json(const PieceContact& c) {
-  return {{"pieces", std::vector<std::uint32_t>{c.a, c.b}},
-          {"direction", exact(c.direction)},
-          {"contact", contact_object(c.contact)}};
+  return with_features({{"pieces", std::vector<std::uint32_t>{c.a, c.b}},
+                        {"direction", exact(c.direction)},
+                        {"contact", contact_object(c.contact)}},
+                       c);
 }
 
 Json optimum_json(const UnionOptimum& optimum) {
@@ -252,11 +264,12 @@ Json optimum_json(const UnionOptimum& optimum) {
 
 Json distance_json(const UnionDistance& apart, const Shown& shown) {
   const Distance& d = apart.distance;
-  return {{"distance", length(d.squared, shown.digits)},
-          {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
-          {"translation", exact(d.translation)},
-          {"witness", witness_object(d.witness)},
-          {"contact", contact_object(d.contact)}};
+  return with_features({{"distance", length(d.squared, shown.digits)},
+                        {"pieces", std::vector<std::uint32_t>{apart.a, apart.b}},
+                        {"translation", exact(d.translation)},
+                        {"witness", witness_object(d.witness)},
+                        {"contact", contact_object(d.contact)}},
+                       apart);
 }
 
 std::string found_json(const AnsweredCase& answered, const UnionDepth& depth, const Shown& shown) {

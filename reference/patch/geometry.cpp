@@ -107,18 +107,7 @@ bool span_a_plane(const Contact& contact, const std::vector<Point>& a, const std
   return of_a.size() == 2 && of_b.size() == 2 && cross(a[of_a[1]] - a[of_a[0]], b[of_b[1]] - b[of_b[0]]) != Point{};
 }
 
-/// The least and greatest coordinates of a piece.
-struct Box {
-  Point low, high;
-  explicit Box(const std::vector<Point>& piece) : low(piece.front()), high(piece.front()) {
-    for (const Point& p : piece) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  }
-};
-
-mpq_class squared_gap(const Box& a, const Box& b) {
+mpq_class squared_gap(const CornerBox& a, const CornerBox& b) {
   const auto gap = [](const mpq_class& low, const mpq_class& high, const mpq_class& other_low,
                       const mpq_class& other_high) -> mpq_class {
     if (high < other_low) return other_low - high;
@@ -136,7 +125,7 @@ void add_nearest(ContactGeometry& geometry, const Pieces& a, const Pieces& b, co
   Options options;
   options.monitor = monitor;
   const mpq_class& squared = apart.distance.squared;
-  std::vector<Box> boxes_a(a.begin(), a.end()), boxes_b(b.begin(), b.end());
+  std::vector<CornerBox> boxes_a(a.begin(), a.end()), boxes_b(b.begin(), b.end());
   for (std::uint32_t i = 0; i < a.size(); ++i)
     for (std::uint32_t j = 0; j < b.size(); ++j) {
       context.check();

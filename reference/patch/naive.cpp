@@ -36,19 +36,6 @@ std::vector<Point> wrapped(const Vector& n, std::vector<Point> corners) {
   return corners;
 }
 
-/// The part of a convex polygon, segment or point where `height` is not negative.
-template <class Height>
-std::vector<Point> clipped(const std::vector<Point>& cycle, const Height& height) {
-  std::vector<Point> kept;
-  for (std::size_t k = 0; k < cycle.size(); ++k) {
-    const Point &p = cycle[k], &q = cycle[(k + 1) % cycle.size()];
-    const mpq_class s = height(p), r = height(q);
-    if (s >= 0) kept.push_back(p);
-    if (s * r < 0) kept.push_back(p + mpq_class(s / (s - r)) * (q - p));
-  }
-  return kept;
-}
-
 /// Without points that are repeated or between their neighbours, beginning with the least.
 std::vector<Point> strict(std::vector<Point> cycle, const Vector& n) {
   cycle.erase(std::unique(cycle.begin(), cycle.end()), cycle.end());

@@ -6,6 +6,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,7 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/positions.hpp"
 #include "kernels/report.hpp"
+#include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
 
 namespace fathom::patch {
@@ -118,6 +120,20 @@ PointsOver<Integer> over_power_of_two(std::span<const GivenPoint> given, long lo
   return result;
 }
 
+/// The part of a polygon, segment or point where `height` is not negative. Parts of a polygon that
+/// is not convex may be joined by seams.
+template <class Height>
+std::vector<Point> clipped(const std::vector<Point>& cycle, const Height& height) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < cycle.size(); ++k) {
+    const Point &p = cycle[k], &q = cycle[(k + 1) % cycle.size()];
+    const mpq_class s = height(p), r = height(q);
+    if (s >= 0) kept.push_back(p);
+    if (s * r < 0) kept.push_back(p + mpq_class(s / (s - r)) * (q - p));
+  }
+  return kept;
+}
+
 /// The corners on A of what the faces share after the translation t, counter-clockwise from the
 /// lexicographically least: the polygon of A is clipped by one half-plane of B after another, in
 /// rationals. The naive twin.
@@ -126,5 +142,48 @@ std::vector<Point> shared_naive(const Point& t, const MeetingFaces& faces);
 /// Checks the laws of a patch from the definitions: corners lie inside the faces that they name,
 /// are extreme and in order.
 [[nodiscard]] kernels::Report validate(const Patch& patch, const MeetingFaces& faces);
+
+/// The least box around points, of which there is one at least.
+struct CornerBox {
+  Point low, high;
+  explicit CornerBox(std::span<const Point> points);
+  /// Whether they have a common point.
+  [[nodiscard]] bool meets(const CornerBox& other) const;
+};
+
+/// The surface of a mesh. Of equal points the lowest index stands for all. In rationals throughout.
+class MeshSurface {
+ public:
+  MeshSurface(const std::vector<Point>& points, const MeshFaces& faces);
+
+  /// Of a convex set by its corners, in order around it: one, two, or three and more in a plane. At
+  /// a point the vertex, else the edges, else the faces that hold it; of a segment, what holds
+  /// almost all points of a part of it, in this way; of a polygon the faces that hold a part of it
+  /// with an area. Sorted. Empty if no part of the set lies on the surface.
+  [[nodiscard]] std::vector<MeshFeature> features(std::span<const Point> corners) const;
+
+ private:
+  // A flat face; or a triangle of one that is not flat.
+  struct Polygon {
+    std::uint32_t face;
+    std::vector<Point> corners;
+    Point normal;
+    CornerBox box;
+  };
+  struct Edge {
+    std::uint32_t low, high;
+    CornerBox box;
+  };
+
+  void add_face(std::uint32_t number, const std::vector<std::uint32_t>& corners);
+  [[nodiscard]] std::vector<MeshFeature> at_point(const Point& x) const;
+  [[nodiscard]] std::vector<MeshFeature> along_segment(const Point& p, const Point& q) const;
+  [[nodiscard]] std::vector<MeshFeature> under_polygon(std::span<const Point> patch) const;
+
+  const std::vector<Point>& points_;
+  std::vector<std::uint32_t> corners_;  // of faces, each once
+  std::vector<Edge> edges_;
+  std::vector<Polygon> polygons_;
+};
 
 }  // namespace fathom::patch

@@ -19,6 +19,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/messages.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/files/mesh_formats.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/solids/arrangement.hpp"
 #include "reference/solids/chain.hpp"
@@ -41,26 +42,6 @@ std::string place_text(const Point& p) {
   return (exact ? "" : "near ") + text + ")";
 }
 
-/// Calls f with the corners of each face of a mesh of so many points.
-template <class F>
-void for_each_face(const MeshFaces& faces, std::size_t points, F f) {
-  std::vector<std::uint32_t> corners = faces.corners;
-  if (corners.empty() && faces.ends.empty())
-    for (std::uint32_t i = 0; i < points; ++i) corners.push_back(i);
-  const bool ordered =
-      std::ranges::is_sorted(faces.ends) && (faces.ends.empty() || faces.ends.back() <= corners.size());
-  if (!ordered || std::ranges::any_of(corners, [&](std::uint32_t i) { return i >= points; }))
-    throw std::invalid_argument("expected faces of points of the mesh, found an index that is none of them");
-  const std::span<const std::uint32_t> all = corners;
-  if (faces.ends.empty())
-    for (std::size_t i = 0; i + 2 < all.size(); i += 3) f(all.subspan(i, 3));
-  std::size_t begin = 0;
-  for (const std::uint32_t end : faces.ends) {
-    f(all.subspan(begin, end - begin));
-    begin = end;
-  }
-}
-
 /// The mesh as a closed chain.
 class MeshChain {
  public:
@@ -68,7 +49,7 @@ class MeshChain {
   MeshChain(Arrangement& space, const polytope::PlacedPair& placed, const MeshFaces& faces)
       : space_(space), placed_(placed) {
     for (std::size_t i = 0; i < placed.a.size(); ++i) ids_.push_back(space.point(placed.a[i]));
-    for_each_face(faces, ids_.size(), [&](std::span<const std::uint32_t> face) { add_face(face); });
+    files::for_each_face(faces, ids_.size(), [&](std::span<const std::uint32_t> face) { add_face(face); });
     require_closed();
     mpz_class volume;
     for (const auto& [p, q, r] : triangles_) volume += det(space_[p].v, space_[q].v, space_[r].v);
@@ -262,7 +243,10 @@ Solid solid_of(const Body& mesh) {
   const solids::MeshChain chain(space, placed, *mesh.faces);
   std::vector<solids::ConvexPart> parts = solids::joined_parts(space, solids::parts_of(space, placed, chain));
   if (parts.empty()) throw std::invalid_argument("the mesh encloses no volume: its faces cancel");
-  return solids::SolidWriter(space, placed).run(chain, solids::in_order(space, std::move(parts)));
+  Solid solid = solids::SolidWriter(space, placed).run(chain, solids::in_order(space, std::move(parts)));
+  solid.mesh_points = mesh.points;
+  solid.mesh_faces = mesh.faces;
+  return solid;
 }
 
 }  // namespace fathom

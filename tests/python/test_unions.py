@@ -255,11 +255,23 @@ def test_judgements_of_unions():
         fathom.judge(slot, fathom.sphere(1), overlap=True)
 
 
-def test_meshes_that_are_not_convex():
-    class Tent:  # a tetrahedron with one face pushed in
-        vertices = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]], float)
-        faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]])
+class Tent:  # a tetrahedron with one face pushed in
+    vertices = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [1, 1, 1]], float)
+    faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 4], [2, 3, 4], [3, 1, 4]])
 
+
+def test_solids_tell_what_touches_by_their_meshes():
+    tent, box = fathom.solid(Tent), [CUBE * (0.25, 0.25, 0.5) + (1, 1, -0.375)]
+    base, pose = [{"kind": "face", "ids": (0,)}], "xyz=1,2,3 rpy=10,20,30deg"
+    for hit in (fathom.union_depth(tent, box), fathom.union_depth(pickle.loads(pickle.dumps(tent)), box),
+                fathom.union_depth(tent, box, pose_a=pose, pose_b=pose)):
+        assert hit.squared == Fraction(1, 64)
+        assert [met.mesh_a for met in hit.optima[0].contacts] == [base] * len(hit.optima[0].contacts)
+        assert [met.mesh_b for met in hit.optima[0].contacts] == [[]] * len(hit.optima[0].contacts)
+    assert fathom.union_depth(box, tent, pose_b="xyz=5,0,0").apart.mesh_b == [{"kind": "face", "ids": (2,)}]
+
+
+def test_meshes_that_are_not_convex():
     with pytest.warns(fathom.NotConvexWarning, match="^piece 1 of B is not convex, its hull is 33 % larger") as told:
         fathom.union_depth(BAR, [CUBE, Tent])
     assert len(told) == 1 and told[0].filename == __file__

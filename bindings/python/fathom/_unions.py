@@ -18,6 +18,10 @@ class PieceContact(NamedTuple):
     normal: tuple[int, int, int]  #: the direction as integers, exact and primitive
     #: {"kind": "facet-vertex", "a": (0, 1, 2), "b": (5,)}: the features that meet, as indices of points of the pieces
     contact: dict[str, Any]
+    #: of bodies made by `fathom.solid`, what of the mesh holds the contact, as {"kind": "edge", "ids": (3, 7)}: faces by their
+    #: numbers, vertices and the ends of edges by their indices; else []
+    mesh_a: list[dict[str, Any]]
+    mesh_b: list[dict[str, Any]]
 
 
 class UnionOptimum(NamedTuple):
@@ -38,6 +42,8 @@ class UnionDistance(NamedTuple):
     translation: FloatArray  #: of A, after which the bodies touch
     witness: tuple[FractionTriple, FractionTriple]  #: a point of A and one of B that are nearest
     contact: dict[str, Any]  #: the features that are nearest
+    mesh_a: list[dict[str, Any]]  #: of bodies made by `fathom.solid`, what of the mesh is nearest, as in PieceContact
+    mesh_b: list[dict[str, Any]]
 
 
 class UnionBounds(NamedTuple):

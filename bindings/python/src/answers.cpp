@@ -96,9 +96,17 @@ py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> t
                   "exact_translation"_a = std::move(exact), "contact"_a = contact(touching));
 }
 
+py::list features(const std::vector<MeshFeature>& of_mesh) {
+  py::list list;
+  for (const MeshFeature& f : of_mesh)
+    list.append(py::dict("kind"_a = std::string(name(f.kind)), "ids"_a = py::tuple(py::cast(f.ids))));
+  return list;
+}
+
 py::dict touch(const PieceContact& met) {
   return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction),
-                  "normal"_a = integers(met.direction), "contact"_a = contact(&met.contact));
+                  "normal"_a = integers(met.direction), "contact"_a = contact(&met.contact),
+                  "mesh_a"_a = features(met.mesh_a), "mesh_b"_a = features(met.mesh_b));
 }
 
 py::list optima_of_unions(const UnionDepth& found) {
@@ -147,7 +155,8 @@ py::object apart(const PairAnswer& answer) {
   const Distance& d = apart.distance;
   return py::dict("distance"_a = root_binary64(d.squared), "squared"_a = fraction(d.squared),
                   "pieces"_a = py::make_tuple(apart.a, apart.b), "translation"_a = array(d.translation),
-                  "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact));
+                  "witness"_a = witness(d.witness, true), "contact"_a = contact(&d.contact),
+                  "mesh_a"_a = features(apart.mesh_a), "mesh_b"_a = features(apart.mesh_b));
 }
 
 py::object union_bounds(const PairAnswer& answer) {
