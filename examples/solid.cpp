@@ -71,4 +71,6 @@ int main() {
 //> in itself: depth^2 = 1
 //> its first piece alone: 1 is missing, 0 outside, no piece sticks out
 //> as a body: 2 pieces; s VERIFIED penetrating depth_squared=1 optima=2 pieces=2x2 triangles=20x20 two%20ells
+//> touches piece 0 at face 4
+//> touches piece 1 at face 5
 //> the mesh is not closed: 3 edges have more faces on one side than on the other, such as (0, 0, 0) -> (1, 0, 0). A solid has no hole in its surface
