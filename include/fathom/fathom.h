@@ -102,7 +102,7 @@ FATHOM_API int fathom_body_from_piece_files(const char* path, int decimals, fath
 
 /** Makes a mesh of the points of a body, the hull of points, and `count` triangles, from 1 to 2^31,
  * each of them three indices of points, counter-clockwise from outside. Alone it stands for its
- * hull, as that of a file does. */
+ * hull, as that of a file does. FATHOM_ABSENT of a body that is not the hull of points. */
 FATHOM_API int fathom_body_with_triangles(const fathom_body* points, const unsigned* corners, size_t count, fathom_body** mesh);
 
 /** Makes the solid of a closed mesh, which need not be convex and may have cavities: what it goes
@@ -118,14 +118,14 @@ FATHOM_API int fathom_body_volume(const fathom_body* solid, double* volume, char
 /** Sets how many pieces a union, or a solid, is made of. FATHOM_ABSENT of other bodies. */
 FATHOM_API int fathom_body_pieces(const fathom_body* body, size_t* count);
 
-/** Makes one of them a body: the hull of its corners. */
+/** Makes one of them a body: the hull of its corners. FATHOM_ABSENT of bodies without pieces. */
 FATHOM_API int fathom_body_piece(const fathom_body* body, size_t index, fathom_body** piece);
 
 /** Sets how many points a body has that is the hull of points. FATHOM_ABSENT of other bodies. */
 FATHOM_API int fathom_body_points(const fathom_body* body, size_t* count);
 
 /** Sets one of them; `exact` gets its three coordinates in lowest terms, joined by blanks. Each may
- * be NULL. */
+ * be NULL. FATHOM_ABSENT of other bodies. */
 FATHOM_API int fathom_body_point(const fathom_body* body, size_t index, double point[3], char** exact);
 
 /** Makes both bodies of a case as JSON, schema fathom/case/1: {"a": {"vertices": [[0, 0, 0], ...]},

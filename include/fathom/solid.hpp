@@ -32,7 +32,7 @@ struct Solid {
   /// an area are left out.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// A piece around which the surface goes k times is listed k times. Neighbours are near one
-  /// another: halves of the list, and halves of these, lie in halves of space.
+  /// another: the list is halved, and its halves are, by the medians of their places.
   std::vector<Piece> pieces;
   bool turned = false;         ///< the faces of the mesh looked inwards; `triangles` look outwards
   bool overlaps = false;       ///< the surface goes around some points more than once

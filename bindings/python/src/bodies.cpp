@@ -387,7 +387,10 @@ using py::literals::operator""_a;
 // The fields of fathom.Coverage.
 py::dict coverage_of(const py::object& mesh, const py::object& pieces) {
   const Body body = body_from(mesh, py::none(), "mesh"), given = union_from(pieces, "the pieces", "pieces");
-  const Body solid = body.solid ? body : named("mesh", [&] { return solid_body(body); });
+  const Body solid = body.solid ? body : named("mesh", [&] {
+    const py::gil_scoped_release unlocked;
+    return solid_body(body);
+  });
   const PieceCoverage found = named("pieces", [&] {
     const py::gil_scoped_release unlocked;
     return coverage(*solid.solid, pieces_of(given));
