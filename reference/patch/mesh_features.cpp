@@ -118,14 +118,13 @@ void MeshSurface::add_face(std::uint32_t number, const std::vector<std::uint32_t
   for (const std::uint32_t i : corners) face.push_back(points_[i]);
   std::vector<std::vector<Point>> triangles;
   for (std::size_t i = 1; i + 1 < face.size(); ++i) triangles.push_back({face[0], face[i], face[i + 1]});
-  const Point sum = area_vector(face);
+  const auto add = [&](const std::vector<Point>& polygon) {
+    polygons_.push_back({number, polygon, CornerBox(polygon)});
+  };
+  const Point sum = triangles.size() > 1 ? area_vector(face) : Point{};
   const bool flat = sum != Point{} && std::ranges::all_of(triangles, [&](const std::vector<Point>& triangle) {
                       return cross(sum, area_vector(triangle)) == Point{};
                     });
-  const auto add = [&](const std::vector<Point>& polygon) {
-    if (const Point normal = area_vector(polygon); normal != Point{})
-      polygons_.push_back({number, polygon, normal, CornerBox(polygon)});
-  };
   if (flat) add(face);
   else std::ranges::for_each(triangles, add);
 }
@@ -144,10 +143,12 @@ std::vector<MeshFeature> MeshSurface::at_point(const Point& x) const {
     if (e.box.meets(box) && is_between(x, points_[e.low], points_[e.high]))
       found.push_back({FeatureKind::edge, {e.low, e.high}});
   if (!found.empty()) return found;
-  for (const Polygon& face : polygons_)
-    if (face.box.meets(box) && is_in_plane(x, face.normal, face.corners[0]) &&
-        goes_around(face.corners, face.normal, x))
+  for (const Polygon& face : polygons_) {
+    if (!face.box.meets(box)) continue;
+    const Point normal = area_vector(face.corners);
+    if (normal != Point{} && is_in_plane(x, normal, face.corners[0]) && goes_around(face.corners, normal, x))
       found.push_back({FeatureKind::face, {face.face}});
+  }
   sort_once(found);
   return found;
 }
@@ -177,8 +178,8 @@ std::vector<MeshFeature> MeshSurface::under_polygon(std::span<const Point> patch
   const Point normal = area_vector(patch);
   std::vector<MeshFeature> found;
   for (const Polygon& face : polygons_) {
-    if (!face.box.meets(box) || cross(normal, face.normal) != Point{}) continue;
-    if (!is_in_plane(patch[0], face.normal, face.corners[0])) continue;
+    if (!face.box.meets(box) || !is_in_plane(face.corners[0], normal, patch[0])) continue;
+    if (cross(normal, area_vector(face.corners)) != Point{}) continue;
     std::vector<Point> part = face.corners;
     for (std::size_t i = 0; i < patch.size(); ++i) {
       const Point inward = cross(normal, patch[(i + 1) % patch.size()] - patch[i]);

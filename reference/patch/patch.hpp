@@ -167,7 +167,6 @@ class MeshSurface {
   struct Polygon {
     std::uint32_t face;
     std::vector<Point> corners;
-    Point normal;
     CornerBox box;
   };
   struct Edge {
