@@ -290,7 +290,7 @@ std::string text_of(const Certificate& c) {
   write_body(text, c.b, "b");
   write_claim(text, c);
   if (c.format == 3) write_proof_of_unions(text, c);
-  // Of two solids the proof is left out: the proved checker, which cannot read it, stops before.
+  // For two bodies the proof is left out: the proved checker, which cannot read it, stops before.
   if (c.format == 3 || c.format == 5) return std::move(text).ended(c.format);
   text.part("directions", c.directions.items, vector, c.all ? " all" : " some");
   for (const bool heights : {true, false}) {

@@ -169,7 +169,7 @@ std::string certificate_text(const Body& a, const Body& b, const Answer& answer,
 /// The text of a certificate of the answer to union_depth(a, b): the depth with all optima,
 /// touching, or the distance. Its length and the time grow with the search that the answer took. It
 /// is of format 3; or of format 5, where that would be too long: of points without a short common
-/// denominator, or of more than 3,333,333 pairs of pieces, all optima together. Of bodies that are
+/// denominator, or of more than 1,666,666 pairs of pieces, all optima together. Of bodies that are
 /// solids the text for an Answer (fathom/answer.hpp) is about their meshes.
 /// Throws std::logic_error if the answer is not complete or the proof contradicts it,
 /// std::invalid_argument as union_depth does, and Interrupted.

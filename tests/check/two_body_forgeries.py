@@ -88,6 +88,7 @@ OF_DEPTH = (("an optimum missing", lambda c: c.optima.clear()),
             ("a facet of no vertex", lambda c: c.polytopes[0][2][0].__setitem__(1, "8")),
             ("a facet in two", lambda c: c.polytopes[0][2].__setitem__(0, ["3", *c.polytopes[0][2][0][1:4]]) or
              c.polytopes[0][2].append(["3", c.polytopes[0][2][0][1], c.polytopes[0][2][0][3], "2"])),
+            ("a facet of nothing", lambda c: c.polytopes[0][2].append(["0"])),
             ("a facet that is open", lambda c: c.polytopes[0][2].pop()),
             ("a depth that is too large", lambda c: c.claim.__setitem__(1, "4")))
 OF_NEAREST = (("weights of another piece", lambda c: c.nearest.__setitem__(1, "1")),
@@ -105,6 +106,7 @@ OF_SOLID = (("a triangle gone", lambda c: c.a.mesh.pop()),
             ("a triangle turned round", lambda c: c.a.mesh[3].reverse()),
             ("a piece gone", lambda c: c.a.pieces.pop()),
             ("a facet gone", lambda c: c.a.pieces[1].pop()),
+            ("a facet of nothing", lambda c: c.a.pieces[1].append(["0"])),
             ("a facet turned round", lambda c: c.a.pieces[1][2].__setitem__(slice(1, None), c.a.pieces[1][2][:0:-1])),
             ("a point moved", lambda c: c.a.points[0].__setitem__(0, "-1/1000000")),
             ("a point twice", lambda c: c.a.points.append(c.a.points[0])))

@@ -862,9 +862,10 @@ def edge(p, q):
 
 def normal_of(points, polygon):
     """The primitive vector of which the normals of all triangles are positive multiples that are fanned out from the first corner."""
+    demand(len(polygon) > 2, "fewer than three corners, or some on a line")
     first, *others = [points[k] for k in polygon]
     fan = [cross(edge(first, p), edge(first, q)) for p, q in zip(others, others[1:])]
-    demand(fan and all(map(any, fan)), "fewer than three corners, or some on a line")
+    demand(all(map(any, fan)), "fewer than three corners, or some on a line")
     normal, *others = map(primitive, fan)
     demand(all(n == normal for n in others), "not a flat and convex polygon")
     demand(len(set(polygon)) == len(polygon), "a corner twice")
@@ -1006,9 +1007,12 @@ def verdicts(file, name):
             reader.advance()
         except (Malformed, MemoryError) as error:
             yield 2, f"s MALFORMED {c['id'] or name}:{reader.number}: {error or 'out of memory'}{place(c, name)}"
-            if reader.number == first or "complete" in c:
+            if "complete" in c:
+                reader.advance()
+                continue
+            if reader.number == first:
                 reader.step()
-            while "complete" not in c and reader.line is not None and not reader.line.startswith("fathom-certificate"):
+            while reader.line is not None and not reader.line.startswith("fathom-certificate"):
                 reader.step()
 
 

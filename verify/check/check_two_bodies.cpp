@@ -157,7 +157,10 @@ void TwoBodies::check_nearest() const {
   Arena integers;
   const auto points_of = [&](const PiecedBody& body, std::size_t piece, const Part<std::vector<Weight>>& weights) {
     std::vector<Vector> result(body.points().size());
+    std::vector<bool> found(result.size());
     for_each(body, piece, weights, [&](std::uint32_t number, const Homogeneous& p) {
+      if (found[number]) return;
+      found[number] = true;
       const mpz_class factor = unit / p.w;
       result[number] = kept(integers, {p.x.x * factor, p.x.y * factor, p.x.z * factor});
     });

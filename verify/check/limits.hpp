@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The limits of a certificate, so that none, however hostile, makes a checker run out of memory or
-// run for ever. They follow from the text alone: all checkers find the same texts malformed.
+// run for ever. All checkers find the same texts malformed: the limits follow from the text alone,
+// but that on the tree of section 15, which takes checked polytopes.
 //                                                                            [FORMAT.md, section 8]
 #pragma once
 
