@@ -91,6 +91,7 @@ struct MeshFeature {
   /// the number of the face, in the order of the mesh, or the index of the vertex; of an edge those
   /// of its ends, the lower one first
   std::vector<std::uint32_t> ids;
+  /// Faces first, then edges, then vertices; by ids.
   friend auto operator<=>(const MeshFeature&, const MeshFeature&) = default;
 };
 /// "face", "edge" or "vertex".

@@ -54,8 +54,8 @@ struct UnionOptimum {
 struct UnionDistance {
   std::uint32_t a, b;  ///< the first pair of pieces that are nearest
   Distance distance;   ///< of these pieces, and of the unions
-  std::vector<MeshFeature> mesh_a = {},
-                           mesh_b = {};  ///< as in PieceContact, of all points of the pieces that are nearest
+  /// As in PieceContact, of all points of the pieces that are nearest.
+  std::vector<MeshFeature> mesh_a = {}, mesh_b = {};
 };
 
 /// What simpler measures say: deepest_pair <= depth^2 <= hulls.
