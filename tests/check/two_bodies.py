@@ -69,6 +69,19 @@ def of_union(union, solids):
     return c
 
 
+def quartered(c):
+    """The same, four times as small: points get several denominators."""
+    times = lambda p: [str(Fraction(x) / 4) for x in p]
+    for body in (c.a, c.b):
+        if isinstance(body, Solid):
+            body.points = list(map(times, body.points))
+        else:
+            body.pieces = [list(map(times, piece)) for piece in body.pieces]
+    c.claim = [c.claim[0], *(str(Fraction(q) / 16) for q in c.claim[1:])]
+    c.optima = [(times(t), blocks) for t, blocks in c.optima]
+    return c
+
+
 def solid_of(pieces):
     """Each piece is a component of its mesh."""
     hulls = [tilings.hull([tuple(map(Fraction, p)) for p in piece]) for piece in pieces]

@@ -22,15 +22,15 @@ def aimed():
     """(what it aims at, the text): none of them is true, but for those that are called genuine."""
     for k, (name, text) in enumerate(union_forgeries.aimed()):
         if not name.startswith(NOT_HERE):
-            yield name, two_bodies.of_union(unions.Union(text), ("", "a", "b", "ab")[k % 4]).text()
+            yield name, two_bodies.quartered(two_bodies.of_union(unions.Union(text), ("", "a", "b", "ab")[k % 4])).text()
     for solids in ("", "a", "b", "ab"):
         for claim, make in (("depth", deep), ("touching", touching), ("apart", apart)):
-            yield "genuine: " + claim, make(solids).text()
+            yield "genuine: " + claim, two_bodies.quartered(make(solids)).text()
             of_claim = OF_DEPTH if claim == "depth" else OF_NEAREST + OF_GAP * (claim == "apart")
             for name, change in OF_BLOCKS + of_claim + OF_UNION * ("b" not in solids) + OF_SOLID * ("a" in solids):
                 c = make(solids)
                 change(c)
-                yield f"{name}: {claim}, {solids}", c.text()
+                yield f"{name}: {claim}, {solids}", two_bodies.quartered(c).text()
 
 
 def deep(solids):
@@ -165,6 +165,9 @@ class Campaign(union_forgeries.Campaign):
             solids = ("", "a", "b", "ab")[sum(map(len, a + b)) // 8 % 4]
             text = two_bodies.of_union(unions.Union(text), solids).text()
         return answer, text
+
+    def genuine(self, count, seed):
+        return [two_bodies.quartered(Two(text)).text() for text in super().genuine(count, seed)]
 
 
 if __name__ == "__main__":
