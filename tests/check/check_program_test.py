@@ -97,6 +97,28 @@ class Certificates(ProgramTest):
             "s VERIFIED disjoint distance_squared=1/4 pieces=6x1 triangles=24x12 a%20cube%20in%20a%20cavity",
             "s VERIFIED touching depth_squared=0 pieces=2x2 triangles=24x24 a%20bar%20on%20a%20beam"]))
 
+    def test_two_bodies(self):
+        beside, across = (DATA / "format_5" / "two_bodies" / f"{name}.cert" for name in ("beside", "across"))
+        code, lines, _ = self.run_program(CHECK, "--echo", beside)
+        self.assertEqual((code, lines[1:3], lines[7], lines[12:14], lines[-2]),
+                         (0, ["c solid_a 5", "c 0 0 0"], "c mesh 4", ["c pieces_b 1", "c b 4"], "c claim apart 1"))
+        code, lines, _ = self.run_program(CHECK, "--width", beside)
+        self.assertEqual((code, reason(lines[0])), (1, "solids have no width here: it is that of a convex body"))
+        points = {"vertices": [[3, 0, 0], [4, 0, 0], [3, 1, 0], [3, 0, 1]]}
+        case = self.file("case.json", json.dumps({"a": points, "b": points}))
+        code, lines, _ = self.run_program(CHECK, "--case", case, beside)
+        self.assertEqual((code, reason(lines[0])), (1, "a solid is not what a case holds"))
+
+        def code_of(file, **fields):
+            text = re.sub("id .*\n", "", file.read_text())
+            return self.run_program(CHECK, "--results", "-", stdin=json.dumps({"id": "x", "certificate": text, **fields}))[0]
+
+        self.assertEqual(code_of(beside, status="disjoint", depth={"squared": "0"}, distance={"squared": "1"}), 0)
+        self.assertEqual(code_of(beside, distance={"squared": "2"}), 1)
+        self.assertEqual(code_of(across, status="penetrating", depth={"squared": "1"}), 0)
+        self.assertEqual(code_of(across, depth={"squared": "2"}), 1)
+        self.assertEqual(code_of(across, bound={"squared": "1"}), 1)
+
     def test_the_faults_of_formats_4_and_5(self):
         """Those of faults.jsonl, as check.py sees them too."""
         for row in map(json.loads, (ROOT / "tests" / "check" / "faults.jsonl").read_text().splitlines()):
