@@ -343,7 +343,7 @@ std::string json_text(const ExportSource& source, const std::vector<ExportCase>&
                   : Json{{"level", source.level}, {"seed", source.seed}, {"version", source.version}};
   from["command"] = source.command;
   head["source"] = from;
-  std::string text = head.text();
+  std::string text = "{\n" + head.text().substr(1);  // no line is an object with a schema: it is one file
   text.back() = ',';
   text += "\n\"cases\":[";
   for (const ExportCase& entry : cases) text += (&entry == cases.data() ? "\n" : ",\n") + case_json(entry).text();
