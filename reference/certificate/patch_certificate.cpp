@@ -9,6 +9,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/patch/patch.hpp"
 #include "reference/shapes/core.hpp"

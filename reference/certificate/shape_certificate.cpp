@@ -12,6 +12,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
+#include "reference/expanding/expanding_polytope.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"

@@ -33,20 +33,27 @@ def family(result):
     return result["id"].rsplit("-n", 1)[0]
 
 
+def is_of_two_bodies(certificate):
+    """Whether it is of the kind that the proved checker does not read: verify/check/FORMAT.md, section 15."""
+    return certificate.startswith("fathom-certificate 5\n") and "\nclaim solid\n" not in certificate
+
+
 def accepted_answers(test, cases):
-    """The answers about the cases, which all checkers accept."""
+    """The answers about the cases, which all checkers accept that read their certificates."""
     lines = run(FATHOM, "depth", "--json", "--embed-certificate", "-", stdin=cases)
     results = [json.loads(line) for line in lines.splitlines()]
     test.assertEqual(len(results), len(cases.splitlines()))
     with tempfile.TemporaryDirectory() as folder:
         answers, certificates = pathlib.Path(folder, "answers.jsonl"), pathlib.Path(folder, "certificates")
         answers.write_text(lines)
-        certificates.write_text("".join(result["certificate"] for result in results))
         wanted = run(*CHECKERS["fathom-check"], "--results", answers).splitlines()  # compares each with its certificate, field by field
         test.assertEqual(len(wanted), len(results))
         for result, line in zip(results, wanted):
             test.assertTrue(line.startswith(f"s VERIFIED {result['status']} ") and line.endswith(" " + result["id"]), line)
         for checker, command in CHECKERS.items():
+            read = [(result["certificate"], line) for result, line in zip(results, wanted)
+                    if checker != "fathom-check-proved" or not is_of_two_bodies(result["certificate"])]
+            certificates.write_text("".join(certificate for certificate, _ in read))
             with test.subTest(checker=checker):
-                test.assertEqual(run(*command, certificates).splitlines(), wanted)
+                test.assertEqual(run(*command, certificates).splitlines(), [line for _, line in read])
     return results
