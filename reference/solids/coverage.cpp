@@ -122,7 +122,7 @@ class Splitter {
   };
   SideParts look(PlaneSide side, const std::vector<PointId>& points) {
     const auto [above, below] = cutter_.look(side.plane, points);
-    return side.reversed ? SideParts{above, below} : SideParts{below, above};
+    return side.reversed ? SideParts{above > 0, below > 0} : SideParts{below > 0, above > 0};
   }
 
   // Whether a facet of one of them has the other one on its outside.
