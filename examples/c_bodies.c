@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bodies from C: exact numbers, shapes, meshes, poses, cases; and what is said of those that are none. */
+/* Bodies from C: exact numbers, shapes, meshes, poses, cases; and what is said of those that are
+ * none. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 
@@ -7,11 +8,13 @@
 static void answer_about(fathom_body* a, fathom_body* b) {
   fathom_answer* answer = NULL;
   char *exactly = NULL, *json = NULL, *dents = NULL;
-  if (fathom_depth(a, b, NULL, &answer) != FATHOM_OK || fathom_answer_exact(answer, FATHOM_SIGNED_DEPTH, &exactly) != FATHOM_OK ||
+  if (fathom_depth(a, b, NULL, &answer) != FATHOM_OK ||
+      fathom_answer_exact(answer, FATHOM_SIGNED_DEPTH, &exactly) != FATHOM_OK ||
       fathom_answer_json(answer, "example", &json) != FATHOM_OK) {
     printf("%s\n", fathom_last_error());
   } else {
-    printf("%s, signed depth %s; all in JSON: %.27s...\n", fathom_status_name(fathom_answer_status(answer)), exactly, json);
+    printf("%s, signed depth %s; all in JSON: %.27s...\n", fathom_status_name(fathom_answer_status(answer)), exactly,
+           json);
   }
   if (fathom_answer_dents(answer, &dents) == FATHOM_OK) printf("about the convex hulls: %s\n", dents);
   fathom_text_free(dents);
@@ -41,14 +44,16 @@ int main(void) {
   if ((file = fopen("c_bodies.off", "w")) == NULL) return 1;
   fputs("OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n", file);
   fclose(file);
-  fathom_bodies_from_case("{\"a\": {\"vertices\": [[0, 0, 0]]}, \"b\": {\"shape\": \"box\", \"half\": [0.25, 0.25, 0.25]}}", &a, &b);
+  fathom_bodies_from_case(
+      "{\"a\": {\"vertices\": [[0, 0, 0]]}, \"b\": {\"shape\": \"box\", \"half\": [0.25, 0.25, 0.25]}}", &a, &b);
   fathom_body_free(a);
   fathom_body_from_mesh("c_bodies.off", FATHOM_BINARY64_DECIMALS, &a);
   remove("c_bodies.off");
   answer_about(a, b);
 
   /* What is none is NULL, and the reason is kept. */
-  if (fathom_body_from_shape("sphere:r=-1", FATHOM_EXACT_DECIMALS, &a) == FATHOM_BAD_INPUT) printf("%s\n", fathom_last_error());
+  if (fathom_body_from_shape("sphere:r=-1", FATHOM_EXACT_DECIMALS, &a) == FATHOM_BAD_INPUT)
+    printf("%s\n", fathom_last_error());
   return a == NULL ? 0 : 1;
 }
 

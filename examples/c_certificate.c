@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A proof of an answer, from C, and what the independent checker says of it; about the same bodies, and about others. */
+/* A proof of an answer, from C, and what the independent checker says of it; about the same
+ * bodies, and about others. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 #include <string.h>
@@ -22,7 +23,8 @@ int main(void) {
   fathom_answer* answer;
   char* certificate;
   if (fathom_body_from_points(tetrahedron, 4, &a) != FATHOM_OK || fathom_body_moved(a, quarter, &b) != FATHOM_OK ||
-      fathom_depth(a, b, NULL, &answer) != FATHOM_OK || fathom_answer_certificate(answer, "quarter", NULL, &certificate) != FATHOM_OK) {
+      fathom_depth(a, b, NULL, &answer) != FATHOM_OK ||
+      fathom_answer_certificate(answer, "quarter", NULL, &certificate) != FATHOM_OK) {
     printf("%s\n", fathom_last_error());
     return 1;
   }

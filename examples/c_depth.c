@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How deep two boxes of doubles overlap, from C: the shortest way out, where they meet, and the same exactly. */
+/* How deep two boxes of doubles overlap, from C: the shortest way out, where they meet, and the
+ * same exactly. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 
@@ -32,10 +33,11 @@ static int print(const fathom_answer* answer) {
 
   if (fathom_answer_signed_depth(answer, &depth, &low, &high) != FATHOM_OK) return failed();
   printf("%s, %.17g, between %.17g and %.17g\n", fathom_status_name(fathom_answer_status(answer)), depth, low, high);
-  if (fathom_answer_direction(answer, direction) != FATHOM_OK || fathom_answer_translation(answer, translation) != FATHOM_OK)
+  if (fathom_answer_direction(answer, direction) != FATHOM_OK ||
+      fathom_answer_translation(answer, translation) != FATHOM_OK)
     return failed();
-  printf("along (%g, %g, %g): move A by (%g, %g, %g)\n", direction[0], direction[1], direction[2], translation[0], translation[1],
-         translation[2]);
+  printf("along (%g, %g, %g): move A by (%g, %g, %g)\n", direction[0], direction[1], direction[2], translation[0],
+         translation[1], translation[2]);
   if (fathom_answer_witness(answer, on_a, on_b) != FATHOM_OK) return failed();
   printf("so that (%g, %g, %g) comes to (%g, %g, %g)\n", on_a[0], on_a[1], on_a[2], on_b[0], on_b[1], on_b[2]);
   for (i = 0; i < fathom_answer_optima(answer); ++i) {

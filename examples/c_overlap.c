@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whether two boxes overlap, and whether they are closer than a distance, from C: with the numbers that prove it. Then one
- * sinks into the other: prepared once, they are asked about in one pose after another. */
+/* Whether two boxes overlap, and whether they are closer than a distance, from C: with the
+ * numbers that prove it. Then one sinks into the other: prepared once, they are asked about in
+ * one pose after another. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 

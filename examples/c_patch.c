@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where two bodies touch, from C: the corners of the patch, and how the depth changes as one of them moves. */
+/* Where two bodies touch, from C: the corners of the patch, and how the depth changes as one of
+ * them moves. */
 #include <fathom/fathom.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bodies that are not convex, from C: how far is a bar from leaving the slot of a block in the shape of a U? */
+/* Bodies that are not convex, from C: how far is a bar from leaving the slot of a block in the
+ * shape of a U? */
 #include <fathom/fathom.h>
 #include <stdio.h>
 
@@ -27,11 +28,13 @@ static int print(const fathom_answer* answer) {
   if (fathom_answer_signed_depth(answer, &depth, NULL, NULL) != FATHOM_OK) return failed();
   printf("%s, depth %g\n", fathom_status_name(fathom_answer_status(answer)), depth);
   for (i = 0; i < fathom_answer_optima(answer); ++i) {
-    if (fathom_answer_optimum(answer, i, NULL, way) != FATHOM_OK || fathom_answer_clearance(answer, i, &clearance) != FATHOM_OK)
+    if (fathom_answer_optimum(answer, i, NULL, way) != FATHOM_OK ||
+        fathom_answer_clearance(answer, i, &clearance) != FATHOM_OK)
       return failed();
     printf("way (%g, %g, %g), %s\n", way[0], way[1], way[2], clearance ? "into a gap" : "an exact fit");
   }
-  if (fathom_answer_deepest_pair(answer, &deepest, pieces) != FATHOM_OK || fathom_answer_hulls(answer, &hulls) != FATHOM_OK)
+  if (fathom_answer_deepest_pair(answer, &deepest, pieces) != FATHOM_OK ||
+      fathom_answer_hulls(answer, &hulls) != FATHOM_OK)
     return failed();
   printf("deepest pair %g: pieces %d and %d; hulls %g\n", deepest, (int)pieces[0], (int)pieces[1], hulls);
   return 0;
@@ -48,7 +51,8 @@ static int print_file(void) {
   fclose(file);
   if (fathom_body_from_piece_files("c_unions.obj", FATHOM_BINARY64_DECIMALS, &body) != FATHOM_OK) return failed();
   remove("c_unions.obj");
-  if (fathom_depth(body, body, NULL, &answer) != FATHOM_OK || fathom_answer_exact(answer, FATHOM_SIGNED_DEPTH, &exactly) != FATHOM_OK)
+  if (fathom_depth(body, body, NULL, &answer) != FATHOM_OK ||
+      fathom_answer_exact(answer, FATHOM_SIGNED_DEPTH, &exactly) != FATHOM_OK)
     return failed();
   printf("two tetrahedra on themselves: %s\n", exactly);
   fathom_text_free(exactly);

@@ -295,7 +295,7 @@ def breaches(root):
     definitions, readers = {}, {}
     for path in files(root):
         name = path.as_posix()
-        if path.suffix in (*SOURCE, ".h", ".py"):
+        if path.suffix in (*SOURCE, ".h", ".c", ".py"):
             found += [(name, *breach) for breach in width_breaches(name, (root / path).read_text(encoding="utf-8"))]
         script = path.suffix in (".py", ".sh", ".cmake") or name.endswith(".cmake.in") or path.name == "CMakeLists.txt" or name in SCRIPTS
         if path.suffix not in SOURCE and not script:
