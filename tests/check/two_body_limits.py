@@ -214,7 +214,7 @@ def trees():
 
 def numbers():
     for more in (0, 1):
-        left = NUMBERS + more - 3 - 2 - 3 - 3 * 10**6 - 4 - 10**6
+        left = NUMBERS + more - 2 * (1 + 3) - 2 * 3 - 3 * 10**6 - 10**6  # without pieces and their points, optima and the rest of the list
         for kind, rows in (("splits", ["a", "b"] * (left // 2) + ["a"] * (left % 2)),
                            ("vectors", ["0 0 1"] * (left // 3) + ["b"] * (left % 3))):
             text = list(Two(claim="depth 1", optima=[("0 0 0", []), ("0 0 0", ["1 1 1"] * 10**6 + ["a"] * 10**6 + rows)]).lines())
