@@ -103,8 +103,7 @@ FATHOM_API int fathom_body_from_piece_files(const char* path, int decimals, fath
 /** Makes a mesh of the points of a body, the hull of points, and `count` triangles, from 1 to 2^31,
  * each of them three indices of points, counter-clockwise from outside. Alone it stands for its
  * hull, as that of a file does. FATHOM_ABSENT of a body that is not the hull of points. */
-FATHOM_API int fathom_body_with_triangles(const fathom_body* points, const unsigned* corners, size_t count,
-                                          fathom_body** mesh);
+FATHOM_API int fathom_body_with_triangles(const fathom_body* points, const unsigned* corners, size_t count, fathom_body** mesh);
 
 /** Makes the solid of a closed mesh, which need not be convex and may have cavities: what it goes
  * around, as a union of convex pieces that tile it exactly. The mesh is one of a file or of
@@ -187,8 +186,7 @@ typedef struct fathom_answer fathom_answer;
  * interiors have a common point, and a path to the shortest t for which they do not is not asked
  * for. A search about unions that `stop` ends returns FATHOM_OK, and an answer with bounds alone,
  * once these are known. */
-FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options,
-                            fathom_answer** answer);
+FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fathom_options* options, fathom_answer** answer);
 
 /** Sets where A and B are, FATHOM_PENETRATING and so on: of hulls of points without their depth.
  * `options` may be NULL; of it `bits`, `stop` and `caller` are read.
@@ -197,15 +195,14 @@ FATHOM_API int fathom_depth(const fathom_body* a, const fathom_body* b, const fa
  * max_b <n,b> - min_a <n,a> at most 0, unless they penetrate; of those that do "around I J ...",
  * indices of points a_I and b_J whose differences b_J - a_I have the origin in the interior of
  * their hull. */
-FATHOM_API int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_options* options, int* status,
-                              char** proof);
+FATHOM_API int fathom_overlap(const fathom_body* a, const fathom_body* b, const fathom_options* options, int* status, char** proof);
 
 /** Sets whether a point of A and a point of B are less than `distance` apart, which is taken
  * exactly and has to be above 0: 1, 0, or -1 where bounds of curved shapes leave it open. The other
  * arguments are those of fathom_overlap. The proof is "points X Y Z X Y Z", such a point of A and
  * of B, or "normal X Y Z" with max_b <n,b> - min_a <n,a> <= -distance |n|. */
-FATHOM_API int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distance,
-                                  const fathom_options* options, int* closer, char** proof);
+FATHOM_API int fathom_closer_than(const fathom_body* a, const fathom_body* b, double distance, const fathom_options* options, int* closer,
+                                  char** proof);
 
 /* Prepared bodies: many questions about the same hulls, in other poses. */
 
@@ -228,18 +225,16 @@ typedef struct fathom_warm_start {
 /** Finds the answer that fathom_depth finds about fathom_body_moved(a, pose_a) and
  * fathom_body_moved(b, pose_b), sooner. A pose may be NULL: the body stays where it is. So may
  * `start` and `options`, of which `bits` is not read. */
-FATHOM_API int fathom_prepared_depth(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
-                                     const double pose_b[12], fathom_warm_start* start, const fathom_options* options,
-                                     fathom_answer** answer);
+FATHOM_API int fathom_prepared_depth(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b, const double pose_b[12],
+                                     fathom_warm_start* start, const fathom_options* options, fathom_answer** answer);
 
 /** The same of fathom_overlap, without a proof. */
-FATHOM_API int fathom_prepared_overlap(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
-                                       const double pose_b[12], const fathom_options* options, int* status);
+FATHOM_API int fathom_prepared_overlap(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b, const double pose_b[12],
+                                       const fathom_options* options, int* status);
 
 /** The same of fathom_closer_than, without a proof. */
 FATHOM_API int fathom_prepared_closer_than(const fathom_prepared* a, const double pose_a[12], const fathom_prepared* b,
-                                           const double pose_b[12], double distance, const fathom_options* options,
-                                           int* closer);
+                                           const double pose_b[12], double distance, const fathom_options* options, int* closer);
 
 /** Ends a prepared body. NULL is allowed. */
 FATHOM_API void fathom_prepared_free(fathom_prepared* prepared);
@@ -273,8 +268,7 @@ FATHOM_API size_t fathom_answer_optima(const fathom_answer* answer);
 
 /** Sets the unit vector and the translation of one of them; each may be NULL. The first is that of
  * the functions above. */
-FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3],
-                                     double translation[3]);
+FATHOM_API int fathom_answer_optimum(const fathom_answer* answer, size_t index, double direction[3], double translation[3]);
 
 /** Sets whether translations as near as one likes to one of these ways out leave a gap between the
  * bodies: 1, or 0 for an exact fit, as that of a key in a slot of its own width. Always 1 of convex
@@ -309,13 +303,12 @@ FATHOM_API int fathom_answer_patches(const fathom_answer* answer, size_t* count)
  * vector along which A leaves; the length of a segment, or the area of a polygon; which way out it
  * belongs to; of unions the piece of A and the piece of B that touch, else 0 and 0. Each pointer
  * may be NULL. */
-FATHOM_API int fathom_answer_patch(const fathom_answer* answer, size_t patch, size_t* corners, double direction[3],
-                                   double* size, size_t* optimum, size_t pieces[2]);
+FATHOM_API int fathom_answer_patch(const fathom_answer* answer, size_t patch, size_t* corners, double direction[3], double* size,
+                                   size_t* optimum, size_t pieces[2]);
 
 /** Sets a corner of a patch, as a point of A and one of B with b - a = the translation: those of a
  * polygon are counter-clockwise seen from the tip of the direction. Each may be NULL. */
-FATHOM_API int fathom_answer_patch_corner(const fathom_answer* answer, size_t patch, size_t corner, double a[3],
-                                          double b[3]);
+FATHOM_API int fathom_answer_patch_corner(const fathom_answer* answer, size_t patch, size_t corner, double a[3], double b[3]);
 
 /** Sets whether the signed depth is differentiable by the poses of the bodies. FATHOM_ABSENT of
  * unions. */
@@ -334,14 +327,14 @@ FATHOM_API int fathom_answer_gradient(const fathom_answer* answer, double v[3], 
  * words where it is left out: "unlisted", not all ways out are listed; "touching", of unions;
  * "exact-fit", unions turn, and a way out has no clearance; "many-planes", unions turn, and pieces
  * that touch after a way out have more than one plane between them. */
-FATHOM_API int fathom_answer_derivative(const fathom_answer* answer, const double twist_a[6], const double twist_b[6],
-                                        double* rate, char** exact);
+FATHOM_API int fathom_answer_derivative(const fathom_answer* answer, const double twist_a[6], const double twist_b[6], double* rate,
+                                        char** exact);
 
 /** Makes the line of fathom_answer_json with the field "manifold", as `fathom depth --json --patch`
  * prints it, and unless both twists are NULL with "derivative", as with --twist and --twist-b.
  * Where something is left out, the fields say why. */
-FATHOM_API int fathom_answer_manifold_json(const fathom_answer* answer, const char* id, const double twist_a[6],
-                                           const double twist_b[6], char** text);
+FATHOM_API int fathom_answer_manifold_json(const fathom_answer* answer, const char* id, const double twist_a[6], const double twist_b[6],
+                                           char** text);
 
 /** What fathom_answer_exact tells. */
 enum {
@@ -368,8 +361,7 @@ FATHOM_API int fathom_answer_json(const fathom_answer* answer, const char* id, c
  * Patches of unions are not proved, and curved shapes have none: then it is as without them.
  * FATHOM_ABSENT of a text beyond the limits of FORMAT.md, as with numbers of more than 100,000
  * digits, which every checker would refuse to read. */
-FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options,
-                                         char** text);
+FATHOM_API int fathom_answer_certificate(const fathom_answer* answer, const char* id, const fathom_options* options, char** text);
 
 /* ---- certificates ---- */
 
@@ -387,8 +379,8 @@ enum {
  * which holds their meshes. `line` gets what the checker
  * prints, "s VERIFIED penetrating depth_squared=9/25 certificate", or the line and the reason; it
  * may be NULL. FATHOM_OK says that the text was checked, not that it is a proof. */
-FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a,
-                                        const fathom_body* b, int* outcome, char** line);
+FATHOM_API int fathom_check_certificate(const char* certificate, size_t length, const fathom_body* a, const fathom_body* b, int* outcome,
+                                        char** line);
 
 /* ---- the judge ---- */
 
@@ -450,49 +442,41 @@ enum { FATHOM_POLICY_DECLARED = 0, FATHOM_POLICY_MINIMUM = 1, FATHOM_POLICY_SEPA
 typedef struct fathom_claim {
   size_t size; /**< sizeof(fathom_claim), set by fathom_claim_init */
 
-  int precision;      /**< FATHOM_BINARY64; with FATHOM_BINARY32 points are rounded first, and the numbers of shapes are
-                         taken as they are */
-  int touching;       /**< FATHOM_TOUCHING_EITHER: what bodies that touch count as */
+  int precision; /**< FATHOM_BINARY64; with FATHOM_BINARY32 points are rounded first, and the numbers of shapes are taken as they are */
+  int touching;  /**< FATHOM_TOUCHING_EITHER: what bodies that touch count as */
   int depth_negative; /**< 0: whether overlapping bodies have depths below 0 */
   int moves_b;        /**< 0: whether |depth| * direction moves B away, not A */
   int not_unit;       /**< 0: whether directions need not have length 1 */
 
   /* What rounding costs is allowed besides, see "the slack" in VERDICTS.md: of correctly rounded
    * numbers, or of numbers off by tol_ulps. */
-  double tol_relative; /**< 1e-3, of the depth. Each of the three is taken as the exact value of its double; none may be
-                          negative */
+  double tol_relative; /**< 1e-3, of the depth. Each of the three is taken as the exact value of its double; none may be negative */
   double tol_absolute; /**< 1e-6, of the longest side of the bodies' boxes */
   double tol_ulps;     /**< 0; a whole number up to 1e9 */
 
-  int overlap;                                                /**< 0: whether the answer is that the bodies overlap */
+  int overlap;         /**< 0: whether the answer is that the bodies overlap */
   int has_depth, has_direction, has_witness_a, has_witness_b; /**< 0: whether it has them */
-  double depth;                                               /**< of the overlap */
-  double direction[3];                                        /**< in which a body moves apart */
-  double witness_a[3], witness_b[3];                          /**< b - a is the translation that moves A away */
+  double depth;        /**< of the overlap */
+  double direction[3]; /**< in which a body moves apart */
+  double witness_a[3], witness_b[3]; /**< b - a is the translation that moves A away */
 
-  int answers;    /**< FATHOM_SAME_PRECISION: that of the answer's numbers, where `precision` is that of points alone */
-  int separating; /**< 0: whether a depth with a direction claims no shortest translation, but a length that separates
-                     along it */
-  int policy;     /**< FATHOM_POLICY_DECLARED, that is, by `separating`: which longer translations pass */
-  double policy_most;   /**< 0, for FATHOM_POLICY_WITHIN: the separating distance may be (1 + policy_most) depths; not
-                           negative */
-  int has_distance;     /**< 0: of bodies that are said to be apart. Direction and witness points then are those of the
-                           distance */
-  double distance;      /**< at least 0 */
-  size_t contact_count; /**< 0; at most 2^31: the contacts of a manifold, read beside a depth */
+  int answers;        /**< FATHOM_SAME_PRECISION: that of the answer's numbers, where `precision` is that of points alone */
+  int separating;     /**< 0: whether a depth with a direction claims no shortest translation, but a length that separates along it */
+  int policy;         /**< FATHOM_POLICY_DECLARED, that is, by `separating`: which longer translations pass */
+  double policy_most; /**< 0, for FATHOM_POLICY_WITHIN: the separating distance may be (1 + policy_most) depths; not negative */
+  int has_distance;   /**< 0: of bodies that are said to be apart. Direction and witness points then are those of the distance */
+  double distance;    /**< at least 0 */
+  size_t contact_count;            /**< 0; at most 2^31: the contacts of a manifold, read beside a depth */
   const double* contact_positions; /**< x, y, z of each: points of both bodies. They are read during the call */
   const double* contact_depths;    /**< of each, or NULL; the largest is the depth of the answer */
-  int has_manifold; /**< 0: whether the contacts reach as far as the bodies touch, by its own word; what follows is read
-                       beside it */
+  int has_manifold;      /**< 0: whether the contacts reach as far as the bodies touch, by its own word; what follows is read beside it */
   size_t most_contacts;  /**< 0, for any number: how many an answer has at most; of 1, no extent is asked */
   double contact_margin; /**< 0: how much less deep than the answer contacts without a depth may be; not negative */
   int has_patch_slack;   /**< 0: whether contacts are held against the patch with a slack, not against the exact one */
-  double patch_slack; /**< that length: they are to reach all lines along which the bodies overlap by the depth less it;
-                         not negative */
-  int has_derivative; /**< 0: whether the answer tells how fast the signed depth grows as the bodies begin to move */
-  double derivative;  /**< that rate, more being deeper whatever the conventions */
-  double twist_a[6],
-      twist_b[6]; /**< 0, at rest; v and w: the body's point p begins to move with the velocity v + w x p; finite */
+  double patch_slack;    /**< that length: they are to reach all lines along which the bodies overlap by the depth less it; not negative */
+  int has_derivative;    /**< 0: whether the answer tells how fast the signed depth grows as the bodies begin to move */
+  double derivative;     /**< that rate, more being deeper whatever the conventions */
+  double twist_a[6], twist_b[6]; /**< 0, at rest; v and w: the body's point p begins to move with the velocity v + w x p; finite */
 } fathom_claim;
 
 /** Numbers that do not exist, as the error of a depth that was not claimed, are NaN; numbers beyond
@@ -501,14 +485,13 @@ typedef struct fathom_claim {
 typedef struct fathom_judgement {
   size_t size; /**< sizeof(fathom_judgement), set by fathom_judgement_init */
 
-  int verdict;       /**< FATHOM_VERDICT_PASS and so on */
-  unsigned findings; /**< everything that is wrong: bit 1u << FATHOM_VERDICT_TOO_DEEP, ... */
-  int accuracy;      /**< of a pass with a depth or a distance; else FATHOM_NO_CLASS */
-  int status;        /**< FATHOM_PENETRATING and so on: the truth */
+  int verdict;                                              /**< FATHOM_VERDICT_PASS and so on */
+  unsigned findings;                                        /**< everything that is wrong: bit 1u << FATHOM_VERDICT_TOO_DEEP, ... */
+  int accuracy;                                             /**< of a pass with a depth or a distance; else FATHOM_NO_CLASS */
+  int status;                                               /**< FATHOM_PENETRATING and so on: the truth */
   double signed_depth, signed_depth_low, signed_depth_high; /**< the truth, as fathom_answer_signed_depth gives it */
 
-  double error, error_ulps, error_relative,
-      error_u_r; /**< claimed less true depth or distance; of bounds, the least that they allow */
+  double error, error_ulps, error_relative, error_u_r; /**< claimed less true depth or distance; of bounds, the least that they allow */
   /** along the claimed direction, until a plane across it separates; below 0 where the bodies are
    * apart */
   double separating_distance_low, separating_distance_high;
@@ -520,9 +503,8 @@ typedef struct fathom_judgement {
 
   int excess_allowed;     /**< whether the depth would be too deep, but for the policy */
   double relative_excess; /**< separating distance / depth - 1 */
-  double contact_a_low, contact_a_high, contact_b_low,
-      contact_b_high; /**< distances of the farthest contacts; 0 inside */
-  double deepest;     /**< the largest depth of a contact less the claimed depth */
+  double contact_a_low, contact_a_high, contact_b_low, contact_b_high; /**< distances of the farthest contacts; 0 inside */
+  double deepest; /**< the largest depth of a contact less the claimed depth */
 
   /* Of unions that overlap. They have no separating distance and no exit distance: overlap_left is
    * the depth after the claimed translation. */
@@ -548,8 +530,8 @@ FATHOM_API void fathom_judgement_init(fathom_judgement* judgement);
 /** Judges an answer about A and B, bodies of any kind that fathom_depth takes. `sentence` gets what
  * is wrong, for people: "too deep by 0.4392: 1.0392 is claimed, the depth is 0.6". It may be NULL.
  * After a failure the judgement is as fathom_judgement_init leaves it. */
-FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim,
-                            fathom_judgement* judgement, char** sentence);
+FATHOM_API int fathom_judge(const fathom_body* a, const fathom_body* b, const fathom_claim* claim, fathom_judgement* judgement,
+                            char** sentence);
 
 /** "too-deep"; NULL for a number that is no verdict. */
 FATHOM_API const char* fathom_verdict_name(int verdict);

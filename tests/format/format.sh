@@ -10,8 +10,7 @@ if ! command -v clang-format-14 >/dev/null; then
   echo "clang-format-14 is missing (Debian 12 has it)"
   exit 77
 fi
-mapfile -d '' files < <(find include bindings examples kernels reference verify view cli cmake tests -name '*.[hc]' ! -path '*/golden/kit/*' -print0 \
-  -o \( -name '*.hpp' -o -name '*.cpp' \) -print0 | sort -z)
+mapfile -d '' files < <(find include bindings examples kernels reference verify view cli cmake tests \( -name '*.hpp' -o -name '*.cpp' -o -name '*.c' \) -print0 | sort -z)
 if [[ ${2-} == --fix ]]; then exec clang-format-14 --style=file -i "${files[@]}"; fi
 
 if ! complaints=$(clang-format-14 --style=file --dry-run --Werror "${files[@]}" 2>&1); then
