@@ -16,50 +16,22 @@ from union_limits import Union  # noqa: E402
 
 class Two(Union):
     """Claims something and proves nothing: its first piece is flat. A body is a list of pieces, or a Solid; lists have blocks."""
+    format, list_name = 5, "apart"
 
     def __init__(self, a=(POINT,), b=(POINT,), nearest="0 0", apart=(), **more):
         super().__init__(a, b, separations=apart, **more)
         self.nearest = nearest
 
-    def lines(self):
-        counts = []
-
-        def part(name, rows):
-            counts.append(len(rows))
-            return [f"{name} {len(rows)}", *rows]
-
-        def announced(name, items):
-            counts.append(len(items))
-            return [f"{name} {len(items)}"]
-
-        yield "fathom-certificate 5"
-        for name, body in (("a", self.a), ("b", self.b)):
-            solid = isinstance(body, Solid)
-            if solid:
-                yield from part("solid_" + name, body.points)
-                yield from part("mesh", body.mesh)
-            pieces = body.pieces if solid else body
-            yield from announced("pieces" if solid else "pieces_" + name, pieces)
-            for piece in pieces:
-                yield from part("piece" if solid else name, piece)
-        yield f"claim {self.claim}"
-        if self.depth:
-            yield from announced("optima", self.optima)
-            for t, rows in self.optima:
-                yield "optimum " + t
-                yield from part("apart", rows)
-            yield from announced("polytopes", self.polytopes)
-            for vertices, facets in self.polytopes:
-                yield "polytope 0 0"
-                yield from part("vertices", vertices)
-                yield from part("facets", facets)
-            yield from part("tree", self.tree)
-        else:
-            yield from part("apart", self.lists[0])
-            yield "nearest " + self.nearest
-            yield from part("weights_a", self.weights[0])
-            yield from part("weights_b", self.weights[1])
-        yield "end " + " ".join(map(str, counts))
+    @staticmethod
+    def body(name, pieces, part, announced):
+        if not isinstance(pieces, Solid):
+            yield from Union.body(name, pieces, part, announced)
+            return
+        yield from part("solid_" + name, pieces.points)
+        yield from part("mesh", pieces.mesh)
+        yield from announced("pieces", pieces.pieces)
+        for facets in pieces.pieces:
+            yield from part("piece", facets)
 
     def size_and_work(self):
         """The page's formulas, from the page's definitions; without the tree."""

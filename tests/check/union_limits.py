@@ -21,6 +21,14 @@ class Union(Certificate):
         self.depth = claim.startswith("depth")
         self.lists = [rows for _, rows in optima] if self.depth else [separations]
 
+    format, list_name, nearest = 3, "separations", "0 0"
+
+    @staticmethod
+    def body(name, pieces, part, announced):
+        yield from announced("pieces_" + name, pieces)
+        for points in pieces:
+            yield from part(name, points)
+
     def lines(self):
         counts = []
 
@@ -32,17 +40,15 @@ class Union(Certificate):
             counts.append(len(items))
             return [f"{name} {len(items)}"]
 
-        yield "fathom-certificate 3"
-        for name, pieces in (("a", self.a), ("b", self.b)):
-            yield from announced("pieces_" + name, pieces)
-            for points in pieces:
-                yield from part(name, points)
+        yield f"fathom-certificate {self.format}"
+        yield from self.body("a", self.a, part, announced)
+        yield from self.body("b", self.b, part, announced)
         yield f"claim {self.claim}"
         if self.depth:
             yield from announced("optima", self.optima)
             for t, rows in self.optima:
                 yield "optimum " + t
-                yield from part("separations", rows)
+                yield from part(self.list_name, rows)
             yield from announced("polytopes", self.polytopes)
             for vertices, facets in self.polytopes:
                 yield "polytope 0 0"
@@ -50,8 +56,8 @@ class Union(Certificate):
                 yield from part("facets", facets)
             yield from part("tree", self.tree)
         else:
-            yield from part("separations", self.lists[0])
-            yield "nearest 0 0"
+            yield from part(self.list_name, self.lists[0])
+            yield "nearest " + self.nearest
             yield from part("weights_a", self.weights[0])
             yield from part("weights_b", self.weights[1])
         yield "end " + " ".join(map(str, counts))
