@@ -25,7 +25,6 @@
 #include "verify/check/check.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"
-#include "verify/check/unreadable.hpp"
 
 namespace fathom::c {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "cli/args/values.hpp"
 #include "cli/io/output.hpp"
-#include "verify/check/command_line.hpp"
+#include "verify/check/run.hpp"
 
 namespace fathom::cli {
 namespace {

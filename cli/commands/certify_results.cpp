@@ -22,7 +22,7 @@
 #include "cli/io/progress.hpp"
 #include "kernels/messages.hpp"
 #include "reference/files/cases.hpp"
-#include "verify/check/unreadable.hpp"
+#include "verify/check/reader.hpp"
 #include "verify/harness/coordinates.hpp"
 #include "verify/harness/report/diff.hpp"
 #include "verify/harness/report/html.hpp"

@@ -23,7 +23,6 @@
 #include "cli/io/output.hpp"
 #include "cli/io/process.hpp"
 #include "kernels/messages.hpp"
-#include "verify/check/command_line.hpp"
 #include "verify/check/run.hpp"
 #include "verify/harness/process.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "cli/io/output.hpp"
 #include "fathom/files.hpp"
-#include "verify/check/unreadable.hpp"
+#include "verify/check/reader.hpp"
 #include "verify/digest/sha256.hpp"
 
 namespace fathom::cli {

@@ -11,8 +11,8 @@
 
 #include "tests/support/property.hpp"
 #include "verify/check/cases.hpp"
+#include "verify/check/json.hpp"
 #include "verify/check/limits.hpp"
-#include "verify/check/number.hpp"
 #include "verify/check/parser.hpp"
 #include "verify/check/result.hpp"
 

@@ -14,12 +14,11 @@
 
 #include "tests/check/edits.hpp"
 #include "tests/check/union_texts.hpp"
-#include "verify/check/budget.hpp"
+#include "verify/check/certificate.hpp"
 #include "verify/check/check.hpp"
-#include "verify/check/integers.hpp"
 #include "verify/check/json.hpp"
 #include "verify/check/limits.hpp"
-#include "verify/check/lines.hpp"
+#include "verify/check/parser.hpp"
 #include "verify/check/text.hpp"
 
 namespace fathom_check {

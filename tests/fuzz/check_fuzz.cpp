@@ -8,7 +8,6 @@
 #include <string>
 #include <string_view>
 
-#include "verify/check/budget.hpp"
 #include "verify/check/cases.hpp"
 #include "verify/check/limits.hpp"
 #include "verify/check/reader.hpp"

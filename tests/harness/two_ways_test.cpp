@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "tests/harness/fake_subject.hpp"
-#include "verify/check/unreadable.hpp"
+#include "verify/check/reader.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/harness/journal.hpp"
 #include "verify/harness/protocol.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cases.hpp"
 
-#include "number.hpp"
+#include "json.hpp"
 #include "text.hpp"
 #include "vectors.hpp"
 

@@ -18,9 +18,9 @@
 #include <string_view>
 #include <vector>
 
-#include "budget.hpp"
 #include "certificate.hpp"
 #include "json.hpp"
+#include "limits.hpp"
 
 namespace fathom_check {
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <set>
 
-#include "budget.hpp"
 #include "checks.hpp"
+#include "limits.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {

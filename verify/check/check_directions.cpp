@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Half-spaces that hold P, and how near their planes are to O.
-#include "budget.hpp"
 #include "checks.hpp"
+#include "limits.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "budget.hpp"
 #include "checks.hpp"
-#include "proved.hpp"
+#include "limits.hpp"
 #include "vectors.hpp"
 
 namespace fathom_check {

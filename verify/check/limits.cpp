@@ -3,12 +3,73 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
 
-#include "combine.hpp"
-#include "counts.hpp"
+#include "solids.hpp"
+#include "vectors.hpp"
 
 namespace fathom_check {
+
 namespace {
+
+using Count = std::uint64_t;
+
+/// No amount of work is counted above this.
+constexpr Count too_much = std::numeric_limits<Count>::max() / 2;
+
+Count sum(Count s, Count t) { return std::min(too_much, std::min(too_much, s) + std::min(too_much, t)); }
+Count product(Count s, Count t) { return s != 0 && t > too_much / s ? too_much : s * t; }
+
+/// How wide numbers become over their common denominator, if `vectors` of them are kept.
+class Width {
+ public:
+  Width(Count vectors, std::size_t line, const Limits& limits)
+      : vectors_(vectors), line_(line), largest_(limits.size) {}
+
+  void take(const Rational& r) {
+    numerator_ = std::max(numerator_, bits(r.num));
+    const mpz_srcptr common = denominator_.get_mpz_t(), den = r.den.get_mpz_t();
+    const bool words = bits(common) <= 63 && bits(den) <= 63;
+    if (words ? to_word(common) % to_word(den) == 0 : mpz_divisible_p(common, den) != 0) return;
+    mpz_lcm(denominator_.get_mpz_t(), denominator_.get_mpz_t(), r.den.get_mpz_t());
+    if (vectors_ * bits(denominator_) > largest_) throw too_large();
+  }
+  void take(const RationalPoint& p) { take(p.x), take(p.y), take(p.z); }
+  [[nodiscard]] Count value() const { return bits(denominator_) + numerator_; }
+  [[nodiscard]] const mpz_class& denominator() const { return denominator_; }
+
+  [[nodiscard]] Fault too_large() const {
+    return malformed(line_, "a certificate larger than the limit, " + std::to_string(largest_) + " in its size");
+  }
+
+ private:
+  Count vectors_, numerator_ = 0;
+  std::size_t line_;
+  std::uint64_t largest_;
+  mpz_class denominator_ = 1;
+};
+
+/// What a product of numbers of these sizes takes.
+Count cost(Count s, Count t) {
+  constexpr Count fixed = 256, linear_from = 4'000;
+  return product(fixed + std::max(s, t), fixed + std::min({s, t, linear_from}));
+}
+
+Count widest(const Vector& n) { return std::max({bits(n.x), bits(n.y), bits(n.z)}); }
+Count widest(const Part<std::vector<Vector>>& vectors) {
+  Count result = 0;
+  for (const Vector& n : vectors.items) result = std::max(result, widest(n));
+  return result;
+}
+
+/// Throws Fault (malformed, on `line`) if it is above the limit.
+void require_work(Count work, std::size_t line, const Limits& limits) {
+  if (work > limits.work)
+    throw malformed(line, "a certificate of more work than the limit, " + std::to_string(limits.work));
+}
 
 Count width_of_claim(const Certificate& c) {
   if (!is_of_bodies(c.format)) {
@@ -33,14 +94,13 @@ Count squared_corners(const Facets& facets) {
   return sum;
 }
 
-/// Calls `take` with each coordinate of the points, centers and axes.
+/// Calls `take` with each point, center and axis.
 template <class Take>
-void for_each_coordinate(const Body& body, const Take& take) {
-  const auto take_point = [&take](const RationalPoint& p) { take(p.x), take(p.y), take(p.z); };
-  for (const RationalPoint& p : body.points.items) take_point(p);
+void for_each_point(const Body& body, const Take& take) {
+  for (const RationalPoint& p : body.points.items) take(p);
   for (const Term& term : body.terms)
     for (const Atom& atom : term)
-      for (const RationalPoint& vector : atom) take_point(vector);
+      for (const RationalPoint& vector : atom) take(vector);
 }
 
 /// How many leaves there are with 0, 1, .. 4 constraints. Others are refused when they are met.
@@ -57,6 +117,12 @@ Width width_of_weights(const Certificate& c, Count weights, std::size_t line, co
   Width result(weights, line, limits);
   for (const auto* part : {&c.weights_a, &c.weights_b})
     for (const Weight& weight : part->items) result.take(weight.weight);
+  return result;
+}
+
+Width width_of_optima(const UnionParts& parts, std::size_t line, const Limits& limits) {
+  Width result(parts.optima.items.size(), line, limits);
+  for (const RationalPoint& t : parts.optima.items) result.take(t);
   return result;
 }
 
@@ -96,11 +162,10 @@ void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& li
   const Count k = parts.separations.items.size(), r = c.weights_a.items.size() + c.weights_b.items.size();
   const Count vectors = n + c.vertices.items.size() + 3 * f;
 
-  Width of_points(vectors, line, limits), of_optima(m, line, limits);
+  Width of_points(vectors, line, limits);
   for (const Body* body : {&c.a, &c.b})
-    for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
-  for (const RationalPoint& t : parts.optima.items)
-    for (const Rational* x : {&t.x, &t.y, &t.z}) of_optima.take(*x);
+    for_each_point(*body, [&of_points](const RationalPoint& p) { of_points.take(p); });
+  const Width of_optima = width_of_optima(parts, line, limits);
   constexpr Count mean = 32;  // as many digits more have vertices that are moved by their mean
   const Count w = of_points.value(), v = w + mean, e = m > 0 ? of_optima.value() : 0,
               x = width_of_weights(c, r, line, limits).value();
@@ -123,6 +188,98 @@ void require_limits_of_unions(Certificate& c, std::size_t line, const Limits& li
   c.of_unions.unit = of_optima.denominator();
 }
 
+/// Of one solid, or of two bodies; and the letter h.
+struct SizeAndWork {
+  Count size = 0, work = 0, h = 0;
+};
+
+// The letters are those of section 14, or, of two bodies, of section 15.
+SizeAndWork of_bodies(const std::vector<const Body*>& bodies, const std::vector<PiecedBody>& pieced) {
+  Count n = 0, f = 0, corners = 0, s = 0, h = 0;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const SolidParts& solid = bodies[k]->solid;
+    n += pieced[k].points().size();
+    f += solid.mesh.items.size();
+    corners += bodies[k]->core == Body::Core::pieces ? pieced[k].points().size() : solid.facets.items.corners.size();
+    for (std::size_t i = 0; i < solid.pieces.size(); ++i)
+      s = sum(s, product(solid.pieces[i].end - begin_of(solid.pieces, i), pieced[k].corners(i)));
+    for (const auto& [p, d] : pieced[k].points())
+      h = std::max<Count>(h, bits(d) + std::max({bits(p.x), bits(p.y), bits(p.z)}));
+  }
+  const Count work = product(3 * (3 * f + corners), cost(4 * h, 4 * h));
+  return {product(n + 10 * f + 4 * corners, h), sum(work, product(s, cost(5 * h, h))), h};
+}
+
+void add_polytopes(const Certificate& c, SizeAndWork& total) {
+  const Facets& all = c.facets.items;
+  for (const InnerPolytope& polytope : c.of_unions.polytopes) {
+    const std::size_t first = polytope.first_facet, last = polytope.facets.end;
+    const Count v = polytope.vertices.end - polytope.first_vertex, p = last - first, h = total.h,
+                corners = all.begin_of(last) - all.begin_of(first);
+    const std::vector<std::uint32_t> named = all.named(first, last);  // of which some may not exist
+    const auto vertices = std::lower_bound(named.begin(), named.end(), v) - named.begin();
+    total.size = sum(total.size, product(2 * v + 12 * p, h));
+    total.work = sum(total.work, product(3 * corners, cost(8 * h, 8 * h)));
+    total.work = sum(total.work, product(product(p, static_cast<Count>(vertices)), cost(10 * h, 2 * h)));
+  }
+}
+
+/// The letter x: of the weights, and of the corners that they name.
+Count width_of_weights(const Certificate& c, const std::vector<PiecedBody>& pieced, Count count, std::size_t line,
+                       const Limits& limits) {
+  Width result(count, line, limits);
+  const auto take = [&](const Body& body, const PiecedBody& of, std::size_t piece, const auto& weights) {
+    for (const Weight& weight : weights.items) {
+      result.take(weight.weight);
+      const auto corner = piece < of.pieces() ? of.corner(piece, weight.index) : std::nullopt;
+      if (!corner) continue;
+      result.take(body.points.items[*corner]);
+    }
+  };
+  take(c.a, pieced[0], c.of_unions.nearest_a, c.weights_a);
+  take(c.b, pieced[1], c.of_unions.nearest_b, c.weights_b);
+  return count > 0 ? result.value() : 0;
+}
+
+// The letters are those of section 15.
+void require_limits_of_two(Certificate& c, std::size_t line, const Limits& limits) {
+  const std::vector<PiecedBody> pieced{PiecedBody(c.a), PiecedBody(c.b)};
+  SizeAndWork total = of_bodies({&c.a, &c.b}, pieced);
+  add_polytopes(c, total);
+  UnionParts& parts = c.of_unions;
+  Count k = 0, u = 0, e_corners = 0;
+  for (const Block& block : parts.blocks.items)
+    if (block.kind == Block::Kind::vector) ++k, u = std::max(u, widest(block.u));
+  for (std::size_t list = 0; list < parts.separation_lists.size(); ++list)
+    for_each_vector(parts, list, pieced[0].pieces(), pieced[1].pieces(),
+                    [&](std::size_t, const PieceRange& of_a, const PieceRange& of_b) {
+                      e_corners += pieced[0].begin_of(of_a.last) - pieced[0].begin_of(of_a.first);
+                      e_corners += pieced[1].begin_of(of_b.last) - pieced[1].begin_of(of_b.first);
+                    });
+  const Count m = parts.optima.items.size(), r = c.weights_a.items.size() + c.weights_b.items.size(), h = total.h;
+  const Width of_optima = width_of_optima(parts, line, limits);
+  const Count e = m > 0 ? of_optima.value() : 0, x = width_of_weights(c, pieced, r, line, limits);
+  const Count b = c.claim == Claim::touching ? 0 : std::max(bits(c.low.num), bits(c.low.den));
+  if (sum(total.size, k * u + m * e + r * x) > limits.size) throw of_optima.too_large();
+
+  const Count z = 4 * h + 2 * u + b + e;
+  Count work = sum(total.work, product(4 * e_corners, cost(h + u, h)));
+  work = sum(work, product(8 * k, cost(z, z)));
+  work = sum(work, product(4 * r, cost(2 * x, 2 * x)));
+  require_work(work, line, limits);
+  parts.work = work;
+  parts.width_of_claim = b;
+  parts.width_of_optima = e;
+  parts.unit = of_optima.denominator();
+}
+
+void require_limits_of_solids(Certificate& c, std::size_t line, const Limits& limits) {
+  if (c.claim != Claim::solid) return require_limits_of_two(c, line, limits);
+  const SizeAndWork total = of_bodies({&c.a}, {PiecedBody(c.a)});
+  if (total.size > limits.size) throw Width(0, line, limits).too_large();
+  require_work(total.work, line, limits);
+}
+
 }  // namespace
 
 // The letters are those of section 8.
@@ -130,8 +287,7 @@ void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   if (c.format == 3) return require_limits_of_unions(c, line, limits);
   if (c.format == 5) return require_limits_of_solids(c, line, limits);
   Count n = 0;
-  for (const Body* body : {&c.a, &c.b}) for_each_coordinate(*body, [&n](const Rational&) { ++n; });
-  n /= 3;
+  for (const Body* body : {&c.a, &c.b}) for_each_point(*body, [&n](const RationalPoint&) { ++n; });
   const Count i = c.a.inner.items.size() + c.b.inner.items.size(), f = c.facets.items.size(),
               e = c.differences.items.size();
   const Count j = c.a.heights.items.size() + c.b.heights.items.size(), r = c.rays.items.size();
@@ -141,9 +297,8 @@ void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
 
   Width of_points(vectors, line, limits), of_parameters(vectors, line, limits), of_heights(j, line, limits);
   for (const Body* body : {&c.a, &c.b}) {
-    for_each_coordinate(*body, [&of_points](const Rational& x) { of_points.take(x); });
-    for (const Place& place : body->inner.items)
-      for (const Rational* y : {&place.y.x, &place.y.y, &place.y.z}) of_parameters.take(*y);
+    for_each_point(*body, [&of_points](const RationalPoint& p) { of_points.take(p); });
+    for (const Place& place : body->inner.items) of_parameters.take(place.y);
     for (const Rational& height : body->heights.items) of_heights.take(height);
   }
   const Count x = width_of_weights(c, weights, line, limits).value();
@@ -163,6 +318,20 @@ void require_limits(Certificate& c, std::size_t line, const Limits& limits) {
   require_work(work, line, limits);
   c.fine = of_parameters.denominator();
   c.scale = of_points.denominator() * c.fine;
+}
+
+void WorkOfTree::take(std::size_t constraints, std::size_t digits) {
+  constexpr Count products_of_four = 8, products = 16;
+  constexpr Count sums = 8;  // digits more than the products have
+  const Count p = digits + sums;
+  if (constraints == most_constraints) {
+    total_ = sum(total_, product(products_of_four, cost(5 * p, 5 * p)));
+  } else {
+    const Count y = (2 * constraints + 2) * p + parts_->width_of_claim;
+    total_ = sum(total_, product(products, cost(y, y + parts_->width_of_optima)));
+  }
+  constexpr std::size_t last_line = 0;
+  require_work(total_, last_line, {});
 }
 
 }  // namespace fathom_check

@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "command_line.hpp"
+#include "run.hpp"
 
 /// A certificate must not be opened in the place of a standard stream that is closed. What is
 /// opened there instead is as unusable.

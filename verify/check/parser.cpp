@@ -8,6 +8,7 @@
 #include "text.hpp"
 
 namespace fathom_check {
+
 namespace {
 
 constexpr std::string_view header_word = "fathom-certificate";
@@ -163,6 +164,47 @@ std::size_t Parser::count(std::size_t index, const char* expected) const {
 std::uint32_t Parser::index_number(std::string_view token) const {
   require_natural(token, "indices, counted from 0");
   return static_cast<std::uint32_t>(std::min<std::size_t>(saturated(token), no_index));
+}
+
+// One block. A pipe hands over what it has: a certificate is judged before its successor is
+// written.
+bool Lines::refill() {
+  constexpr std::streamsize block = 1 << 16;
+  if (input_ == nullptr || !input_->good()) return false;
+  buffer_.resize(block);
+  std::streamsize got = 0;
+  if (input_->peek() != std::istream::traits_type::eof()) got = input_->readsome(buffer_.data(), block);
+  if (got == 0 && input_->good() && input_->get(buffer_[0])) got = 1;
+  block_ = std::string_view(buffer_.data(), static_cast<std::size_t>(got));
+  return got > 0;
+}
+
+Lines::Kind Lines::advance() {
+  joined_.clear();
+  bool any = false, too_long = false, joined = false;
+  while (!block_.empty() || refill()) {
+    any = true;
+    const std::size_t end = block_.find('\n');
+    const std::string_view piece = block_.substr(0, end);
+    too_long = too_long || joined_.size() + piece.size() > longest_;
+    if (end != std::string_view::npos && !joined) {
+      text_ = piece;
+    } else if (!too_long) {
+      joined_ += piece;
+      joined = true;
+    } else {
+      joined = true;
+    }
+    block_.remove_prefix(end == std::string_view::npos ? block_.size() : end + 1);
+    if (joined) text_ = joined_;
+    if (end == std::string_view::npos) continue;
+    ++number_;
+    if (too_long) text_ = {};
+    return kind_ = too_long ? Kind::too_long : Kind::whole;
+  }
+  ++number_;
+  if (!any || too_long) text_ = {};
+  return kind_ = !any ? Kind::none : too_long ? Kind::too_long : Kind::cut_off;
 }
 
 }  // namespace fathom_check

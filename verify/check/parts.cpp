@@ -8,6 +8,7 @@
 #include "parser.hpp"
 
 namespace fathom_check {
+
 namespace {
 
 bool is_id(std::string_view text) {
@@ -262,6 +263,222 @@ void Parser::read_footer(const Certificate& certificate) {
   if (fields_[0] != "end") throw wrong(expected);
   for (std::size_t i = 0; i < counts_.size(); ++i)
     if (count(i + 1, expected.c_str()) != counts_[i]) throw wrong("the counts of the parts again");
+}
+
+// Unions and solids.
+
+void Parser::read_unions(Certificate& result) {
+  read_pieces(result.a, "a");
+  read_pieces(result.b, "b");
+  read_proof_of_unions(result);
+}
+
+void Parser::read_proof_of_unions(Certificate& result) {
+  read_claim(result);
+  if (result.claim == Claim::depth) {
+    read_optima(result);
+    read_polytopes(result);
+    read_tree(result.of_unions.tree);
+  } else {
+    read_apart(result);
+    read_nearest(result);
+  }
+}
+
+/// One solid, or two bodies that are solids or unions.
+void Parser::read_solids(Certificate& result) {
+  for (const auto& [name, body] : {std::pair{"a", &result.a}, std::pair{"b", &result.b}}) {
+    if (at(std::string("pieces_") + name)) read_pieces(*body, name);
+    else read_solid(*body, name);
+    const bool is_all = body == &result.a && body->core == Body::Core::solid && at("claim");
+    if (!is_all) continue;
+    result.b.core = Body::Core::none;
+    result.claim = Claim::solid;
+    return read_claim(result);
+  }
+  read_proof_of_unions(result);
+}
+
+void Parser::read_solid(Body& body, const std::string& name) {
+  body.core = Body::Core::solid;
+  body.line = lines_->number();
+  read_rows(body.points, header("solid_" + name, "the number of its points"), 3, "a point: three rational numbers",
+            [this](auto& points) { points.push_back(point(0)); });
+  SolidParts& parts = body.solid;
+  read_rows(parts.mesh, header("mesh", "the number of its triangles"), 3, "a triangle: three indices of points",
+            [this](auto& mesh) {
+              mesh.push_back({index_number(fields_[0]), index_number(fields_[1]), index_number(fields_[2])});
+            });
+  parts.line = lines_->number();
+  std::size_t left = header("pieces");
+  for (advance(); left > 0; --left) {
+    count_numbers(1);
+    read_facets(parts.facets, "piece");
+    parts.pieces.push_back({parts.facets.items.size(), parts.facets.line});
+  }
+}
+
+void Parser::read_pieces(Body& body, const std::string& name) {
+  body.core = Body::Core::pieces;
+  body.line = lines_->number();
+  std::size_t left = header("pieces_" + name, "the number of its pieces");
+  for (advance(); left > 0; --left) {
+    const std::size_t line = lines_->number();
+    count_numbers(1);
+    read_points(body, name);
+    body.pieces.push_back({body.points.items.size(), line});
+  }
+}
+
+/// What shows that a translation is not in the interior of any difference of pieces.
+void Parser::read_apart(Certificate& result) {
+  UnionParts& parts = result.of_unions;
+  const std::size_t line = lines_->number();
+  if (result.format == 3) {
+    read_vectors(parts.separations, header("separations"));
+    parts.separation_lists.push_back({parts.separations.items.size(), line});
+    return;
+  }
+  constexpr const char* expected = "a block: 'a', 'b' or three integers";
+  for (std::size_t left = header("apart", "the number of its blocks"); left > 0; --left) {
+    next(expected);
+    Block block{fields_[0] == "a" ? Block::Kind::splits_a : Block::Kind::splits_b, {}};
+    if (fields_.size() > 1 || (fields_[0] != "a" && fields_[0] != "b")) {
+      demand(3, expected);
+      block = {Block::Kind::vector,
+               {integer(fields_[0], expected), integer(fields_[1], expected), integer(fields_[2], expected)}};
+    }
+    count_numbers(fields_.size());
+    parts.blocks.items.push_back(block);
+    parts.blocks.lines.push_back(lines_->number());
+  }
+  advance();
+  parts.separation_lists.push_back({parts.blocks.items.size(), line});
+}
+
+void Parser::read_optima(Certificate& result) {
+  constexpr const char* expected = "'optimum' and a translation: three rational numbers";
+  UnionParts& parts = result.of_unions;
+  parts.optima.line = lines_->number();
+  std::size_t left = header("optima");
+  for (advance(); left > 0; --left) {
+    require_line(expected);
+    demand(4, expected);
+    if (fields_[0] != "optimum") throw wrong(expected);
+    parts.optima.items.push_back(point(1));
+    parts.optima.lines.push_back(lines_->number());
+    count_numbers(3);
+    advance();
+    read_apart(result);
+  }
+}
+
+void Parser::read_polytopes(Certificate& result) {
+  constexpr const char* expected = "'polytope', a piece of a and a piece of b";
+  std::size_t left = header("polytopes");
+  for (advance(); left > 0; --left) {
+    require_line(expected);
+    demand(3, expected);
+    if (fields_[0] != "polytope") throw wrong(expected);
+    InnerPolytope polytope{index_number(fields_[1]),
+                           index_number(fields_[2]),
+                           lines_->number(),
+                           result.vertices.items.size(),
+                           result.facets.items.size(),
+                           {},
+                           {}};
+    count_numbers(2);
+    advance();
+    read_pairs(result.vertices, "vertices");
+    polytope.vertices = {result.vertices.items.size(), result.vertices.line};
+    read_facets(result.facets);
+    polytope.facets = {result.facets.items.size(), result.facets.line};
+    result.of_unions.polytopes.push_back(polytope);
+  }
+}
+
+void Parser::read_tree(Part<Nodes>& part) {
+  constexpr const char* expected = "a node: 'split', a polytope and facets of it, or 'leaf' and constraints";
+  part.line = lines_->number();
+  for (std::size_t left = header("tree", "the number of its nodes"); left > 0; --left) {
+    next(expected);
+    const bool split = fields_[0] == "split";
+    if (split ? fields_.size() < 2 : fields_[0] != "leaf") throw wrong(expected);
+    count_numbers(fields_.size());
+    for (std::size_t k = 1; k < fields_.size(); ++k) part.items.indices.push_back(index_number(fields_[k]));
+    part.items.ends.push_back(part.items.indices.size());
+    part.items.splits.push_back(split);
+    part.lines.push_back(lines_->number());
+  }
+  advance();
+}
+
+void Parser::read_nearest(Certificate& result) {
+  constexpr const char* expected = "'nearest', a piece of a and a piece of b";
+  require_line(expected);
+  demand(3, expected);
+  if (fields_[0] != "nearest") throw wrong(expected);
+  UnionParts& parts = result.of_unions;
+  parts.nearest_line = lines_->number();
+  parts.nearest_a = index_number(fields_[1]);
+  parts.nearest_b = index_number(fields_[2]);
+  count_numbers(2);
+  advance();
+  read_weights(result.weights_a, "weights_a");
+  read_weights(result.weights_b, "weights_b");
+}
+
+// Format 4.
+
+void Parser::read_patches(PatchParts& parts) {
+  constexpr const char *expected = "the number of its corners and that of its sides",
+                       *side = "a side: 'a' or 'b', three integers, and the index of a corner";
+  parts.line = lines_->number();
+  std::size_t left = header("patches");
+  for (advance(); left > 0; --left) {
+    const std::size_t line = lines_->number();
+    std::size_t corners = header("patch", expected, 3);
+    const std::size_t sides = count(2, expected);
+    counts_.push_back(sides);
+    count_numbers(2);
+    for (; corners > 0; --corners) read_corner(parts);
+    parts.corner_lists.push_back({parts.corners.items.size(), line});
+    read_rows(parts.sides, sides, 5, side, [&](auto& items) {
+      if (fields_[0] != "a" && fields_[0] != "b") throw wrong(side);
+      const Vector inward{integer(fields_[1], side), integer(fields_[2], side), integer(fields_[3], side)};
+      items.push_back({fields_[0] == "b", inward, index_number(fields_[4])});
+    });
+    parts.side_lists.push_back({parts.sides.items.size(), line});
+  }
+  if (at("rates")) read_rates(parts.rates);
+}
+
+/// On the line behind the one at hand.
+void Parser::read_corner(PatchParts& parts) {
+  constexpr const char* expected = "a corner: twice the number of its weights, and for each an index and a rational";
+  next(expected);
+  const std::size_t end_of_a = read_weights_of_corner(parts.weights, 0), of_a = parts.weights.size();
+  if (read_weights_of_corner(parts.weights, end_of_a) != fields_.size()) throw wrong(expected);
+  count_numbers(fields_.size());
+  parts.corners.items.push_back({of_a, parts.weights.size()});
+  parts.corners.lines.push_back(lines_->number());
+}
+
+/// From this field on. Returns the field behind them.
+std::size_t Parser::read_weights_of_corner(std::vector<Weight>& weights, std::size_t first) {
+  constexpr const char* expected = "the number of a corner's weights, and that many indices and rational numbers";
+  if (first >= fields_.size()) throw wrong(expected);
+  std::size_t left = count(first, expected), field = first + 1;
+  if (left > (fields_.size() - field) / 2) throw wrong(expected);
+  for (; left > 0; --left, field += 2) weights.push_back({index_number(fields_[field]), rational(fields_[field + 1])});
+  return field;
+}
+
+void Parser::read_rates(Part<std::vector<PatchParts::Rate>>& part) {
+  constexpr const char* expected = "a rate: v and w, six rational numbers, a sign and the root, a rational number";
+  read_rows(part, header("rates"), 8, expected, [this](auto& rates) {
+    rates.push_back({point(0), point(3), integer(fields_[6], expected), rational(fields_[7])});
+  });
 }
 
 }  // namespace fathom_check

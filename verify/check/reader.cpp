@@ -5,12 +5,14 @@
 #include <new>
 #include <utility>
 
-#include "budget.hpp"
+#include "check.hpp"
 #include "checks.hpp"
-#include "proved.hpp"
+#include "limits.hpp"
+#include "parser.hpp"
 #include "text.hpp"
 
 namespace fathom_check {
+
 namespace {
 
 Verdict fault(Outcome outcome, std::size_t line, const std::string& reason) {
@@ -116,6 +118,72 @@ Verdict judged(const Reader::Found& found, const Inspect& inspect) {
   if (!verdict.accepted() && verdict.line == 0) verdict.line = found.last_line;
   verdict.id = found.certificate.id;
   return verdict;
+}
+
+std::string unreadable(std::string_view text, const Limits& limits) {
+  Lines lines(text, longest_line);
+  Parser parser(lines, limits);
+  Certificate certificate;
+  try {
+    parser.find_next();
+    parser.read(certificate);
+    // The work of a tree is known when its planes are, so only a check finds it too much.
+    if (is_of_solids(certificate) && certificate.claim == Claim::depth) check_claim(certificate);
+    return "";
+  } catch (const Fault& fault) {
+    return fault.malformed ? fault.what() : "";
+  }
+}
+
+void require_readable(std::string_view certificate, const Limits& limits) {
+  const std::string why = unreadable(certificate, limits);
+  if (!why.empty()) throw Unreadable("no certificate is written, since all checkers would refuse to read it: " + why);
+}
+
+Verdict judged_alone(std::string_view text, const Inspect& inspect) {
+  Lines lines(text, longest_line);
+  Reader reader(lines);
+  const Verdict verdict = *reader.next(inspect);
+  const std::size_t line = lines.number();
+  if (verdict.outcome != Outcome::malformed && reader.next())
+    throw malformed(line + 1, "expected the end after one certificate, found more");
+  return verdict;
+}
+
+Verdict verify(std::string_view text) noexcept {
+  try {
+    return caught([text] { return judged_alone(text); }, 0);
+  } catch (...) {
+    return {};  // refused, without a reason: not even the memory for one
+  }
+}
+
+std::string verdict_line(const Verdict& v, std::string_view name) {
+  const std::string label = v.id.empty() ? escaped(name) : v.id;
+  if (!v.accepted()) {
+    const char* const word = v.outcome == Outcome::refused ? "s REFUSED " : "s MALFORMED ";
+    return word + label + ":" + std::to_string(v.line) + ": " + v.reason;
+  }
+  const char* const what = v.format == 2 || v.format == 4 ? " signed_depth"
+                           : v.distance_squared.empty()   ? " depth_squared"
+                                                          : " distance_squared";
+  std::string line = "s VERIFIED " + v.status;
+  const std::string triangles = v.triangles.empty() ? "" : " triangles=" + v.triangles;
+  const bool solid = v.status == "solid";
+  if (solid) {
+    line += triangles;
+  } else if (v.at_least.empty()) {
+    line += what + ("=" + v.depth_squared + v.distance_squared + v.signed_depth);
+  } else {
+    line += what + ("_in=[" + v.at_least + "," + v.at_most + "]");
+  }
+  if (v.optima > 0) line += " optima=" + std::to_string(v.optima);
+  if (!v.cone.empty()) line += " cone=" + v.cone;
+  if (!v.pieces.empty()) line += " pieces=" + v.pieces;
+  if (!solid) line += triangles;
+  if (!v.patches.empty()) line += " patches=" + v.patches;
+  if (v.rates > 0) line += " rates=" + std::to_string(v.rates);
+  return line + " " + label;
 }
 
 }  // namespace fathom_check

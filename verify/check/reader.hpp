@@ -4,10 +4,13 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "certificate.hpp"
 #include "check.hpp"
-#include "lines.hpp"
+#include "limits.hpp"
 #include "parser.hpp"
 
 namespace fathom_check {
@@ -41,11 +44,30 @@ class Reader {
   bool any_ = false;
 };
 
+/// The verdict on the one certificate that `text` holds. Throws Fault (malformed) if it holds more.
+Verdict judged_alone(std::string_view text, const Inspect& inspect = {});
+
 /// The verdict on what was found. Does not throw.
 Verdict judged(const Reader::Found& found, const Inspect& inspect = {});
 
 /// Runs `action`, and turns whatever it throws into a verdict that is not `verified`. `line` is
 /// used where the fault has none.
 Verdict caught(const std::function<Verdict()>& action, std::size_t line);
+
+// For programs that write certificates: whether checkers will read one, before its proof matters.
+
+/// Returns why every checker finds the certificate malformed that `text` begins with: it does not
+/// follow the grammar, or exceeds a limit, which the phrase names. Returns an empty text if it is
+/// well-formed; its proof is not checked. Throws std::bad_alloc.
+[[nodiscard]] std::string unreadable(std::string_view text, const Limits& limits = {});
+
+/// A certificate that every checker would find malformed; whoever gets this writes none.
+struct Unreadable : std::length_error {
+  using std::length_error::length_error;
+};
+
+/// Throws Unreadable, with the reason, unless `unreadable` returns an empty text. Code that gives
+/// certificates to users calls this first.
+void require_readable(std::string_view certificate, const Limits& limits = {});
 
 }  // namespace fathom_check

@@ -3,11 +3,9 @@
 
 #include <algorithm>
 
-#include "budget.hpp"
+#include "checks.hpp"
 #include "json.hpp"
 #include "limits.hpp"
-#include "number.hpp"
-#include "proved.hpp"
 #include "text.hpp"
 
 namespace fathom_check {

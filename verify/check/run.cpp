@@ -1,21 +1,129 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run.hpp"
 
+#include <gmp.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <fstream>
+#include <iostream>
 #include <istream>
 #include <memory>
 #include <ostream>
+#include <sstream>
+#include <string_view>
 #include <utility>
 
-#include "echo.hpp"
+#include "checks.hpp"
 #include "limits.hpp"
 #include "reader.hpp"
 #include "result.hpp"
 #include "text.hpp"
 
 namespace fathom_check {
+
+// What a certificate is about, to compare by eye.
+
 namespace {
+
+std::string text(const RationalPoint& p) { return " " + text(p.x) + " " + text(p.y) + " " + text(p.z); }
+
+void points(std::ostream& out, const char* name, const Body& body, std::size_t first, std::size_t last) {
+  out << "c " << name << ' ' << last - first << '\n';
+  for (std::size_t k = first; k < last; ++k) out << 'c' << text(body.points.items[k]) << '\n';
+}
+
+void shape(std::ostream& out, const char* name, const Body& body) {
+  out << "c shape_" << name << ' ' << body.terms.size() << '\n';
+  for (const Term& term : body.terms) {
+    out << "c term " << term.size() << '\n';
+    for (const Atom& atom : term) {
+      out << "c " << (atom.size() == 1 ? "point" : atom.size() == 3 ? "disc" : "ball");
+      for (const RationalPoint& vector : atom) out << text(vector);
+      out << '\n';
+    }
+  }
+}
+
+void core(std::ostream& out, const char* name, const Body& body) {
+  switch (body.core) {
+    case Body::Core::points: return points(out, name, body, 0, body.points.items.size());
+    case Body::Core::shape: return shape(out, name, body);
+    case Body::Core::half_space:
+      out << "c halfspace_" << name << text(body.normal) << ' ' << text(body.offset) << '\n';
+      return;
+    case Body::Core::none: return;
+    case Body::Core::solid:
+      points(out, (std::string("solid_") + name).c_str(), body, 0, body.points.items.size());
+      out << "c mesh " << body.solid.mesh.items.size() << '\n';
+      for (const auto& [i, j, k] : body.solid.mesh.items) out << "c " << i << ' ' << j << ' ' << k << '\n';
+      return;
+    case Body::Core::pieces:
+      out << "c pieces_" << name << ' ' << body.pieces.size() << '\n';
+      for (std::size_t k = 0; k < body.pieces.size(); ++k)
+        points(out, name, body, begin_of(body.pieces, k), body.pieces[k].end);
+      return;
+  }
+}
+
+/// The point that these weights yield; weights of points that are not there add nothing.
+std::string place(const Body& body, const std::vector<Weight>& weights, std::size_t first, std::size_t last) {
+  mpq_class x, y, z;
+  for (std::size_t k = first; k < last; ++k) {
+    if (weights[k].index >= body.points.items.size()) continue;
+    const RationalPoint& p = body.points.items[weights[k].index];
+    const mpq_class weight = value(weights[k].weight);
+    x += weight * value(p.x);
+    y += weight * value(p.y);
+    z += weight * value(p.z);
+  }
+  return " " + x.get_str() + " " + y.get_str() + " " + z.get_str();
+}
+
+/// The corners as points of both bodies, of which a half-space has none.
+void patches(std::ostream& out, const Certificate& c) {
+  const PatchParts& parts = c.of_patches;
+  for (std::size_t k = 0, corner = 0; k < parts.corner_lists.size(); ++k) {
+    const std::size_t last = parts.corner_lists[k].end;
+    out << "c patch " << last - corner << '\n';
+    for (; corner < last; ++corner) {
+      const auto [end_a, end_b] = parts.corners.items[corner];
+      const std::size_t begin = parts.begin_of(corner);
+      out << 'c';
+      if (begin < end_a) out << " a" << place(c.a, parts.weights, begin, end_a);
+      if (end_a < end_b) out << " b" << place(c.b, parts.weights, end_a, end_b);
+      out << '\n';
+    }
+  }
+  for (const PatchParts::Rate& rate : parts.rates.items)
+    out << "c rate" << text(rate.v) << text(rate.w) << ' ' << rate.sign.value() << ' ' << text(rate.root) << '\n';
+}
+
+/// The id, the bodies and the claim as they were read, in lines that begin with "c ".
+std::string echo(const Certificate& c) {
+  std::ostringstream out;
+  if (!c.id.empty()) out << "c id " << c.id << '\n';
+  for (const auto& [name, body] : {std::pair{"a", &c.a}, std::pair{"b", &c.b}}) {
+    core(out, name, *body);
+    if (body->radius.num.sign() != 0) out << "c radius_" << name << ' ' << text(body->radius) << '\n';
+  }
+  out << "c claim ";
+  switch (c.claim) {
+    case Claim::depth: out << "depth " << text(c.low) << '\n'; break;
+    case Claim::bounds: out << "bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+    case Claim::solid: out << "solid\n"; break;
+    case Claim::touching: out << "touching\n"; break;
+    case Claim::disjoint: out << "disjoint\n"; break;
+    case Claim::apart: out << "apart " << text(c.low) << '\n'; break;
+    case Claim::signed_bounds: out << "signed_bounds " << text(c.low) << ' ' << text(c.high) << '\n'; break;
+  }
+  patches(out, c);
+  return out.str();
+}
+
+// The run.
 
 constexpr std::size_t long_text = std::size_t{1}
                                   << 20;    // bytes; of longer ones there shall not be many in the memory at once
@@ -57,10 +165,7 @@ class Run {
   };
 
   static Verdict unreadable(const char* reason) {
-    Verdict verdict;
-    verdict.outcome = Outcome::malformed;
-    verdict.reason = reason;
-    return verdict;
+    return caught([reason]() -> Verdict { throw malformed(0, reason); }, 0);
   }
 
   std::optional<Piece> next() {
@@ -143,16 +248,10 @@ class Run {
   Verdict judge(const std::string& line, bool too_long, std::size_t number, Result& result, Finding& finding) const {
     if (too_long) throw malformed(number, "a line of more than 256 MiB, this checker's limit");
     read_result(line, number, result);
-    Lines text(result.certificate, longest_line);
-    Reader reader(text);
-    const Verdict verdict = *reader.next([&](const Certificate& certificate) {
+    return judged_alone(result.certificate, [&](const Certificate& certificate) {
       compare(result, certificate);
       look_at(certificate, finding, result.id);
     });
-    const std::size_t end = text.number();
-    if (verdict.outcome != Outcome::malformed && reader.next())
-      throw malformed(end + 1, "expected the end after one certificate, found more");
-    return verdict;
   }
 
   // What the user asked for besides the proof.
@@ -213,6 +312,129 @@ int run(const Options& options, std::istream& standard_input, std::ostream& out,
     return bad_input;
   }
   return options.inputs.empty() ? bad_input : all.exit_code();
+}
+
+// The command line.
+
+namespace {
+
+constexpr int usage_error = 2;
+
+// In lines of 80 columns.
+constexpr std::string_view about =
+    " [OPTIONS] FILE...\n"
+    "Checks certificates of how deep two bodies lie in each other, and of convex\n"
+    "pieces that tile a mesh, exactly; - is standard input. The format and what\n"
+    "acceptance proves: FORMAT.md.\n"
+    "\n";
+constexpr std::string_view answers =
+    "\n"
+    "One line per certificate: s VERIFIED, s REFUSED or s MALFORMED.\n"
+    "Exit codes: 0 all were accepted, and there was one; 1 some were refused; 2 some\n"
+    "were malformed, cut off or unreadable, or the input was empty, or usage. The\n"
+    "largest counts.\n";
+
+std::string help() {
+  constexpr std::size_t column = 20;
+  std::string text(about);
+  for (const OptionText& option : option_texts) {
+    std::string line = "  " + std::string(option.name) + (option.value.empty() ? "" : " ") + std::string(option.value);
+    line.resize(column, ' ');
+    for (const char c : option.meaning) line += c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, c);
+    text += line + '\n';
+  }
+  return text += answers;
+}
+
+// GMP would abort where memory ends; the answer "not accepted" is due instead.
+[[noreturn]] void out_of_memory() {
+  constexpr std::string_view text = "out of memory\n";
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0) _exit(usage_error);
+  _exit(usage_error);
+}
+void* allocate(std::size_t size) {
+  void* const memory = std::malloc(size);
+  if (!memory) out_of_memory();
+  return memory;
+}
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* const memory = std::realloc(old, size);
+  if (!memory) out_of_memory();
+  return memory;
+}
+void release(void* memory, std::size_t) { std::free(memory); }
+
+/// What the words ask for; or a sentence on what is wrong with them, empty if help is wanted.
+struct Request {
+  Options options;
+  bool understood = false;
+  std::string sentence;
+};
+
+Request understand(const std::vector<std::string>& words) {
+  Request request;
+  bool only_files = false;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (only_files || word == "-" || word.empty() || word[0] != '-') {
+      request.options.inputs.push_back({word, false});
+    } else if (word == "--") {
+      only_files = true;
+    } else if (word == "--help" || word == "-h") {
+      request.sentence.clear();
+      return request;
+    } else if (word == "--echo") {
+      request.options.echo = true;
+    } else if (word == "--width") {
+      request.options.width = true;
+    } else if (word != "--case" && word != "--results") {
+      request.sentence = "unknown option " + shown(word);
+      return request;
+    } else if (++i == words.size()) {
+      request.sentence = word + " expects a file";
+      return request;
+    } else if (word == "--results") {
+      request.options.inputs.push_back({words[i], true});
+    } else if (request.options.cases) {
+      request.sentence = "--case is given twice";
+      return request;
+    } else {
+      request.options.cases = words[i];
+    }
+  }
+  request.understood = !request.options.inputs.empty();
+  if (!request.understood) request.sentence = "expected certificates: files, or - for standard input";
+  return request;
+}
+
+int run_words(const std::vector<std::string>& words, const std::string& program, SecondChecker* second,
+              Workers* workers) {
+  Request request = understand(words);
+  request.options.second = second;
+  request.options.workers = workers;
+  if (request.understood) return run(request.options, std::cin, std::cout, std::cerr);
+  if (request.sentence.empty()) {
+    std::cout << "Usage: " << program << help() << std::flush;
+    return std::cout ? 0 : usage_error;
+  }
+  std::cerr << program << ": " << request.sentence << "\nTry: " << program << " --help\n";
+  return usage_error;
+}
+
+}  // namespace
+
+int command_line(const std::vector<std::string>& words, const std::string& program, SecondChecker* second,
+                 Workers* workers) noexcept {
+  mp_set_memory_functions(allocate, reallocate, release);
+  std::ios::sync_with_stdio(false);
+  try {
+    return run_words(words, program, second, workers);
+  } catch (const std::exception& error) {
+    std::cerr << program << ": " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << program << ": failed\n";
+  }
+  return usage_error;
 }
 
 }  // namespace fathom_check

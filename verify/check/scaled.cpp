@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "budget.hpp"
+#include "limits.hpp"
 
 namespace fathom_check {
 namespace {

@@ -24,7 +24,7 @@
 #include "reference/files/shape_names.hpp"
 #include "reference/solve/depth.hpp"
 #include "verify/check/check.hpp"
-#include "verify/check/unreadable.hpp"
+#include "verify/check/reader.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/harness/seen_case.hpp"

@@ -19,7 +19,7 @@
 #include "reference/shapes/body_notes.hpp"
 #include "reference/shapes/core.hpp"
 #include "verify/check/check.hpp"
-#include "verify/check/unreadable.hpp"
+#include "verify/check/reader.hpp"
 
 namespace fathom::python {
 namespace {

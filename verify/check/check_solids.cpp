@@ -1,13 +1,131 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which checks belong to which claim about two bodies that are solids or unions. There is no common
-// denominator: it could have as many digits as all points together.         [FORMAT.md, section 15]
+// Whether convex pieces tile what a mesh encloses. Each piece is a convex polytope; and the flags
+// of all facets, a point, a line through it and a plane through that, sum to those of the mesh.
+//                                                                           [FORMAT.md, section 14]
 #include <algorithm>
 
-#include "polygons.hpp"
+#include "checks.hpp"
+#include "limits.hpp"
 #include "solids.hpp"
-#include "unions.hpp"
 
 namespace fathom_check {
+
+namespace {
+
+/// Whether the first entry that is not zero is negative.
+template <class V>
+bool is_negative(const V& v) {
+  const int x = mpz_sgn(v.x.get_mpz_t()), y = mpz_sgn(v.y.get_mpz_t());
+  return x != 0 ? x < 0 : y != 0 ? y < 0 : mpz_sgn(v.z.get_mpz_t()) < 0;
+}
+
+void negate(MutableVector& v) {
+  for (mpz_class* const entry : {&v.x, &v.y, &v.z}) mpz_neg(entry->get_mpz_t(), entry->get_mpz_t());
+}
+
+class Tiling {
+ public:
+  explicit Tiling(const Body& body) : body_(&body), polygons_(homogeneous(body)) {}
+
+  void check() {
+    const SolidParts& parts = body_->solid;
+    if (parts.pieces.empty()) throw refused(parts.line, "there is no piece");
+    check_points();
+    for (std::size_t piece = 0; piece < parts.pieces.size(); ++piece)
+      polygons_.take_polytope(parts.facets, begin_of(parts.pieces, piece), parts.pieces[piece].end,
+                              parts.pieces[piece].line);
+    for (std::size_t k = 0; k < parts.mesh.items.size(); ++k) {
+      const SolidParts::Triangle& triangle = parts.mesh.items[k];
+      polygons_.require_points(triangle.data(), 3, parts.mesh.lines[k]);
+      if (polygons_.has_area(triangle.data())) polygons_.take({triangle.data(), 3, parts.mesh.lines[k], 1, {}});
+    }
+    check_flags();
+  }
+
+ private:
+  void check_points() const;
+  void check_flags();
+  void check_plane(const Polygon* const* begin, const Polygon* const* end);
+
+  const Body* body_;
+  Polygons polygons_;
+  Arena integers_;  ///< of normals with the other sense
+};
+
+/// No two are the same.
+void Tiling::check_points() const {
+  std::vector<const Homogeneous*> order;
+  for (const Homogeneous& p : polygons_.points()) order.push_back(&p);
+  const auto before = [](const Homogeneous* p, const Homogeneous* q) {
+    return p->w != q->w ? p->w < q->w : ascending(p->x, q->x);
+  };
+  std::sort(order.begin(), order.end(), before);
+  const auto twice =
+      std::adjacent_find(order.begin(), order.end(), [&before](const auto* p, const auto* q) { return !before(p, q); });
+  if (twice == order.end()) return;
+  const auto number = static_cast<std::size_t>(std::max(twice[0], twice[1]) - polygons_.points().data());
+  throw refused(body_->points.lines[number], "this point is there twice");
+}
+
+/// Plane by plane, so that only the directions of one plane are kept at a time.
+void Tiling::check_flags() {
+  std::vector<Polygon>& polygons = polygons_.all();
+  for (Polygon& polygon : polygons)
+    if (is_negative(polygon.normal)) polygon.normal = kept(integers_, negated(polygon.normal));
+  std::vector<const Polygon*> order;
+  order.reserve(polygons.size());
+  for (const Polygon& polygon : polygons) order.push_back(&polygon);
+  std::sort(order.begin(), order.end(),
+            [](const Polygon* p, const Polygon* q) { return ascending(p->normal, q->normal); });
+  const Polygon *const *const end = order.data() + order.size(), *const *next = order.data();
+  for (const Polygon* const* begin = next; begin != end; begin = next) {
+    while (next != end && same_vector((*begin)->normal, (*next)->normal)) ++next;
+    check_plane(begin, next);
+  }
+}
+
+/// The flags of these polygons, whose planes are parallel, sum to nothing.
+void Tiling::check_plane(const Polygon* const* begin, const Polygon* const* end) {
+  struct Flag {
+    Vector along;
+    std::uint32_t point;
+    int count;
+    std::size_t line;
+  };
+  Arena integers;
+  std::vector<Flag> flags;
+  MutableVector direction;
+  for (const Polygon* const* polygon = begin; polygon != end; ++polygon)
+    for (std::size_t k = 0; k < (*polygon)->size; ++k) {
+      const std::uint32_t u = (*polygon)->corner(k), v = (*polygon)->corner(k + 1);
+      polygons_.find_direction(direction, u, v);
+      if (is_negative(direction)) negate(direction);
+      const Vector along = kept(integers, direction);
+      flags.push_back({along, v, (*polygon)->sense, (*polygon)->line});
+      flags.push_back({along, u, -(*polygon)->sense, (*polygon)->line});
+    }
+  std::sort(flags.begin(), flags.end(), [](const Flag& f, const Flag& g) {
+    if (f.point != g.point) return f.point < g.point;
+    return same_vector(f.along, g.along) ? f.line < g.line : ascending(f.along, g.along);
+  });
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < flags.size(); ++k) {
+    sum += flags[k].count;
+    const bool last = k + 1 == flags.size() || flags[k].point != flags[k + 1].point ||
+                      !same_vector(flags[k].along, flags[k + 1].along);
+    if (last && sum != 0)
+      throw refused(flags[k].line, "the pieces do not tile what the mesh encloses: an edge of this polygon at point " +
+                                       std::to_string(flags[k].point) + " does not cancel");
+  }
+}
+
+}  // namespace
+
+void check_solid(const Body& body) { Tiling(body).check(); }
+
+// Which checks belong to which claim about two bodies that are solids or unions. There is no common
+// denominator: it could have as many digits as all points together.         [FORMAT.md, section 15]
+
 namespace {
 
 /// num / den; the denominator is positive.
@@ -42,7 +160,7 @@ class TwoBodies {
   template <class U>
   void find_largest_of(Fraction& largest, const U& u, const PiecedBody& body, const PieceRange& pieces);
   std::vector<Plane> check_polytopes(Arena& integers) const;
-  [[nodiscard]] std::vector<Homogeneous> vertices_of(const InnerPolytope& polytope, std::size_t first) const;
+  [[nodiscard]] std::vector<Homogeneous> vertices_of(const InnerPolytope& polytope) const;
   void check_nearest() const;
 
   const Certificate* c_;
@@ -99,11 +217,10 @@ void TwoBodies::find_largest_of(Fraction& largest, const U& u, const PiecedBody&
 std::vector<Plane> TwoBodies::check_polytopes(Arena& integers) const {
   std::vector<Plane> result;
   result.reserve(c_->facets.items.size());
-  List vertices{0, 0}, facets{0, 0};  // of the polytope before
   mpz_class height, divisor;
   for (const InnerPolytope& polytope : c_->of_unions.polytopes) {
-    Polygons polygons(vertices_of(polytope, vertices.end));
-    polygons.take_polytope(c_->facets, facets.end, polytope.facets.end, polytope.facets.line);
+    Polygons polygons(vertices_of(polytope));
+    polygons.take_polytope(c_->facets, polytope.first_facet, polytope.facets.end, polytope.facets.line);
     for (const Polygon& facet : polygons.all()) {
       const auto& [corner, w] = polygons.points()[facet.corners[0]];
       dot(height, facet.normal, corner);
@@ -113,16 +230,14 @@ std::vector<Plane> TwoBodies::check_polytopes(Arena& integers) const {
       result.push_back(
           {{times(facet.normal.x), times(facet.normal.y), times(facet.normal.z)}, integers.keep(height / divisor)});
     }
-    vertices = polytope.vertices;
-    facets = polytope.facets;
   }
   return result;
 }
 
-/// Differences of corners of its pieces, from number `first` on.
-std::vector<Homogeneous> TwoBodies::vertices_of(const InnerPolytope& polytope, std::size_t first) const {
-  if (polytope.i >= a_.pieces()) throw refused(polytope.line, "a has no piece of this number");
-  if (polytope.j >= b_.pieces()) throw refused(polytope.line, "b has no piece of this number");
+/// Differences of corners of its pieces.
+std::vector<Homogeneous> TwoBodies::vertices_of(const InnerPolytope& polytope) const {
+  require_pieces(*c_, polytope.i, polytope.j, polytope.line);
+  const std::size_t first = polytope.first_vertex;
   std::vector<Homogeneous> result(polytope.vertices.end - first);
   for (std::size_t k = 0; k < result.size(); ++k) {
     const Pair pair = c_->vertices.items[first + k];
@@ -140,8 +255,7 @@ std::vector<Homogeneous> TwoBodies::vertices_of(const InnerPolytope& polytope, s
 /// The weights are those of corners of the nearest pieces, over one denominator.
 void TwoBodies::check_nearest() const {
   const UnionParts& parts = c_->of_unions;
-  if (parts.nearest_a >= a_.pieces()) throw refused(parts.nearest_line, "a has no piece of this number");
-  if (parts.nearest_b >= b_.pieces()) throw refused(parts.nearest_line, "b has no piece of this number");
+  require_pieces(*c_, parts.nearest_a, parts.nearest_b, parts.nearest_line);
   mpz_class unit = 1;
   const auto for_each = [](const PiecedBody& body, std::size_t piece, const Part<std::vector<Weight>>& weights,
                            const auto& take) {
