@@ -8,7 +8,7 @@
 #include <string>
 
 #include "kernels/filters/support.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/prepared.hpp"

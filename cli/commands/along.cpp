@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // fathom depth A B --along X,Y,Z[,WX,WY,WZ] --steps N | CASES.jsonl --case ID --along X,Y,Z
 // The signed depth along a path: as a table, as JSON (along.schema.json), as CSV, and as a chart.
-#include "cli/commands/along.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "cli/args/values.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/depth.hpp"
 #include "cli/io/progress.hpp"
 #include "cli/output/text_rows.hpp"
 #include "fathom/signed_depth.hpp"

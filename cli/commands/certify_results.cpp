@@ -29,7 +29,6 @@
 #include "verify/harness/report/junit.hpp"
 #include "verify/harness/report/text.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/two_ways.hpp"
 #include "verify/harness/variants.hpp"

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands/along.hpp"
 #include "cli/commands/command.hpp"
+#include "cli/commands/depth.hpp"
 #include "cli/commands/replies.hpp"
 #include "cli/io/certificate_file.hpp"
 #include "cli/io/output.hpp"

@@ -22,7 +22,6 @@
 #include "kernels/messages.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/output/json_values.hpp"
-#include "view/stages/charts_picture.hpp"
 
 namespace fathom::cli {
 namespace {

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/io/process.hpp"
+
 namespace fathom::cli {
 
 /// Appends a text of any bytes: its length, a space, the text.
@@ -40,14 +42,6 @@ inline std::vector<std::string> unpacked(const std::string& all) {
 }
 
 // Processing of a stream's items by many threads, with delivery in order.
-
-/// Returns the default number of threads for a stream: one for each core that this process may use.
-/// One if the address space is limited, because every thread takes some of it.
-unsigned usual_threads();
-
-/// Returns how many of `asked` threads to start: fewer if the address space is limited, as more
-/// would leave too little for the items.
-unsigned possible_threads(unsigned asked);
 
 /// Read-ahead per thread: how many items may be in flight behind a slow one.
 inline constexpr std::size_t items_in_flight = 16;

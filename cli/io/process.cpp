@@ -2,6 +2,8 @@
 #include "cli/io/process.hpp"
 
 #include <gmp.h>
+#include <sys/resource.h>
+#include <tbb/task_arena.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@
 #include <functional>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <string_view>
 
 #include "cli/io/output.hpp"
@@ -161,6 +164,28 @@ void look_here_first() {
   const std::string folder = own_folder();
   const char* const path = std::getenv("PATH");
   if (!folder.empty()) setenv("PATH", (folder + (path ? ":" + std::string(path) : "")).c_str(), 1);
+}
+
+namespace {
+
+constexpr rlim_t of_a_thread = rlim_t{128}
+                               << 20;  // bytes of address space for each thread: its stack, its heap, and its items
+
+std::optional<rlim_t> limit_of_addresses() {
+  rlimit limit{};
+  const bool limited = ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? std::optional(limit.rlim_cur) : std::nullopt;
+}
+
+}  // namespace
+
+unsigned usual_threads() {
+  return limit_of_addresses() ? 1 : static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
+}
+
+unsigned possible_threads(unsigned asked) {
+  const std::optional<rlim_t> limit = limit_of_addresses();
+  return limit ? static_cast<unsigned>(std::clamp<rlim_t>(*limit / of_a_thread, 1, asked)) : asked;
 }
 
 }  // namespace fathom::cli

@@ -7,7 +7,6 @@
 // next operator new throws in its place. If the reserve is exhausted too, or the exception cannot
 // be caught (in a destructor, or in a thread without a handler), the process ends at once; its
 // output so far is complete.
-// complete.
 #pragma once
 
 #include <string>
@@ -17,6 +16,16 @@ namespace fathom::cli {
 
 /// Call it before anything else.
 void guard_memory();
+
+// Threads.
+
+/// Returns the default number of threads for a stream: one for each core that this process may use.
+/// One if the address space is limited, because every thread takes some of it.
+unsigned usual_threads();
+
+/// Returns how many of `asked` threads to start: fewer if the address space is limited, as more
+/// would leave too little for the items.
+unsigned possible_threads(unsigned asked);
 
 // Runs programs that are built beside this one, in its place or as children.
 

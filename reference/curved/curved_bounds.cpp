@@ -17,8 +17,6 @@
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 #include "reference/curved/assembly.hpp"
-#include "reference/curved/coaxial.hpp"
-#include "reference/curved/lattice.hpp"
 #include "reference/curved/oracle.hpp"
 #include "reference/expanding/surface.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"
-#include "reference/curved/lattice.hpp"
+#include "reference/curved/oracle.hpp"
 #include "reference/expanding/surface.hpp"
 
 namespace fathom::curved {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reference/depth/naive.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,6 +6,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/float_environment.hpp"
 #include "kernels/number/rational.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/gaussian/gaussian_diagram.hpp"
 #include "reference/lines/closest_lines.hpp"
 #include "reference/polytope/lattice.hpp"

@@ -19,7 +19,6 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/solids/arrangement.hpp"
-#include "reference/solids/chain.hpp"
 
 namespace fathom::solids {
 namespace {

@@ -22,8 +22,7 @@
 #include "reference/files/mesh_formats.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/solids/arrangement.hpp"
-#include "reference/solids/chain.hpp"
-#include "reference/unions/box_tree.hpp"
+#include "reference/unions/pair_table.hpp"
 
 namespace fathom::solids {
 namespace {

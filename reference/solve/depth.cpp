@@ -12,7 +12,6 @@
 #include "kernels/float_environment.hpp"
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
-#include "reference/depth/naive.hpp"
 #include "reference/depth/penetration_depth.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"

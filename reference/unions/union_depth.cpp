@@ -12,7 +12,6 @@
 #include "reference/depth/apart.hpp"
 #include "reference/depth/contact.hpp"
 #include "reference/solve/depth.hpp"
-#include "reference/unions/least_norm.hpp"
 #include "reference/unions/union_search.hpp"
 
 namespace fathom::unions {

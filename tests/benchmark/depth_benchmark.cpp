@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "fathom/depth.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #ifdef FATHOM_SGM

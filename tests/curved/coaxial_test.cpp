@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bodies of revolution about one axis: against closed forms, against the general search, and in
 // poses that no machine number holds.
-#include "reference/curved/coaxial.hpp"
-
 #include <gtest/gtest.h>
 
 #include "kernels/number/irrational.hpp"
+#include "reference/curved/curved_bounds.hpp"
 #include "reference/shapes/core.hpp"
 #include "tests/support/prepared.hpp"
 #include "tests/support/random_shapes.hpp"

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/depth/naive.hpp"
 #include "reference/depth/penetration_depth.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/oracles/cdd_oracle.hpp"

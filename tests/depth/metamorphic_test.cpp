@@ -11,7 +11,7 @@
 
 #include "fathom/depth.hpp"
 #include "fathom/signed_depth.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "tests/oracles/brute_oracle.hpp"
 #include "tests/support/check_depth.hpp"

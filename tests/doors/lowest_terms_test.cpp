@@ -12,7 +12,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/union.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "tests/judge/pairs.hpp"
 #include "verify/study/study.hpp"

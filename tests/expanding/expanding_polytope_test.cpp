@@ -17,7 +17,7 @@
 #include "kernels/filters/support.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/predicates/direction.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/expanding/surface.hpp"
 #include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/polytope.hpp"

@@ -13,7 +13,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
 #include "kernels/vector.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "verify/families/families.hpp"

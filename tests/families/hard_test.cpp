@@ -20,7 +20,7 @@
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/canonical/canonical_subsets.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/support/exact_depth.hpp"

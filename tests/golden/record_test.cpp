@@ -16,7 +16,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/signed_depth.hpp"
 #include "fathom/union.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/files/shape_names.hpp"
 #include "tests/golden/forged.hpp"
 #include "tests/golden/some_recipes.hpp"

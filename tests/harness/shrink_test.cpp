@@ -17,7 +17,6 @@
 #include "tests/harness/snippet_cases.hpp"
 #include "verify/check/check.hpp"
 #include "verify/harness/coordinates.hpp"
-#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/variants.hpp"
 
 namespace fathom::harness {

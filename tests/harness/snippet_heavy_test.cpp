@@ -12,7 +12,7 @@
 #include "reference/files/shape_names.hpp"
 #include "tests/harness/snippet_cases.hpp"
 #include "verify/families/families.hpp"
-#include "verify/harness/shrink/reproducer.hpp"
+#include "verify/harness/shrink/shrink.hpp"
 
 namespace fathom::harness {
 namespace {

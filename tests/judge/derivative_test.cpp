@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Claimed derivatives: on the border and a number to either side, what wrong ones are instead, and
 // the nearest number to the exact rate of every family, which passes with no tolerance.
-#include "verify/judge/derivative.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "tests/judge/pairs.hpp"
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
+#include "verify/judge/manifold.hpp"
 #include "verify/judge/truth.hpp"
 
 namespace fathom::judging {

@@ -2,7 +2,7 @@
 // The project's own naive twin in the oracles' words, so that it can be compared with them.
 #pragma once
 
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "reference/polytope/lattice.hpp"
 #include "tests/oracles/oracle.hpp"
 

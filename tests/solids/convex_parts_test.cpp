@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "fathom/solid.hpp"
-#include "reference/solids/chain.hpp"
-#include "reference/solids/validate.hpp"
+#include "reference/solids/arrangement.hpp"
+#include "reference/solids/solid_values.hpp"
 #include "tests/solids/meshes.hpp"
 
 namespace fathom::solids {

@@ -11,7 +11,7 @@
 #include "fathom/numbers.hpp"
 #include "fathom/union.hpp"
 #include "reference/files/pose.hpp"
-#include "reference/solids/validate.hpp"
+#include "reference/solids/solid_values.hpp"
 #include "tests/solids/meshes.hpp"
 #include "tests/support/rounding_modes.hpp"
 

@@ -2,8 +2,6 @@
 // What is lit are the arcs of the canonical pair, which cross each other in its strip; what is left
 // out is said.
 
-#include "view/stages/charts_picture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "tests/support/matches.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
+#include "view/stages/stages.hpp"
 
 namespace fathom::stages {
 namespace {

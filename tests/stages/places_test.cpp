@@ -13,12 +13,11 @@
 #include "fathom/numbers.hpp"
 #include "kernels/nearest.hpp"
 #include "kernels/number/rational.hpp"
-#include "reference/depth/naive.hpp"
+#include "reference/depth/penetration_depth.hpp"
 #include "tests/stages/staged_cases.hpp"
 #include "tests/support/prepared.hpp"
 #include "verify/families/catalogue.hpp"
 #include "verify/families/families.hpp"
-#include "view/stages/charts_picture.hpp"
 #include "view/stages/parts.hpp"
 #include "view/stages/stages.hpp"
 

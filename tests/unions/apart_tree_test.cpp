@@ -9,7 +9,7 @@
 #include <string>
 
 #include "kernels/number/rational.hpp"
-#include "reference/unions/box_tree.hpp"
+#include "reference/unions/pair_table.hpp"
 #include "reference/unions/union_prover.hpp"
 #include "tests/unions/pieces.hpp"
 

@@ -2,8 +2,6 @@
 // The nearest point of half-spaces: against every choice of at most three planes; and what is named
 // as contradictory is.
 
-#include "reference/unions/least_norm.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

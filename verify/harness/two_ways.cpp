@@ -28,7 +28,6 @@
 #include "verify/families/families.hpp"
 #include "verify/families/random.hpp"
 #include "verify/harness/seen_case.hpp"
-#include "verify/harness/shrink/reproducer.hpp"
 #include "verify/harness/shrink/shrink.hpp"
 
 namespace fathom::harness {

@@ -19,7 +19,6 @@
 #include "kernels/number/irrational.hpp"
 #include "kernels/number/rational.hpp"
 #include "verify/judge/claim.hpp"
-#include "verify/judge/derivative.hpp"
 #include "verify/judge/manifold.hpp"
 #include "verify/judge/measures.hpp"
 #include "verify/judge/truth.hpp"

@@ -12,7 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "fathom/answer.hpp"
+#include "fathom/body.hpp"
 #include "fathom/judge.hpp"
+#include "fathom/motion.hpp"
 #include "reference/patch/local_depth.hpp"
 #include "verify/judge/claim.hpp"
 
@@ -121,5 +124,21 @@ Judgement judged(const Truth& truth, const Reply& reply, const Conventions& conv
 /// Returns the squared Hausdorff distance of the hulls of two sets of contacts, projected along n.
 /// Neither set is empty.
 mpq_class unlike_squared(const Vector& n, std::span<const Point> xs, std::span<const Point> ys);
+
+// Judges a claimed derivative of the signed depth: compares it with the exact one-sided rate at
+// which the depth grows as two bodies begin to move, and finds which other rate a wrong claim
+// equals.
+//                                           [VERDICTS.md, "wrong-derivative"; proofs/patch.md]
+
+/// Judges the derivative that the reply claims about these bodies, whose answer is known. A
+/// difference of more than the tolerance times the largest speed of a point is wrong. Other fields
+/// of the reply serve to find which other rate a wrong claim equals. Throws Interrupted.
+DerivativeJudgement judged_derivative(const Body& a, const Body& b, const Answer& answer, const Motion& motion,
+                                      const Reply& reply, const Conventions& conventions, const NumberFormat& format,
+                                      const Tolerance& tolerance, Monitor* monitor = nullptr);
+
+/// Returns the largest speed that the motion gives a point of either body, rounded up by 2^-40 of
+/// itself. A half-space has the points of the other body. A curved core counts as O.
+mpq_class largest_speed(const Body& a, const Body& b, const Motion& motion);
 
 }  // namespace fathom::judging

@@ -14,7 +14,6 @@
 #include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/shapes/core.hpp"
-#include "reference/shapes/revolution.hpp"
 
 namespace fathom::studies {
 

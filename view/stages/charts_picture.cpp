@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "view/stages/charts_picture.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "view/picture/markup.hpp"
 #include "view/picture/style.hpp"
+#include "view/stages/stages.hpp"
 
 namespace fathom::stages {
 namespace {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs for a case, and how they are written to files. Their texts are in templates/, one file
 // for each library and call; this file replaces marks such as @value@.
-#include "verify/harness/shrink/reproducer.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,6 +26,7 @@
 #include "verify/harness/protocol.hpp"
 #include "verify/harness/report/text.hpp"
 #include "verify/harness/seen_case.hpp"
+#include "verify/harness/shrink/shrink.hpp"
 #include "verify/harness/variants.hpp"
 #include "verify/judge/fields.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fathom/solid.hpp"
+#include "kernels/report.hpp"
 
 namespace fathom::solids {
 
@@ -16,5 +17,14 @@ std::vector<std::uint32_t> corners_of(const Solid::Piece& piece);
 
 /// Whether piece i is the one before once more.
 bool is_repeated(const Solid& solid, std::size_t i);
+
+// Whether the pieces of a solid tile it: the naive twin of all cutting, which knows nothing of
+// cuts.
+
+/// Returns what is wrong: a point that is there twice; a piece that is not convex, or not closed;
+/// or a flag of a point, a line and a plane, at which the facets of the pieces and the triangles of
+/// the mesh do not sum to the same. If nothing is, the winding number of the mesh is the number of
+/// pieces around a point, for almost all points. In rationals throughout.        [proofs/solids.md]
+kernels::Report validate(const Solid& solid);
 
 }  // namespace fathom::solids
