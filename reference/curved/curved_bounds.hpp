@@ -36,8 +36,7 @@ struct CurvedBounds {
 /// its axes' magnitudes. The shapes keep the laws that signed_depth demands; bits is at most
 /// most_bound_bits. Bounds that are equal are found where a facet, an axis or the centers give the
 /// direction, or where it is short. With `coaxial`, cores that are of revolution about one axis and
-/// penetrate are looked at in a half-plane (coaxial.hpp). Throws InputError as `lattice` does, and
-/// Interrupted.
+/// penetrate are looked at in a half-plane. Throws InputError as `lattice` does, and Interrupted.
 CurvedBounds signed_bounds(kernels::Context& context, const Shape& a, const Shape& b, unsigned bits = 40,
                            std::size_t support_calls = 5000, bool coaxial = true);
 

@@ -255,7 +255,7 @@ std::vector<Cell> cut(Blocks& blocks, GridAxis side, CellNode cell, const std::v
 /// Offers the grid's nearest planes to the search's best.
 void closest_by_cutting(const Grid& grid, LineSearch& search, const CuttingSize& size = {});
 
-// The sampled cutting, in sampled.cpp: the same answer, in the paper's own shape.
+// The sampled cutting, in closest_lines.cpp: the same answer, in the paper's own shape.
 //                                                           [AGHRS, section 2.2; proofs/cutting.md]
 // How     a random sample of r log2(r + 1) lines of one chain guides how the other is cut into
 //         cells: a cell is halved while some line of the sample may approach it. Then its whole

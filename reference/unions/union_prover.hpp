@@ -51,7 +51,7 @@ struct UnionProof {
 /// std::logic_error if p is not free, and Interrupted.
 std::vector<Vector> separations(kernels::Context& context, const PlacedPieces& pieces, const kernels::RationalPoint& p);
 
-// ---- blocks of pairs: apart_tree.cpp ---- [proofs/unions.md, "Blocks"]
+// ---- blocks of pairs ---- [proofs/unions.md, "Blocks"]
 
 /// A block of pairs: a range of A's pieces times one of B's. The first one is of all pairs. One
 /// that is halved stands before its two halves, the lower pieces first, each with all below it; a
