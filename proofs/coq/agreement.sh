@@ -1,11 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # agreement.sh PROJECT PROVED CHECKER FATHOM   the extracted checker and fathom-check give the same verdict on thousands of damaged
-#                                              certificates, and accept none that claims something untrue; and the extracted one draws the
-#                                              limits of the format where fathom-check and check.py do. Certificates about two bodies,
-#                                              in format_5/two_bodies, are left out: it does not read them, which is seen here too.
+#                                              certificates, and accept none that claims something untrue; the extracted one has the
+#                                              full score on the known faults, and draws the limits of the format where fathom-check and
+#                                              check.py do. Certificates about two bodies, in format_5/two_bodies, are left out: it does
+#                                              not read them, which is seen here too.
 project=$1
 tests=$project/tests/check
+python3 -B "$project/verify/check/score.py" --without format5-two-bodies "$2" || exit 1
 for limits in limits union_limits patch_limits tiling_limits; do python3 -B "$tests/$limits.py" --checker "$2" || exit 1; done
 python3 -B "$tests/union_forgeries.py" --checker "$2" --checker "$3" --fathom "$4" --count 6000 --seed 9 || exit 1
 python3 -B "$tests/tiling_forgeries.py" --checker "$2" --checker "$3" --count 4000 --seed 7 "$project"/tests/data/certificates/format_5/*.cert || exit 1

@@ -121,7 +121,7 @@ class Certificates(ProgramTest):
 
     def test_the_faults_of_formats_4_and_5(self):
         """Those of faults.jsonl, as check.py sees them too."""
-        for row in map(json.loads, (ROOT / "tests" / "check" / "faults.jsonl").read_text().splitlines()):
+        for row in map(json.loads, (DATA / "faults.jsonl").read_text().splitlines()):
             if row["of"].startswith(("format_4/", "format_5/")) or "fathom-certificate 4" in str(row["edits"]):
                 text = (DATA / row["of"]).read_text() if row["of"] else ""
                 for before, after in row["edits"]:

@@ -20,7 +20,7 @@ namespace {
 const std::filesystem::path certificates = std::filesystem::path(FATHOM_TEST_DATA) / "certificates";
 
 TEST(Check, FindsEachFaultWhereItIs) {
-  std::istringstream rows(read(std::filesystem::path(FATHOM_TEST_DATA) / "../check/faults.jsonl"));
+  std::istringstream rows(data("faults.jsonl"));
   std::set<std::string> whole;
   std::size_t count = 0;
   for (std::string line; std::getline(rows, line); ++count) {
