@@ -23,6 +23,7 @@ from console import BLOCK, agrees, blocks, commands
 EXECUTABLE = pathlib.Path(os.environ["FATHOM_EXECUTABLE"])
 ROOT = pathlib.Path(os.environ["FATHOM_ROOT"])
 HEAVY = os.environ.get("FATHOM_HEAVY") == "1"
+CGAL = pathlib.Path("/usr/include")
 PATIENCE = 1800  # seconds until a hung process is given up; no test depends on how long anything takes
 COLUMNS = 100
 FRONT = 120  # lines of README.md
@@ -158,6 +159,18 @@ class Docs(unittest.TestCase):
         """Law: what is to be cited is the version that CMake builds."""
         version = re.search(r"^project\(fathom VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
         self.assertEqual([version], re.findall(r'^version: "(.*)"$', (ROOT / "CITATION.cff").read_text(), re.MULTILINE))
+
+    def test_licences(self):
+        """Law: one source of the library and the programs includes headers of CGAL that are under the GPL, which the page says."""
+        found = set()
+        for folder in ("bindings", "cli", "include", "kernels", "reference", "verify", "view"):
+            for path in (path for path in (ROOT / folder).rglob("*") if path.suffix in (".cpp", ".hpp", ".h")):
+                for header in re.findall(r"^#include <(CGAL/.+)>", path.read_text(), re.MULTILINE):
+                    if "SPDX-License-Identifier: GPL" in (CGAL / header).read_text():
+                        found.add((name(path), header))
+        section = (ROOT / "docs" / "library.md").read_text().partition("\n## Licences\n")[2]
+        self.assertEqual({("reference/polytope/hull_triangles.cpp", f"CGAL/convex_hull_{d}.h") for d in (2, 3)}, found)
+        self.assertTrue(all(f"`{word}`" in section for pair in found for word in pair))
 
     def test_tables(self):
         """Law: the tables of the survey are those that its results make, and say so where its commands make other cases by now."""
