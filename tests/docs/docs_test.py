@@ -9,6 +9,7 @@ print that. A comment before the block says that it is run otherwise:
     <!-- run by TEST -->      by another test, the path of which this is
     <!-- run by hand -->      by nobody: it measures, or it changes the machine
 """
+import json
 import os
 import pathlib
 import re
@@ -156,9 +157,15 @@ class Docs(unittest.TestCase):
                     self.assertTrue(any(all(part in example for part in paragraphs) for example in examples), f"{name(page)}: {lines}")
 
     def test_citation(self):
-        """Law: what is to be cited is the version that CMake builds."""
+        """Law: what is to be cited is the version that CMake builds, whose tag the page names, and the golden data of the tree."""
         version = re.search(r"^project\(fathom VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(), re.MULTILINE)[1]
-        self.assertEqual([version], re.findall(r'^version: "(.*)"$', (ROOT / "CITATION.cff").read_text(), re.MULTILINE))
+        cited = (ROOT / "CITATION.cff").read_text()
+        self.assertEqual([(version, version)], re.findall(r'^version: "(.*)"  # the tag of this release is v(.*)$', cited, re.MULTILINE))
+        self.assertIn(f"version {version}, whose tag is `v{version}`", (ROOT / "docs" / "golden.md").read_text())
+        data = json.loads((ROOT / "tests" / "data" / "golden" / "dataset.json").read_text())
+        for words in (f'title: "{data["name"]}, seed {data["generator"]["seed"]}"\n', f'version: "{data["version"]}"\n',
+                      f'value: "sha256:{data["content_sha256"]}"\n', f'license: {data["licence"]}\n'):
+            self.assertIn("    " + words, cited)
 
     def test_licences(self):
         """Law: one source of the library and the programs includes headers of CGAL that are under the GPL, which the page says."""
