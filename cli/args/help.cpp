@@ -224,6 +224,7 @@ constexpr Example cases_examples[] = {
 constexpr Example certify_examples[] = {
     {"fathom certify --list-adapters", "the libraries for which a subject is built"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "every case through libccd's EPA; a table of verdicts"},
+    {"fathom certify --adapter libccd-epa --worst", "one small case for each class of error, in a second"},
     {"fathom certify --subject ./mine --report verdicts.jsonl cases.jsonl",
      "your own program, by the protocol of verify/PROTOCOL.md"},
     {"fathom certify --subject ./mine --report verdicts.jsonl --resume cases.jsonl",
@@ -329,7 +330,8 @@ constexpr CommandHelp commands[] = {
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE",
      cases_examples, usual_exits, usual_notes},
     {"certify", "Where another implementation is wrong, case by case.",
-     "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | - | diff OLD NEW",
+     "fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | - | --worst | diff "
+     "OLD NEW",
      certify_examples, certify_exits, usual_notes},
     {"certify diff", "What changed between two reports.", "fathom certify diff [OPTIONS] OLD NEW", diff_examples,
      diff_exits, diff_notes},

@@ -250,6 +250,9 @@ std::vector<Option> make_table() {
       file("certify", "--claims", "FILE", FileUse::read,
            "judge what others have published about pairs of bodies, without a subject: one JSON object a line; - for "
            "standard input"),
+      flag("certify", "--worst",
+           "put the cases of verify/worst, which are part of the program, in the place of a stream: one for each class "
+           "of error that libraries make"),
       flag("certify", "--list-adapters", "the names for --adapter, and whether each is built"),
       {"certify", "--jobs", "N", "subjects at once; as many as there are processors unless given", {wrong_threads}},
       {"certify", "--time-out", "S", "seconds that a case may take; 10 unless given", {wrong_time}},

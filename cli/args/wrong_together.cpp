@@ -66,13 +66,15 @@ std::string wrong_certify(const Given& given) {
   const std::vector<std::string> inputs = given.inputs();
   const auto subjects = std::ranges::count_if(std::array{"--subject", "--adapter", "--replay"},
                                               [&](const char* option) { return given.has(option); });
-  const bool alone = subjects == 0 && inputs.empty(), replays = given.has("--replay");
+  const bool worst = given.flag("--worst"), replays = given.has("--replay");
+  const bool alone = subjects == 0 && inputs.empty() && !worst;
   if (given.flag("--list-adapters"))
     return alone ? "" : "--list-adapters only prints a list, and takes no subject and no cases";
   if (given.has("--claims")) return alone ? "" : "--claims judges a file, and takes no subject and no cases";
   if (subjects != 1)
     return fmt::format("certify expects one of --subject, --adapter and --replay, found {} of them", subjects);
-  if (inputs.size() != 1)
+  if (worst && !inputs.empty()) return "--worst has cases of its own, and takes no stream of others";
+  if (!worst && inputs.size() != 1)
     return fmt::format(
         "certify expects one stream of cases (a JSON Lines file, or - for standard input), found {} argument{}",
         inputs.size(), inputs.size() == 1 ? "" : "s");
@@ -84,7 +86,7 @@ std::string wrong_certify(const Given& given) {
     return "--harness is filled with what --shrink finds, and needs --shrink";
   if (given.has("--print-input") && replays)
     return "--print-input shows what a subject reads, and a replay reads nothing";
-  if (given.text("--replay") == "-" && inputs[0] == "-")
+  if (given.text("--replay") == "-" && !worst && inputs[0] == "-")
     return "--replay - and the cases cannot both come from standard input";
   if (given.text("--report") == "-") return "--report writes a file; --json writes to standard output";
   for (const char* option : {"--metamorphic", "--shrink"})

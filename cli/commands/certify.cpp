@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
+// fathom certify --subject COMMAND | --adapter NAME | --replay FILE [OPTIONS] CASES | - | --worst
 // Reads the cases, each id once, and runs the subject on them; certify_results.cpp handles the
 // results.
 #include "cli/commands/certify.hpp"
@@ -19,6 +19,7 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -54,8 +55,9 @@ namespace {
 class CertifyCases {
  public:
   /// Opens the stream; throws InputError. "-" is standard input, and waiting for it can be
-  /// interrupted.
-  CertifyCases(const std::string& input, std::function<void(const std::string&)> tell);
+  /// interrupted. With `worst` it reads the cases that are part of the program, and `input` names
+  /// them.
+  CertifyCases(const std::string& input, bool worst, std::function<void(const std::string&)> tell);
 
   /// Returns the next good case, or nullopt at the end. Calls `tell` for a bad case, and for one
   /// whose id occurred before. After std::bad_alloc it can be called again, as CaseStream::next.
@@ -76,6 +78,7 @@ class CertifyCases {
   std::function<void(const std::string&)> tell_;
   InterruptibleInput standard_input_;
   std::istream stdin_{&standard_input_};
+  std::istringstream worst_{std::string(harness::worst_cases)};
   CaseStream items_;
   std::set<std::string> ids_;
   std::vector<Case> unions_;  // the unions among the cases
@@ -96,8 +99,11 @@ std::string wrong_certified(const Case& single) {
   return "";
 }
 
-CertifyCases::CertifyCases(const std::string& input, std::function<void(const std::string&)> tell)
-    : input_(input), tell_(std::move(tell)), items_(CaseStream::open(input, stdin_)), expected_(cases_in(input)) {
+CertifyCases::CertifyCases(const std::string& input, bool worst, std::function<void(const std::string&)> tell)
+    : input_(input),
+      tell_(std::move(tell)),
+      items_(worst ? CaseStream(worst_, input) : CaseStream::open(input, stdin_)),
+      expected_(worst ? std::nullopt : cases_in(input)) {
   stdin_.exceptions(std::ios::badbit);
 }
 
@@ -130,7 +136,7 @@ bool CertifyCases::asked(const std::string& id) const {
          std::ranges::any_of(unions_, [&](const Case& pair) { return harness::is_pair_of(id, pair); });
 }
 
-// fathom certify --subject COMMAND | --adapter NAME | --replay REPLIES [OPTIONS] CASES.jsonl | -
+// fathom certify --subject COMMAND | --adapter NAME | --replay FILE [OPTIONS] CASES | - | --worst
 
 using harness::Examiner;
 using harness::ExpectedFailures;
@@ -158,7 +164,7 @@ class Certify {
     probe_reports(certify_);
     if (!certify_.expect_fail.empty()) expected_ = ExpectedFailures::read(certify_.expect_fail);
     earlier_ = earlier_list(certify_);
-    cases_.emplace(request.cases, [this](const std::string& fault) { tell("bad cases", fault); });
+    cases_.emplace(request.cases, request.worst, [this](const std::string& fault) { tell("bad cases", fault); });
     if (!certify_.replay.empty()) replay_ = Replay::read(certify_.replay);
     else command_ = subject_of(certify_);
   }
@@ -402,7 +408,8 @@ class Certify {
 }  // namespace
 
 CertifyRequest::CertifyRequest(const Given& given)
-    : cases(given.inputs().at(0)),
+    : worst(given.flag("--worst")),
+      cases(worst ? "--worst" : given.inputs().at(0)),
       command_line(given.command_line),
       subject(given.text("--subject")),
       adapter(given.text("--adapter")),

@@ -28,7 +28,8 @@ namespace fathom::cli {
 struct CertifyRequest {
   explicit CertifyRequest(const Given& given);
 
-  std::string cases;                     ///< the stream
+  bool worst = false;                    ///< the cases that are part of the program, in the place of a stream
+  std::string cases;                     ///< the stream, or what messages call these
   std::string command_line;              ///< quoted for a shell
   std::string subject, adapter, replay;  ///< exactly one of these is set
   bool json = false;

@@ -20,7 +20,7 @@ import sets  # noqa: E402
 
 LIBRARIES = ("libccd", "fcl", "bullet", "bullet64", "ode")
 COUNT, PRIMITIVES = 92, 70
-CASES = {"real": 63, "shapes": 63, "20": COUNT, "primitives": PRIMITIVES}
+CASES = {"real": 63, "shapes": 63, "worst": 26, "20": COUNT, "primitives": PRIMITIVES}
 CONTACTS = {"boxes": 100, "real-boxes": 47}
 
 

@@ -13,6 +13,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fathom/files.hpp"
@@ -196,5 +197,9 @@ struct RunPlan {
 /// Works until there is no next case; the calling thread is one of the workers. The first exception
 /// of any callback ends all workers once they have finished their cases, and is rethrown.
 void run(const RunPlan& plan);
+
+/// The files of verify/worst, a case a line, in the order of their names; defined in
+/// shrink/templates/embedded.cpp.in.
+extern const std::string_view worst_cases;
 
 }  // namespace fathom::harness

@@ -25,7 +25,7 @@ class Set:
     @property
     def by_case(self):
         """Returns whether each case, and not each family, is a row of the tables."""
-        return bool(self.file)
+        return not self.count
 
     def commands(self):
         """Returns the command lines that print the cases."""
@@ -56,6 +56,8 @@ SETS = {
                   file="tests/data/real_shapes.jsonl"),
     "claims": Set("Published claims", "The pairs about which other projects' tests and issues state something, most of them shapes.",
                   file="verify/claims/claims.jsonl"),
+    "worst": Set("Worst cases", "One small case for each class of error, picked where libraries go wrong.",
+                 program="verify/worst/make.py --lines"),
     "20": Set("All families, 20 points", "Every way for two polytopes to be special that fathom knows, made to find errors.", count=920),
     "200": Set("All families, 200 points", "The same families with larger bodies.", count=184, size=200),
     "primitives": Set("Primitives", "Spheres, capsules, boxes, cylinders, cones and ellipsoids by name, to subjects that have them; many "

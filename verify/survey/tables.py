@@ -217,8 +217,13 @@ def tried_table(results):
     return table(["subject", "bits", "settings", "hulls", "as reported"], rows)
 
 
+def in_one_table(results):
+    """Returns the sets without a table of their own."""
+    return [name for name in results["sets"] if name not in (*sets.TRIED_SETS, "worst")]
+
+
 def sets_table(results):
-    names = [name for name in results["sets"] if name not in sets.TRIED_SETS]
+    names = in_one_table(results)
     rows = [[subject["adapter"], bits(subject), settings(subject, 1), *(right(subject["sets"].get(name)) for name in names)]
             for subject in results["subjects"]]
     return table(["subject", "bits", "settings", *(f"{name}: {results['sets'][name]['cases']}" for name in names)], rows)
@@ -253,6 +258,32 @@ def web_table(results):
                      *(known.get(("", fit), {}).get(name, "") for name in sets.TRIED_SETS for fit in ("", "64"))])
     return table(["adapter", "call", "bits", "settings", "depth", "moves", "hulls", "hulls, fitted", "as reported", "as reported, fitted"],
                  rows)
+
+
+def length_of(answer):
+    """Returns the depth or the distance in words, to six digits as far as it is known."""
+    signed = answer["signed_depth"]
+    values = list(dict.fromkeys(f"{abs(signed[end]):.6g}" for end in ("low", "high")))
+    return "touching" if values == ["0"] else " to ".join(values) + {"penetrating": " deep", "disjoint": " apart"}[answer["status"]]
+
+
+def worst_table(results):
+    """Returns a table of the worst cases: what each shows, its answer, which subjects are wrong about it here, and what its source says."""
+    rows, subjects = [], [subject for subject in results["subjects"] if "worst" in subject["sets"]]
+    for number_, case in enumerate(results["sets"]["worst"]["rows"]):
+        path = sets.ROOT / "verify" / "worst" / f"{case.removeprefix('worst::')}.json"
+        file = json.loads(path.read_text(encoding="utf-8"))
+        wrong = {}
+        for subject in subjects:
+            wrong.setdefault(subject["sets"]["worst"]["outcomes"][number_], []).append(subject["adapter"])
+        told = [f"*{group}* {', '.join(wrong[letter])}" for group, letter in tally.LETTERS.items()
+                if letter in wrong and group not in ("right", "declined")]
+        name = file["source"]["name"]
+        source = f"[{name}]({file['source']['url']})" if "url" in file["source"] else (
+            f"[{name}](../../{name})" if (sets.ROOT / name).exists() else name)
+        rows.append([f"[{path.stem}]({path.name})", file["shows"], length_of(file["answer"]), "; ".join(told) or "nobody",
+                     ": ".join(filter(None, [source, file.get("stated")]))])
+    return table(["case", "what it is", "exact answer", "wrong here", "source, and what it says is wrong"], rows)
 
 
 def groups_table(results, name):
@@ -304,7 +335,7 @@ def page(results, today):
 
 def blocks(results, today):
     """Returns {page: {name of a table: its text}} for pages that are written by hand except for their tables."""
-    other = [name for name in results["sets"] if name not in sets.TRIED_SETS]
+    other = in_one_table(results)
     both = wrapped(made(results, sets.TRIED_SETS, today))
     return {
         "docs/certify.md": {
@@ -313,7 +344,8 @@ def blocks(results, today):
             "sets": sets_table(results) + "\n" + wrapped(made(results, other, today)),
             "primitives": primitives_table(results) + "\n" + wrapped(made(results, ["primitives"], today))},
         "verify/survey/README.md": {"fits": fits_table(results) + "\n" + both, "tried": tried_table(results)},
-        "verify/subjects/web/README.md": {"web": web_table(results) + "\n" + both}}
+        "verify/subjects/web/README.md": {"web": web_table(results) + "\n" + both},
+        "verify/worst/README.md": {"worst": worst_table(results) + "\n" + wrapped(made(results, ["worst"], today))}}
 
 
 def pages(results, today):
