@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """verify/survey/survey.py, small: it finds of each case what the committed results say, goes on, and keeps what it does not ask again.
 verify/survey/page.py makes pages of that in which every link leads somewhere."""
+import copy
 import html.parser
 import json
 import os
@@ -10,6 +11,8 @@ import sys
 import tempfile
 import unittest
 import urllib.parse
+
+import jsonschema  # Debian: python3-jsonschema
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SURVEY = ROOT / "verify" / "survey"
@@ -78,6 +81,23 @@ class Survey(unittest.TestCase):
         manifolds = [adapter for adapter in sets.OF_BOXES if adapter in self.adapters]
         runs = len(CASES) * len(self.adapters) + len(CONTACTS) * len(sets.TOLERANCES) * len(manifolds)
         self.assertIn(f"survey: {runs} of {runs}: ", self.talk)
+
+    def test_schema(self):
+        """Law: the results, and those that are committed, obey their schema, which refuses what is wrong."""
+        check = jsonschema.Draft202012Validator(json.loads((SURVEY / "survey.schema.json").read_text()))
+        for results in (self.results, json.loads((SURVEY / "results.json").read_text())):
+            check.validate(results)
+        for path, value in ((["schema"], "fathom/survey/2"), (["more"], 1), (["groups", 0], "fine"), (["tolerance", "relative"], 0.001),
+                            (["sets", "real", "digest"], "?"), (["sets", "real", "by_case"], None), (["contacts", "boxes", "cases"], -1),
+                            (["contacts", "boxes", "by_case"], 1), (["subjects", 0, "hello", "version"], None),
+                            (["subjects", 0, "sets", "real", "made", "date"], "today"), (["subjects", 0, "sets", "real", "outcomes"], "?"),
+                            (["subjects", 0, "sets", "real", "groups"], {"fine": 1}), (["subjects", 0, "sets", "real", "more"], 1)):
+            wrong = copy.deepcopy(self.results)
+            place = wrong
+            for step in path[:-1]:
+                place = place[step]
+            place[path[-1]] = value
+            self.assertFalse(check.is_valid(wrong), path)
 
     def test_committed(self):
         """Law: the committed results are what the judge of today says of the libraries that are here, case by case: who changes the judge
