@@ -471,8 +471,8 @@ void write_pages(const Pages& pages, const std::string& folder) {
       files::WholeFile file(path);
       file.write(man_text(pages, page) + '\n');
       file.put_in_place();
-    } catch (const std::system_error& error) {
-      throw OutputError(path + ": cannot be written: " + error.code().message());
+    } catch (const files::FileError& error) {
+      throw OutputError(path + ": cannot be written: " + error.code.message());
     }
   }
 }

@@ -49,15 +49,15 @@ std::string certificate_file_name(const std::string& id, const std::string& endi
 }  // namespace
 
 CertificateFile::CertificateFile(const std::string& path, const std::string& what) try : what_(what), file_(path) {
-} catch (const std::system_error& error) {
-  refuse(path, error.code() == std::errc::is_a_directory ? "is a directory" : error.code().message(), what);
+} catch (const files::FileError& error) {
+  refuse(path, error.code == std::errc::is_a_directory ? "is a directory" : error.code.message(), what);
 }
 
 void CertificateFile::write(std::string_view text) try {
   file_.write(text);
   file_.put_in_place();
-} catch (const std::system_error& error) {
-  throw OutputError(file_.path() + ": cannot write the " + what_ + ": " + error.code().message());
+} catch (const files::FileError& error) {
+  throw OutputError(file_.path() + ": cannot write the " + what_ + ": " + error.code.message());
 }
 
 std::unique_ptr<CertificateFile> wanted_file(const std::string& path, const std::string& what) {

@@ -3,15 +3,14 @@
 #include "reference/files/file_io.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <new>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -76,15 +75,13 @@ class GrowingLine {
   LineRead read_ = LineRead::whole;
 };
 
-[[noreturn]] void fail(int code) { throw std::system_error(code, std::generic_category()); }
-
 // The file behind symbolic links, which need not exist yet, so that a link stays one.
 std::string resolved(const std::string& path) {
   constexpr int most_links = 40;  // as Linux follows
   std::error_code none;
   std::filesystem::path target = path;
   for (int links = 0; std::filesystem::is_symlink(target, none); ++links) {
-    if (links == most_links) fail(ELOOP);
+    if (links == most_links) throw FileError("write", path, ELOOP);
     target = target.parent_path() / std::filesystem::read_symlink(target, none);
   }
   return target.string();
@@ -98,6 +95,26 @@ int open_hidden(const std::filesystem::path& folder, std::string& name) {
     name = (folder / (".fathom-" + id + ".tmp")).string();  // short, whatever the name to come
     const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+}
+
+// A hidden file that no two processes write at once: the lock ends with the process, however that
+// ends. Another one may have renamed or removed the file before the lock was free.
+int open_locked(const std::string& hidden, const std::string& path) {
+  for (;;) {
+    const int descriptor = ::open(hidden.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor < 0) throw FileError("write", path, errno);
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor);
+      throw FileError("cannot write " + path + ": another process is writing it");
+    }
+    struct stat ours = {}, named = {};
+    const bool same =
+        ::fstat(descriptor, &ours) == 0 && ::stat(hidden.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
+    if (same && ::ftruncate(descriptor, 0) == 0) return descriptor;
+    const int number = errno;
+    ::close(descriptor);
+    if (same) throw FileError("write", path, number);
   }
 }
 
@@ -162,6 +179,10 @@ std::string extension(std::string_view path) {
   return result;
 }
 
+FileError::FileError(const std::string& action, const std::filesystem::path& path, int number)
+    : std::runtime_error("cannot " + action + " " + path.string() + ": " + std::generic_category().message(number)),
+      code(number, std::generic_category()) {}
+
 WholeFile::WholeFile(const std::string& path) : path_(resolved(path)) {
   struct stat found {};
   const bool exists = ::stat(path_.c_str(), &found) == 0;
@@ -171,20 +192,28 @@ WholeFile::WholeFile(const std::string& path) : path_(resolved(path)) {
   if (descriptor_ < 0) fail(errno);
 }
 
+WholeFile::WholeFile(const std::filesystem::path& path, const std::string& hidden)
+    : path_(path.string()), hidden_((path.parent_path() / hidden).string()), descriptor_(open_locked(hidden_, path_)) {}
+
 WholeFile::~WholeFile() {
+  if (!hidden_.empty()) ::unlink(hidden_.c_str());  // while the lock is held
   if (descriptor_ >= 0) ::close(descriptor_);
-  if (!hidden_.empty()) ::unlink(hidden_.c_str());
 }
 
 void WholeFile::write(std::string_view bytes) {
-  if (const int code = write_all(descriptor_, bytes); code != 0) fail(code);
+  if (const int number = write_all(descriptor_, bytes); number != 0) fail(number);
+}
+
+void WholeFile::sync() {
+  if (::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
 }
 
 void WholeFile::put_in_place() {
-  if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
-  if (hidden_.empty()) return;
-  if (std::rename(hidden_.c_str(), path_.c_str()) != 0) fail(errno);
+  // closing a copy tells what the system has kept back so far, and leaves the lock
+  if (const int copy = ::dup(descriptor_); copy < 0 || ::close(copy) != 0) fail(errno);
+  if (!hidden_.empty() && std::rename(hidden_.c_str(), path_.c_str()) != 0) fail(errno);
   hidden_.clear();
+  ::close(std::exchange(descriptor_, -1));
 }
 
 int write_all(int descriptor, std::string_view bytes) {

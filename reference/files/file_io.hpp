@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <istream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace fathom::files {
 
@@ -35,27 +38,43 @@ bool is_folder(const std::string& path);
 /// none.
 std::string extension(std::string_view path);
 
+/// The operating system reported an error: full disk, no permission, a file that cannot be read.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+  /// "cannot `action` `path`: " and the system's words for the error `number` (an errno).
+  FileError(const std::string& action, const std::filesystem::path& path, int number);
+
+  std::error_code code;  ///< none if the system said nothing
+};
+
 /// A file that is being written: under a hidden name in the same folder, and then renamed, so that
 /// a file of the name that was there is replaced at once. A device or a pipe is written to as it
 /// is; a symbolic link stays one.
 class WholeFile {
  public:
-  /// Throws std::system_error if nothing can be written there.
+  /// Throws FileError, here and below, if nothing can be written there.
   explicit WholeFile(const std::string& path);
+  /// The same with a hidden name that others know: throws also if another living process is writing
+  /// the file. Replaces links, devices and pipes.
+  WholeFile(const std::filesystem::path& path, const std::string& hidden);
   /// Leaves all as it was, unless the file was put into its place.
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Appends. Throws std::system_error.
+  /// Appends.
   void write(std::string_view bytes);
-  /// Gives the file its name: once, in the end. Throws std::system_error.
+  /// Waits until all bytes are on the disk.
+  void sync();
+  /// Gives the file its name: once, in the end.
   void put_in_place();
 
   /// Where it is, behind links.
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
+  [[noreturn]] void fail(int number) const { throw FileError("write", path_, number); }
+
   std::string path_, hidden_;  // no hidden_ of devices and pipes
   int descriptor_ = -1;
 };

@@ -3,23 +3,15 @@
 #include "verify/golden/io/files.hpp"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zstd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <new>
-#include <system_error>
 #include <utility>
 
-#include "reference/files/file_io.hpp"
-
 namespace fathom::golden {
-
-FileError::FileError(const std::string& action, const std::filesystem::path& path, int code)
-    : std::runtime_error("cannot " + action + " " + path.string() + ": " + std::generic_category().message(code)) {}
 
 // ---- reading ----
 
@@ -69,54 +61,6 @@ digest::Digest digest_of_file(const std::filesystem::path& path) {
 
 // ---- writing ----
 
-namespace {
-
-/// Opens the hidden file and locks it, so that no two processes write it at once; the lock ends
-/// with the process, however that ends.
-int open_locked(const std::filesystem::path& path, const std::filesystem::path& final_path) {
-  for (;;) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (descriptor < 0) throw FileError("write", final_path, errno);
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-      ::close(descriptor);
-      throw FileError("cannot write " + final_path.string() + ": another process is writing it");
-    }
-    struct stat ours = {}, named = {};  // another process may have renamed or removed the file before the lock was free
-    const bool same =
-        ::fstat(descriptor, &ours) == 0 && ::stat(path.c_str(), &named) == 0 && ours.st_ino == named.st_ino;
-    if (same && ::ftruncate(descriptor, 0) == 0) return descriptor;
-    const int code = errno;
-    ::close(descriptor);
-    if (same) throw FileError("write", final_path, code);
-  }
-}
-
-}  // namespace
-
-NewFile::NewFile(std::filesystem::path folder, std::string name)
-    : hidden_(folder / (std::string(hidden_prefix) + name)),
-      final_(folder / name),
-      name_(std::move(name)),
-      descriptor_(open_locked(hidden_, final_)) {}
-
-NewFile::~NewFile() {
-  if (!committed_) ::unlink(hidden_.c_str());  // while the lock is held
-  ::close(descriptor_);
-}
-
-void NewFile::write(std::string_view bytes) {
-  if (const int code = files::write_all(descriptor_, bytes); code != 0) throw FileError("write", final_, code);
-}
-
-void NewFile::sync() {
-  if (::fsync(descriptor_) != 0 && errno != EINVAL) throw FileError("write", final_, errno);
-}
-
-void NewFile::commit() {
-  if (std::rename(hidden_.c_str(), final_.c_str()) != 0) throw FileError("write", final_, errno);
-  committed_ = true;
-}
-
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECTORY);
   if (descriptor < 0) throw FileError("open", folder, errno);
@@ -129,10 +73,10 @@ void put_file(const std::filesystem::path& folder, const std::string& name, std:
   if (std::filesystem::is_regular_file(folder / name) && std::filesystem::file_size(folder / name) == content.size() &&
       read_small_file(folder / name) == content)
     return;
-  NewFile file(folder, name);
+  files::WholeFile file(folder / name, std::string(hidden_prefix) + name);
   file.write(content);
   file.sync();
-  file.commit();
+  file.put_in_place();
   sync_folder(folder);
 }
 
@@ -161,7 +105,9 @@ struct ZstdWriter::Frame {
 };
 
 ZstdWriter::ZstdWriter(const std::filesystem::path& folder, std::string name)
-    : file_(folder, std::move(name)), frame_(std::make_unique<Frame>()) {}
+    : name_(std::move(name)),
+      file_(folder / name_, std::string(hidden_prefix) + name_),
+      frame_(std::make_unique<Frame>()) {}
 
 ZstdWriter::~ZstdWriter() = default;
 

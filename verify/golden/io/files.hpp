@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a release: read block by block, or written so that they appear whole or not at all;
-// and errors.
+// The files of a release: read block by block, written whole by files::WholeFile, compressed; and
+// errors.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,12 @@
 #include <string>
 #include <string_view>
 
+#include "reference/files/file_io.hpp"
 #include "verify/digest/sha256.hpp"
 
 namespace fathom::golden {
 
-/// The operating system reported an error: full disk, no permission, a file that cannot be read.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-  /// "cannot `action` `path`: " and the system's words for the error `code` (an errno).
-  FileError(const std::string& action, const std::filesystem::path& path, int code);
-};
+using files::FileError;
 
 /// The folder holds something else than the release: shards of another seed, or other files.
 struct FolderError : std::runtime_error {
@@ -53,33 +49,6 @@ digest::Digest digest_of_file(const std::filesystem::path& path);
 /// one overwrites them.
 inline constexpr std::string_view hidden_prefix = ".new-";
 
-/// A file that appears whole or not at all: beyond files::WholeFile it is synced to disk, and no
-/// other process can write it meanwhile.
-class NewFile {
- public:
-  /// Throws FileError, also if another living process is writing the same file.
-  NewFile(std::filesystem::path folder, std::string name);
-  /// Removes the hidden file unless it was committed.
-  ~NewFile();
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  /// Throws FileError.
-  void write(std::string_view bytes);
-  /// Syncs all bytes to disk. Throws FileError.
-  void sync();
-  /// Gives the file its name. Call sync() first. Throws FileError.
-  void commit();
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-
- private:
-  std::filesystem::path hidden_, final_;
-  std::string name_;
-  int descriptor_ = -1;
-  bool committed_ = false;
-};
-
 /// Syncs the names in a folder to disk. Throws FileError.
 void sync_folder(const std::filesystem::path& folder);
 
@@ -103,9 +72,9 @@ class ZstdWriter {
   void write(std::string_view content);
   /// Ends the frame and syncs it to disk; commit() gives it its name.
   void finish();
-  void commit() { file_.commit(); }
+  void commit() { file_.put_in_place(); }
 
-  [[nodiscard]] const std::string& name() const { return file_.name(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
   /// Digests of the file and of its content. Call each once, after finish().
   digest::Digest of_file() { return file_sum_.digest(); }
   digest::Digest of_content() { return content_sum_.digest(); }
@@ -113,7 +82,8 @@ class ZstdWriter {
  private:
   struct Frame;
   void compress(std::string_view content, bool last);
-  NewFile file_;
+  std::string name_;
+  files::WholeFile file_;
   std::unique_ptr<Frame> frame_;
   digest::Sha256 file_sum_, content_sum_;
 };

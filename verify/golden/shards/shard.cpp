@@ -142,13 +142,13 @@ void ShardWriter::finish() {
     writer->finish();
     manifest_.files.push_back({writer->name(), writer->of_file(), writer->of_content()});
   }
-  NewFile page(folder_,
-               manifest_.name + std::string(manifest_suffix));  // before rename_all: a full disk then renames no file
+  const std::string name = manifest_.name + std::string(manifest_suffix);
+  files::WholeFile page(folder_ / name, std::string(hidden_prefix) + name);  // a full disk then renames no file
   page.write(manifest_text(manifest_));
   page.sync();
   rename_all();
   sync_folder(folder_);
-  page.commit();
+  page.put_in_place();
   sync_folder(folder_);
 }
 

@@ -401,8 +401,8 @@ void write_whole(const std::string& path, const std::string& text) try {
   files::WholeFile file(path);
   file.write(text);
   file.put_in_place();
-} catch (const std::system_error& error) {
-  throw InputError(path, 0, "cannot be written: " + error.code().message());
+} catch (const files::FileError& error) {
+  throw InputError(path, 0, "cannot be written: " + error.code.message());
 }
 
 void make_folder(const std::string& directory) {
