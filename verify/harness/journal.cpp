@@ -24,8 +24,6 @@ namespace {
 
 constexpr mode_t as_umask_allows = 0666;
 
-bool is_summary(std::string_view line) { return line.starts_with(R"({"schema":"fathom/verdict/1","type":"summary")"); }
-
 bool exists_and_holds_something(const std::string& path) {
   struct stat about = {};
   return ::stat(path.c_str(), &about) == 0 && (!S_ISREG(about.st_mode) || about.st_size > 0);
@@ -43,7 +41,7 @@ std::size_t kept_bytes(const std::string& text, const std::string& path, const s
       throw InputError(path, 1,
                        "this report is of another subject, version, setting, tolerance or policy: expected " + header +
                            ", found " + std::string(line));
-    if (number > 1 && is_summary(line)) return kept;
+    if (number > 1 && begins_line(line, "summary")) return kept;
     if (number > 1) {
       if (std::optional<Outcome> outcome = read_outcome(line)) known(*std::move(outcome));
       else if (std::optional<Unattributed> thing = read_unattributed(line)) unattributed(*std::move(thing));
@@ -133,7 +131,7 @@ Journal Journal::create(const std::string& path, const std::string& header, bool
     throw InputError(
         path, 0,
         "it exists; --resume goes on with a report that is there, --overwrite replaces it, or name another file");
-  if (is_there && !files::read_file(path).starts_with(R"({"schema":"fathom/verdict/1","type":"header")"))
+  if (is_there && !begins_line(files::read_file(path), "header"))
     throw InputError(path, 1, "expected a report, which alone --overwrite replaces, found another file");
   Journal journal(path);
   if (is_there && ::ftruncate(journal.file_, 0) != 0)

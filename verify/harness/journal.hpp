@@ -18,6 +18,11 @@
 
 namespace fathom::harness {
 
+inline constexpr std::string_view report_schema = "fathom/verdict/1";
+
+/// Returns whether a text begins as a line of this type does in a report.
+bool begins_line(std::string_view text, const char* type);
+
 /// An outcome as one line of schema fathom/verdict/1, without the newline. read_outcome is its
 /// inverse, and returns nullopt for other text.
 std::string outcome_line(const Outcome& outcome);

@@ -478,7 +478,7 @@ Faces faces_of(const std::vector<Point>& points) {
   return faces;
 }
 
-std::string hello_message() { return fmt::format(R"({{"type":"hello","protocol":"{}"}})", protocol_name); }
+std::string hello_message() { return text::Json{{"type", "hello"}, {"protocol", protocol_name}}.text(); }
 
 std::string run_message(const std::string& ticket, const Case& seen, Precision precision, bool with_faces) {
   text::JsonStream out;
@@ -496,7 +496,7 @@ std::string body_message(const Body& body, Precision precision, bool with_faces)
   return out.take();
 }
 
-std::string stop_message() { return R"({"type":"stop"})"; }
+std::string stop_message() { return text::Json{{"type", "stop"}}.text(); }
 
 SubjectAnswer read_reply(std::string_view line, const NumberFormat& format) {
   const JsonValue object = object_on(line);

@@ -20,7 +20,7 @@ using text::Json;
 
 // ---- writing ----
 
-Json line_of(const char* type) { return {{"schema", "fathom/verdict/1"}, {"type", type}}; }
+Json line_of(const char* type) { return {{"schema", report_schema}, {"type", type}}; }
 
 Json json_of(bool value) { return Json::boolean(value); }
 Json json_of(long value) { return value; }
@@ -169,7 +169,7 @@ void take(const Read& json, double& value) {
   else throw Unreadable();
 }
 void take(const Read& json, mpq_class& value) {
-  const ParsedNumber parsed = parse_number(json.string(), Decimals::exact);
+  const ParsedNumber parsed = text::exact_number(json);
   if (!parsed.value) throw Unreadable();
   value = *parsed.value;
 }
@@ -258,7 +258,7 @@ void take(const Read& json, std::vector<T>& list) {
 template <class Struct>
 std::optional<Struct> read_line(std::string_view text, const char* type) try {
   const Read json = text::parsed_json(text);
-  if (json.at("schema").string() != "fathom/verdict/1" || json.at("type").string() != type) return std::nullopt;
+  if (json.at("schema").string() != report_schema || json.at("type").string() != type) return std::nullopt;
   Struct result;
   take(json, result);
   return result;
@@ -280,6 +280,12 @@ std::map<std::string, std::string> lasting(std::string_view header) {
 }
 
 }  // namespace
+
+bool begins_line(std::string_view text, const char* type) {
+  std::string head = line_of(type).text();
+  head.pop_back();  // the object goes on
+  return text.starts_with(head);
+}
 
 // Outcomes hold replies in the subject's unit; lines have them in that of the case.
 std::string outcome_line(const Outcome& outcome) {

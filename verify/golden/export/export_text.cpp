@@ -105,11 +105,7 @@ void read_answer(const JsonValue& expected, ExportCase& result) {
 std::array<double, 3> rounded_triple(const JsonValue& value) {
   if (value.items().size() != 3) throw NotARecord("expected three numbers, found something else");
   std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const ParsedNumber number = parse_number(plain_text(value.at(i), "-0123456789/"), Decimals::exact);
-    if (!number.value) throw NotARecord(number.error);
-    result[i] = round_binary64(*number.value);
-  }
+  for (std::size_t i = 0; i < 3; ++i) result[i] = round_binary64(number_in(value.at(i)));
   return result;
 }
 

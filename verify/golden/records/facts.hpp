@@ -20,6 +20,7 @@
 #include "fathom/union.hpp"
 #include "kernels/vector.hpp"
 #include "reference/output/answer_json.hpp"
+#include "reference/text/json.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
@@ -153,6 +154,8 @@ struct Facts {
 Facts facts_of(const Recipe& recipe, FormedCase made, RecordStatement truth, std::string certificate_sha256,
                std::optional<ContactFacts> contacts = std::nullopt);
 
+/// Writes what the line of a record of this schema begins with, up to its id.
+void open_line(text::JsonStream& out, std::string_view schema);
 /// Returns the record's line, without a line feed.
 std::string line_of(const Facts& facts);
 

@@ -305,16 +305,15 @@ void write_contacts(JsonStream& out, const ContactFacts& contacts) {
 
 }  // namespace
 
+void open_line(JsonStream& out, std::string_view schema) {
+  out.open('{').key("schema").plain(files::case_schema).key("golden").plain(schema).key("id");
+}
+
 std::string line_of(const Facts& facts) {
   const auto& [recipe, made, in_binary64, in_binary32, truth, sha256, contacts] = facts;
   JsonStream out;
-  out.open('{')
-      .key("schema")
-      .plain(files::case_schema)
-      .key("golden")
-      .plain(record_schemas.at(truth.index()))
-      .key("id")
-      .plain(made.id);
+  open_line(out, record_schemas.at(truth.index()));
+  out.plain(made.id);
   out.key("source").open('{').key("kind").plain(name_of(recipe.source)).key("name").plain(recipe.name);
   if (from_family(recipe.source)) out.key("size").integer(recipe.size).key("seed").plain(std::to_string(recipe.seed));
   out.key("form").plain(name_of(made.form));

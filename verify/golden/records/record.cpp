@@ -109,15 +109,9 @@ namespace {
 
 using text::JsonValue;
 
-mpq_class number(const JsonValue& value) {
-  ParsedNumber parsed = text::exact_number(value);
-  if (!parsed.value) throw NotARecord(parsed.error);
-  return *std::move(parsed.value);
-}
-
 Point point(const JsonValue& value) {
   if (value.items().size() != 3) throw NotARecord("expected three coordinates, found something else");
-  return {number(value.at(0)), number(value.at(1)), number(value.at(2))};
+  return {number_in(value.at(0)), number_in(value.at(1)), number_in(value.at(2))};
 }
 
 Body body(const JsonValue& value) {
@@ -207,6 +201,13 @@ std::optional<std::string> difference(const JsonValue* expected, const JsonValue
 
 }  // namespace
 
+mpq_class number_in(const JsonValue& value) {
+  ParsedNumber parsed = text::exact_number(value);
+  if (parsed.value) return *std::move(parsed.value);
+  throw NotARecord(parsed.error.empty() ? "expected a number, found " + shortened(value.written().text())
+                                        : parsed.error);
+}
+
 ReadRecord read_record(std::string_view line) {
   return read(line, [](const JsonValue& record) {
     ReadRecord claimed;
@@ -226,9 +227,9 @@ std::pair<Surd, Surd> signed_depth_in(std::string_view line) {
   return read(line, [](const JsonValue& record) -> std::pair<Surd, Surd> {
     const JsonValue& value = record.at("expected").at("signed_depth");
     if (const JsonValue* const bounds = value.find("bounds"))
-      return {{number(bounds->at(0)), 0}, {number(bounds->at(1)), 0}};
+      return {{number_in(bounds->at(0)), 0}, {number_in(bounds->at(1)), 0}};
     const JsonValue& exact = value.at("exact");
-    const Surd surd{number(exact.at("plus")), number(exact.at("root")) * exact_value(exact.at("sign").number())};
+    const Surd surd{number_in(exact.at("plus")), number_in(exact.at("root")) * exact_value(exact.at("sign").number())};
     return {surd, surd};
   });
 }
@@ -251,7 +252,9 @@ std::string first_difference(std::string_view expected, std::string_view found) 
 
 std::string_view id_in(std::string_view line) {
   for (const std::string_view kind : record_schemas) {
-    const std::string before = R"({"schema":"fathom/case/1","golden":")" + std::string(kind) + R"(","id":")";
+    text::JsonStream head;
+    open_line(head, kind);
+    const std::string before = head.take() + '"';
     if (!line.starts_with(before)) continue;
     line.remove_prefix(before.size());
     const std::size_t end = line.find('"');

@@ -16,6 +16,7 @@
 #include "fathom/depth.hpp"
 #include "fathom/monitor.hpp"
 #include "fathom/numbers.hpp"
+#include "reference/text/json_value.hpp"
 #include "verify/golden/records/recipe.hpp"
 
 namespace fathom::golden {
@@ -52,6 +53,9 @@ struct ReadRecord {
   std::optional<Witness> witness;  ///< of polytopes, or of their distance
   std::string certificate_sha256;
 };
+
+/// Returns the exact number of a field, one of a string too. Throws NotARecord.
+mpq_class number_in(const text::JsonValue& value);
 
 /// Throws NotARecord.
 ReadRecord read_record(std::string_view line);
