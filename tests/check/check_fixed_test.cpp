@@ -63,30 +63,57 @@ TEST(CheckFixed, CountsBits) {
   EXPECT_EQ(bits(power(1000).get_mpz_t()), 1001U);
 }
 
+/// How many powers of 2 longer a cube is along each axis.
+using Stretch = std::array<long, 3>;
+
+mpq_class times_power(const mpq_class& n, long exponent) {
+  return exponent < 0 ? mpq_class(n >> static_cast<unsigned long>(-exponent))
+                      : mpq_class(n << static_cast<unsigned long>(exponent));
+}
+
 /// Corners of a cube, `m` away from O along each axis, as a body.
-std::string corners(const std::string& name, const mpz_class& m, const std::vector<int>& numbers) {
+std::string corners(const std::string& name, const mpz_class& m, const std::vector<int>& numbers,
+                    const Stretch& stretch = {}) {
   std::string result = name + " " + std::to_string(numbers.size()) + "\n";
   for (const int number : numbers)
-    for (int axis = 0; axis < 3; ++axis)
-      result += mpz_class((number >> axis & 1) == 0 ? -m : m).get_str() + (axis == 2 ? "\n" : " ");
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result += times_power((number >> axis & 1) == 0 ? -m : m, stretch[axis]).get_str() + (axis == 2 ? "\n" : " ");
   return result;
 }
 const std::vector<int> all{0, 1, 2, 3, 4, 5, 6, 7};
 
-/// Both bodies are that cube: the coordinates of the vertices are twice as large.
-std::string cubes_of(const mpz_class& m) {
-  return "fathom-certificate 1\n" + corners("a", m, all) + corners("b", m, all) + "claim depth " +
-         mpz_class(4 * m * m).get_str() +
-         "\ndirections 6 all\n-1 0 0\n0 -1 0\n0 0 -1\n0 0 1\n0 1 0\n1 0 0\nvertices 8\n0 7\n1 6\n2 5\n3 4\n4 3\n5 2\n"
-         "6 1\n7 0\nfacets 6\n4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\nend 8 8 6 8 6\n";
+/// Both bodies are that cube: the coordinates of the vertices are twice as large. The shortest axes
+/// are the optima.
+std::string cubes_of(const mpz_class& m, const Stretch& stretch = {}) {
+  const long least = *std::min_element(stretch.begin(), stretch.end());
+  std::string optima;
+  const auto add = [&](std::size_t axis, const char* direction) {
+    if (stretch[axis] == least) optima += direction;
+  };
+  add(0, "-1 0 0\n"), add(1, "0 -1 0\n"), add(2, "0 0 -1\n"), add(2, "0 0 1\n"), add(1, "0 1 0\n"), add(0, "1 0 0\n");
+  const std::string count = std::to_string(std::count(optima.begin(), optima.end(), '\n'));
+  return "fathom-certificate 1\n" + corners("a", m, all, stretch) + corners("b", m, all, stretch) + "claim depth " +
+         times_power(4 * m * m, 2 * least).get_str() + "\ndirections " + count + " all\n" + optima +
+         "vertices 8\n0 7\n1 6\n2 5\n3 4\n4 3\n5 2\n"
+         "6 1\n7 0\nfacets 6\n4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n4 4 5 7 6\nend 8 8 " +
+         count + " 8 6\n";
 }
 
 /// A is a point, B the tetrahedron of every other corner, which has the longest normals:
-/// 4 m^2 (1, 1, 1).
-std::string tetrahedron(const mpz_class& m) {
-  return "fathom-certificate 1\na 1\n0 0 0\n" + corners("b", m, {0, 3, 5, 6}) + "claim depth " +
-         mpz_class(m * m).get_str() +
-         "/3\ndirections 4 all\n-1 -1 1\n-1 1 -1\n1 -1 -1\n1 1 1\nvertices 4\n0 0\n1 0\n2 0\n3 0\n"
+/// 4 m^2 (1, 1, 1), or of a cube that is stretched by s, 4 m^2 s_x s_y s_z (1/s_x, 1/s_y, 1/s_z).
+std::string tetrahedron(const mpz_class& m, const Stretch& stretch = {}) {
+  const long longest = *std::max_element(stretch.begin(), stretch.end());
+  mpq_class sum = 0;
+  std::array<std::string, 3> n;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    sum += times_power(1, -2 * stretch[axis]);
+    n[axis] = times_power(1, longest - stretch[axis]).get_str();
+  }
+  const auto& [x, y, z] = n;
+  return "fathom-certificate 1\na 1\n0 0 0\n" + corners("b", m, {0, 3, 5, 6}, stretch) + "claim depth " +
+         mpq_class(m * m / sum).get_str() + "\ndirections 4 all\n-" + x + " -" + y + " " + z + "\n-" + x + " " + y +
+         " -" + z + "\n" + x + " -" + y + " -" + z + "\n" + x + " " + y + " " + z +
+         "\nvertices 4\n0 0\n1 0\n2 0\n3 0\n"
          "facets 4\n3 1 3 2\n3 0 2 3\n3 0 3 1\n3 0 1 2\nend 1 4 4 4 4\n";
 }
 
@@ -128,6 +155,10 @@ std::vector<std::string> at_the_bounds() {
       result.insert(result.end(), {cubes_of(m), tetrahedron(m), apart(m, power(62)), apart(m, power(63) - 1),
                                    apart(m, power(63)), apart(m, power(127) - 1), apart(m, power(127))});
   }
+  for (const Stretch& stretch :
+       {Stretch{0, 200, 64}, {300, 1, 0}, {-130, -130, -130}, {1000, 1000, 1000}, {7, -990, 7}})
+    for (const mpz_class& m : {mpz_class(1), mpz_class(power(53) - 1), mpz_class(power(63) + 1)})
+      result.insert(result.end(), {cubes_of(m, stretch), tetrahedron(m, stretch)});
   return result;
 }
 

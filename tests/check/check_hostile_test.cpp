@@ -198,6 +198,27 @@ void expect_digits_fit() {
   }
 }
 
+TEST(CheckHostile, IntegersOfAnyLengthAreThoseOfGmp) {
+  std::string digits;
+  for (int k = 0; k < 700; ++k) {
+    digits += static_cast<char>('0' + (k < 5 || k % 7 == 0 ? 0 : k * k % 10));
+    EXPECT_EQ(to_integer(digits), mpz_class(digits, 10)) << digits;
+    EXPECT_EQ(to_integer("-" + digits), -mpz_class(digits, 10)) << digits;
+    const std::string nines(digits.size(), '9');
+    EXPECT_EQ(to_integer(nines), mpz_class(nines, 10)) << nines;
+  }
+}
+
+TEST(CheckHostile, DigitsAreTheseTen) {
+  for (std::size_t length = 1; length < 30; ++length)
+    for (std::size_t at = 0; at < length; ++at)
+      for (int c = 0; c < 256; ++c) {
+        std::string text(length, '9');
+        text[at] = static_cast<char>(c);
+        EXPECT_EQ(is_natural(text), c >= '0' && c <= '9') << length << " " << at << " " << c;
+      }
+}
+
 TEST(CheckHostile, ShortIntegersFitTheirType) {
   expect_digits_fit<std::int16_t>();
   expect_digits_fit<std::int32_t>();

@@ -121,6 +121,7 @@ MUTANTS = [Mutant(*fields) for fields in [
     ("verify/check/fixed.hpp", "(middle >> 64) + (other >> 64)", "(middle >> 64)", "check_tests"),
     ("verify/check/vectors.hpp", "if (size <= 63)", "if (size <= 64)", "check_tests"),
     ("verify/check/check_inner.cpp", "return most <= most_bits_of_vertices(s) ?", "return most <= 63 ?", "check_tests"),
+    ("verify/check/scaled.cpp", "static_cast<long>(common) - static_cast<long>(largest())", "0", "check_tests"),
     ("verify/check/check_cone.cpp", "if (ends[r] < 2) throw", "if (ends[r] < 1) throw", "check_tests"),
     ("verify/check/check_unions.cpp", "if (listed != open_[s]) throw", "if (listed > open_[s]) throw", "check_tests"),
     ("verify/check/check_patches.cpp", "product_ != lowest_ * p.den) throw", "product_ < lowest_ * p.den) throw", "check_tests"),

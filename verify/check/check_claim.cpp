@@ -9,8 +9,8 @@ namespace fathom_check {
 namespace {
 
 /// What the claim says of the cores with this number of it: h(n)/|n|, squared with its sign, in
-/// units of 1 / scale.
-Bound of_cores(const Certificate& c, const Rational& claimed) {
+/// units of 2^zeros / scale.
+Bound of_cores(const Certificate& c, const Rational& claimed, mp_bitcnt_t zeros = 0) {
   mpq_class result = value(claimed);
   if (c.claim == Claim::apart) result = -result;
   if (c.claim == Claim::signed_bounds) {
@@ -18,6 +18,7 @@ Bound of_cores(const Certificate& c, const Rational& claimed) {
     result *= abs(result);
   }
   result *= c.scale * c.scale;
+  result >>= 2 * zeros;
   return {result.get_num(), result.get_den()};
 }
 
@@ -50,9 +51,10 @@ void check_claim(const Certificate& c, Arithmetic arithmetic) {
   if (is_of_solids(c)) return check_two_bodies(c, of_cores(c, c.low));
   if (c.format != 3) check_counts(c);
   const Scaled bodies = scaled(c, arithmetic);
-  const Bound low = of_cores(c, c.low);
+  const mp_bitcnt_t zeros = bodies.units.largest();
+  const Bound low = of_cores(c, c.low, zeros);
   if (c.format == 3) return check_unions(c, bodies, low);
-  check_directions(c, bodies, low, of_cores(c, c.high));
+  check_directions(c, bodies, low, of_cores(c, c.high, zeros));
   if (c.proof == Proof::facets) check_inner(c, bodies, low.num > 0 ? low : Bound{0, 1});
   if (c.proof == Proof::weights) check_weights(c, bodies.a.all_points(), bodies.b.all_points(), low);
   if (c.has_cone) check_cone(c, bodies);

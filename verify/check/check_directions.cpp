@@ -23,8 +23,9 @@ class Directions {
 
   void check_direction(const Vector& n, std::size_t line) {
     if (is_zero(n)) throw refused(line, "a direction that is zero proves nothing");
-    toward_a_ = negated(n);
     toward_b_ = copied(n);
+    power_ = bodies_->units.take(toward_b_);
+    toward_a_ = negated(toward_b_);
     h_ = height(c_->a, bodies_->a, toward_a_, line) + height(c_->b, bodies_->b, toward_b_, line);
     check_upper(n, line);
     if (!has_half_space(*c_) || c_->claim == Claim::disjoint) return;
@@ -57,6 +58,8 @@ class Directions {
     product_ *= bound.num;
     product_ *= h_.get_den();
     product_ *= h_.get_den();
+    if (power_ > 0) reached <<= static_cast<mp_bitcnt_t>(2 * power_);
+    if (power_ < 0) product_ <<= static_cast<mp_bitcnt_t>(-2 * power_);
     return cmp(reached, product_);
   }
 
@@ -129,8 +132,9 @@ class Directions {
   const Certificate* c_;
   const Scaled* bodies_;
   const Bound *low_, *high_;
-  MutableVector toward_a_, toward_b_;  ///< -n and n
-  mpq_class h_;
+  MutableVector toward_a_, toward_b_;  ///< -n and n, in the units of the points
+  mpq_class h_;                        ///< times 2^power_
+  long power_ = 0;
   mpz_class product_, scratch_;
 };
 

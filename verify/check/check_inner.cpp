@@ -97,13 +97,14 @@ class Inner {
   using Plane = typename Kind::Plane;
 
   Inner(const std::vector<Point>& vertices, const FacetRange& range, const Bound& squared, const NearestFacet& nearest,
-        Arena& integers)
+        Arena& integers, const Units& units)
       : vertices_(&vertices),
         range_(&range),
         facets_(&range.part->items),
         squared_(&squared),
         nearest_(&nearest),
-        integers_(&integers) {}
+        integers_(&integers),
+        units_(&units) {}
 
   std::vector<Plane> check() {
     if (size() == 0) throw refused(range_->line, "there is no facet");
@@ -126,6 +127,7 @@ class Inner {
   void find_plane(std::size_t f);
   void find_fan_normal(std::size_t f, std::size_t k);
   void check_distance(std::size_t f);
+  void make_equal();
   void check_polygon(std::size_t f);
   void check_edges(std::size_t f, const EdgeTable& edges);
   bool turns_inward(std::size_t f, std::size_t k, const Plane& across);
@@ -146,12 +148,14 @@ class Inner {
   const Bound* squared_;
   const NearestFacet* nearest_;
   Arena* integers_;
+  const Units* units_;
   std::vector<Plane> planes_;
 
   // What is computed about the facet at hand.
   typename Kind::Edge first_edge_, second_edge_;
   typename Kind::Normal normal_, product_;
   typename Kind::Number c_of_plane_, height_;
+  MutableVector equal_;  ///< the normal where the axes have equal units
   mpz_class reached_, needed_;
 };
 
@@ -191,19 +195,29 @@ void Inner<Kind>::find_plane(std::size_t f) {
 }
 
 template <class Kind>
+void Inner<Kind>::make_equal() {
+  copy(equal_.x, normal_.x), copy(equal_.y, normal_.y), copy(equal_.z, normal_.z);
+  units_->make_equal(equal_);
+}
+
+template <class Kind>
 void Inner<Kind>::check_distance(std::size_t f) {
   if (sgn(c_of_plane_) <= 0) throw refused(line(f), "O does not lie below this facet");
   copy(reached_, c_of_plane_);
   reached_ *= reached_;
   reached_ *= squared_->den;
-  dot(height_, normal_, normal_);
-  copy(needed_, height_);
+  if (units_->equal()) {
+    dot(height_, normal_, normal_);
+    copy(needed_, height_);
+  } else {
+    make_equal();
+    dot(needed_, equal_, equal_);
+  }
   needed_ *= squared_->num;
   if (reached_ < needed_) throw refused(line(f), "this facet is nearer to O than claimed");
   if (!*nearest_ || reached_ != needed_) return;
-  MutableVector normal;
-  copy(normal.x, normal_.x), copy(normal.y, normal_.y), copy(normal.z, normal_.z);
-  (*nearest_)(line(f), normal);
+  make_equal();
+  (*nearest_)(line(f), equal_);
 }
 
 template <class Kind>
@@ -310,8 +324,8 @@ std::vector<Vector> differences(const Part<std::vector<Pair>>& vertices, std::si
 }
 
 std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
-                                  const NearestFacet& nearest, Arena& integers) {
-  return Inner<AnySize>(vertices, facets, squared, nearest, integers).check();
+                                  const NearestFacet& nearest, Arena& integers, const Units& units) {
+  return Inner<AnySize>(vertices, facets, squared, nearest, integers, units).check();
 }
 
 void check_inner(const Certificate& c, const Scaled& bodies, const Bound& squared) {
@@ -322,10 +336,10 @@ void check_inner(const Certificate& c, const Scaled& bodies, const Bound& square
   const FacetRange facets{&c.facets, 0, c.facets.items.size(), c.facets.line};
   const Points a = bodies.a.all_points(), b = bodies.b.all_points();
   if (const auto vertices = fixed_differences(c, a, b)) {
-    Inner<FixedSize>(*vertices, facets, squared, nearest, integers).check();
+    Inner<FixedSize>(*vertices, facets, squared, nearest, integers, bodies.units).check();
   } else {
     check_polytope(differences(c.vertices, 0, c.vertices.items.size(), a, b, integers), facets, squared, nearest,
-                   integers);
+                   integers, bodies.units);
   }
 }
 

@@ -66,7 +66,7 @@ using NearestFacet = std::function<void(std::size_t line, const MutableVector& n
 /// The inner polytope of these vertices: it holds a ball of squared radius `squared` around O.
 /// Returns the planes of its facets, whose digits lie in `integers`.
 std::vector<Plane> check_polytope(const std::vector<Vector>& vertices, const FacetRange& facets, const Bound& squared,
-                                  const NearestFacet& nearest, Arena& integers);
+                                  const NearestFacet& nearest, Arena& integers, const Units& units = {});
 
 /// The inner polytope holds a ball of squared radius `squared` around O; with `all`, no direction
 /// is missing.

@@ -2,11 +2,14 @@
 #include "scaled.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "limits.hpp"
 
 namespace fathom_check {
 namespace {
+
+constexpr std::array<Integer Vector::*, 3> axes{&Vector::x, &Vector::y, &Vector::z};
 
 class Scaling {
  public:
@@ -110,15 +113,58 @@ class Scaling {
   mpz_class product_;
 };
 
-void make_words(ScaledBody& body) {
+/// Returns false if a coordinate does not fit.
+bool make_words(ScaledBody& body) {
   const auto fits = [](const Vector& p) { return std::max({bits(p.x), bits(p.y), bits(p.z)}) <= most_bits_of_words; };
-  if (!std::all_of(body.points.begin(), body.points.end(), fits)) return;
+  if (!std::all_of(body.points.begin(), body.points.end(), fits)) return false;
   body.words.reserve(body.points.size());
   for (const Vector& p : body.points)
     body.words.push_back({to_word(p.x.get_mpz_t()), to_word(p.y.get_mpz_t()), to_word(p.z.get_mpz_t())});
+  return true;
+}
+
+/// The least that no coordinate of this axis has fewer of; 0 if all are 0.
+mp_bitcnt_t common_zeros(const Scaled& bodies, Integer Vector::*axis) {
+  mp_bitcnt_t least = std::numeric_limits<mp_bitcnt_t>::max();
+  for (const ScaledBody* const body : {&bodies.a, &bodies.b})
+    for (const Vector& p : body->points)
+      if ((p.*axis).sign() != 0) least = std::min(least, mpz_scan1((p.*axis).get_mpz_t(), 0));
+  return least == std::numeric_limits<mp_bitcnt_t>::max() ? 0 : least;
+}
+
+void leave_zeros_out(Scaled& bodies) {
+  mpz_class shifted;
+  bodies.a.words.clear(), bodies.b.words.clear();
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const mp_bitcnt_t zeros = bodies.units.zeros[i] = common_zeros(bodies, axes[i]);
+    for (ScaledBody* const body : {&bodies.a, &bodies.b}) {
+      for (Vector& p : body->points) {
+        mpz_tdiv_q_2exp(shifted.get_mpz_t(), (p.*axes[i]).get_mpz_t(), zeros);
+        p.*axes[i] = bodies.integers.keep(shifted);
+      }
+    }
+  }
 }
 
 }  // namespace
+
+void Units::make_equal(MutableVector& n) const {
+  if (equal()) return;
+  const mp_bitcnt_t most = largest();
+  n.x <<= most - zeros[0], n.y <<= most - zeros[1], n.z <<= most - zeros[2];
+}
+
+long Units::take(MutableVector& n) const {
+  if (equal()) return 0;
+  const std::array<mpz_class*, 3> entries{&n.x, &n.y, &n.z};
+  mp_bitcnt_t common = std::numeric_limits<mp_bitcnt_t>::max();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    *entries[i] <<= zeros[i];
+    if (*entries[i] != 0) common = std::min(common, mpz_scan1(entries[i]->get_mpz_t(), 0));
+  }
+  for (mpz_class* const entry : entries) *entry >>= common;
+  return static_cast<long>(common) - static_cast<long>(largest());
+}
 
 Homogeneous homogeneous(const RationalPoint& p) {
   const mpz_class w = lcm(lcm(p.x.den.value(), p.y.den.value()), p.z.den.value());
@@ -148,8 +194,11 @@ Scaled scaled(const Certificate& certificate, Arithmetic arithmetic) {
   Scaling scaling(certificate, result.integers);
   result.a = scaling.body(certificate.a);
   result.b = scaling.body(certificate.b);
-  if (arithmetic == Arithmetic::fixed_where_it_fits)
-    for (ScaledBody* const body : {&result.a, &result.b}) make_words(*body);
+  if (arithmetic == Arithmetic::of_any_size) return result;
+  const auto make_all_words = [&result] { return make_words(result.a) & make_words(result.b); };
+  if (make_all_words() || certificate.format != 1 || certificate.proof != Proof::facets) return result;
+  leave_zeros_out(result);
+  make_all_words();
   return result;
 }
 

@@ -5,6 +5,8 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "certificate.hpp"
@@ -23,7 +25,23 @@ std::vector<Homogeneous> homogeneous(const Body& body);
 /// Finds a positive multiple of `to` - `from`: the difference times both denominators.
 void subtract(MutableVector& difference, const Homogeneous& to, const Homogeneous& from);
 
-/// In units of 1 / certificate.scale.
+/// Zeros that binary digits of all points end with, left out axis by axis: by so many powers of 2
+/// coordinates are larger than is stored. No plane, and no side of one, depends on such units;
+/// lengths do.
+struct Units {
+  std::array<mp_bitcnt_t, 3> zeros{};
+
+  [[nodiscard]] mp_bitcnt_t largest() const { return *std::max_element(zeros.begin(), zeros.end()); }
+  [[nodiscard]] bool equal() const { return zeros[0] == zeros[1] && zeros[1] == zeros[2]; }
+  /// Makes of the normal of the plane <n,x> = c in these units that of the same plane where all
+  /// axes have the largest unit, with the same c.
+  void make_equal(MutableVector& n) const;
+  /// Makes of a direction that of its planes in these units. Returns the power of 2 by which
+  /// heights along the one before are larger, where all axes have the largest unit.
+  long take(MutableVector& n) const;
+};
+
+/// In units of 2^zeros / certificate.scale.
 struct ScaledBody {
   std::vector<Vector> points;                           ///< the core points: none of a half-space; of all pieces
   std::vector<Words> words;                             ///< the same points; empty if one of them does not fit
@@ -37,6 +55,7 @@ struct ScaledBody {
 /// Both bodies. They may share digits with the certificate, which must outlive them.
 struct Scaled {
   Arena integers;
+  Units units;  ///< all 1 but for claims of depth about polytopes
   ScaledBody a, b;
 };
 

@@ -2,6 +2,9 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "fixed.hpp"
 
 namespace fathom_check {
 namespace {
@@ -10,6 +13,57 @@ int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
+}
+
+/// Eight characters, the first one lowest. Compilers make one load of it.
+std::uint64_t eight(const char* at) {
+  const auto byte = [at](unsigned i) { return std::uint64_t{static_cast<unsigned char>(at[i])} << 8 * i; };
+  return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
+}
+
+/// Whether each is 0x30 to 0x39: with 6 added, its upper half is 3 still.
+bool are_digits(std::uint64_t characters) {
+  constexpr std::uint64_t upper = 0xf0f0f0f0f0f0f0f0, zeros = 0x3030303030303030, six = 0x0606060606060606;
+  return (characters & upper) == zeros && ((characters + six) & upper) == zeros;
+}
+
+/// The number that eight digits spell. Each step joins neighbours: digits to pairs, these to fours,
+/// these to the whole.
+std::uint64_t eight_digits(const char* at) {
+  const std::uint64_t digits = eight(at) & 0x0f0f0f0f0f0f0f0f;
+  const std::uint64_t pairs = (10 * digits + (digits >> 8)) & 0x00ff00ff00ff00ff,
+                      fours = (100 * pairs + (pairs >> 16)) & 0x0000ffff0000ffff;
+  return (10000 * fours + (fours >> 32)) & 0xffffffff;
+}
+
+/// Of at most 16 digits.
+std::uint64_t number_of(std::string_view digits) {
+  std::uint64_t value = 0;
+  for (; digits.size() >= 8; digits.remove_prefix(8)) value = value * 100'000'000 + eight_digits(digits.data());
+  for (const char c : digits) value = value * 10 + static_cast<std::uint64_t>(c - '0');
+  return value;
+}
+
+constexpr std::size_t most_digits_by_words = 640;  // GMP's time for more does not grow with their square
+
+/// Takes 16 digits after another into words; 19 digits are less than 64 bits.
+mpz_class integer_by_words(std::string_view digits) {
+  constexpr std::size_t step = 16;
+  std::array<std::uint64_t, most_digits_by_words / 19 + 1> words;
+  std::size_t size = 0;
+  for (std::size_t count = digits.size() % step; !digits.empty(); count = step) {
+    std::uint64_t carry = number_of(digits.substr(0, count));
+    digits.remove_prefix(count);
+    for (std::size_t i = 0; i < size; ++i) {
+      const Uint128 product = Uint128{words[i]} * 10'000'000'000'000'000U + carry;
+      words[i] = static_cast<std::uint64_t>(product);
+      carry = static_cast<std::uint64_t>(product >> 64);
+    }
+    if (carry != 0) words[size++] = carry;
+  }
+  mpz_class result;
+  mpz_import(result.get_mpz_t(), size, -1, sizeof(words[0]), 0, 0, words.data());
+  return result;
 }
 
 /// What is below `first`, not ASCII, or %, as %XX.
@@ -81,13 +135,20 @@ std::string unescaped(std::string_view text) {
 }
 
 bool is_natural(std::string_view token) {
-  return !token.empty() && std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (token.empty()) return false;
+  for (; token.size() >= 8; token.remove_prefix(8))
+    if (!are_digits(eight(token.data()))) return false;
+  return std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 mpz_class to_integer(std::string_view token) {
   if (const std::optional<long> value = short_integer<long>(token)) return *value;
+  const bool negative = token[0] == '-';
+  const std::string_view digits = token.substr(negative ? 1 : 0);
   mpz_class result;
-  result.set_str(std::string(token), 10);
+  if (digits.size() <= most_digits_by_words) result = integer_by_words(digits);
+  else result.set_str(std::string(digits), 10);
+  if (negative) result = -result;
   return result;
 }
 

@@ -104,6 +104,7 @@ void find_largest(mpz_class& largest, mpz_class& scratch, const S& s, const Poin
 
 inline MutableVector copied(const Vector& v) { return {v.x.value(), v.y.value(), v.z.value()}; }
 inline MutableVector negated(const Vector& v) { return {-v.x.value(), -v.y.value(), -v.z.value()}; }
+inline MutableVector negated(const MutableVector& v) { return {-v.x, -v.y, -v.z}; }
 
 inline Vector kept(Arena& arena, const MutableVector& v) { return {arena.keep(v.x), arena.keep(v.y), arena.keep(v.z)}; }
 
