@@ -300,58 +300,6 @@ Roundings roundings_of_root(const mpq_class& squared) {
   return sgn(squared) == 0 ? Roundings{} : roundings_of(cut_root(squared, binary64));
 }
 
-/// "00", "01" to "99".
-constexpr std::array<char, 200> digit_pairs = [] {
-  std::array<char, 200> pairs{};
-  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = static_cast<char>('0' + (i % 2 == 0 ? i / 20 : i / 2 % 10));
-  return pairs;
-}();
-
-void append_digits(mpz_srcptr n, std::string& text) {
-  constexpr std::size_t few = 8;  // words; more are for GMP, whose time does not grow with their square
-  std::size_t size = mpz_size(n);
-  if (size > few) {
-    const std::size_t begin = text.size();
-    text.resize(begin + mpz_sizeinbase(n, 10) + 2);
-    mpz_get_str(text.data() + begin, 10, n);
-    text.resize(text.find('\0', begin));
-    return;
-  }
-  constexpr mp_limb_t chunk = 10'000'000'000'000'000'000U;
-  constexpr std::ptrdiff_t chunk_digits = 19;
-  std::array<mp_limb_t, few> rest;
-  std::copy_n(mpz_limbs_read(n), size, rest.begin());
-  std::array<char, 20 * few + 1> digits;
-  char *const end = digits.data() + digits.size(), *at = end;
-  while (true) {
-    mp_limb_t last = 0;  // what is left of it behind the whole chunks
-    for (std::size_t i = size; i-- > 0;) {
-      const Uint128 both = Uint128{last} << 64 | rest[i];
-      rest[i] = static_cast<mp_limb_t>(both / chunk);
-      last = static_cast<mp_limb_t>(both - Uint128{rest[i]} * chunk);
-    }
-    while (size > 0 && rest[size - 1] == 0) --size;
-    char* const stop = at;
-    for (; last >= 10; last /= 100) {
-      at -= 2;
-      std::copy_n(digit_pairs.begin() + 2 * (last % 100), 2, at);
-    }
-    if (last > 0) *--at = static_cast<char>('0' + last);
-    if (size == 0) break;
-    while (stop - at < chunk_digits) *--at = '0';
-  }
-  if (at == end) *--at = '0';
-  if (mpz_sgn(n) < 0) *--at = '-';
-  text.append(at, end);
-}
-
-void append_exact(const mpq_class& value, std::string& text) {
-  append_digits(value.get_num_mpz_t(), text);
-  if (mpz_cmp_ui(value.get_den_mpz_t(), 1) == 0) return;
-  text += '/';
-  append_digits(value.get_den_mpz_t(), text);
-}
-
 void append_hex(double value, std::string& text) {
   constexpr int fraction_bits = 52, bias = 1023;
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);

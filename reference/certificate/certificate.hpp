@@ -9,10 +9,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <span>
 #include <string>
@@ -23,6 +21,7 @@
 #include "fathom/certificate.hpp"
 #include "fathom/depth.hpp"
 #include "fathom/numbers.hpp"
+#include "kernels/number/decimal.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
@@ -65,8 +64,7 @@ inline constexpr std::array<PowerOfTwo, 64> powers_of_two = [] {
   return powers;
 }();
 
-/// Writes words and lines to a text that grows, with one blank between two words of a line; numbers
-/// of one or two limbs without GMP.
+/// Writes words and lines to a text that grows, with one blank between two words of a line.
 class Writer {
  public:
   explicit Writer(std::size_t likely_size) : text_(likely_size, '\0') {}
@@ -75,20 +73,23 @@ class Writer {
     char* const at = begin_word(text.size());
     return done(at + text.copy(at, text.size()));
   }
-  Writer& word(std::size_t n) { return done(put(begin_word(20), std::uint64_t{n})); }
-  Writer& word(const mpz_class& n) { return done(put(begin_word(size_of(n)), n)); }
+  Writer& word(std::size_t n) { return done(kernels::put_digits(begin_word(20), std::uint64_t{n})); }
+  Writer& word(const mpz_class& n) {
+    return done(kernels::put_digits(begin_word(kernels::most_digits(n.get_mpz_t())), n.get_mpz_t()));
+  }
   Writer& word(const mpq_class& q) {
-    char* at = put(begin_word(size_of(q.get_num()) + size_of(q.get_den())), q.get_num());
-    if (mpz_cmp_ui(q.get_den_mpz_t(), 1) == 0) return done(at);
-    *at++ = '/';
-    return done(put(at, q.get_den()));
+    const mpz_srcptr n = q.get_num_mpz_t(), d = q.get_den_mpz_t();
+    char* const at = kernels::put_digits(begin_word(kernels::most_digits(n) + 1 + kernels::most_digits(d)), n);
+    if (mpz_cmp_ui(d, 1) == 0) return done(at);
+    *at = '/';
+    return done(kernels::put_digits(at + 1, d));
   }
   Writer& word(double value) {
     const kernels::Dyadic n = kernels::dyadic(value);
-    if (n.exponent > 0 || n.exponent < -63) return word(exact_value(value));
+    if (n.exponent > 0 || n.exponent < -63) return far(n);
     char* at = begin_word(48);
     if (n.mantissa < 0) *at++ = '-';
-    at = put(at, static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
+    at = kernels::put_digits(at, static_cast<std::uint64_t>(n.mantissa < 0 ? -n.mantissa : n.mantissa));
     if (n.exponent == 0) return done(at);
     *at++ = '/';
     const PowerOfTwo& power = powers_of_two[static_cast<std::size_t>(-n.exponent)];
@@ -111,9 +112,14 @@ class Writer {
   }
 
  private:
-  __extension__ using Double = unsigned __int128;
-  static constexpr std::uint64_t ten_to_19 = 10'000'000'000'000'000'000U;
-
+  // A number whose power of 2 is not in the table.
+  Writer& far(const kernels::Dyadic& n) {
+    const kernels::Dyadic above{n.mantissa, std::max(n.exponent, 0L)}, below{1, std::max(-n.exponent, 0L)};
+    char* const at = kernels::put_digits(begin_word(most_digits(above) + 1 + most_digits(below)), above);
+    if (below.exponent == 0) return done(at);
+    *at = '/';
+    return done(kernels::put_digits(at + 1, below));
+  }
   // Where the next characters go, at most so many.
   char* room(std::size_t most) {
     if (text_.size() - size_ < most) text_.resize(2 * text_.size() + most);
@@ -129,29 +135,6 @@ class Writer {
   Writer& done(const char* end) {
     size_ = static_cast<std::size_t>(end - text_.data());
     return *this;
-  }
-
-  // With the sign, and what mpz_get_str needs; 2^128 has 39 digits.
-  static std::size_t size_of(const mpz_class& n) {
-    return mpz_size(n.get_mpz_t()) <= 2 ? 42 : mpz_sizeinbase(n.get_mpz_t(), 10) + 2;
-  }
-  static char* put(char* at, std::uint64_t n) { return std::to_chars(at, at + 20, n).ptr; }
-  static char* put(char* at, const mpz_class& number) {
-    const mpz_srcptr n = number.get_mpz_t();
-    if (mpz_size(n) > 2) {
-      mpz_get_str(at, 10, n);
-      return at + std::strlen(at);
-    }
-    if (mpz_sgn(n) < 0) *at++ = '-';
-    return put_two(at, static_cast<Double>(mpz_getlimbn(n, 1)) << 64 | mpz_getlimbn(n, 0));
-  }
-  static char* put_two(char* at, Double n) {
-    if (n < ten_to_19) return put(at, static_cast<std::uint64_t>(n));
-    at = put_two(at, n / ten_to_19);
-    char digits[20];
-    const char* const end = put(digits, static_cast<std::uint64_t>(n % ten_to_19));
-    at = std::fill_n(at, 19 - (end - digits), '0');
-    return std::copy(static_cast<const char*>(digits), end, at);
   }
 
   std::string text_;

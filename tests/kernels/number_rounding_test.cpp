@@ -326,26 +326,6 @@ TEST(Rounding, TheEnvironmentHasNoSay) {
   }
 }
 
-TEST(ExactText, IsThatOfGmp) {
-  const auto expect_same = [](const mpz_class& n) {
-    for (const mpz_class& signed_one : {n, mpz_class(-n)}) {
-      std::string text = "n = ";
-      append_digits(signed_one.get_mpz_t(), text);
-      ASSERT_EQ(text, "n = " + signed_one.get_str());
-    }
-  };
-  mpz_class power = 1;  // whole chunks of zeros and of nines, through the number of words that go to GMP
-  for (int digits = 0; digits < 200; ++digits, power *= 10)
-    for (const int off : {-1, 0, 1}) expect_same(power + off);
-  for (unsigned bits = 0; bits < 700; ++bits)
-    for (const int off : {-1, 0, 1}) expect_same((mpz_class(1) << bits) + off);
-  EXPECT_TRUE(holds({.seed = 22, .runs = 2000}, [] {
-    const mpq_class q = ratio(random_integer(), mpz_class(random_integer() + 1));
-    RC_ASSERT(exact_text(q) == q.get_str() && exact_text(-q) == mpq_class(-q).get_str());
-    RC_ASSERT(exact_text(q.get_num()) == q.get_num().get_str());
-  }));
-}
-
 TEST(HexText, AsPercentAPrintsIt) {
   EXPECT_EQ(hex_text(0.1), "0x1.999999999999ap-4");
   EXPECT_EQ(hex_text(0.0), "0x0p+0");
