@@ -265,15 +265,27 @@ std::optional<Turn> smallest_turn(const std::vector<Point>& directions, Target t
 
 /// The pair of directions, one of A and one of B, that agrees best, as a turn of A's; nullopt if no
 /// agreement is positive.
+// Agreements depend on no length: those of primitive integers are compared without a division.
 std::optional<Turn> smallest_turn(const std::vector<Point>& of_a, const std::vector<Point>& of_b) {
+  std::vector<Vector> primitive_of_b;
+  for (const Point& to : of_b) primitive_of_b.push_back(primitive_along(to));
   std::optional<Turn> best;
-  mpq_class most = 0;
-  for (const Point& from : of_a)
-    for (const Point& to : of_b)
-      if (const mpq_class here = agreement(from, to); here > most) {
-        most = here;
-        best = Turn{from, to};
-      }
+  mpz_class most = 0, least = 1;  // cos^2 is a fraction of these
+  for (const Point& from : of_a) {
+    const Vector u = primitive_along(from);
+    const mpz_class square = dot(u, u);
+    for (std::size_t k = 0; k < of_b.size(); ++k) {
+      const Vector& v = primitive_of_b[k];
+      mpz_class cosine = dot(u, v);
+      if (cosine <= 0) continue;
+      cosine *= cosine;
+      const mpz_class squares = square * dot(v, v);
+      if (cosine * least <= most * squares) continue;
+      most = cosine;
+      least = squares;
+      best = Turn{from, of_b[k]};
+    }
+  }
   return best;
 }
 
