@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "kernels/filters/error_bounds.hpp"
 #include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
+#include "kernels/number/word_integer.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "kernels/vector.hpp"
 
@@ -139,9 +141,38 @@ inline double image(std::int64_t c, long exponent) {
   return c < 0 ? -scaled : scaled;
 }
 
-template <unsigned Bits>
-Vec3<double> image(const Vec3<FixedInteger<Bits>>& v, long exponent) {
+/// The same for a word integer. `exponent` lies in [0, 400].
+template <WordInteger T>
+double image(const T& c, long exponent) {
+  const long beyond = std::max(c.bit_length() - 53, 0L);
+  const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + beyond - exponent) << 52);
+  const double size = static_cast<double>(static_cast<std::int64_t>(c.leading(beyond))) * unit;
+  return sgn(c) < 0 ? -size : size;
+}
+
+/// Integers in place know how many bits they have: FixedInteger and WordInteger.
+template <class T>
+concept IntegerInPlace = requires(const T& c) {
+  { c.bit_length() } -> std::same_as<long>;
+};
+
+template <IntegerInPlace T>
+Vec3<double> image(const Vec3<T>& v, long exponent) {
   return {image(v.x, exponent), image(v.y, exponent), image(v.z, exponent)};
+}
+
+/// The largest number of bits of a component.
+template <IntegerInPlace T>
+long bit_length(const Vec3<T>& v) {
+  return std::max({v.x.bit_length(), v.y.bit_length(), v.z.bit_length()});
+}
+
+/// The image of u, not zero, for points of which `exponent` is the exponent.
+template <IntegerInPlace T>
+DirectionImage direction_image_for(const Vec3<T>& u, long exponent) {
+  const long bits = bit_length(u);
+  const Vec3<double> v = image(u, bits);
+  return {v.x, v.y, v.z, slack_of(bits + exponent)};
 }
 
 /// The least e >= 0 with |c| <= 2^e, for a number; for every component.
@@ -153,20 +184,6 @@ long binary_exponent(const FixedInteger<Bits>& c) {
 template <unsigned Bits>
 long binary_exponent(const Vec3<FixedInteger<Bits>>& v) {
   return std::max({binary_exponent(v.x), binary_exponent(v.y), binary_exponent(v.z)});
-}
-
-/// The largest number of bits of a component.
-template <unsigned Bits>
-long bit_length(const Vec3<FixedInteger<Bits>>& v) {
-  return std::max({v.x.bit_length(), v.y.bit_length(), v.z.bit_length()});
-}
-
-/// The image of u, not zero, for points of which `exponent` is the exponent.
-template <unsigned Bits>
-DirectionImage direction_image_for(const Vec3<FixedInteger<Bits>>& u, long exponent) {
-  const long bits = bit_length(u);
-  const Vec3<double> v = image(u, bits);
-  return {v.x, v.y, v.z, slack_of(bits + exponent)};
 }
 
 /// f(x, y, exponent) of two integers that GMP reads where they are.

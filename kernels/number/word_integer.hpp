@@ -6,13 +6,11 @@
 
 #include <gmpxx.h>
 
-#include <algorithm>
 #include <bit>
 #include <cassert>
 #include <concepts>
 #include <cstdint>
 
-#include "kernels/filters/support.hpp"
 #include "kernels/number/fixed_integer.hpp"
 #include "kernels/vector.hpp"
 
@@ -164,33 +162,6 @@ concept WordInteger = std::same_as<T, Integer127> || std::same_as<T, Integer255>
 template <WordInteger T>
 mpz_class to_mpz(const T& n) {
   return static_cast<FixedInteger<256>>(n).to_mpz();
-}
-
-/// The largest number of bits of a component.
-template <WordInteger T>
-long bit_length(const Vec3<T>& v) {
-  return std::max({v.x.bit_length(), v.y.bit_length(), v.z.bit_length()});
-}
-
-/// c * 2^-exponent, truncated to 53 bits: as that of mpz_class. `exponent` lies in [0, 400].
-template <WordInteger T>
-double image(const T& c, long exponent) {
-  const long beyond = std::max(c.bit_length() - 53, 0L);
-  const double unit = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + beyond - exponent) << 52);
-  const double size = static_cast<double>(static_cast<std::int64_t>(c.leading(beyond))) * unit;
-  return sgn(c) < 0 ? -size : size;
-}
-template <WordInteger T>
-Vec3<double> image(const Vec3<T>& v, long exponent) {
-  return {image(v.x, exponent), image(v.y, exponent), image(v.z, exponent)};
-}
-
-/// The image of u, not zero, for points of which `exponent` is the exponent.
-template <WordInteger T>
-DirectionImage direction_image_for(const Vec3<T>& u, long exponent) {
-  const long bits = bit_length(u);
-  const Vec3<double> v = image(u, bits);
-  return {v.x, v.y, v.z, slack_of(bits + exponent)};
 }
 
 }  // namespace fathom::kernels

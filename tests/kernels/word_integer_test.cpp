@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "kernels/filters/plane.hpp"
 #include "kernels/predicates/direction.hpp"
 #include "tests/support/rounding_modes.hpp"
 #include "tests/support/vectors.hpp"
