@@ -164,9 +164,9 @@ void set_dot(mpz_class& r, const Vector& u, const Vector& p) {
   mpz_addmul(r.get_mpz_t(), u.z.get_mpz_t(), p.z.get_mpz_t());
 }
 
-std::vector<std::uint32_t> extreme_among(const PointCloud& cloud, const Vector& u,
-                                         std::span<const std::uint32_t> listed) {
-  return kernels::greatest<mpz_class>(listed, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud[i]); });
+std::vector<std::uint32_t> extreme_among(const PointCloud& cloud, const Vector& u, std::vector<std::uint32_t> listed) {
+  keep_greatest<mpz_class>(listed, [&](mpz_class& value, std::uint32_t i) { set_dot(value, u, cloud[i]); });
+  return listed;
 }
 
 std::vector<std::uint32_t> all_indices(std::size_t n) {
@@ -230,9 +230,9 @@ std::vector<std::uint32_t> extreme_points(const PointCloud& cloud, const Vector&
   near_extreme(cloud.images(), v, memory);
   std::vector<std::uint32_t>& near = memory.near;
   if (near.size() == 1 || v.slack == 0) return std::move(near);
-  if (bit_length(u) + cloud.exponent() < worth_wide_floats) return extreme_among(cloud, u, near);
+  if (bit_length(u) + cloud.exponent() < worth_wide_floats) return extreme_among(cloud, u, std::move(near));
   leave_farthest(cloud, enclosed(u), near, [&](std::uint32_t i) { return enclosed(cloud[i]); });
-  return near.size() == 1 ? std::move(near) : extreme_among(cloud, u, near);
+  return near.size() == 1 ? std::move(near) : extreme_among(cloud, u, std::move(near));
 }
 
 std::vector<std::uint32_t> extreme_points(const LazyCloud& cloud, const Vec3<LazyInteger>& u,
@@ -248,7 +248,8 @@ std::vector<std::uint32_t> extreme_points(const LazyCloud& cloud, const Vec3<Laz
                    [&](std::uint32_t i) -> const Vec3<WideEnclosure>& { return cloud.enclosure(i); });
   const bool all_level =
       near.size() == 1 || std::ranges::all_of(near, [&](std::uint32_t i) { return std::ranges::count(level, i) > 0; });
-  return all_level ? std::move(near) : extreme_among(cloud.points(), {u.x.exact(), u.y.exact(), u.z.exact()}, near);
+  if (all_level) return std::move(near);
+  return extreme_among(cloud.points(), {u.x.exact(), u.y.exact(), u.z.exact()}, std::move(near));
 }
 
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k) {

@@ -110,23 +110,24 @@ std::vector<std::uint32_t> extreme_points(const LazyCloud& cloud, const Vec3<Laz
 /// Indices of all points with <u, p> > <u, cloud[k]>, ascending. Exact, at the same cost.
 std::vector<std::uint32_t> points_beyond(const PointCloud& cloud, const Vector& u, std::uint32_t k);
 
-/// Returns those of `listed` whose value is greatest, in their order. `set(value, i)` writes the
+/// Leaves those of `listed` whose value is greatest, in their order. `set(value, i)` writes the
 /// value of i, a Number.
 template <class Number, class Set>
-std::vector<std::uint32_t> greatest(std::span<const std::uint32_t> listed, const Set& set) {
-  std::vector<std::uint32_t> result;
+void keep_greatest(std::vector<std::uint32_t>& listed, const Set& set) {
+  using std::swap;
+  std::size_t kept = 0;
   Number most, value;
   for (const std::uint32_t i : listed) {
     set(value, i);
-    const int order = result.empty() ? 1 : cmp(value, most);
+    const int order = kept == 0 ? 1 : cmp(value, most);
     if (order < 0) continue;
     if (order > 0) {
-      result.clear();
+      kept = 0;
       swap(most, value);
     }
-    result.push_back(i);
+    listed[kept++] = i;
   }
-  return result;
+  listed.resize(kept);
 }
 
 /// True only if every point is extreme, where equal points count as one: for each a direction was
@@ -140,7 +141,7 @@ bool all_seen_extreme(std::span<const std::array<double, 3>> points);
 std::vector<std::uint32_t> extreme_points_naive(std::span<const Vector> points, const Vector& u);
 std::vector<std::uint32_t> points_beyond_naive(std::span<const Vector> points, const Vector& u, std::uint32_t k);
 
-/// Returns those of `listed` whose value// Points of one cloud as they appear with a direction u
+// Points of one cloud as they appear with a direction u
 /// pointing up: who is higher, and who lies to which side as seen from a third.
 // Binary64 first, exact integers when it is unsure.
 

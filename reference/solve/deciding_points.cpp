@@ -60,9 +60,9 @@ struct Rounded {
 };
 
 // Of the listed points, those that maximise <u, p>.
-std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u,
-                                         std::span<const std::uint32_t> listed) {
-  return kernels::greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
+std::vector<std::uint32_t> extreme_among(kernels::Positions body, const Vector& u, std::vector<std::uint32_t> listed) {
+  kernels::keep_greatest<mpq_class>(listed, [&](mpq_class& value, std::uint32_t i) { value = dot(u, body[i]); });
+  return listed;
 }
 
 // The same among all. Coordinates of images err by less than one, so a product does by less than
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> extreme_of_all(kernels::Positions body, std::span<con
   std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < values.size(); ++i)
     if (values[i] >= level) near.push_back(i);
-  return near.size() == 1 ? near : extreme_among(body, u, near);
+  return near.size() == 1 ? near : extreme_among(body, u, std::move(near));
 }
 
 // Takes the differences to the first point. Scaling each separately does not change the rank.
@@ -200,7 +200,7 @@ std::optional<Depth> depth_by_deciding_points(kernels::Context& context, kernels
 std::vector<std::uint32_t> extreme_points(kernels::Positions body, const Vector& u) {
   std::vector<std::uint32_t> all(body.size());
   for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-  return extreme_among(body, u, all);
+  return extreme_among(body, u, std::move(all));
 }
 
 }  // namespace fathom::solve

@@ -311,8 +311,9 @@ TEST(PlanarView, ZeroTurnsMeanParallelOrLevel) {
   }));
 }
 
-std::vector<std::uint32_t> greatest_of(const std::vector<int>& values, const std::vector<std::uint32_t>& listed) {
-  return greatest<mpz_class>(listed, [&](mpz_class& value, std::uint32_t i) { value = values[i]; });
+std::vector<std::uint32_t> greatest_of(const std::vector<int>& values, std::vector<std::uint32_t> listed) {
+  keep_greatest<mpz_class>(listed, [&](mpz_class& value, std::uint32_t i) { value = values[i]; });
+  return listed;
 }
 
 TEST(Greatest, KeepsAllTiesInTheirOrder) {
