@@ -163,7 +163,8 @@ class Check {
 
   // Touching: one common point.
   void nearest_points() {
-    const Point z = expanding::combined(report_, c_.b, c_.weights_b) - expanding::combined(report_, c_.a, c_.weights_a);
+    const Point z = polytope::convex_combination(report_, c_.b, c_.weights_b) -
+                    polytope::convex_combination(report_, c_.a, c_.weights_a);
     report_.expect(dot(z, z) == c_.low, "the weighted points are not as near as is said");
   }
 

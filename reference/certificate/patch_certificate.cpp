@@ -9,9 +9,9 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/expanding/expanding_polytope.hpp"
 #include "reference/files/shape_names.hpp"
 #include "reference/patch/patch.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/shapes/core.hpp"
 #include "reference/solve/depth.hpp"
 
@@ -139,7 +139,7 @@ void validate_patches(kernels::Report& report, const ShapeCertificate& certifica
     const std::vector<Point>& own = a.empty() ? b : a;
     std::vector<Point> corners, expected;
     for (const auto& [of_a, of_b] : certificate.patches[i].corners)
-      corners.push_back(expanding::combined(report, own, a.empty() ? of_b : of_a));
+      corners.push_back(polytope::convex_combination(report, own, a.empty() ? of_b : of_a));
     if (a.empty() || b.empty()) {
       expected = OrderedFace(own, a.empty() ? n : -n, n).corners;
     } else {

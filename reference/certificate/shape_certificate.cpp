@@ -12,7 +12,7 @@
 #include "kernels/float_environment.hpp"
 #include "kernels/vector.hpp"
 #include "reference/certificate/certificate.hpp"
-#include "reference/expanding/expanding_polytope.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/rounded/coordinates.hpp"
 #include "reference/rounded/optimal_cone.hpp"
 #include "reference/shapes/core.hpp"
@@ -242,7 +242,8 @@ class ShapeCheck {
   }
 
   [[nodiscard]] mpq_class squared_gap(const std::vector<Point>& a, const std::vector<Point>& b) {
-    const Point gap = expanding::combined(report_, b, c_.weights_b) - expanding::combined(report_, a, c_.weights_a);
+    const Point gap =
+        polytope::convex_combination(report_, b, c_.weights_b) - polytope::convex_combination(report_, a, c_.weights_a);
     return dot(gap, gap);
   }
 

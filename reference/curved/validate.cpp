@@ -99,8 +99,8 @@ class Check {
   }
 
   void weights() {
-    const Point z =
-        expanding::combined(report_, points_b_, p_.weights_b) - expanding::combined(report_, points_a_, p_.weights_a);
+    const Point z = polytope::convex_combination(report_, points_b_, p_.weights_b) -
+                    polytope::convex_combination(report_, points_a_, p_.weights_a);
     report_.expect(square(rho_ - bounds_.low) >= dot(z, z), "the inner points are too far apart for the lower bound");
   }
 

@@ -52,43 +52,43 @@ struct Beginning {
 /// `depth.outcome` is still to be found.
 [[nodiscard]] bool begin(kernels::Context& context, Beginning& beginning, bool validate);
 
-// The answer about bodies on any lattice that do not penetrate.
+// The answer about bodies that do not penetrate.
 
-template <class Bodies>
-Touch touch(const Bodies& bodies, const polytope::PositionOfOrigin& origin) {
-  return {*origin.normal, combination(origin.a, [&](std::size_t i) { return bodies.point_of_a(i).exact(); })};
+template <class Integer>
+Touch touch(const polytope::PlacedPairIn<Integer>& pair, const polytope::PositionOfOrigin& origin) {
+  return {*origin.normal, combination(origin.a, [&](std::size_t i) { return pair.point_of_a(i).exact(); })};
 }
 
 /// In the direction of the nearest point of P the height is -distance: no shorter translation
 /// brings A to B.
-template <class Bodies>
-Distance distance(const Bodies& bodies, const polytope::NearestPoints& nearest) {
+template <class Integer>
+Distance distance(const polytope::PlacedPairIn<Integer>& pair, const polytope::NearestPoints& nearest) {
   const Vector& n = nearest.normal;
-  const mpq_class factor = kernels::ratio(nearest.height, dot(n, n)) * bodies.unit();
+  const mpq_class factor = kernels::ratio(nearest.height, dot(n, n)) * pair.unit();
   return {factor * factor * dot(n, n),
           n,
           factor * n,
-          {combination(nearest.a, [&](std::size_t i) { return bodies.point_of_a(i).exact(); }),
-           combination(nearest.b, [&](std::size_t i) { return bodies.point_of_b(i).exact(); })},
-          contact_along(bodies, n)};
+          {combination(nearest.a, [&](std::size_t i) { return pair.point_of_a(i).exact(); }),
+           combination(nearest.b, [&](std::size_t i) { return pair.point_of_b(i).exact(); })},
+          contact_along(pair, n)};
 }
 
 /// The whole answer; `outside` if O is known to be outside P. Throws std::invalid_argument if the
 /// bodies penetrate.
-template <class Bodies>
-Depth apart_depth(kernels::Context& context, const Bodies& bodies, bool outside) {
+template <class Integer>
+Depth apart_depth(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair, bool outside) {
   Depth depth;
   depth.method = Method::exact;
-  static_cast<BodyFacts&>(depth) = facts_of(bodies);
+  static_cast<BodyFacts&>(depth) = facts_of(pair);
   polytope::PositionOfOrigin origin;
-  if (!outside) origin = polytope::position_of_origin(bodies.differences());
+  if (!outside) origin = polytope::position_of_origin(pair.differences());
   context.counters.scans += origin.scans;
   if (origin.position == polytope::Position::boundary) {
-    depth.outcome = touch(bodies, origin);
+    depth.outcome = touch(pair, origin);
   } else {
-    const polytope::NearestPoints nearest = polytope::nearest_points(bodies.differences());
+    const polytope::NearestPoints nearest = polytope::nearest_points(pair.differences());
     context.counters.scans += nearest.scans;
-    depth.outcome = distance(bodies, nearest);
+    depth.outcome = distance(pair, nearest);
   }
   depth.counters = context.counters;
   return depth;

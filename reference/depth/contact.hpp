@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -73,69 +72,56 @@ std::vector<std::uint32_t> face_corners(const Body& body, const Vec3<Integer>& u
   return ids;
 }
 
-/// The contact of the faces that meet when A is moved along n, of bodies on any lattice.
-template <class Bodies>
-Contact contact_along(const Bodies& bodies, const Vector& n) {
-  using Integer = typename decltype(bodies.differences())::Integer;
+/// The contact of the faces that meet when A is moved along n.
+template <class Integer>
+Contact contact_along(const polytope::PlacedPairIn<Integer>& pair, const Vector& n) {
   const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
-  return contact_of(face_corners(bodies.a, -u), face_corners(bodies.b, u));
+  return contact_of(face_corners(pair.a, -u), face_corners(pair.b, u));
 }
 
-/// The contacts of bodies on any lattice, PlacedPair or NarrowBodies.
-template <class Bodies>
-class Contacts {
- public:
-  explicit Contacts(const Bodies& bodies) : bodies_(bodies) {}
+/// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error if the
+/// faces do not span a facet.
+template <class Integer>
+Optimum optimum_along(const polytope::PlacedPairIn<Integer>& pair, const Vector& n) {
+  const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
+  std::vector<std::uint32_t> a = face_corners(pair.a, -u), b = face_corners(pair.b, u);
+  const Integer height = dot(u, pair.differences()[{a.front(), b.front()}]);
+  const ContactKind kind = kind_of(a.size(), b.size());
+  return {n, pair.in_units(height), {kind, std::move(a), std::move(b)}};
+}
 
-  /// The optimum in direction n, the outward normal of a facet of P. Throws std::logic_error if the
-  /// faces do not span a facet.
-  [[nodiscard]] Optimum optimum(const Vector& n) const {
-    const Vec3<Integer> u{Integer(n.x), Integer(n.y), Integer(n.z)};
-    std::vector<std::uint32_t> a = face_corners(bodies_.a, -u), b = face_corners(bodies_.b, u);
-    const Integer height = dot(u, bodies_.differences()[{a.front(), b.front()}]);
-    const ContactKind kind = kind_of(a.size(), b.size());
-    return {n, bodies_.in_units(height), {kind, std::move(a), std::move(b)}};
-  }
-
-  /// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot
-  /// point of O lies in it.
-  [[nodiscard]] FaceMeeting meeting(const Optimum& optimum) const {
-    const std::vector<std::uint32_t>&a = optimum.contact.a, &b = optimum.contact.b;
-    const auto of_a = [&](std::size_t k) { return bodies_.point_of_a(a[k]); };
-    const auto of_b = [&](std::size_t k) { return bodies_.point_of_b(b[k]); };
-    if (b.size() == 1) return CornerOfB{of_b(0)};
-    if (a.size() == 1) return CornerOfA{of_a(0)};
-    if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
-    OverlappingFaces faces{{}, {}, bodies_.point_of_b(0), bodies_.units()};
-    faces.a.reserve(a.size());
-    faces.b.reserve(b.size());
-    for (std::size_t k = 0; k < a.size(); ++k) faces.a.push_back(of_a(k));
-    for (std::size_t k = 0; k < b.size(); ++k) faces.b.push_back(of_b(k));
-    return faces;
-  }
-
- private:
-  using Body = std::remove_cvref_t<decltype(std::declval<const Bodies&>().a)>;
-  using Integer = polytope::IntegerOf<Body>;
-
-  const Bodies& bodies_;
-};
+/// What the witness of an optimum follows from. There is a witness for a nearest facet: the foot
+/// point of O lies in it.
+template <class Integer>
+FaceMeeting meeting_of(const polytope::PlacedPairIn<Integer>& pair, const Contact& contact) {
+  const std::vector<std::uint32_t>&a = contact.a, &b = contact.b;
+  const auto of_a = [&](std::size_t k) { return pair.point_of_a(a[k]); };
+  const auto of_b = [&](std::size_t k) { return pair.point_of_b(b[k]); };
+  if (b.size() == 1) return CornerOfB{of_b(0)};
+  if (a.size() == 1) return CornerOfA{of_a(0)};
+  if (a.size() == 2 && b.size() == 2) return CrossingEdges{{of_a(0), of_a(1)}, {of_b(0), of_b(1)}};
+  OverlappingFaces faces{{}, {}, pair.point_of_b(0), pair.units()};
+  faces.a.reserve(a.size());
+  faces.b.reserve(b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) faces.a.push_back(of_a(k));
+  for (std::size_t k = 0; k < b.size(); ++k) faces.b.push_back(of_b(k));
+  return faces;
+}
 
 /// Returns the answer without `inner`, given the normals of all nearest facets of P, primitive and
 /// in lexicographic order. It lists the first `listed` optima, at least one.
-template <class Bodies, class Normals>
-Penetration penetration_along(const Bodies& bodies, const Normals& nearest,
+template <class Integer, class Normals>
+Penetration penetration_along(const polytope::PlacedPairIn<Integer>& pair, const Normals& nearest,
                               std::optional<std::size_t> listed = std::nullopt) {
-  const Contacts<Bodies> contacts(bodies);
   Penetration result;
   const std::size_t all = nearest.size(), most = std::min<std::size_t>(all, listed.value_or(all));
   result.optima.reserve(most);
   result.unlisted = all - most;
   for (const Vector& n : nearest) {
     if (result.optima.size() == most) break;
-    result.optima.push_back(contacts.optimum(n));
+    result.optima.push_back(optimum_along(pair, n));
   }
-  if (most > 0) result.meeting = contacts.meeting(result.optima.front());
+  if (most > 0) result.meeting = meeting_of(pair, result.optima.front().contact);
   return result;
 }
 
@@ -151,13 +137,12 @@ inline bool surely_solid(const kernels::Images& images) {
 }
 
 /// Whether the bodies are flat; extreme points are not counted.
-template <class Bodies>
-BodyFacts facts_of(const Bodies& bodies) {
-  const auto flat = []<class Body>(const Body& body) {
-    if (surely_solid(body.images())) return false;
-    return polytope::affine_span<polytope::IntegerOf<Body>>(body, body.size()).rank < 3;
+template <class Integer>
+BodyFacts facts_of(const polytope::PlacedPairIn<Integer>& pair) {
+  const auto flat = [](const auto& body) {
+    return !surely_solid(body.images()) && polytope::affine_span<Integer>(body, body.size()).rank < 3;
   };
-  return {flat(bodies.a), flat(bodies.b), 0, 0};
+  return {flat(pair.a), flat(pair.b), 0, 0};
 }
 
 /// Throws std::invalid_argument unless at least one optimum is asked for.

@@ -12,7 +12,7 @@
 #include "kernels/number/rational.hpp"
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polygon.hpp"
 
 namespace fathom::depth {
@@ -89,16 +89,16 @@ void look_around(Differences& differences, const Optimum& optimum, const mpq_cla
 
 // The answer on one lattice: all neighbours, and then what an expansion finds that is nearer than
 // those. Returns nullopt if its integers are too short for it.
-template <class Bodies>
-std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context, const Bodies& bodies,
+template <class Integer>
+std::optional<std::optional<mpq_class>> second_nearest(kernels::Context& context,
+                                                       const polytope::PlacedPairIn<Integer>& pair,
                                                        const Penetration& penetration, Workspace& workspace) {
-  const mpq_class unit = bodies.unit(), square = unit * unit, nearest = penetration.squared() / square;
+  const mpq_class unit = pair.unit(), square = unit * unit, nearest = penetration.squared() / square;
   std::optional<mpq_class> least;
-  auto differences = bodies.differences();
+  auto differences = pair.differences();
   for (const Optimum& optimum : penetration.optima) look_around(differences, optimum, nearest, least);
   if (!least) return std::optional<mpq_class>();  // without one, whatever can be reached from a nearest facet is one
-  const std::optional<mpq_class> next =
-      expanding::next_nearest_by_expansion(context, bodies, nearest, *least, workspace);
+  const std::optional<mpq_class> next = expanding::next_nearest_by_expansion(context, pair, nearest, *least, workspace);
   if (!next) return std::nullopt;
   return std::optional<mpq_class>(*next * square);
 }
@@ -112,9 +112,9 @@ std::optional<mpq_class> second_nearest_of(const polytope::Points& a, const poly
   std::optional<Workspace> own;
   if (workspace == nullptr) workspace = &own.emplace();
   Workspace::Parts& parts = *workspace->parts;
-  if (polytope::place_narrow(a, b, parts.pair)) {
-    const polytope::NarrowBodies<polytope::NarrowInteger> bodies(parts.pair, a, b, parts.scan);
-    if (auto found = second_nearest(context, bodies, penetration, *workspace)) return std::move(*found);
+  if (polytope::place_narrow(a, b, parts.placed)) {
+    const auto pair = parts.placed.pair<polytope::NarrowInteger>(a, b, parts.scan);
+    if (auto found = second_nearest(context, pair, penetration, *workspace)) return std::move(*found);
   }
   std::vector<Point> room_a, room_b;
   return *second_nearest(context, polytope::place(a.exact(room_a), b.exact(room_b)), penetration, *workspace);

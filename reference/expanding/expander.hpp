@@ -24,7 +24,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 
@@ -406,8 +406,7 @@ struct Workspace::Parts {
   expanding::Memory<kernels::LazyInteger> lazy;
   expanding::Memory<mpz_class> wide;
   kernels::ScanMemory scan;
-  polytope::NarrowPair pair;               ///< for the caller of an expansion, which leaves it alone
-  polytope::NarrowPair clouds;             ///< of an expansion that is given clouds
+  polytope::NarrowMemory placed;           ///< by the caller of an expansion, which leaves it alone
   polytope::PosedPoints posed_a, posed_b;  ///< of bodies that poses move
 
   template <class Integer>

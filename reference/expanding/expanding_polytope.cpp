@@ -20,8 +20,6 @@ Workspace& Workspace::operator=(Workspace&&) noexcept = default;
 namespace fathom::expanding {
 namespace {
 
-using NarrowDifferences = polytope::NarrowDifferences<polytope::NarrowInteger>;
-
 void require_clouds(const kernels::PointCloud& a, const kernels::PointCloud& b) {
   if (a.size() == 0 || b.size() == 0) throw std::invalid_argument("an expanding polytope of an empty body");
   for (const kernels::PointCloud* cloud : {&a, &b}) {
@@ -43,16 +41,11 @@ template <class F>
 auto with_integers(const kernels::PointCloud& a, const kernels::PointCloud& b, Workspace::Parts& parts, long bits,
                    F f) {
   require_clouds(a, b);
-  if (!fits(a.exponent(), bits)) {
-    polytope::LazyDifferences differences{polytope::LazyPoints(a), polytope::LazyPoints(b)};
-    return f(differences, parts.lazy);
-  }
-  polytope::narrow(a, b, parts.clouds);
-  return polytope::with_integers_for(parts.clouds, [&]<class Integer>(Integer) {
-    polytope::NarrowDifferences<Integer> differences{{parts.clouds.a, parts.clouds.exponent, parts.scan},
-                                                     {parts.clouds.b, parts.clouds.exponent, parts.scan}};
+  const auto in = [&]<class Integer>(const Integer&) {
+    polytope::DifferencesIn<Integer> differences = polytope::differences_in<Integer>(a, b, parts.scan);
     return f(differences, parts.memory<Integer>());
-  });
+  };
+  return fits(a.exponent(), bits) ? polytope::with_integers_for(a.exponent(), in) : in(kernels::LazyInteger());
 }
 
 // Of squared distances that the search itself finds.
@@ -167,23 +160,23 @@ Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCl
 }
 
 template <class Integer>
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair,
                                std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
-  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  polytope::DifferencesIn<Integer> differences = pair.differences();
   return nearest(context, differences, (*scratch).template memory<Integer>(), budget);
 }
-template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&,
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer127>&,
                                         std::size_t, Workspace*);
-template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&,
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer255>&,
                                         std::size_t, Workspace*);
-template Expansion nearest_by_expansion(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+template Expansion nearest_by_expansion(kernels::Context&, const polytope::PlacedPairIn<polytope::NarrowInteger>&,
                                         std::size_t, Workspace*);
 
 template <class Integer>
-WarmExpansion nearest_from(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies, std::size_t budget,
+WarmExpansion nearest_from(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair, std::size_t budget,
                            Workspace& workspace, std::vector<polytope::Difference>& start, std::size_t most_vertices) {
-  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  polytope::DifferencesIn<Integer> differences = pair.differences();
   Expander expander(context, differences, workspace.parts->memory<Integer>(), budget);
   if (!expander.start(start)) return {ExpansionEnd::not_inside, {}, false};
   WarmExpansion result;
@@ -193,18 +186,18 @@ WarmExpansion nearest_from(kernels::Context& context, const polytope::NarrowBodi
   if (result.end == ExpansionEnd::proved) result.normals = expander.normals_of_nearest();
   return result;
 }
-template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&, std::size_t,
+template WarmExpansion nearest_from(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer127>&, std::size_t,
                                     Workspace&, std::vector<polytope::Difference>&, std::size_t);
-template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&, std::size_t,
+template WarmExpansion nearest_from(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer255>&, std::size_t,
                                     Workspace&, std::vector<polytope::Difference>&, std::size_t);
-template WarmExpansion nearest_from(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+template WarmExpansion nearest_from(kernels::Context&, const polytope::PlacedPairIn<polytope::NarrowInteger>&,
                                     std::size_t, Workspace&, std::vector<polytope::Difference>&, std::size_t);
 
 template <class Integer>
-OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+OriginExpansion locate_origin(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair,
                               Workspace* workspace, bool with_normal) {
   const Scratch scratch(workspace);
-  polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  polytope::DifferencesIn<Integer> differences = pair.differences();
   Expander expander(context, differences, (*scratch).template memory<Integer>(), unlimited);
   OriginExpansion result;
   if (!expander.start()) return {ExpansionEnd::not_inside, 0, {}, {}};
@@ -216,28 +209,32 @@ OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowB
   result.height = to_mpz(expander.plane_of_nearest().height);
   return result;
 }
-template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<kernels::Integer127>&,
+template OriginExpansion locate_origin(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer127>&,
                                        Workspace*, bool);
-template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<kernels::Integer255>&,
+template OriginExpansion locate_origin(kernels::Context&, const polytope::PlacedPairIn<kernels::Integer255>&,
                                        Workspace*, bool);
-template OriginExpansion locate_origin(kernels::Context&, const polytope::NarrowBodies<polytope::NarrowInteger>&,
+template OriginExpansion locate_origin(kernels::Context&, const polytope::PlacedPairIn<polytope::NarrowInteger>&,
                                        Workspace*, bool);
 
-Expansion nearest_by_expansion_lazily(kernels::Context& context, const kernels::PointCloud& a,
-                                      const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
+template <class Integer>
+Expansion nearest_by_expansion_in(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                  std::size_t budget, Workspace* workspace) {
   const Scratch scratch(workspace);
   require_clouds(a, b);
-  polytope::LazyDifferences differences{polytope::LazyPoints(a), polytope::LazyPoints(b)};
-  return nearest(context, differences, (*scratch).lazy, budget);
+  polytope::DifferencesIn<Integer> differences = polytope::differences_in<Integer>(a, b, (*scratch).scan);
+  return nearest(context, differences, (*scratch).template memory<Integer>(), budget);
 }
-
-Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
-                                      const kernels::PointCloud& b, std::size_t budget, Workspace* workspace) {
-  const Scratch scratch(workspace);
-  require_clouds(a, b);
-  polytope::Differences differences{a, b};
-  return nearest(context, differences, (*scratch).wide, budget);
-}
+template Expansion nearest_by_expansion_in<kernels::Integer127>(kernels::Context&, const kernels::PointCloud&,
+                                                                const kernels::PointCloud&, std::size_t, Workspace*);
+template Expansion nearest_by_expansion_in<kernels::Integer255>(kernels::Context&, const kernels::PointCloud&,
+                                                                const kernels::PointCloud&, std::size_t, Workspace*);
+template Expansion nearest_by_expansion_in<polytope::NarrowInteger>(kernels::Context&, const kernels::PointCloud&,
+                                                                    const kernels::PointCloud&, std::size_t,
+                                                                    Workspace*);
+template Expansion nearest_by_expansion_in<kernels::LazyInteger>(kernels::Context&, const kernels::PointCloud&,
+                                                                 const kernels::PointCloud&, std::size_t, Workspace*);
+template Expansion nearest_by_expansion_in<mpz_class>(kernels::Context&, const kernels::PointCloud&,
+                                                      const kernels::PointCloud&, std::size_t, Workspace*);
 
 BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
                              const mpq_class& low, const mpq_class& high, const std::optional<Vector>& hint,
@@ -268,28 +265,16 @@ std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, co
 }
 
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context,
-                                                   const polytope::NarrowBodies<polytope::NarrowInteger>& bodies,
+                                                   const polytope::PlacedPairIn<polytope::NarrowInteger>& pair,
                                                    const mpq_class& nearest, const mpq_class& bound,
                                                    Workspace& workspace) {
-  if (!fits(bodies.exponent(), bits_of(bound))) return std::nullopt;
-  NarrowDifferences differences = bodies.differences();
+  if (!fits(pair.exponent(), bits_of(bound))) return std::nullopt;
+  polytope::DifferencesIn<polytope::NarrowInteger> differences = pair.differences();
   return next_nearest(context, differences, workspace.parts->narrow, nearest, bound);
 }
 
 kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a, const kernels::PointCloud& b) {
   return Check(expansion, a, b).run();
-}
-
-Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights) {
-  Point sum;
-  mpq_class total;
-  for (const Weight& w : weights) {
-    if (!report.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
-    total += w.weight;
-    sum = sum + w.weight * points[w.index];
-  }
-  report.expect(total == 1, "weights do not sum to 1");
-  return sum;
 }
 
 }  // namespace fathom::expanding

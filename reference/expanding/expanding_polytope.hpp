@@ -22,7 +22,7 @@
 #include "kernels/nearest.hpp"
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::expanding {
 
@@ -59,16 +59,13 @@ Expansion nearest_by_expansion(kernels::Context& context, const kernels::PointCl
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
 /// The same on a narrow lattice, in each of its integers.
 template <class Integer>
-Expansion nearest_by_expansion(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+Expansion nearest_by_expansion(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair,
                                std::size_t budget = unlimited, Workspace* workspace = nullptr);
-/// The same in lazy integers, the way for lattices that are not narrow.
-Expansion nearest_by_expansion_lazily(kernels::Context& context, const kernels::PointCloud& a,
-                                      const kernels::PointCloud& b, std::size_t budget = unlimited,
-                                      Workspace* workspace = nullptr);
-/// The same in integers of any size: the naive twin.
-Expansion nearest_by_expansion_in_mpz(kernels::Context& context, const kernels::PointCloud& a,
-                                      const kernels::PointCloud& b, std::size_t budget = unlimited,
-                                      Workspace* workspace = nullptr);
+/// The same in these integers: those of a fixed size, if they hold all; lazy ones, the way for
+/// other lattices; or mpz_class, the naive twin.
+template <class Integer>
+Expansion nearest_by_expansion_in(kernels::Context& context, const kernels::PointCloud& a, const kernels::PointCloud& b,
+                                  std::size_t budget = unlimited, Workspace* workspace = nullptr);
 
 /// What a search finds that hands out no polytope.
 struct WarmExpansion {
@@ -82,7 +79,7 @@ struct WarmExpansion {
 /// counted; these become Q's vertices, at most `most_vertices` of them. Indices must be those of
 /// points.                                              [proofs/prepared.md]
 template <class Integer>
-WarmExpansion nearest_from(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies, std::size_t budget,
+WarmExpansion nearest_from(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair, std::size_t budget,
                            Workspace& workspace, std::vector<polytope::Difference>& start, std::size_t most_vertices);
 
 /// Where O lies, as far as a growing Q shows it.
@@ -97,7 +94,7 @@ struct OriginExpansion {
 
 /// Grows Q until O is in its interior or a facet of P shows that it is not in that of P.
 template <class Integer>
-OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowBodies<Integer>& bodies,
+OriginExpansion locate_origin(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair,
                               Workspace* workspace, bool with_normal);
 
 /// Checks the laws of a proved expansion: Q is convex and closed, its vertices are differences, it
@@ -105,9 +102,6 @@ OriginExpansion locate_origin(kernels::Context& context, const polytope::NarrowB
 /// Quadratic in the size of Q.
 [[nodiscard]] kernels::Report validate(const Expansion& expansion, const kernels::PointCloud& a,
                                        const kernels::PointCloud& b);
-
-/// The point that weights combine; what is wrong with them goes to the report.
-Point combined(kernels::Report& report, const std::vector<Point>& points, const std::vector<Weight>& weights);
 
 /// Checks by definition, and exactly, that `inner` is a closed convex surface with O below each
 /// facet, whose vertices are differences of points of a and b: of lattice points or of rational
@@ -172,10 +166,10 @@ BallExpansion expand_to_ball(kernels::Context& context, const kernels::PointClou
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context, const polytope::PlacedPair& pair,
                                                    const mpq_class& nearest, const mpq_class& bound,
                                                    Workspace& workspace);
-/// The same on a narrow lattice, in the workspace that the bodies may be a part of. Returns nullopt
+/// The same on a narrow lattice, in the workspace that the pair may be a part of. Returns nullopt
 /// if `bound` has too many bits for it.
 std::optional<mpq_class> next_nearest_by_expansion(kernels::Context& context,
-                                                   const polytope::NarrowBodies<polytope::NarrowInteger>& bodies,
+                                                   const polytope::PlacedPairIn<polytope::NarrowInteger>& pair,
                                                    const mpq_class& nearest, const mpq_class& bound,
                                                    Workspace& workspace);
 

@@ -100,7 +100,7 @@ NearestPoints nearest_points(DifferencesOf<Body> differences) {
   }
 }
 template NearestPoints nearest_points(Differences);
-template NearestPoints nearest_points(NarrowDifferences<NarrowInteger>);
+template NearestPoints nearest_points(DifferencesIn<NarrowInteger>);
 
 kernels::Report validate(const NearestPoints& answer, std::span<const Vector> a, std::span<const Vector> b) {
   kernels::Report report;

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "fathom/files.hpp"
-#include "fathom/numbers.hpp"
 #include "kernels/number/rational.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/polytope.hpp"
@@ -106,20 +105,6 @@ class Multiples {
   mpz_class of_ = 1, factor_;
 };
 
-/// The points of both bodies while they are made.
-struct Lattice {
-  mpz_class denominator = 1;
-  Point origin;
-  std::vector<Vector> a, b;
-};
-
-PlacedPair with_clouds(Lattice lattice) {
-  PlacedPair pair = place_integers(std::move(lattice.a), std::move(lattice.b));
-  pair.denominator = std::move(lattice.denominator);
-  pair.origin = std::move(lattice.origin);
-  return pair;
-}
-
 std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& denominator, const Vector& origin,
                                       Asking& asking) {
   std::vector<Vector> result;
@@ -136,31 +121,24 @@ std::vector<Vector> shifted_multiples(kernels::Positions body, const mpz_class& 
   return result;
 }
 
-template <class F>
-void for_each_coordinate(Lattice& lattice, F f) {
-  for (std::vector<Vector>* body : {&lattice.a, &lattice.b}) {
-    for (Vector& v : *body) {
-      f(v.x);
-      f(v.y);
-      f(v.z);
-    }
-  }
-}
-
 /// Points such as 1/3, 4/3, 7/3 need a denominator, their differences do not: divides out what all
 /// coordinates and it share.
-void coarsen(Lattice& lattice, Asking& asking) {
-  mpz_class shared = lattice.denominator;
-  for_each_coordinate(lattice, [&](const mpz_class& c) {
-    asking.after(c);
-    if (shared != 1) mpz_gcd(shared.get_mpz_t(), shared.get_mpz_t(), c.get_mpz_t());
+void coarsen(mpz_class& denominator, std::vector<Vector>& a, std::vector<Vector>& b, Asking& asking) {
+  const auto for_each_coordinate = [&](auto f) {
+    for (std::vector<Vector>* body : {&a, &b})
+      for (Vector& v : *body)
+        for (mpz_class* c : {&v.x, &v.y, &v.z}) {
+          asking.after(*c);
+          f(c->get_mpz_t());
+        }
+  };
+  mpz_class shared = denominator;
+  for_each_coordinate([&](mpz_ptr c) {
+    if (shared != 1) mpz_gcd(shared.get_mpz_t(), shared.get_mpz_t(), c);
   });
   if (shared == 1) return;
-  mpz_divexact(lattice.denominator.get_mpz_t(), lattice.denominator.get_mpz_t(), shared.get_mpz_t());
-  for_each_coordinate(lattice, [&](mpz_class& c) {
-    asking.after(c);
-    mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), shared.get_mpz_t());
-  });
+  mpz_divexact(denominator.get_mpz_t(), denominator.get_mpz_t(), shared.get_mpz_t());
+  for_each_coordinate([&](mpz_ptr c) { mpz_divexact(c, c, shared.get_mpz_t()); });
 }
 
 std::vector<Point> offsets(kernels::Positions body, const Point& origin, Asking& asking) {
@@ -218,22 +196,21 @@ void require_bodies(kernels::Positions a, kernels::Positions b, Asking& asking) 
 /// For points whose common denominator is much longer than they are: what differences do not need
 /// is left out first, and there are limits.
 PlacedPair place_wide(kernels::Positions a, kernels::Positions b, Asking& asking) {
-  Lattice lattice;
-  lattice.origin = b.front();
-  const std::vector<Point> from_a = offsets(a, lattice.origin, asking), from_b = offsets(b, lattice.origin, asking);
+  const Point& origin = b.front();
+  const std::vector<Point> from_a = offsets(a, origin, asking), from_b = offsets(b, origin, asking);
   const std::uint64_t coordinates = 3 * (a.size() + b.size());
-  lattice.denominator =
+  mpz_class denominator =
       common_denominator(from_a, from_b, asking, [&](std::size_t size) { return size * coordinates <= most_bits; });
-  if (lattice.denominator == 0) {
+  if (denominator == 0) {
     throw InputError("input", 0,
                      "the denominators of the " + std::to_string(a.size() + b.size()) +
                          " points share too little: " + "over a common one all coordinates together would pass " +
                          std::to_string(most_bits >> 23) + " MB");
   }
   const Vector no_shift{0, 0, 0};
-  lattice.a = shifted_multiples(from_a, lattice.denominator, no_shift, asking);
-  lattice.b = shifted_multiples(from_b, lattice.denominator, no_shift, asking);
-  return with_clouds(std::move(lattice));
+  std::vector<Vector> of_a = shifted_multiples(from_a, denominator, no_shift, asking),
+                      of_b = shifted_multiples(from_b, denominator, no_shift, asking);
+  return place_integers(std::move(of_a), std::move(of_b), std::move(denominator), origin);
 }
 
 }  // namespace
@@ -247,18 +224,16 @@ std::optional<PlacedPair> place_if_slim(kernels::Positions a, kernels::Positions
   Asking asking(context);
   require_bodies(a, b, asking);
   std::size_t limit = short_enough;
-  Lattice lattice;
-  lattice.denominator = common_denominator(a, b, asking, [&](std::size_t size) {
+  mpz_class denominator = common_denominator(a, b, asking, [&](std::size_t size) {
     if (size > limit && limit == short_enough) limit = in_proportion(a, b);
     return size <= limit;
   });
-  if (lattice.denominator == 0) return std::nullopt;
-  lattice.origin = b.front();
-  const Vector no_shift{0, 0, 0}, origin = shifted_multiples({&b.front(), 1}, lattice.denominator, no_shift, asking)[0];
-  lattice.a = shifted_multiples(a, lattice.denominator, origin, asking);
-  lattice.b = shifted_multiples(b, lattice.denominator, origin, asking);
-  coarsen(lattice, asking);
-  return with_clouds(std::move(lattice));
+  if (denominator == 0) return std::nullopt;
+  const Vector no_shift{0, 0, 0}, origin = shifted_multiples({&b.front(), 1}, denominator, no_shift, asking)[0];
+  std::vector<Vector> of_a = shifted_multiples(a, denominator, origin, asking),
+                      of_b = shifted_multiples(b, denominator, origin, asking);
+  coarsen(denominator, of_a, of_b, asking);
+  return place_integers(std::move(of_a), std::move(of_b), std::move(denominator), b.front());
 }
 
 PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* context) {
@@ -267,45 +242,50 @@ PlacedPair place(kernels::Positions a, kernels::Positions b, kernels::Context* c
   return place_wide(a, b, asking);
 }
 
-PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b) {
+PlacedPair place_integers(std::vector<Vector> a, std::vector<Vector> b, mpz_class denominator, Point origin) {
   const long exponent = std::max(kernels::binary_exponent(a), kernels::binary_exponent(b));
-  PlacedPair pair;
-  pair.a = kernels::PointCloud(std::move(a), exponent);
-  pair.b = kernels::PointCloud(std::move(b), exponent);
-  return pair;
+  return {std::move(denominator), std::move(origin), kernels::PointCloud(std::move(a), exponent),
+          kernels::PointCloud(std::move(b), exponent)};
 }
 
-mpq_class PlacedPair::in_units(const mpz_class& n) const { return kernels::ratio(n, denominator); }
+template <class Integer>
+mpq_class PlacedPairIn<Integer>::in_units(const Integer& n) const {
+  mpq_class q;
+  if (sgn(n) == 0) return q;
+  mpz_class &above = q.get_num(), &below = q.get_den();
+  above = to_mpz(n);
+  const long halvings = std::min<long>(-power, mpz_scan1(above.get_mpz_t(), 0));
+  if (halvings < 0) above <<= -halvings;
+  else if (halvings > 0) mpz_tdiv_q_2exp(above.get_mpz_t(), above.get_mpz_t(), halvings);
+  if (denominator != 1) {
+    const mpz_class shared = gcd(above, denominator);
+    mpz_divexact(above.get_mpz_t(), above.get_mpz_t(), shared.get_mpz_t());
+    mpz_divexact(below.get_mpz_t(), denominator.get_mpz_t(), shared.get_mpz_t());
+  }
+  below <<= -power - halvings;
+  return q;
+}
 
-Point PlacedPair::position(const Vector& v, const mpz_class& divisor) const {
+template <class Integer>
+Point PlacedPairIn<Integer>::position(const Vector& v,
+                                      const mpz_class& divisor) const requires std::same_as<Integer, mpz_class> {
   const mpz_class unit = denominator * divisor;
   return {origin.x + kernels::ratio(v.x, unit), origin.y + kernels::ratio(v.y, unit),
           origin.z + kernels::ratio(v.z, unit)};
 }
 
-Vector PlacedPair::vector(const Point& position) const {
+template <class Integer>
+Vector PlacedPairIn<Integer>::vector(const Point& position) const requires std::same_as<Integer, mpz_class> {
   const Point p = denominator * (position - origin);
   return {p.x.get_num(), p.y.get_num(), p.z.get_num()};
 }
 
-kernels::Positions Points::exact(std::vector<Point>& room) const {
-  if (posed_ != nullptr) {
-    room.clear();
-    for (std::size_t i = 0; i < size(); ++i) room.push_back((*this)[i].exact());
-    return room;
-  }
-  if (doubles_.empty()) return exact_;
-  room = exact_points(doubles_);
-  return room;
-}
-
-std::vector<Point> exact_points(std::span<const std::array<double, 3>> body) {
-  std::vector<Point> points;
-  points.reserve(body.size());
-  for (const std::array<double, 3>& p : body)
-    points.push_back({exact_value(p[0]), exact_value(p[1]), exact_value(p[2])});
-  return points;
-}
+template mpq_class PlacedPairIn<kernels::Integer127>::in_units(const kernels::Integer127&) const;
+template mpq_class PlacedPairIn<kernels::Integer255>::in_units(const kernels::Integer255&) const;
+template mpq_class PlacedPairIn<NarrowInteger>::in_units(const NarrowInteger&) const;
+template mpq_class PlacedPair::in_units(const mpz_class&) const;
+template Point PlacedPair::position(const Vector&, const mpz_class&) const;
+template Vector PlacedPair::vector(const Point&) const;
 
 std::vector<Weight> weights_of(std::span<const Difference> differences, std::span<const mpq_class> weights,
                                std::uint32_t Difference::*side) {
@@ -332,6 +312,19 @@ std::optional<Vec3<mpq_class>> convex_combination(std::span<const Vector> points
     sum.z += w.weight * p.z;
   }
   return total == 1 ? std::optional(sum) : std::nullopt;
+}
+
+Point convex_combination(kernels::Report& report, const std::vector<Point>& points,
+                         const std::vector<Weight>& weights) {
+  Point sum;
+  mpq_class total;
+  for (const Weight& w : weights) {
+    if (!report.expect(w.index < points.size() && w.weight > 0, "a weight that is none")) continue;
+    total += w.weight;
+    sum = sum + w.weight * points[w.index];
+  }
+  report.expect(total == 1, "weights do not sum to 1");
+  return sum;
 }
 
 }  // namespace fathom::polytope

@@ -464,7 +464,7 @@ PositionOfOrigin position_of_origin(DifferencesOf<Body> differences) {
   return answer;
 }
 template PositionOfOrigin position_of_origin(Differences);
-template PositionOfOrigin position_of_origin(NarrowDifferences<NarrowInteger>);
+template PositionOfOrigin position_of_origin(DifferencesIn<NarrowInteger>);
 
 kernels::Report validate(const PositionOfOrigin& answer, std::span<const Vector> a, std::span<const Vector> b) {
   kernels::Report report;

@@ -16,7 +16,6 @@
 #include "kernels/report.hpp"
 #include "kernels/vector.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::polytope {
 
@@ -74,12 +73,13 @@ inline NearestPoints nearest_points(const kernels::PointCloud& a, const kernels:
 /// (proofs/position.md, "Linear expected time").
 inline constexpr std::size_t most_points_without_samples = 2000;
 
-/// Calls f with the bodies in integers that hold all that these two searches compute, for
+/// Calls f with the pair in integers that hold all that these two searches compute, for
 /// coordinates of any narrow lattice: of fixed size, unless samples are searched.
 template <class F>
-auto with_searched_bodies(const NarrowPair& pair, const Points& a, const Points& b, kernels::ScanMemory& memory, F f) {
-  if (a.size() + b.size() > most_points_without_samples) return f(widened(pair, b[0].exact()));
-  return f(NarrowBodies<NarrowInteger>(pair, a, b, memory));
+auto with_searched_pair(const NarrowMemory& placed, const Points& a, const Points& b, kernels::ScanMemory& memory,
+                        F f) {
+  if (a.size() + b.size() > most_points_without_samples) return f(widened(placed, b[0].exact()));
+  return f(placed.pair<NarrowInteger>(a, b, memory));
 }
 
 /// Checks the weights and that no point of P is nearer to O, and nothing else. Exact arithmetic

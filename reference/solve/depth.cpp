@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The methods, and the choice of one and of the integers that it computes with.
+// The methods, the choice of one and of the integers that it computes with, and what users call.
 #include "reference/solve/depth.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,6 @@
 #include "reference/expanding/expander.hpp"
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
 
 namespace fathom::solve {
 namespace {
@@ -26,18 +25,15 @@ bool expands_first(const Options& options) {
   return options.method == Method::certificate || (options.method == Method::automatic && !options.closest_lines);
 }
 
-/// Whether it is to be tried on a narrow lattice: stages are validated on that of `place`.
-bool searches_narrow(const Options& options) { return expands_first(options) && !options.validate; }
-
 // The answer that a proved expansion gives, which needs no hulls.
-template <class Bodies>
-Depth certified_depth(kernels::Context& context, const Bodies& bodies, expanding::Expansion&& expansion,
-                      const Options& options) {
+template <class Integer>
+Depth certified_depth(kernels::Context& context, const polytope::PlacedPairIn<Integer>& pair,
+                      expanding::Expansion&& expansion, const Options& options) {
   context.counters.expansions = expansion.points;
   context.counters.inner_facets = expansion.inner.facets.size();
-  Penetration answer = depth::penetration_along(bodies, expansion.nearest.directions(), options.optima);
+  Penetration answer = depth::penetration_along(pair, expansion.nearest.directions(), options.optima);
   answer.inner = std::move(expansion.inner);
-  return {depth::facts_of(bodies), std::move(answer), Method::certificate, context.counters};
+  return {depth::facts_of(pair), std::move(answer), Method::certificate, context.counters};
 }
 
 Depth naive_depth_of(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
@@ -57,6 +53,107 @@ Depth exact_depth(kernels::Context& context, const polytope::PlacedPair& pair, c
       context, pair,
       {options.closest_lines.value_or(ClosestLines::cutting), options.seed, options.optima, options.validate, {}});
 }
+
+}  // namespace
+
+std::size_t expansion_budget(const Options& options, std::size_t points) {
+  if (options.method == Method::certificate) return expanding::unlimited;
+  return options.expansion_budget.value_or(std::min<std::size_t>(200 + 2 * points, 20000));
+}
+
+Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
+  context.counters = Counters{};
+  if (options.method == Method::naive) return naive_depth_of(context, pair, options);
+  if (!expands_first(options)) return exact_depth(context, pair, options);
+  expanding::Expansion expansion = expanding::nearest_by_expansion(
+      context, pair.a, pair.b, expansion_budget(options, pair.a.size() + pair.b.size()), options.workspace);
+  const bool apart = expansion.end == expanding::ExpansionEnd::not_inside && !options.validate;
+  if (apart) return depth::apart_depth(context, pair, expansion.outside);
+  // The budget is exhausted, or each stage is to be validated.
+  if (expansion.end != expanding::ExpansionEnd::proved) return exact_depth(context, pair, options);
+  if (options.validate) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
+  return certified_depth(context, pair, std::move(expansion), options);
+}
+
+NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
+                                     const Options& options) {
+  NarrowResult result;
+  // Stages are validated on the lattice of `place`.
+  if (!expands_first(options) || options.validate) return result;
+  std::optional<Workspace> own;
+  Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
+  Workspace::Parts& parts = *workspace.parts;
+  if (!polytope::place_narrow(a, b, parts.placed)) return result;
+  polytope::with_pair(parts.placed, a, b, parts.scan, [&](const auto& pair) {
+    expanding::Expansion expansion =
+        expanding::nearest_by_expansion(context, pair, expansion_budget(options, a.size() + b.size()), &workspace);
+    if (expansion.end == expanding::ExpansionEnd::proved)
+      result.depth = certified_depth(context, pair, std::move(expansion), options);
+    if (expansion.end == expanding::ExpansionEnd::not_inside)
+      result.depth = polytope::with_searched_pair(parts.placed, a, b, parts.scan, [&](const auto& searched) {
+        return depth::apart_depth(context, searched, expansion.outside);
+      });
+  });
+  if (!result.depth) result.pair = polytope::widened(parts.placed, b[0].exact());
+  return result;
+}
+
+// On a narrow lattice an expanding polytope answers if it can, else the exact method on the same
+// one. On any other lattice the method decides; if one would be too fine, the deciding points do.
+PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
+                         const Options& options) {
+  depth::require_listed(options.optima);
+  const auto answer = [&](auto method, polytope::PlacedPair pair) {
+    Depth depth = method(context, pair, options);
+    return PlacedDepth{std::move(depth), std::move(pair)};
+  };
+  NarrowResult narrow = depth_on_narrow_lattice(context, a, b, options);
+  if (narrow.depth) return {std::move(*narrow.depth), std::nullopt};
+  if (narrow.pair) return answer(exact_depth, std::move(*narrow.pair));
+  std::vector<Point> room_a, room_b;
+  const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
+  if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
+    return answer(depth_by_method, std::move(*slim));
+  if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
+    return {std::move(*depth), std::nullopt};
+  return answer(depth_by_method, polytope::place(exact_a, exact_b, &context));
+}
+
+}  // namespace fathom::solve
+
+namespace fathom {
+namespace {
+
+Depth depth_of(const polytope::Points& a, const polytope::Points& b, const Options& options) {
+  const kernels::DefaultFloatEnvironment environment;
+  kernels::Context context(options.monitor);
+  return solve::placed_depth(context, a, b, options).depth;
+}
+
+}  // namespace
+
+Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
+  return depth_of(a, b, options);
+}
+
+Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b,
+                        const Options& options) {
+  return depth_of(a, b, options);
+}
+
+Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
+  return depth_of(a.points, b.points, options);
+}
+
+// The width is the depth of a body against itself.
+Depth width(std::span<const Point> points, const Options& options) { return depth_of(points, points, options); }
+
+}  // namespace fathom
+
+// Where the answers of two methods differ.
+
+namespace fathom::solve {
+namespace {
 
 std::string shown(bool value) { return value ? "yes" : "no"; }
 std::string shown(std::size_t count) { return std::to_string(count); }
@@ -107,77 +204,6 @@ void compare(Comparison& comparison, const Distance& x, const Distance& y) {
 
 }  // namespace
 
-std::size_t expansion_budget(const Options& options, std::size_t points) {
-  if (options.method == Method::certificate) return expanding::unlimited;
-  return options.expansion_budget.value_or(std::min<std::size_t>(200 + 2 * points, 20000));
-}
-
-Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options) {
-  context.counters = Counters{};
-  if (options.method == Method::naive) return naive_depth_of(context, pair, options);
-  if (!expands_first(options)) return exact_depth(context, pair, options);
-  expanding::Expansion expansion = expanding::nearest_by_expansion(
-      context, pair.a, pair.b, expansion_budget(options, pair.a.size() + pair.b.size()), options.workspace);
-  const bool apart = expansion.end == expanding::ExpansionEnd::not_inside && !options.validate;
-  if (apart) return depth::apart_depth(context, pair, expansion.outside);
-  // The budget is exhausted, or each stage is to be validated.
-  if (expansion.end != expanding::ExpansionEnd::proved) return exact_depth(context, pair, options);
-  if (options.validate) kernels::insist(expanding::validate(expansion, pair.a, pair.b));
-  return certified_depth(context, pair, std::move(expansion), options);
-}
-
-NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
-                                     const Options& options) {
-  NarrowResult result;
-  if (!searches_narrow(options)) return result;
-  std::optional<Workspace> own;
-  Workspace& workspace = options.workspace != nullptr ? *options.workspace : own.emplace();
-  Workspace::Parts& parts = *workspace.parts;
-  if (!polytope::place_narrow(a, b, parts.pair)) {
-    std::vector<Point> room_a, room_b;
-    result.pair = polytope::place_if_slim(a.exact(room_a), b.exact(room_b), &context);
-    if (!result.pair || !polytope::narrow(*result.pair, parts.pair)) return result;
-  }
-  polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-    expanding::Expansion expansion = expanding::nearest_by_expansion(
-        context, bodies, expansion_budget(options, bodies.a.size() + bodies.b.size()), &workspace);
-    if (expansion.end == expanding::ExpansionEnd::proved)
-      result.depth = certified_depth(context, bodies, std::move(expansion), options);
-    if (expansion.end == expanding::ExpansionEnd::not_inside)
-      result.depth = polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& searched) {
-        return depth::apart_depth(context, searched, expansion.outside);
-      });
-  });
-  result.gave_up = !result.depth;
-  if (result.depth) result.pair.reset();
-  else if (!result.pair) result.pair = polytope::widened(parts.pair, b[0].exact());
-  return result;
-}
-
-// Bodies on a narrow lattice are answered there if an expanding polytope can, else on the same
-// lattice by the exact method. On any other lattice the method decides, or the deciding points
-// answer if a common lattice would be too fine.
-PlacedDepth placed_depth(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
-                         const Options& options) {
-  depth::require_listed(options.optima);
-  NarrowResult narrow = depth_on_narrow_lattice(context, a, b, options);
-  if (narrow.depth) return {std::move(*narrow.depth), std::nullopt};
-  const auto answer = [&](auto method, polytope::PlacedPair pair) {
-    Depth depth = method(context, pair, options);
-    return PlacedDepth{std::move(depth), std::move(pair)};
-  };
-  if (narrow.gave_up) return answer(exact_depth, std::move(*narrow.pair));
-  if (narrow.pair) return answer(depth_by_method, std::move(*narrow.pair));
-  std::vector<Point> room_a, room_b;
-  const kernels::Positions exact_a = a.exact(room_a), exact_b = b.exact(room_b);
-  if (!searches_narrow(options))
-    if (std::optional<polytope::PlacedPair> slim = polytope::place_if_slim(exact_a, exact_b, &context))
-      return answer(depth_by_method, std::move(*slim));
-  if (std::optional<Depth> depth = depth_by_deciding_points(context, exact_a, exact_b, options))
-    return {std::move(*depth), std::nullopt};
-  return answer(depth_by_method, polytope::place(exact_a, exact_b, &context));
-}
-
 std::optional<std::string> disagreement(const Depth& x, const Depth& y) {
   Comparison comparison;
   comparison.same("status", x.status(), y.status());
@@ -200,32 +226,3 @@ std::optional<Method> second_method(std::string_view word) {
 }
 
 }  // namespace fathom::solve
-
-namespace fathom {
-namespace {
-
-Depth depth_of(const polytope::Points& a, const polytope::Points& b, const Options& options) {
-  const kernels::DefaultFloatEnvironment environment;
-  kernels::Context context(options.monitor);
-  return solve::placed_depth(context, a, b, options).depth;
-}
-
-}  // namespace
-
-Depth penetration_depth(std::span<const Point> a, std::span<const Point> b, const Options& options) {
-  return depth_of(a, b, options);
-}
-
-Depth penetration_depth(std::span<const std::array<double, 3>> a, std::span<const std::array<double, 3>> b,
-                        const Options& options) {
-  return depth_of(a, b, options);
-}
-
-Depth penetration_depth(const Body& a, const Body& b, const Options& options) {
-  return depth_of(a.points, b.points, options);
-}
-
-// The width is the depth of a body against itself.
-Depth width(std::span<const Point> points, const Options& options) { return depth_of(points, points, options); }
-
-}  // namespace fathom

@@ -24,18 +24,17 @@ std::size_t expansion_budget(const Options& options, std::size_t points);
 /// Resets the counters of `context` first.
 Depth depth_by_method(kernels::Context& context, const polytope::PlacedPair& pair, const Options& options);
 
-/// What the search on a narrow lattice has come to; nothing if the method does not ask for it.
+/// What the search on a narrow lattice has come to; nothing if there is none, or the method does
+/// not ask for it.
 struct NarrowResult {
   std::optional<Depth> depth;
-  /// Else the lattice, if it has been made, and whether the expanding polytope gave up on it: it
-  /// would do so on any.
+  /// Else the lattice on which the expanding polytope gave up: it would do so on any.
   std::optional<polytope::PlacedPair> pair;
-  bool gave_up = false;
 };
 
-/// The answer of method `certificate`, in integers of fixed size, if both bodies lie on a narrow
-/// lattice and the expanding polytope ends. It equals that of depth_by_method, its naive twin, in
-/// every field.
+/// The answer of method `certificate`, in integers of fixed size, if place_narrow places the bodies
+/// and the expanding polytope ends. It equals that of depth_by_method, its naive twin, in every
+/// field.
 NarrowResult depth_on_narrow_lattice(kernels::Context& context, const polytope::Points& a, const polytope::Points& b,
                                      const Options& options);
 

@@ -15,7 +15,7 @@
 #include "reference/depth/apart.hpp"
 #include "reference/expanding/expander.hpp"  // what a Workspace holds
 #include "reference/expanding/expanding_polytope.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/depth.hpp"
 
@@ -52,21 +52,21 @@ std::optional<Seen> seen_on_narrow_lattice(kernels::Context& context, const poly
   std::optional<Workspace> own;
   Workspace& workspace = given != nullptr ? *given : own.emplace();
   Workspace::Parts& parts = *workspace.parts;
-  if (!polytope::place_narrow(a, b, parts.pair)) return std::nullopt;
+  if (!polytope::place_narrow(a, b, parts.placed)) return std::nullopt;
   std::optional<Status> status;  // none if the growing polytope leaves it open
   mpq_class square;
-  polytope::with_narrow_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-    const expanding::OriginExpansion found = expanding::locate_origin(context, bodies, &workspace, asked.has_value());
+  polytope::with_pair(parts.placed, a, b, parts.scan, [&](const auto& pair) {
+    const expanding::OriginExpansion found = expanding::locate_origin(context, pair, &workspace, asked.has_value());
     if (found.end == expanding::ExpansionEnd::proved) status = Status::penetrating;
     if (found.side < 0) status = Status::disjoint;
-    if (found.side < 0 && asked) square = square_of(found.normal, found.height, bodies.unit());
+    if (found.side < 0 && asked) square = square_of(found.normal, found.height, pair.unit());
   });
   if (status == Status::penetrating) return Seen{*status};
-  polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-    if (!status) status = status_of(polytope::position_of_origin(bodies.differences()));
+  polytope::with_searched_pair(parts.placed, a, b, parts.scan, [&](const auto& pair) {
+    if (!status) status = status_of(polytope::position_of_origin(pair.differences()));
     if (status != Status::disjoint || !asked || square >= *asked) return;
-    const polytope::NearestPoints nearest = polytope::nearest_points(bodies.differences());
-    square = square_of(nearest.normal, nearest.height, bodies.unit());
+    const polytope::NearestPoints nearest = polytope::nearest_points(pair.differences());
+    square = square_of(nearest.normal, nearest.height, pair.unit());
   });
   return Seen{*status, std::move(square)};
 }

@@ -22,7 +22,6 @@
 #include "reference/expanding/expanding_polytope.hpp"
 #include "reference/files/pose.hpp"
 #include "reference/polytope/lattice.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "reference/polytope/position.hpp"
 #include "reference/solve/depth.hpp"
@@ -133,8 +132,8 @@ struct AxisBounds {
 template <class Integer>
 class AxisSearch {
  public:
-  AxisSearch(const polytope::NarrowBodies<Integer>& bodies, const Prepared::Parts& a, const Prepared::Parts& b)
-      : bodies_(bodies), differences_(bodies.differences()) {
+  AxisSearch(const polytope::PlacedPairIn<Integer>& pair, const Prepared::Parts& a, const Prepared::Parts& b)
+      : pair_(pair), differences_(pair.differences()) {
     axes_.reserve(few_axes);
     for (const auto& [e, f] : a.facets) axes_.push_back({e, f, false, false});
     for (const auto& [e, f] : b.facets) axes_.push_back({e, f, true, true});
@@ -153,7 +152,7 @@ class AxisSearch {
     double least = std::numeric_limits<double>::infinity();
     for (const Axis& axis : axes_) {
       const Vec3<double> n = cross(image_of(axis.e, axis.e_of_b), image_of(axis.f, axis.f_of_b));
-      const Extent a = extent(bodies_.a.images(), n), b = extent(bodies_.b.images(), n);
+      const Extent a = extent(pair_.a.images(), n), b = extent(pair_.b.images(), n);
       const double length = std::sqrt(dot(n, n));
       for (const double value : {b.high - a.low, a.high - b.low}) {
         const AxisBounds bounds(value, length);
@@ -182,12 +181,12 @@ class AxisSearch {
   using Square = typename expanding::SquareOf<Integer>::type;
 
   Vec3<double> image_of(const EdgeEnds& e, bool of_b) const {
-    const kernels::Images images = of_b ? bodies_.b.images() : bodies_.a.images();
+    const kernels::Images images = of_b ? pair_.b.images() : pair_.a.images();
     const auto& [from, to] = e;
     return {images.x[to] - images.x[from], images.y[to] - images.y[from], images.z[to] - images.z[from]};
   }
   Vec3<Integer> exact(const EdgeEnds& e, bool of_b) const {
-    const auto& body = of_b ? bodies_.b : bodies_.a;
+    const auto& body = of_b ? pair_.b : pair_.a;
     return body[e[1]] - body[e[0]];
   }
 
@@ -225,8 +224,8 @@ class AxisSearch {
     return true;
   }
 
-  const polytope::NarrowBodies<Integer>& bodies_;
-  polytope::NarrowDifferences<Integer> differences_;
+  const polytope::PlacedPairIn<Integer>& pair_;
+  polytope::DifferencesIn<Integer> differences_;
   std::vector<Axis> axes_;
   std::vector<Vec3<Integer>> nearest_;  // normals of the nearest so far, no two of one direction
   Square square_, length_;              // of the nearest: height^2 and <n,n>
@@ -278,14 +277,14 @@ class PlacedQuestion {
       show(a_, true, parts.posed_a);
       show(b_, true, parts.posed_b);
       if (placed(parts))
-        polytope::with_narrow_bodies(parts.pair, parts.posed_a, parts.posed_b, parts.scan, [&](const auto& bodies) {
-          const BodyFacts facts = depth::facts_of(bodies);
+        polytope::with_pair(parts.placed, parts.posed_a, parts.posed_b, parts.scan, [&](const auto& pair) {
+          const BodyFacts facts = depth::facts_of(pair);
           if (flattened(facts.flat_a, of_a_) || flattened(facts.flat_b, of_b_)) return;
-          expanding::WarmExpansion expansion = nearest(bodies, facts);
+          expanding::WarmExpansion expansion = nearest(pair, facts);
           outside = expansion.outside;
           apart = expansion.end == expanding::ExpansionEnd::not_inside;
           if (expansion.end != expanding::ExpansionEnd::proved) return;
-          Penetration penetration = depth::penetration_along(bodies, expansion.normals, options_.optima);
+          Penetration penetration = depth::penetration_along(pair, expansion.normals, options_.optima);
           for (Optimum& optimum : penetration.optima) name_points(optimum.contact);
           static_cast<BodyFacts&>(depth.emplace()) = facts;
           depth->outcome = std::move(penetration);
@@ -295,9 +294,9 @@ class PlacedQuestion {
     show(a_, false, parts.posed_a);
     show(b_, false, parts.posed_b);
     const Points a(parts.posed_a), b(parts.posed_b);
-    if (apart && polytope::place_narrow(a, b, parts.pair))
-      return polytope::with_searched_bodies(parts.pair, a, b, parts.scan, [&](const auto& bodies) {
-        return depth::apart_depth(context_, bodies, outside);
+    if (apart && polytope::place_narrow(a, b, parts.placed))
+      return polytope::with_searched_pair(parts.placed, a, b, parts.scan, [&](const auto& pair) {
+        return depth::apart_depth(context_, pair, outside);
       });
     return solve::placed_depth(context_, a, b, options_).depth;
   }
@@ -310,23 +309,23 @@ class PlacedQuestion {
   /// than that of `place`: what is unique does not depend on it.
   bool placed(Workspace::Parts& parts) const {
     const bool in_integers = !parts.posed_a.numerators.empty() && !parts.posed_b.numerators.empty();
-    return (!in_integers && polytope::place_over_common_denominator(parts.posed_a, parts.posed_b, parts.pair)) ||
-           polytope::place_narrow(parts.posed_a, parts.posed_b, parts.pair);
+    return (!in_integers && polytope::place_over_common_denominator(parts.posed_a, parts.posed_b, parts.placed)) ||
+           polytope::place_narrow(parts.posed_a, parts.posed_b, parts.placed);
   }
 
   template <class Integer>
-  expanding::WarmExpansion nearest(const polytope::NarrowBodies<Integer>& bodies, const BodyFacts& facts) {
+  expanding::WarmExpansion nearest(const polytope::PlacedPairIn<Integer>& pair, const BodyFacts& facts) {
     if (!facts.flat_a && !facts.flat_b && AxisSearch<Integer>::serves(of_a_, of_b_))
-      return AxisSearch<Integer>(bodies, of_a_, of_b_).run();
+      return AxisSearch<Integer>(pair, of_a_, of_b_).run();
     std::vector<polytope::Difference> differences;
     if (start_ != nullptr) {
       for (const auto& [i, j] : start_->differences)
         if (const auto in_a = place_of(i, of_a_), in_b = place_of(j, of_b_); in_a && in_b)
           differences.emplace_back(*in_a, *in_b);
     }
-    const std::size_t budget = solve::expansion_budget(options_, bodies.a.size() + bodies.b.size());
+    const std::size_t budget = solve::expansion_budget(options_, pair.a.size() + pair.b.size());
     expanding::WarmExpansion result =
-        expanding::nearest_from(context_, bodies, budget, *options_.workspace, differences, most_start_differences);
+        expanding::nearest_from(context_, pair, budget, *options_.workspace, differences, most_start_differences);
     if (start_ == nullptr) return result;
     start_->differences.clear();
     for (const auto& [i, j] : differences) start_->differences.emplace_back(of_a_.kept[i], of_b_.kept[j]);

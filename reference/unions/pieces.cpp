@@ -189,16 +189,6 @@ Vector way(const Ends& from, const Ends& to) {
   return difference(difference(from.a, from.b), difference(to.a, to.b)).v;
 }
 
-polytope::Differences differences_of(AnyNumbers, const kernels::PointCloud& a, const kernels::PointCloud& b,
-                                     kernels::ScanMemory&) {
-  return {a, b};
-}
-polytope::NarrowDifferences<polytope::NarrowInteger> differences_of(FixedNumbers, const kernels::PointCloud& a,
-                                                                    const kernels::PointCloud& b,
-                                                                    kernels::ScanMemory& memory) {
-  return {{a, memory}, {b, memory}};
-}
-
 }  // namespace
 
 PlacedPieces place_pieces(const Pieces& a, const Pieces& b, Lattices lattices) {
@@ -218,10 +208,8 @@ mpz_class PlacedPieces::factor(std::uint32_t i, std::uint32_t j) const { return 
 polytope::PlacedPair PlacedPieces::pair(std::uint32_t i, std::uint32_t j) const {
   if (on_one_lattice()) return {whole.denominator, whole.origin, a[i].cloud, b[j].cloud};
   const mpz_class finer = factor(i, j);
-  polytope::PlacedPair pair = polytope::place_integers(multiples(a[i], finer), multiples(b[j], finer));
-  pair.denominator = whole.denominator * finer;
-  pair.origin = whole.origin;
-  return pair;
+  return polytope::place_integers(multiples(a[i], finer), multiples(b[j], finer), whole.denominator * finer,
+                                  whole.origin);
 }
 
 mpq_class PlacedPieces::squared_of_boxes(std::uint32_t i, std::uint32_t j) const {
@@ -269,9 +257,9 @@ PiecePairIn<Numbers>::PiecePairIn(const PlacedPieces& pieces, std::uint32_t i, s
       factor_(pieces.factor(i, j)),
       pieces_(pieces),
       own_(pieces.on_one_lattice() ? std::nullopt : std::optional(pieces.pair(i, j))),
-      differences_(
-          differences_of(Numbers{}, own_ ? own_->a : pieces.a[i].cloud, own_ ? own_->b : pieces.b[j].cloud, memory_)) {
-  using Integer = typename DifferencesIn<Numbers>::Integer;
+      differences_(polytope::differences_in<IntegerOfScans<Numbers>>(own_ ? own_->a : pieces.a[i].cloud,
+                                                                     own_ ? own_->b : pieces.b[j].cloud, memory_)) {
+  using Integer = IntegerOfScans<Numbers>;
   for (int k = 0; k < 3; ++k) {
     for (const long sign : {1L, -1L}) {
       const Vec3<Integer> u = axis<Integer>(k, sign);
@@ -399,7 +387,7 @@ bool PiecePairIn<Numbers>::step_towards(const Place& p, Facet& facet) {
   Corner next = corner(differences_.likely_extreme(plane.image.normal));
   OfPlane height = dot(plane.normal, next.exact);
   if (!inside(height) || cmp(height, plane.height) <= 0) {
-    next = corner(differences_.extreme(as<typename DifferencesIn<Numbers>::Integer>(plane.normal)));
+    next = corner(differences_.extreme(as<IntegerOfScans<Numbers>>(plane.normal)));
     height = dot(plane.normal, next.exact);
     if (!inside(height)) {
       facet.supports = height == plane.height;
@@ -442,7 +430,7 @@ bool PiecePairIn<Numbers>::settle(Facet& facet) {
   const Plane& plane = inwards(facet.plane, room);
   const auto is_above = [&](const Corner& c) { return cmp(dot(plane.normal, c.exact), plane.height) > 0; };
   Corner next = corner(differences_.likely_extreme(plane.image.normal));
-  if (!is_above(next)) next = corner(differences_.extreme(as<typename DifferencesIn<Numbers>::Integer>(plane.normal)));
+  if (!is_above(next)) next = corner(differences_.extreme(as<IntegerOfScans<Numbers>>(plane.normal)));
   if (!is_above(next)) return facet.supports = true;
   grow(next, facet);
   return false;

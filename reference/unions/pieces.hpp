@@ -15,7 +15,7 @@
 #include "fathom/union.hpp"
 #include "kernels/filters/meeting_points.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 
 namespace fathom::unions {
 
@@ -78,10 +78,10 @@ PlacedPieces place_pieces(const Pieces& a, const Pieces& b, Lattices lattices = 
 // it and by planes that hold it. Both grow towards the points that are asked about, by the steps of
 // the expanding polytope, and only as far as an answer needs.
 
-/// The differences of two clouds, by the scans of these numbers.
+/// The integers that scans of two clouds take.
 template <class Numbers>
-using DifferencesIn = std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>,
-                                         polytope::NarrowDifferences<polytope::NarrowInteger>, polytope::Differences>;
+using IntegerOfScans =
+    std::conditional_t<std::is_same_v<Numbers, kernels::FixedNumbers>, polytope::NarrowInteger, mpz_class>;
 
 /// A facet of Q, or a part of one.
 template <class Numbers>
@@ -161,7 +161,7 @@ class PiecePairIn {
   const PlacedPieces& pieces_;
   std::optional<polytope::PlacedPair> own_;  // the points on the pair's lattice, if that is not the common one
   kernels::ScanMemory memory_;
-  DifferencesIn<Numbers> differences_;
+  polytope::DifferencesIn<IntegerOfScans<Numbers>> differences_;
   bool started_ = false;
   Surface surface_;
   expanding::MergeMemory merge_;

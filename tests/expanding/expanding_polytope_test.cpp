@@ -19,7 +19,7 @@
 #include "kernels/predicates/direction.hpp"
 #include "reference/depth/penetration_depth.hpp"
 #include "reference/expanding/surface.hpp"
-#include "reference/polytope/narrow_lattice.hpp"
+#include "reference/polytope/lattice.hpp"
 #include "reference/polytope/polytope.hpp"
 #include "tests/expanding/same_expansion.hpp"
 #include "tests/support/prepared.hpp"
@@ -203,7 +203,7 @@ TEST(StartingTetrahedron, IsFoundExactlyIfPIsSolidAndTheSameWithAllIntegers) {
     polytope::Differences search{clouds.a, clouds.b};
     const auto start = starting_tetrahedron(search);
     ASSERT_EQ(start.has_value(), polytope::affine_rank(differences) == 3) << i;
-    polytope::NarrowDifferences<polytope::NarrowInteger> narrow{{clouds.a, memory}, {clouds.b, memory}};
+    auto narrow = polytope::differences_in<polytope::NarrowInteger>(clouds.a, clouds.b, memory);
     ASSERT_EQ(starting_tetrahedron(narrow), start) << i;
     ++(start ? solid : flat);
     if (!start) continue;
@@ -295,9 +295,10 @@ TEST(FixedIntegers, TakeTheStepsOfMpzOnLatticesOfEveryWidth) {
     }
     const polytope::PlacedPair clouds = polytope::place_integers(a, b);
     const Expansion fixed = nearest_by_expansion(context, clouds.a, clouds.b, unlimited, &workspace);
-    const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, unlimited, &workspace);
+    const Expansion twin = nearest_by_expansion_in<mpz_class>(context, clouds.a, clouds.b, unlimited, &workspace);
     expect_same(fixed, twin);
-    expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, unlimited, &workspace), twin);
+    expect_same(nearest_by_expansion_in<kernels::LazyInteger>(context, clouds.a, clouds.b, unlimited, &workspace),
+                twin);
     if (HasFailure()) FAIL() << i << ", " << bits << " bits";
   }
 }
@@ -321,7 +322,7 @@ TEST(FixedIntegers, HoldTheLargestNumbers) {
     ASSERT_EQ(clouds.exponent(), polytope::most_narrow_bits);
     const Expansion fixed = nearest_by_expansion(context, clouds.a, clouds.b);
     ASSERT_EQ(fixed.end, ExpansionEnd::proved);
-    expect_same(fixed, nearest_by_expansion_in_mpz(context, clouds.a, clouds.b));
+    expect_same(fixed, nearest_by_expansion_in<mpz_class>(context, clouds.a, clouds.b));
   }
 }
 
@@ -350,13 +351,13 @@ TEST(WordIntegers, HoldTheLargestNumbers) {
         a.push_back(i % 4 == 1 ? -p : p);
         b.push_back(p);
       }
-      polytope::NarrowPair pair;
-      ASSERT_TRUE(polytope::place_narrow(a, b, pair));
-      ASSERT_EQ(pair.exponent, bits);
+      polytope::NarrowMemory placed;
+      ASSERT_TRUE(polytope::place_narrow(a, b, placed));
+      ASSERT_EQ(placed.exponent, bits);
       const polytope::PlacedPair clouds = polytope::place(a, b);
-      const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b);
+      const Expansion twin = nearest_by_expansion_in<mpz_class>(context, clouds.a, clouds.b);
       ASSERT_EQ(twin.end, ExpansionEnd::proved);
-      ASSERT_EQ(expect_same_in_all_integers(pair, a, b, unlimited, workspace, twin), kinds);
+      ASSERT_EQ(expect_same_in_all_integers(placed, a, b, unlimited, workspace, twin), kinds);
       expect_same(nearest_by_expansion(context, clouds.a, clouds.b, unlimited, &workspace), twin);
       if (HasFailure()) FAIL() << i << ", " << bits << " bits";
     }
@@ -389,8 +390,8 @@ TEST(LazyIntegers, TakeTheStepsOfMpzWhereCoordinatesDifferInSize) {
     const unsigned long spread = 1 + random() % 1200;
     const polytope::PlacedPair clouds = polytope::place_integers(wild_body(random, spread), wild_body(random, spread));
     const testing::RoundingMode mode(testing::rounding_modes[i % 4]);
-    const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, 300, &workspace);
-    expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, 300, &workspace), twin);
+    const Expansion twin = nearest_by_expansion_in<mpz_class>(context, clouds.a, clouds.b, 300, &workspace);
+    expect_same(nearest_by_expansion_in<kernels::LazyInteger>(context, clouds.a, clouds.b, 300, &workspace), twin);
     proved += twin.end == ExpansionEnd::proved ? 1 : 0;
     if (HasFailure()) FAIL() << i << ", " << spread;
   }

@@ -40,15 +40,15 @@ struct Counts {
 
 Counts allocations_of(kernels::Context& context, const Case& input, Workspace::Parts& parts) {
   const std::size_t before = allocations;
-  if (!polytope::place_narrow(input.a.points, input.b.points, parts.pair)) return {0, 0};
+  if (!polytope::place_narrow(input.a.points, input.b.points, parts.placed)) return {0, 0};
   const std::size_t placed = allocations;
-  const auto search = [&]<class Integer>(const polytope::NarrowBodies<Integer>& bodies) {
-    polytope::NarrowDifferences<Integer> differences = bodies.differences();
+  const auto search = [&]<class Integer>(const polytope::PlacedPairIn<Integer>& pair) {
+    polytope::DifferencesIn<Integer> differences = pair.differences();
     Expander expander(context, differences, parts.memory<Integer>(), 1000);
     if (expander.start()) expander.find_nearest();
     if (expander.start()) expander.find_origin();
   };
-  polytope::with_narrow_bodies(parts.pair, input.a.points, input.b.points, parts.scan, search);
+  polytope::with_pair(parts.placed, input.a.points, input.b.points, parts.scan, search);
   return {placed - before, allocations - placed};
 }
 

@@ -27,23 +27,29 @@ inline void expect_same(const Expansion& x, const Expansion& y, unsigned finer =
   EXPECT_EQ(x.sides_exact, y.sides_exact);
 }
 
-/// Compares the search in all integers that hold the pair's with its twin; returns how many do.
-inline int expect_same_in_all_integers(const polytope::NarrowPair& pair, const polytope::Points& a,
+/// Calls in(integer) with all integers of fixed size that hold what is computed; returns how many
+/// do.
+template <class In>
+int in_all_integers(long exponent, In in) {
+  if (exponent > polytope::most_narrow_bits) return 0;
+  in(polytope::NarrowInteger());
+  if (exponent > polytope::most_bits_for<kernels::Integer255>) return 1;
+  in(kernels::Integer255(0));
+  if (exponent > polytope::most_bits_for<kernels::Integer127>) return 2;
+  in(kernels::Integer127(0));
+  return 3;
+}
+
+/// Compares the search in all these integers with its twin; returns how many they are.
+inline int expect_same_in_all_integers(const polytope::NarrowMemory& placed, const polytope::Points& a,
                                        const polytope::Points& b, std::size_t budget, Workspace& workspace,
                                        const Expansion& twin) {
   kernels::ScanMemory memory;
   kernels::Context context;
-  const auto in = [&]<class Integer>(Integer) {
-    const polytope::NarrowBodies<Integer> bodies(pair, a, b, memory);
-    const auto finer = static_cast<unsigned>(std::max(pair.power, 0L));
-    expect_same(nearest_by_expansion(context, bodies, budget, &workspace), twin, finer);
-  };
-  in(polytope::NarrowInteger());
-  if (pair.a.words.empty() || pair.exponent > polytope::most_bits_for<kernels::Integer255>) return 1;
-  in(kernels::Integer255(0));
-  if (pair.exponent > polytope::most_bits_for<kernels::Integer127>) return 2;
-  in(kernels::Integer127(0));
-  return 3;
+  return in_all_integers(placed.exponent, [&]<class Integer>(Integer) {
+    const auto finer = static_cast<unsigned>(std::max(placed.power, 0L));
+    expect_same(nearest_by_expansion(context, placed.pair<Integer>(a, b, memory), budget, &workspace), twin, finer);
+  });
 }
 
 /// Compares all ways to expand for this pair. Returns how they ended, and whether the pair lies on
@@ -53,14 +59,15 @@ inline std::pair<ExpansionEnd, bool> expect_same_expansions(const Case& input, W
   constexpr std::size_t budget = 500;
   kernels::Context context;
   const polytope::PlacedPair clouds = polytope::place(input.a.points, input.b.points);
-  const Expansion twin = nearest_by_expansion_in_mpz(context, clouds.a, clouds.b, budget, &workspace);
+  const Expansion twin = nearest_by_expansion_in<mpz_class>(context, clouds.a, clouds.b, budget, &workspace);
   expect_same(nearest_by_expansion(context, clouds.a, clouds.b, budget, &workspace), twin);
-  expect_same(nearest_by_expansion_lazily(context, clouds.a, clouds.b, budget, &workspace), twin);
-  polytope::NarrowPair pair;
-  if (polytope::narrow(clouds, pair))
-    expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
-  const bool in_words = polytope::place_narrow(input.a.points, input.b.points, pair);
-  if (in_words) expect_same_in_all_integers(pair, input.a.points, input.b.points, budget, workspace, twin);
+  expect_same(nearest_by_expansion_in<kernels::LazyInteger>(context, clouds.a, clouds.b, budget, &workspace), twin);
+  in_all_integers(clouds.exponent(), [&]<class Integer>(Integer) {
+    expect_same(nearest_by_expansion_in<Integer>(context, clouds.a, clouds.b, budget, &workspace), twin);
+  });
+  polytope::NarrowMemory placed;
+  const bool in_words = polytope::place_narrow(input.a.points, input.b.points, placed);
+  if (in_words) expect_same_in_all_integers(placed, input.a.points, input.b.points, budget, workspace, twin);
   return {twin.end, in_words};
 }
 

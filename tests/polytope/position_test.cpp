@@ -95,11 +95,9 @@ template <class Answer, class Search>
 void expect_in_fixed_integers(const Answer& answer, const std::vector<Vector>& a, const std::vector<Vector>& b,
                               Search search) {
   const PlacedPair placed = place_integers(a, b);
-  NarrowPair pair;
   kernels::ScanMemory memory;
-  if (a.size() + b.size() > most_points_without_samples || !narrow(placed.a, placed.b, pair)) return;
-  const NarrowPoints<NarrowInteger> of_a(pair.a, pair.exponent, memory), of_b(pair.b, pair.exponent, memory);
-  EXPECT_TRUE(search(NarrowDifferences<NarrowInteger>{of_a, of_b}) == answer);
+  if (a.size() + b.size() > most_points_without_samples || placed.exponent() > most_narrow_bits) return;
+  EXPECT_TRUE(search(differences_in<NarrowInteger>(placed.a, placed.b, memory)) == answer);
 }
 
 // Solves in both kinds of integers, checks the proof, and returns the answer.

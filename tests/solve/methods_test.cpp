@@ -333,7 +333,7 @@ TEST(NarrowDepth, EqualsTheTwinOnEveryFamily) {
       options.workspace = &workspace;
       const NarrowResult again = depth_on_narrow_lattice(context, input.a.points, input.b.points, options);
       EXPECT_EQ(narrow.depth.has_value(), again.depth.has_value());
-      EXPECT_EQ(narrow.gave_up, again.gave_up);
+      EXPECT_EQ(narrow.pair.has_value(), again.pair.has_value());
       if (!narrow.depth) continue;
       ++answered[narrow.depth->status()];
       kernels::Context other;
@@ -375,7 +375,7 @@ TEST(NarrowDepth, HandsOverWhatItCannotAnswer) {
   const auto end = [&](const Doubles& a, const Doubles& b, const Options& options = {}) {
     const NarrowResult result = depth_on_narrow_lattice(context, a, b, options);
     EXPECT_FALSE(result.depth && result.pair);
-    return result.depth ? answered : result.gave_up ? failed : not_tried;
+    return result.depth ? answered : result.pair ? failed : not_tried;
   };
   EXPECT_EQ(end(cube, cube), answered);
   EXPECT_EQ(end(cube, point), answered) << "disjoint";
