@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every library that fathom is built from. What each is for: docs/architecture.md. The headers of
-# CGAL and simdjson are used inside .cpp files only.
+# CGAL, simdjson and pugixml are used inside .cpp files only.
 include(${CMAKE_CURRENT_LIST_DIR}/fathomNumbers.cmake)
 fathom_find_numbers()
 
@@ -15,6 +15,7 @@ find_package(CGAL 5.5 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(Threads REQUIRED)
 find_package(simdjson REQUIRED)
+find_package(pugixml REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(TBB REQUIRED)
 find_library(FATHOM_LIBMD md REQUIRED)

@@ -17,6 +17,7 @@
 #include "cli/args/help.hpp"
 #include "cli/io/output.hpp"
 #include "kernels/messages.hpp"
+#include "reference/files/robot.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/golden/shards/plan.hpp"
 
@@ -32,7 +33,7 @@ namespace {
 bool is_input(const std::string& word) {
   std::error_code fault;
   return word == "-" || is_mesh_name(word) || is_cases_name(word) || files::is_shape_text(word) ||
-         std::filesystem::is_regular_file(word, fault);
+         files::is_robot_text(word) || std::filesystem::is_regular_file(word, fault);
 }
 
 /// Returns the command line that is probably meant by inputs without a command, as "; did you mean
@@ -41,7 +42,8 @@ std::string line_with_command(const std::vector<std::string>& words) {
   std::vector<std::string> inputs;
   std::copy_if(words.begin(), words.end(), std::back_inserter(inputs), is_input);
   if (inputs.empty()) return "";
-  const bool one_body = inputs.size() == 1 && (is_mesh_name(inputs[0]) || files::is_shape_text(inputs[0]));
+  const bool one_body = inputs.size() == 1 &&
+                        (is_mesh_name(inputs[0]) || files::is_shape_text(inputs[0]) || files::is_robot_text(inputs[0]));
   return fmt::format("; did you mean: fathom {} {}", one_body ? "width" : "depth", shell_line(words));
 }
 

@@ -107,6 +107,7 @@ constexpr Example general_examples[] = {
     {"fathom stages --json a.off b.stl", "what the exact method makes on its way: the data of all pictures"},
     {"fathom explain a.off b.stl -o page.html", "why? one page with pictures of every stage"},
     {"fathom solid a.off", "is a mesh closed, and of how many convex pieces is what it goes around?"},
+    {"fathom robot arm.urdf", "which links of a robot overlap?"},
     {"fathom cases --family near_ties", "test cases by name, as input for the others"},
     {"fathom certify --adapter libccd-epa cases.jsonl", "where is a library wrong, and by how much?"},
     {"fathom check proof.cert", "is this certificate a proof? by a checker that shares nothing with the rest"},
@@ -207,6 +208,14 @@ constexpr Example solid_examples[] = {
     {"fathom solid --json a.stl", "one JSON object"},
 };
 
+constexpr Example robot_examples[] = {
+    {"fathom robot arm.urdf", "which links of a robot overlap, and how far apart are the others?"},
+    {"fathom robot --joints shoulder=1/2,elbow=-2.5 arm.urdf", "where the joints stand so"},
+    {"fathom robot --json --exact-decimals arm.urdf", "one JSON object; 0.1 means 1/10"},
+    {"fathom depth --joints elbow=-2.5 arm.urdf#left arm.urdf#base",
+     "two links, as every command on bodies takes them"},
+};
+
 constexpr Example cases_examples[] = {
     {"fathom cases --list", "the families, with a line on each"},
     {"fathom cases --family near_ties --count 100 --seed 7",
@@ -300,6 +309,11 @@ constexpr std::string_view solid_notes[] = {
     "Meshes: OFF, OBJ, PLY, STL. The solid of a mesh is where its winding number is positive. A mesh that is not "
     "closed, or has a part inside out, is refused; nothing is mended.",
 };
+constexpr std::string_view robot_notes[] = {
+    "Reads the collision elements of URDF: box, sphere, cylinder, capsule, and mesh, of which the hull is taken. Links "
+    "with at most one joint between them that moves are adjacent, and left out. A signed depth is above 0 where links "
+    "overlap; the least comes first.",
+};
 constexpr std::string_view check_notes[] = {
     "Checks certificates of how deep two convex bodies lie in each other, exactly; - is standard input. FORMAT.md says "
     "what they look like "
@@ -326,6 +340,8 @@ constexpr CommandHelp commands[] = {
      usual_notes},
     {"solid", "Convex pieces of the solid that a closed mesh bounds, exactly.", "fathom solid [OPTIONS] MESH",
      solid_examples, solid_exits, solid_notes},
+    {"robot", "Signed depths of all pairs of links of a robot that may touch, exactly.",
+     "fathom robot [OPTIONS] FILE.urdf", robot_examples, usual_exits, robot_notes},
     {"cases", "Test cases by name, or from two meshes.",
      "fathom cases --family NAME [OPTIONS] | --catalogue | --list | --from [OPTIONS] A B | --from-fcl FILE",
      cases_examples, usual_exits, usual_notes},

@@ -36,7 +36,8 @@ Option file(std::string commands, std::string names, std::string value, FileUse 
 constexpr const char *on_bodies = "depth,width,approx,ray,metric,study,stages,explain",
                      *on_streams = "depth,width,approx,ray,metric,study,stages",
                      *with_bodies = "depth,width,approx,ray,metric,study,stages,explain,cases",
-                     *with_meshes = "depth,width,approx,ray,metric,study,stages,explain,cases,solid",
+                     *with_meshes = "depth,width,approx,ray,metric,study,stages,explain,cases,solid,robot",
+                     *with_robots = "depth,width,approx,ray,metric,study,stages,explain,cases,robot",
                      *of_two = "depth,approx,ray,metric,study,stages,explain,cases";
 
 // Meanings that options of two commands share.
@@ -134,6 +135,20 @@ std::vector<Option> make_table() {
       file(of_two, "--pose-a", "POSE", FileUse::read, pose),
       file("width", "--pose-a,--pose", "POSE", FileUse::read, pose),
       file(of_two, "--pose-b", "POSE", FileUse::read, "the same for B"),
+      {with_robots,
+       "--joints",
+       "NAME=VALUE,...",
+       "of robots, FILE.urdf#LINK: where joints stand, in radians or lengths; the others at 0, or at the limit that is "
+       "nearest to 0. A joint that mimics another follows it",
+       {wrong_joints}},
+      {with_robots,
+       "--package-path",
+       "DIR",
+       "of robots: a folder in which package://NAME/... is looked for, as DIR/NAME or as a package DIR of that name; "
+       "may be repeated. Meshes are read from there and from the folder of the robot's file alone",
+       {},
+       FileUse::read,
+       Repeats::each},
       flag(on_bodies, "--require-convex",
            "a mesh with faces that is not convex is an error, exit code 2; else its hull is taken, and the result says "
            "so"),
@@ -150,7 +165,7 @@ std::vector<Option> make_table() {
            "draw the bodies and the way out as SVG to FILE; for a stream: a directory, one file for each case; with "
            "--along: the curve"),
       flag("depth,width", "--counters", "add what the run did, in counts"),
-      flag("depth,width,approx,ray,metric,solid", "--exact",
+      flag("depth,width,approx,ray,metric,solid,robot", "--exact",
            "text: the exact numbers, as fractions in full and directions as integers, where else the nearest decimals "
            "stand"),
       {"approx,ray", "--digits", "N", "add an enclosure of the length to N significant digits", {wrong_digits}},
@@ -196,6 +211,8 @@ std::vector<Option> make_table() {
       {"depth,explain", "--twist-b", "VX,VY,VZ,WX,WY,WZ", "the same for B, alone or beside --twist", {wrong_twist}},
       flag("depth", "--pieces", pieces + ". With --json one object, schema fathom/union/1"),
       flag("explain", "--pieces", pieces),
+      flag("robot", "--pieces", "each mesh is the union of convex pieces: the groups of an OBJ file"),
+      flag("robot", "--solid", "each mesh is what it goes around, convex or not, instead of its hull"),
       flag("depth,explain", "--solid",
            "each body is what its closed mesh goes around, convex or not, with cavities: cut into convex pieces, "
            "exactly. A mesh that is not closed, or has a part inside out, is an error. With depth --json one object, "
@@ -239,6 +256,7 @@ std::vector<Option> make_table() {
           "judge convex pieces of another program, in groups of an OBJ file or in a folder of meshes: by which volumes "
           "do they miss the solid, stick out of it and overlap? Exit code 1 unless they tile it"),
       flag("solid", "--json", "one JSON object, schema fathom/solid/1"),
+      flag("robot", "--json", "one JSON object, schema fathom/robot/1"),
       flag("explain", "--times", "add how long each stage took: then the page differs from run to run"),
 
       {"certify", "--subject", "COMMAND",

@@ -94,6 +94,17 @@ std::optional<Twist> typed_motion(std::string_view text) {
   return v ? std::optional(Twist{*v, {}}) : typed_twist(text);
 }
 
+std::optional<std::map<std::string, mpq_class, std::less<>>> typed_joints(std::string_view text, Decimals decimals) {
+  std::map<std::string, mpq_class, std::less<>> values;
+  for (const std::string& word : words_of(text)) {
+    const std::size_t equals = word.rfind('=');
+    if (equals == word.npos || equals == 0) return std::nullopt;
+    const ParsedNumber number = parse_number(std::string_view(word).substr(equals + 1), decimals);
+    if (!number.value || !values.emplace(word.substr(0, equals), *number.value).second) return std::nullopt;
+  }
+  return values.empty() ? std::nullopt : std::optional(std::move(values));
+}
+
 std::optional<std::vector<unsigned>> typed_sizes(std::string_view text) {
   if (const std::size_t dots = text.find(".."); dots != text.npos)
     return typed_range(text.substr(0, dots), text.substr(dots + 2));
@@ -188,6 +199,11 @@ std::string wrong_vector(const std::string& text) {
 
 std::string wrong_motion(const std::string& text) {
   return unless(typed_motion(text).has_value(), "three numbers such as 1,0,-1/2, or six, not all zero", text);
+}
+
+std::string wrong_joints(const std::string& text) {
+  return unless(typed_joints(text).has_value(), "joints with their values, each once, such as shoulder=1/2,elbow=-0.3",
+                text);
 }
 
 std::string wrong_twist(const std::string& text) {

@@ -25,6 +25,7 @@
 #include "kernels/messages.hpp"
 #include "reference/files/file_io.hpp"
 #include "reference/files/piece_files.hpp"
+#include "reference/files/robot.hpp"
 #include "reference/files/shape_names.hpp"
 #include "verify/harness/variants.hpp"
 
@@ -95,7 +96,23 @@ std::string wrong_certify(const Given& given) {
   return wrong_variants(given.text("--metamorphic"));
 }
 
+std::string wrong_robots(const Given& given) {
+  const std::vector<std::string> inputs = given.inputs();
+  if (given.command == "robot") {
+    if (given.flag("--pieces") && given.flag("--solid"))
+      return "--solid cuts meshes, and --pieces takes groups as they are: choose one";
+    return inputs.size() == 1 ? ""
+                              : fmt::format("robot expects one URDF file, found {} argument{}", inputs.size(),
+                                            inputs.size() == 1 ? "" : "s");
+  }
+  for (const char* option : {"--joints", "--package-path"})
+    if (given.has(option) && std::ranges::none_of(inputs, files::is_robot_text))
+      return fmt::format("{} is about links of robots, FILE.urdf#LINK, found none", option);
+  return "";
+}
+
 std::string wrong_inputs(const Given& given) {
+  if (const std::string fault = wrong_robots(given); !fault.empty()) return fault;
   if (given.command == "cases") return wrong_cases(given);
   if (given.has("--sweep")) return "";
   if (given.command == "certify") return wrong_certify(given);
@@ -107,6 +124,7 @@ std::string wrong_inputs(const Given& given) {
     return inputs.size() == 1
                ? ""
                : "width expects one mesh, or one stream of cases (a .jsonl file, or - for standard input), " + found;
+  if (given.command == "robot") return "";
   if (given.command == "solid") return inputs.size() == 1 ? "" : "solid expects one mesh, " + found;
   const std::string expected =
       given.command + " expects two meshes, or one stream of cases (a JSON Lines file, or - for standard input), ";
@@ -115,6 +133,8 @@ std::string wrong_inputs(const Given& given) {
     return expected + "found the single mesh " + kernels::shown(inputs[0]);
   if (inputs.size() == 1 && files::is_shape_text(inputs[0]))
     return expected + "found the single shape " + kernels::shown(inputs[0]);
+  if (inputs.size() == 1 && files::is_robot_text(inputs[0]))
+    return expected + "found the single link " + kernels::shown(inputs[0]);
   if (inputs.size() == 2 && (inputs[0] == "-" || inputs[1] == "-")) return expected + "found - beside another input";
   return "";
 }
@@ -126,6 +146,7 @@ std::string first_of(const Given& given, std::initializer_list<const char*> opti
 }
 
 std::string wrong_unions(const Given& given) {
+  if (given.command == "robot") return "";
   const std::string asked = given.flag("--solid") ? "--solid" : "--pieces";
   const std::string other = first_of(given, {"--method", "--closest-lines", "--seed", "--bits", "--optima", "--along",
                                              "--steps", "--times", "--csv", "--case", "--threads"});
@@ -313,6 +334,7 @@ std::vector<NamedFile> files_of(const Given& given) {
     const FileUse use = is_input ? FileUse::read : option.option->use;
     const std::string name = is_input ? "" : option.name;
     for (std::string value : option.values) {
+      if (is_input) value = files::is_robot_text(value) ? files::file_of_robot(value) : value;
       if (name.starts_with("--pose")) {
         if (!value.starts_with('@')) continue;
         value.erase(0, 1);

@@ -164,13 +164,18 @@ ExitCode print_meshes(const BodiesRequest& request) {
   const auto pose = [&](const std::optional<std::string>& text, const char* option) {
     return text ? std::optional(asked_pose(*text, option, request.decimals, false)) : std::nullopt;
   };
-  const auto posed = [](const Body& body, const std::optional<files::GivenPose>& given) {
+  const auto posed = [](Body body, const std::optional<files::GivenPose>& given) {
+    if (given && body.words) {  // it has a pose of its own
+      files::place(body, *given);
+      return files::body_json(body);
+    }
     return given ? files::body_json(body, *given) : files::body_json(body);
   };
   const std::optional<files::GivenPose> pose_a = pose(request.pose_a, "--pose-a"),
                                         pose_b = pose(request.pose_b, "--pose-b");
   const std::string &path_a = request.inputs[0], &path_b = request.inputs[1];
-  const Body a = read_mesh(path_a, request.decimals), b = read_mesh(path_b, request.decimals);
+  const std::vector<Body> bodies = bodies_of_inputs(request);
+  const Body &a = bodies[0], &b = bodies[1];
   print(files::case_json(
       {path_a + " " + path_b, posed(a, pose_a), posed(b, pose_b), {{"a", path_a}, {"b", path_b}}, ""}));
   return fine;

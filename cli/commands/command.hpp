@@ -33,6 +33,7 @@ ExitCode run_sweep(const Given& given);
 ExitCode run_stages(const Given& given);
 ExitCode run_explain(const Given& given);
 ExitCode run_solid(const Given& given);
+ExitCode run_robot(const Given& given);
 ExitCode run_cases(const Given& given);
 ExitCode run_certify(const Given& given);
 /// Implements `certify --claims FILE`: judges published statements about pairs of bodies. Returns 1

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -26,17 +27,28 @@
 namespace fathom::cli {
 namespace {
 
-/// Returns the body in a file or folder, or of the description of a shape.
-Body body_of_input(const std::string& input, const BodiesRequest& request) {
-  if (!files::is_shape_text(input))
+/// Returns the link where its robot puts it. Adds the robot to those that were read before.
+Body link_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
+  const auto [robot, link] = files::read_link(input, request.decimals);
+  const files::PosedRobot posed = files::posed(robot, request.joints);
+  if (std::ranges::find(robots, robot.file, &files::Robot::file) == robots.end())
+    for (const std::string& note : posed.notes) talk(robot.file + ": " + note);
+  robots.push_back(robot);
+  return files::body_of(posed, link, request.robots);
+}
+
+/// Returns the body in a file or folder, of the description of a shape, or of a link.
+Body body_of_input(const std::string& input, const BodiesRequest& request, std::vector<files::Robot>& robots) {
+  const bool is_link = files::is_robot_text(input);
+  if (!is_link && !files::is_shape_text(input))
     return request.pieces ? files::read_union(input, request.decimals) : read_mesh(input, request.decimals);
-  Body body = files::parse_shape(input, request.decimals);
+  Body body = is_link ? link_of_input(input, request, robots) : files::parse_shape(input, request.decimals);
   const bool is_union = request.pieces || request.solids;
   if (is_union && body.shape)
     throw InputError(
         input, 0,
         "expected a polytope, found a shape that is none: unions with radii have another depth than their cores");
-  return is_union ? files::union_of({body}) : body;
+  return is_union && !body.pieces ? files::union_of({body}) : body;
 }
 
 /// Cuts the mesh, in its pose, into convex pieces.
@@ -58,9 +70,10 @@ void tell_of(const files::GivenPose& pose, const std::string& option, bool has_r
 }
 
 Case single_case(const BodiesRequest& request) {
+  const std::vector<Body> bodies = bodies_of_inputs(request);
   const auto body = [&](std::size_t i) {
     const std::string& input = request.inputs[i];
-    Body result = body_of_input(input, request);
+    Body result = bodies[i];
     const std::string option = pose_option(request, i == 0);
     if (const std::optional<std::string>& text = i == 0 ? request.pose_a : request.pose_b) {
       const files::GivenPose pose = files::read_pose(*text, option, request.decimals);
@@ -134,7 +147,20 @@ BodiesRequest::BodiesRequest(const Given& given)
       require_convex(given.flag("--require-convex")),
       case_id(given.value("--case")),
       threads(given.integer<unsigned>("--threads")),
-      json(given.flag("--json")) {}
+      json(given.flag("--json")) {
+  robots.decimals = decimals;
+  robots.meshes = pieces ? files::MeshAs::pieces : solids ? files::MeshAs::solid : files::MeshAs::hull;
+  robots.package_paths = given.words("--package-path");
+  joints = typed_joints(given.text("--joints"), decimals).value_or(files::JointValues());
+}
+
+std::vector<Body> bodies_of_inputs(const BodiesRequest& request) {
+  std::vector<Body> bodies;
+  std::vector<files::Robot> robots;
+  for (const std::string& input : request.inputs) bodies.push_back(body_of_input(input, request, robots));
+  files::require_joints(robots, request.joints);
+  return bodies;
+}
 
 Case asked_case(const BodiesRequest& request, const std::string& refuses_unions, const std::string& refuses_shapes) {
   refuse_poses_of_stream(request);

@@ -17,6 +17,7 @@
 #include "fathom/files.hpp"
 #include "fathom/shape.hpp"
 #include "reference/files/pose.hpp"
+#include "reference/files/robot.hpp"
 
 namespace fathom::cli {
 
@@ -31,6 +32,8 @@ struct BodiesRequest {
   bool solids = false;                        ///< the bodies are the solids of their meshes
   Decimals decimals = Decimals::binary64;     ///< of text meshes; cases state it themselves
   std::optional<std::string> pose_a, pose_b;  ///< the poses of the two bodies, as typed
+  files::RobotOptions robots;                 ///< how links of robots are read
+  files::JointValues joints;                  ///< and where their joints stand
   bool require_convex = false;                ///< refuse meshes that are not convex
   std::optional<std::string> case_id;         ///< one case of a stream
   std::optional<unsigned> threads;            ///< for a stream; as many as there are cores unless given
@@ -40,6 +43,10 @@ struct BodiesRequest {
 /// Returns whether the request is about all cases of a stream. Otherwise it is about a single case:
 /// its meshes, or one of a stream.
 bool is_stream(const BodiesRequest& request);
+
+/// Returns the bodies of the inputs, where the inputs put them: mesh files or folders, shapes in
+/// words, links of robots. Prints notes on robots. Throws InputError.
+std::vector<Body> bodies_of_inputs(const BodiesRequest& request);
 
 /// Returns the pose that an option describes. Prints a note on standard error if it is no rotation
 /// with a translation; `has_radius`: of a body with a radius. Throws InputError.

@@ -82,6 +82,7 @@ class Reader {
   std::vector<Point> points(const JsonValue& value, const std::string& path);
   Axis axis(const JsonValue& value, const std::string& path);
   std::optional<GivenPose> pose(const JsonValue& value, const std::string& path);
+  std::vector<mpq_class> euler(const JsonValue& value, const std::string& path, std::string& wrong);
   GivenPose pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong);
   ShapeFields fields(const JsonValue& json, const NamedShape& named, const std::string& path, NamedBody& words);
   Shape unplaced(const JsonValue& json, const std::string& path, NamedBody& words);
@@ -171,6 +172,16 @@ std::optional<GivenPose> Reader::pose(const JsonValue& value, const std::string&
   return result;
 }
 
+// ["intrinsic zyx", 10, 20, 30]
+std::vector<mpq_class> Reader::euler(const JsonValue& value, const std::string& path, std::string& wrong) {
+  std::vector<mpq_class> angles(3);
+  const bool good = value.is_array() && value.items().size() == 4 && value.items().front().is_string();
+  if (!good) report(path, R"(an order and three angles, ["intrinsic zyx", 10, 20, 30])", found(value));
+  for (std::size_t i = 0; good && i < 3; ++i)
+    angles[i] = number(value.items()[i + 1], path + "[" + std::to_string(i + 1) + "]");
+  return good ? euler_turns(value.items().front().text(), angles, wrong) : std::vector<mpq_class>(6);
+}
+
 GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path, std::string& wrong) {
   PoseWords words;
   std::vector<std::string> keys;
@@ -178,7 +189,9 @@ GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path,
     const std::optional<PoseWord> word = pose_word(key);
     keys.emplace_back(key);
     if (!word || numbers_of_it->is_null()) continue;
-    std::vector<mpq_class> read = numbers(*numbers_of_it, numbers_of(*word), path + "." + std::string(key));
+    const std::string place = path + "." + std::string(key);
+    std::vector<mpq_class> read = *word == PoseWord::euler ? euler(*numbers_of_it, place, wrong)
+                                                           : numbers(*numbers_of_it, numbers_of(*word), place);
     if (!words.emplace(*word, std::move(read)).second)
       wrong = "expected one " + std::string(name(*word)) + ", found two";
   }
@@ -186,11 +199,11 @@ GivenPose Reader::pose_of_words(const JsonValue& value, const std::string& path,
     notes.push_back({CaseNote::field, path + ": " + sentence});
   if (words.empty()) report(path, expected_pose, found(value));
   const JsonValue* const unit_given = value.find("unit");
-  const std::string unit = !words.contains(PoseWord::rpy) ? R"("deg")"
-                           : unit_given                   ? unit_given->written().text()
-                                                          : "null";
+  const bool of_angles = words.contains(PoseWord::rpy) || words.contains(PoseWord::euler);
+  const std::string unit = !of_angles ? R"("deg")" : unit_given ? unit_given->written().text() : "null";
   if (unit != R"("deg")" && unit != R"("rad")")
-    report(path + ".unit", R"("deg" or "rad", of rpy)", kernels::printable(unit, kernels::readable));
+    report(path + ".unit", words.contains(PoseWord::rpy) ? R"("deg" or "rad", of rpy)" : R"("deg" or "rad", of euler)",
+           kernels::printable(unit, kernels::readable));
   return fault.empty() && wrong.empty()
              ? pose_of(words, unit == R"("deg")" ? AngleUnit::degrees : AngleUnit::radians, wrong)
              : GivenPose{};

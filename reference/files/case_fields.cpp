@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 9> of_cases = {"schema", "id",    "a",   
                                                       "twist",  "flags", "source", "comment"};
 constexpr std::array<std::string_view, 8> of_bodies = {"vertices", "faces",         "pose",   "shape",
                                                        "margin",   "pose_rounding", "pieces", "solid"};
-constexpr std::array<std::string_view, 7> of_poses = {"translation", "quaternion", "xyz", "quat",
-                                                      "xyzw",        "rpy",        "unit"};
+constexpr std::array<std::string_view, 8> of_poses = {"translation", "quaternion", "xyz",   "quat",
+                                                      "xyzw",        "rpy",        "euler", "unit"};
 
 void add_fields(const ShapeName& shape, Names& names) {
   for (const NumberField& field : shape.numbers) names.push_back(field.name);

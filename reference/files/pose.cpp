@@ -197,7 +197,7 @@ class Words {
       const std::string_view typed = trimmed(text.substr(0, equals));
       const std::optional<PoseWord> word = pose_word(typed);
       if (!word || equals == std::string_view::npos) {
-        fail("expected xyz=, quat=, xyzw= or rpy=, found " + kernels::shown(typed));
+        fail("expected xyz=, quat=, xyzw=, rpy= or euler=, found " + kernels::shown(typed));
         break;
       }
       text.remove_prefix(equals + 1);
@@ -225,13 +225,18 @@ class Words {
 
   void value(PoseWord word, std::string_view typed, std::string_view text) {
     text = text.substr(0, text.find_last_not_of(" \t\r\n,;)]}") + 1);
-    if (word == PoseWord::rpy) {
+    const bool euler = word == PoseWord::euler;
+    if (word == PoseWord::rpy || euler) {
       const bool degrees = text.ends_with("deg"), radians = text.ends_with("rad");
       if (!degrees && !radians)
-        return fail("expected rpy=ROLL,PITCH,YAW with deg or rad behind, found " + kernels::shown(text));
+        return fail(std::string(euler ? "expected euler=intrinsic zyx A,B,C" : "expected rpy=ROLL,PITCH,YAW") +
+                    " with deg or rad behind, found " + kernels::shown(text));
       unit_ = degrees ? AngleUnit::degrees : AngleUnit::radians;
       text.remove_suffix(3);
     }
+    std::string_view order = euler ? trimmed(text) : "";
+    order = trimmed(order.substr(0, order.find_first_of("+-.0123456789\"")));
+    if (euler) text = trimmed(text).substr(order.size());
     std::vector<Entry> entries;
     for (const auto& row : rows_of(text)) entries.insert(entries.end(), row.begin(), row.end());
     const std::string place(typed);
@@ -240,6 +245,7 @@ class Words {
                   std::to_string(entries.size()));
     std::vector<mpq_class> numbers;
     for (const Entry& entry : entries) numbers.push_back(number(entry, decimals_, place, *fault_));
+    if (euler) numbers = euler_turns(order, numbers, *fault_);
     if (!words_.emplace(word, std::move(numbers)).second)
       fail("expected one " + std::string(name(word)) + ", found two");
   }
@@ -249,6 +255,39 @@ class Words {
   PoseWords words_;
   AngleUnit unit_ = AngleUnit::degrees;
 };
+
+/// The rotation that these turns are, as euler_turns returns them.
+Quaternion rotation_of(const std::vector<mpq_class>& turns, AngleUnit unit) {
+  Quaternion result{1, 0, 0, 0};
+  for (std::size_t i = 0; i + 1 < turns.size(); i += 2) {
+    const auto [cosine, sine] = kernels::cosine_and_sine(turns[i + 1] / 2, unit);
+    const auto along = [&](int axis) { return turns[i] == axis ? sine : mpq_class(0); };
+    result = product({cosine, along(0), along(1), along(2)}, result);
+  }
+  return result;
+}
+
+/// The fraction with the least denominator, and of these with the least numerator, in [low, high],
+/// low < high: the first one that the tree of Stern and Brocot has there.
+mpq_class simplest(const mpq_class& low, const mpq_class& high) {
+  if (low <= 0 && high >= 0) return 0;
+  if (high < 0) return -simplest(-high, -low);
+  mpz_class whole;
+  mpz_cdiv_q(whole.get_mpz_t(), low.get_num_mpz_t(), low.get_den_mpz_t());
+  if (whole <= high) return whole;
+  whole -= 1;
+  return whole + 1 / simplest(1 / (high - whole), 1 / (low - whole));
+}
+
+/// Integers along q, without a common factor.
+Quaternion primitive(const Quaternion& q) {
+  mpz_class denominator = 1, factor = 0;
+  for (const mpq_class* x : {&q.w, &q.x, &q.y, &q.z}) denominator = lcm(denominator, x->get_den());
+  for (const mpq_class* x : {&q.w, &q.x, &q.y, &q.z}) factor = gcd(factor, mpz_class(*x * denominator));
+  mpq_class scale(denominator, factor);
+  scale.canonicalize();
+  return {q.w * scale, q.x * scale, q.y * scale, q.z * scale};
+}
 
 /// Null if it becomes flat. Of a mirrored one, corners are listed the other way around.
 std::shared_ptr<const Solid> placed_solid(Solid solid, const Pose& pose) {
@@ -337,15 +376,57 @@ std::optional<PoseWord> pose_word(std::string_view name) {
   if (name == "translation" || name == "xyz") return PoseWord::translation;
   if (name == "quaternion" || name == "quat") return PoseWord::quaternion;
   if (name == "xyzw") return PoseWord::xyzw;
-  return name == "rpy" ? std::optional(PoseWord::rpy) : std::nullopt;
+  if (name == "rpy") return PoseWord::rpy;
+  return name == "euler" ? std::optional(PoseWord::euler) : std::nullopt;
 }
 
 std::string_view name(PoseWord word) {
-  constexpr std::array<std::string_view, 4> names = {"translation", "quaternion", "xyzw", "rpy"};
+  constexpr std::array<std::string_view, 5> names = {"translation", "quaternion", "xyzw", "rpy", "euler"};
   return names[static_cast<std::size_t>(word)];
 }
 
 std::size_t numbers_of(PoseWord word) { return word == PoseWord::quaternion || word == PoseWord::xyzw ? 4 : 3; }
+
+std::vector<mpq_class> euler_turns(std::string_view order, const std::vector<mpq_class>& angles, std::string& fault) {
+  const std::string_view axes = trimmed(order.substr(std::min(order.find_first_of(spaces), order.size())));
+  const std::string_view kind = order.substr(0, order.find_first_of(spaces));
+  const bool intrinsic = kind == "intrinsic", known = intrinsic || kind == "extrinsic";
+  if (!known || axes.size() != 3 || axes.find_first_not_of("xyz") != std::string_view::npos || axes[0] == axes[1] ||
+      axes[1] == axes[2]) {
+    fault = "euler: expected an order such as 'intrinsic zyx' or 'extrinsic xyz' before the angles, found " +
+            kernels::shown(order);
+    return std::vector<mpq_class>(6);
+  }
+  std::vector<mpq_class> turns;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t at = intrinsic ? 2 - i : i;  // about fixed axes the last turn comes first
+    turns.emplace_back(axes[at] - 'x');
+    turns.push_back(angles[at]);
+  }
+  return turns;
+}
+
+Quaternion turn_near(const Point& axis, const mpq_class& radians) {
+  const auto [cosine, sine] = kernels::cosine_and_sine(radians / 2, AngleUnit::radians);
+  const mpq_class slack(1, mpz_class(1) << 47);
+  const mpq_class length = length_near(axis);
+  if (abs(sine) <= abs(cosine)) {
+    const mpq_class tangent = sine / cosine;
+    const mpq_class k = simplest((tangent - slack) / length, (tangent + slack) / length);
+    return {1, k * axis.x, k * axis.y, k * axis.z};
+  }
+  const mpq_class cotangent = cosine / sine;
+  return {simplest((cotangent - slack) * length, (cotangent + slack) * length), axis.x, axis.y, axis.z};
+}
+
+mpq_class length_near(const Point& v) { return kernels::enclosed(Surd{0, v.x * v.x + v.y * v.y + v.z * v.z}, 60).low; }
+
+GivenPose composed(const GivenPose& second, const GivenPose& first) {
+  GivenPose result;
+  result.turn = primitive(product(second.turn, first.turn));
+  result.place = placed(first.place, rigid_pose(second.turn, second.place));
+  return result;
+}
 
 GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
   GivenPose result;
@@ -358,12 +439,9 @@ GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault) {
     if (std::exchange(turned, true)) fault = "expected one rotation, found two";
     if (word == PoseWord::quaternion) result.turn = {numbers[0], numbers[1], numbers[2], numbers[3]};
     if (word == PoseWord::xyzw) result.turn = {numbers[3], numbers[0], numbers[1], numbers[2]};
-    if (word != PoseWord::rpy) continue;
-    std::array<kernels::CosineAndSine, 3> half;
-    for (std::size_t i = 0; i < 3; ++i) half[i] = kernels::cosine_and_sine(numbers[i] / 2, unit);
-    const Quaternion roll = {half[0].cosine, half[0].sine, 0, 0}, pitch = {half[1].cosine, 0, half[1].sine, 0},
-                     yaw = {half[2].cosine, 0, 0, half[2].sine};
-    result.turn = product(yaw, product(pitch, roll));
+    const std::vector<mpq_class> rpy = {0, numbers[0], 1, numbers[1], 2, numbers[2]};
+    if (word == PoseWord::rpy) result.turn = rotation_of(rpy, unit);
+    if (word == PoseWord::euler) result.turn = rotation_of(numbers, unit);
   }
   if (result.turn == Quaternion{0, 0, 0, 0}) fault = "expected a quaternion that is not 0, found 0";
   return result;

@@ -61,23 +61,45 @@ std::string pose_note(const GivenPose& given, bool has_radius);
 void place(Body& body, const GivenPose& given);
 
 /// The words for a rotation and a translation, and what they are called in short.
-enum class PoseWord { translation, quaternion, xyzw, rpy };
+enum class PoseWord { translation, quaternion, xyzw, rpy, euler };
 
-/// "translation" or "xyz"; "quaternion" or "quat"; "xyzw"; "rpy".
+/// "translation" or "xyz"; "quaternion" or "quat"; "xyzw"; "rpy"; "euler".
 std::optional<PoseWord> pose_word(std::string_view name);
 std::string_view name(PoseWord word);
-/// How many numbers belong to it.
+/// How many numbers are written behind it.
 std::size_t numbers_of(PoseWord word);
 
-/// What was read for each word.
+/// What was read for each word; for euler what euler_turns makes of it.
 using PoseWords = std::map<PoseWord, std::vector<mpq_class>>;
+
+/// Three turns in the order in which the body makes them about the fixed axes, each as the number
+/// of its axis and the angle. `order` is "extrinsic xyz", or with any letters of which no two
+/// neighbours are alike: the first angle is about the first axis, all axes are fixed. "intrinsic
+/// zyx": each axis is turned by the turns before, as in MJCF's eulerseq="zyx". Returns a sentence
+/// in `fault` if it is neither: small and capital letters mean opposite things in different
+/// programs.
+std::vector<mpq_class> euler_turns(std::string_view order, const std::vector<mpq_class>& angles, std::string& fault);
 
 /// The pose of these words, with as many numbers each as belong to it. A quaternion is (w, x, y,
 /// z), or (x, y, z, w) as `xyzw`. rpy: angles about the fixed axes x, then y, then z, as in URDF.
-/// The body is turned about each axis by the quaternion of the half angle's cosine and sine, both
-/// rounded to 53 bits: an exact rotation by an angle that is off by less than 2^-51, and not at all
-/// at multiples of 90 degrees. Returns a sentence in `fault` if the words do not go together.
+/// So are euler's, in the order that it names. The body is turned about each axis by the quaternion
+/// of the half angle's cosine and sine, both rounded to 53 bits: an exact rotation by an angle that
+/// is off by less than 2^-51, and not at all at multiples of 90 degrees. Returns a
+/// sentence in `fault` if the words do not go together.
 GivenPose pose_of(const PoseWords& words, AngleUnit unit, std::string& fault);
+
+/// A turn about the axis, which is not 0, by an angle that is off by less than 2^-45 radians: that
+/// of the fraction with the least numbers for which so much is proved. So an angle that is written
+/// to 15 digits as a multiple of a quarter turn about x, y or z is exactly that.
+///                                                                            [proofs/number.md]
+Quaternion turn_near(const Point& axis, const mpq_class& radians);
+
+/// The length of the vector: itself if it is rational, else from below within 2^-60 of itself.
+mpq_class length_near(const Point& v);
+
+/// The rotation and translation `first`, and then `second`; neither is a matrix. Its quaternion is
+/// of integers without a common factor.
+GivenPose composed(const GivenPose& second, const GivenPose& first);
 
 /// The pose of a matrix of three or four rows of four numbers. Of four, the last row must be 0 0 0
 /// 1; or the last column, and then it was written column by column. Returns a sentence in `fault`
@@ -89,9 +111,9 @@ GivenPose pose_of(const std::vector<std::array<mpq_class, 4>>& rows, std::string
 /// Reads a pose as people write it: one of
 ///   12 or 16 numbers, row by row: between them commas, white space, semicolons, brackets; quotes
 ///   around one make it exact, as in JSON xyz=X,Y,Z and one of quat=W,X,Y,Z xyzw=X,Y,Z,W
-///   rpy=ROLL,PITCH,YAWdeg (or rad), in any order, one of both may be missing Decimals mean what
-///   `decimals` says; integers, p/q and hexadecimal floats are exact. Returns a sentence in `fault`
-///   if it is neither.
+///   rpy=ROLL,PITCH,YAWdeg (or rad) euler=intrinsic zyx A,B,Cdeg (or rad), in any order, one of
+///   both may be missing Decimals mean what `decimals` says; integers, p/q and hexadecimal floats
+///   are exact. Returns a sentence in `fault` if it is neither.
 GivenPose parse_pose(std::string_view text, Decimals decimals, std::string& fault);
 
 /// The same of an argument; "@FILE" stands for what is in that file. Throws InputError that names

@@ -104,6 +104,10 @@ depth data/comb.obj data/key.obj
 depth --require-convex data/comb.obj data/key.obj
 depth --json data/wedge_big.ply data/wedge_binary.stl
 depth --json data/wedge_text.stl data/wedge.pts
+robot arm.urdf
+robot --json --exact-decimals --joints shoulder=1/4,elbow=3,grip=0.05 arm.urdf
+depth --joints elbow=3 --certificate OUT/proof arm.urdf#upper arm.urdf#left
+depth --pose-b 'xyz=0,0,1.5 euler=intrinsic zxz 10,20,30deg' a.off b.off
 width a.off
 width --certificate OUT/proof --json a.stl
 width cylinder:r=1,h=2

@@ -70,6 +70,10 @@ TEETH = {
         (["coverage"], None), (["coverage", "tiles"], 1), (["coverage", "missing", "exact"], "0.5"), (["coverage", "outside"], "1"),
         (["coverage", "most_outside", "piece"], -1), (["coverage", "stray"], ["1", "2"]), (["coverage", "uncovered"], [1, 2, 3]),
         (["coverage", "overlap"], None), (["coverage", "more"], 1)])],
+    "robot": [({"pairs": PRESENT}, set(), [
+        (["more"], 1), (["links"], []), (["links", 0, "elements"], -1), (["joints", 0, "value"], 0.5), (["adjacent"], -1),
+        (["angles", "off_by_less_than"], "1"), (["pairs", 0, "status"], "inside"), (["pairs", 0, "more"], 1),
+        (["pairs", 0, "signed_depth", "exact", "root"], "-1"), (["pairs", 0, "signed_depth", "low"], "1"), (["notes"], [1])])],
     "union": [({"status": "penetrating"}, {"hull", "solids"}, [
         (["status"], "inside"), (["complete"], 1), (["optima", 0, "clearance"], "none"), (["extra"], 1),
         (["optima", 0, "translation", 0], 0.5), (["deepest_pair", "pieces"], [0])])],

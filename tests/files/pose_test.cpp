@@ -135,6 +135,43 @@ TEST(PoseText, AnglesAreThoseOfUrdf) {
   }
 }
 
+TEST(PoseText, EulerAnglesHaveANamedOrder) {
+  const auto turn = [](const std::string& euler) { return exact_pose(pose_of("euler=" + euler)); };
+  EXPECT_EQ(turn("extrinsic xyz 10,20,30deg"), exact_pose(pose_of("rpy=10,20,30deg")));
+  EXPECT_EQ(turn("intrinsic zyx 30,20,10deg"), exact_pose(pose_of("rpy=10,20,30deg")));
+  EXPECT_EQ(turn("intrinsic zxz .3,-.2,.1rad"), turn("extrinsic zxz .1 -.2 .3 rad"));
+  EXPECT_EQ(placed({1, 0, 0}, turn("intrinsic zyx 90,0,90deg")), (Point{0, 1, 0})) << "then about itself";
+  EXPECT_EQ(placed({1, 0, 0}, turn("extrinsic zyx 90,0,90deg")), (Point{0, 0, 1})) << "y to z by the turn about x";
+  const Pose turned = exact_pose(pose_of("xyz=1,2,3 euler=intrinsic zxy 0.3,-0.2,0.1rad"));
+  // By the product of three matrices, in doubles.
+  const double expected[3][3] = {{0.9564250858492325, -0.28962947762551555, 0.03695701352462508},
+                                 {0.2750958473182437, 0.9362933635841992, 0.21835066314633444},
+                                 {-0.09784339500725571, -0.19866933079506122, 0.975170327201816}};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(turned[i][j].get_d(), expected[i][j], 1e-15);
+  EXPECT_EQ(turned[2][3], 3);
+  const auto of_case = [](const std::string& pose) {
+    return parse_case(R"({"a": {"vertices": [[1, 2, 3]], "pose": )" + pose + R"(}, "b": {"vertices": [[0, 0, 0]]}})",
+                      "c");
+  };
+  EXPECT_EQ(of_case(R"({"euler": ["intrinsic zyx", 30, "20", 10], "unit": "deg"})").value().a.points.front(),
+            placed({1, 2, 3}, exact_pose(pose_of("rpy=10,20,30deg"))));
+  for (const auto& [pose, says] :
+       {std::pair(
+            R"({"euler": ["zyx", 1, 2, 3], "unit": "deg"})",
+            "a.pose: euler: expected an order such as 'intrinsic zyx' or 'extrinsic xyz' before the angles, found "
+            "'zyx'"),
+        {R"({"euler": ["intrinsic zzx", 1, 2, 3], "unit": "deg"})",
+         "a.pose: euler: expected an order such as 'intrinsic zyx' or 'extrinsic xyz' before the angles, found "
+         "'intrinsic zzx'"},
+        {R"({"euler": ["intrinsic zyx", 1, 2, 3]})", R"(a.pose.unit: expected "deg" or "rad", of euler, found null)"},
+        {R"({"euler": [1, 2, 3], "unit": "deg"})",
+         R"(a.pose.euler: expected an order and three angles, ["intrinsic zyx", 10, 20, 30], found an array of 3)"},
+        {R"({"euler": ["intrinsic zyx", 1, 2, 3], "rpy": [1, 2, 3], "unit": "deg"})",
+         "a.pose: expected one rotation, found two"}})
+    EXPECT_EQ(of_case(pose).error().what(), std::string("c:1: ") + says);
+}
+
 TEST(PoseText, FaultsSayWhatIsMeant) {
   const std::pair<const char*, const char*> faults[] = {
       {"", "expected three rows of four numbers"},
@@ -148,11 +185,15 @@ TEST(PoseText, FaultsSayWhatIsMeant) {
       {"quat=1,0,0,0 xyzw=0,0,0,1", "expected one rotation, found two"},
       {"xyz=1,2,3 xyz=1,2,3", "expected one translation, found two"},
       {"xyz=1,2", "xyz: expected three numbers, found 2"},
+      {"euler=zyx 1,2,3deg", "euler: expected an order such as 'intrinsic zyx'"},
+      {"euler=intrinsic xyzx 1,2,3deg", "euler: expected an order such as 'intrinsic zyx'"},
+      {"euler=intrinsic zyx 1,2,3", "expected euler=intrinsic zyx A,B,C with deg or rad behind"},
+      {"euler=intrinsic zyx 1,2deg", "euler: expected three numbers, found 2"},
       {"quat=1,2,3", "quat: expected four numbers, found 3"},
       {"rpy=1,2,3", "with deg or rad behind"},
       {"rpy=1,2,xdeg", "rpy: expected a number"},
-      {"pos=1,2,3", "expected xyz=, quat=, xyzw= or rpy=, found 'pos'"},
-      {"=1", "expected xyz=, quat=, xyzw= or rpy=, found nothing"},
+      {"pos=1,2,3", "expected xyz=, quat=, xyzw=, rpy= or euler=, found 'pos'"},
+      {"=1", "expected xyz=, quat=, xyzw=, rpy= or euler=, found nothing"},
       {"xyz=1,2,3 foo", "xyz: expected three numbers, found 4"}};
   for (const auto& [text, fault] : faults)
     EXPECT_NE(fault_of(text).find(fault), std::string::npos) << text << ": " << fault_of(text);
