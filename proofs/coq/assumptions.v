@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Prints what the main theorems rest on; compared with assumptions.expected. *)
 From Fathom.geometry Require Import depth kinds width minkowski wording combinations signed_depth existence rounded ways_out gaps seams patches rates_overlap rates_plane
-  rates_moving motions crossings tiles_winding tilings.
+  rates_moving motions crossings tiles_winding tilings said union_depth mesh_said.
 From Fathom.soundness Require Import main corollaries every_motion facets_listed verdict_sound example cone_sound signed_sound union_sound union_example patch_sound patch_verdict_sound
   patch_example tiling_sound tiling_example.
 
@@ -18,6 +18,10 @@ Print Assumptions check_sound_touching.
 Print Assumptions accepted_agree.
 Print Assumptions depth2_unique.
 Print Assumptions depth_exists.
+Print Assumptions depth2_once.
+Print Assumptions depth2_exists.
+Print Assumptions facets_exits.
+Print Assumptions width_said.
 Print Assumptions nearest_points.
 Print Assumptions depth_AGHRS.
 Print Assumptions width_depth.
@@ -35,6 +39,10 @@ Print Assumptions cubes_depth.
 Print Assumptions cubes_verdict.
 Print Assumptions forgeries_refused.
 Print Assumptions signed_verdict_sound.
+Print Assumptions signed_verdict_width.
+Print Assumptions body_width.
+Print Assumptions signed_depth_said.
+Print Assumptions cone_said.
 Print Assumptions theorem_R.
 Print Assumptions signed_depth_exists.
 Print Assumptions gaps_meet.
@@ -60,6 +68,8 @@ Print Assumptions union_deep_pairs.
 Print Assumptions overlap_pairs.
 Print Assumptions overlap_pieces.
 Print Assumptions union_depth2_unique.
+Print Assumptions union_depth_exists.
+Print Assumptions union_depth2_exists.
 Print Assumptions union_depth2_whole.
 Print Assumptions seam_depth.
 Print Assumptions seam_verdict.
@@ -78,6 +88,10 @@ Print Assumptions cubes_patch.
 Print Assumptions cubes_rates.
 Print Assumptions patch_forgeries_refused.
 Print Assumptions tiling_verdict_sound.
+Print Assumptions tiling_verdict_tiled.
+Print Assumptions winding_said.
+Print Assumptions winding_exists.
+Print Assumptions tiled_said.
 Print Assumptions tiling.
 Print Assumptions same_flags_same_winding.
 Print Assumptions piece_winding.

@@ -27,4 +27,12 @@ Extract Inductive bool => "bool" ["false" "true"].
 LINES
 printf 'Section S. Variable T : Type. Hypothesis H : True. Lemma axiomatic : True. Proof. exact H. Qed. End S.\n' >"$scratch/file.v"
 "$here/gaps.sh" "$scratch" || { echo "found where nothing is"; bad=1; }
+# what has to be believed: too long, too wide, too much of polytopes, or resting on another file
+cp "$here/printed.v" "$scratch"
+"$here/gaps.sh" "$scratch" || { echo "printed.v breaks its law"; bad=1; }
+for change in '$a\(* one line more *)' '2s/$/ (* a comment at the end of a line, which makes it wider than it may be *)/' \
+  '9,40{p;}; 110,160d' '5s/^/From Fathom Require Import norm. /'; do
+  sed "$change" "$here/printed.v" >"$scratch/printed.v"
+  ! "$here/gaps.sh" "$scratch" >"$scratch/out" || { echo "not found in printed.v: $change"; bad=1; }
+done
 exit $bad

@@ -1,30 +1,9 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* Bodies that may be round or curved, over any kind of vectors and numbers: those of a file, integers, real numbers. *)
+(* Bodies that may be round or curved (printed.v), over other vectors and numbers. *)
 Require Import List.
+From Fathom Require Import printed.
 From Fathom.checker Require Import sequence.
 Import ListNotations.
-
-Section Body.
-  Variables V U : Type.
-  (* a disc has no third axis, a point has none: what an atom has not is O *)
-  Record atom := Atom { center : V; axis_u : V; axis_v : V; axis_w : V }.
-  Inductive core :=
-    | Points (L : list V)
-    | Terms (ts : list (list atom))
-    | Half_space (n : V) (d : U).
-  Record body := Body { core_of : core; radius : U }.
-End Body.
-Arguments Atom {V}.
-Arguments center {V}.
-Arguments axis_u {V}.
-Arguments axis_v {V}.
-Arguments axis_w {V}.
-Arguments Points {V U}.
-Arguments Terms {V U}.
-Arguments Half_space {V U}.
-Arguments Body {V U}.
-Arguments core_of {V U}.
-Arguments radius {V U}.
 
 Section Map.
   Variables (V U V' U' : Type) (f : V -> V') (offset length : U -> U').

@@ -2,6 +2,7 @@
 (* The patch of a direction n: where A's core, moved by t = (H/<n,n>) n, has points in common with
    B's.  Are its corners all of it? *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence table support verdict body signed.
 Import ListNotations.
 Open Scope Z_scope.

@@ -1,13 +1,11 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Format 4: format 2 with patches, and the rates at which the depth changes. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence table verdict body signed signed_verdict patch.
 Import ListNotations.
 Open Scope Z_scope.
 
-(* while A's points move with v + w x p, the signed depth changes at the rate of the signed root of
-   a square; the coordinates of v and w are in units of 1/rate_unit *)
-Record rate := Rate { rate_v : point; rate_w : point; rate_square : ratio; rate_unit : Z }.
 Record patched_claim := Patched { base : signed_claim; patches : list patch; rates : list rate }.
 
 (* the square of the cores' depth, its directions, and whether these are all *)
@@ -45,13 +43,11 @@ Definition check_rate (m : Z) (cs : contacts) (r : rate) : bool :=
   && forallb (fun c => existsb (rate_against Z.geb m r v w (fst c)) (snd c)) cs
   && existsb (fun c => forallb (rate_against Z.leb m r v w (fst c)) (snd c)) cs.
 
-(* what is printed of it: of each direction the corners, as points of A's core; whole: these are all
-   directions *)
-Record patched_statement := Patched_statement {
-  depth_says : signed_statement; whole : bool; corners_at : list (zvec * list point); rates_are : list rate }.
-
 Definition file_point (m : Z) (p : quotient) : point :=
   let r x := Ratio x (m * snd p) in Point (r (zx (fst p))) (r (zy (fst p))) (r (zz (fst p))).
+
+Definition integer_point (n : zvec) : point :=
+  let r x := Ratio x 1 in Point (r (zx n)) (r (zy n)) (r (zz n)).
 
 Definition patched_verdict (width : bool) (m : Z) (rho : ratio) (A B : body point ratio) (c : patched_claim)
   : option patched_statement :=
@@ -63,7 +59,7 @@ Definition patched_verdict (width : bool) (m : Z) (rho : ratio) (A B : body poin
       match check_patches check ns (patches c) [] with
       | Some cs =>
           if match rates c with [] => true | _ => all && forallb (check_rate m cs) (rates c) end
-          then Some (Patched_statement s all (each (fun c => (fst c, each (file_point m) (snd c))) cs) (rates c))
+          then Some (Patched_statement s all (each (fun c => (integer_point (fst c), each (file_point m) (snd c))) cs) (rates c))
           else None
       | None => None
       end

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* The checker of format 2: signed depths of round and curved bodies.  Integers and lists only. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence table polytope support certificate body cone.
 Import ListNotations.
 Open Scope Z_scope.

@@ -1,6 +1,7 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Format 2: from the bodies as they stand in the file to the statement that is printed. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence support certificate verdict body cone signed.
 Import ListNotations.
 Open Scope Z_scope.
@@ -30,15 +31,6 @@ Definition same_body (A B : zbody) : bool :=
      | Terms ts, Terms us => same_terms ts us
      | _, _ => false
      end.
-
-Inductive status := Penetrating | In_touch | Disjoint_bodies | Undecided.
-
-Inductive signed_statement :=
-  (* the signed depth is the signed root of a ratio, plus the sum of the radii; how many least ways out there are, if all are listed;
-    of cores
-     that touch the least number of vectors that span the lineality of the set of optimal directions, and of its extreme rays *)
-  | Root_is (s : status) (square rho : ratio) (optima : option Z) (cone : option (Z * Z))
-  | Root_between (s : status) (lo hi : ratio).
 
 (* the sign of the signed root of s plus rho *)
 Definition status_of_root (s rho : ratio) : status :=

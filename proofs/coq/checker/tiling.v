@@ -4,6 +4,7 @@
    Each edge of a polygon adds 1 to the flag of its end and
    takes 1 from that of its start; what the triangles of the mesh add, the facets of the pieces must take away. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence table polytope verdict.
 Import ListNotations.
 Open Scope Z_scope.
@@ -112,9 +113,6 @@ Definition sums (common : list point -> Z) (slot : zvec -> zvec -> N -> positive
     (tiles : list tile) : option (table entry) :=
   let P := numbered points in
   fold_left (add_tile common slot P) tiles (fold_left (add_triangle common slot P) mesh (Some Empty)).
-
-(* how many triangles and pieces there are *)
-Record tiling_statement := Tiling_statement { triangles_told : Z; pieces_told : Z }.
 
 Definition tiling_verdict (common : list point -> Z) (slot : zvec -> zvec -> N -> positive) (points : list point)
     (mesh : list numbers_of_triangle) (tiles : list tile) : option tiling_statement :=

@@ -1,23 +1,15 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* Format 3: from the pieces as they stand in the file to the statement that is printed. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import sequence verdict unions.
 Open Scope Z_scope.
 
-Inductive union_status :=
-  (* the squared depth, and how many shortest ways out there are *)
-  | Pieces_penetrate (q : ratio) (optima : Z)
-  | Pieces_touch
-  (* the squared distance *)
-  | Pieces_apart (q : ratio).
-(* with the number of pieces of either body *)
-Record union_statement := Union_statement { pieces_a : Z; pieces_b : Z; union_status_is : union_status }.
-
-Definition union_stated (c : union_claim) : union_status :=
+Definition union_stated (c : union_claim) : statement :=
   match c with
-  | Union_deep qn qd _ optima _ _ _ _ => Pieces_penetrate (Ratio qn qd) (count optima)
-  | Union_touching _ _ => Pieces_touch
-  | Union_apart qn qd _ _ => Pieces_apart (Ratio qn qd)
+  | Union_deep qn qd _ optima _ _ _ _ => Depth_is (Ratio qn qd) (Some (count optima))
+  | Union_touching _ _ => They_touch
+  | Union_apart qn qd _ _ => Distance_is (Ratio qn qd)
   end.
 
 (* m: a common denominator of all coordinates *)

@@ -1,12 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
 (* From the points as they stand in the file to the statement that is printed: what is not proved of these very points has no statement. *)
 Require Import List ZArith Bool.
+From Fathom Require Import printed.
 From Fathom.checker Require Import vector sequence certificate.
 Import ListNotations.
 Open Scope Z_scope.
-
-Record ratio := Ratio { num : Z; den : Z }.
-Record point := Point { qx : ratio; qy : ratio; qz : ratio }.
 
 (* in units of 1/m; right only if r is a multiple of that *)
 Definition units (m : Z) (r : ratio) : Z := num r * (m / den r).
@@ -24,13 +22,6 @@ Fixpoint same_vectors (A B : list zvec) : bool :=
   | u :: A', v :: B' => if same_vector u v then same_vectors A' B' else false
   | _, _ => false
   end.
-
-Inductive statement :=
-  (* the squared depth, and the number of nearest facets if all are listed *)
-  | Depth_is (q : ratio) (optima : option Z)
-  | Depth_between (lo hi : ratio)
-  | They_touch
-  | They_are_apart.
 
 Definition count {T : Type} (l : list T) : Z := fold_left (fun n _ => n + 1) l 0.
 

@@ -1,32 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What certificates of format 2 are about: round and curved bodies, their signed depth, and the directions in which touching bodies can
-   be parted.  Definitions only: with meaning.v to be read and believed. *)
+(* Of round and curved bodies, what the theorems say beside what is said in printed.v.  Definitions only. *)
 Require Import Reals List.
 From Fathom.checker Require Import body.
 From Fathom.geometry Require Import limits meaning.
 Import ListNotations.
 Open Scope R_scope.
-
-(* ---- sets ---- *)
-Definition sum_of (S T : pt -> Prop) (p : pt) : Prop := exists s t, S s /\ T t /\ p = add s t.
-Definition difference_of (S T : pt -> Prop) (p : pt) : Prop := exists s t, S s /\ T t /\ p = sub s t.
-(* the points at most r >= 0 away from a point of S *)
-Definition thick (S : pt -> Prop) (r : R) (p : pt) : Prop := exists s, S s /\ norm2 (sub p s) <= r * r.
-
-(* ---- bodies: checker/body.v says what they are made of ---- *)
-(* center + x u + y v + z w for the points (x, y, z) of the unit ball: a ball under an affine map; a disc if w is O; a point if all are *)
-Definition in_atom (a : atom pt) (p : pt) : Prop := exists x y z, x * x + y * y + z * z <= 1
-  /\ p = add (center a) (add (scal x (axis_u a)) (add (scal y (axis_v a)) (scal z (axis_w a)))).
-(* the hull of atoms; the Minkowski sum of such hulls *)
-Definition in_term (t : list (atom pt)) : pt -> Prop := hull (fun p => exists a, In a t /\ in_atom a p).
-Fixpoint in_terms (ts : list (list (atom pt))) : pt -> Prop :=
-  match ts with [] => fun p => p = origin | t :: r => sum_of (in_term t) (in_terms r) end.
-Definition in_core (c : core pt R) : pt -> Prop :=
-  match c with
-  | Points L => conv L
-  | Terms ts => in_terms ts
-  | Half_space n d => fun x => dot n x <= d
-  end.
 
 (* the bodies that have a depth: no hull is one of nothing, and at most one core is a half-space *)
 Definition bounded_core (c : core pt R) : Prop :=
@@ -35,10 +13,6 @@ Definition half_space_core (c : core pt R) : Prop := exists n d, c = Half_space 
 Definition comparable (c d : core pt R) : Prop :=
   (bounded_core c /\ bounded_core d) \/ (bounded_core c /\ half_space_core d) \/ (half_space_core c /\ bounded_core d).
 
-Definition in_body (b : body pt R) : pt -> Prop := thick (in_core (core_of b)) (radius b).
-(* b - a for all points of the two bodies; O is among them exactly if the bodies meet *)
-Definition gaps (A B : body pt R) : pt -> Prop := difference_of (in_body B) (in_body A).
-Definition core_gaps (A B : body pt R) : pt -> Prop := difference_of (in_core (core_of B)) (in_core (core_of A)).
 (* A moved by t has a point in common with B *)
 Definition moved_meets (A B : body pt R) (t : pt) : Prop := exists p, translate (in_body A) t p /\ in_body B p.
 
@@ -65,8 +39,6 @@ Definition apart (S : pt -> Prop) : Prop := ~ S origin.
 
 (* ---- the least ways out of S, which holds O ---- *)
 Definition way_out (S : pt -> Prop) (v : R) (t : pt) : Prop := norm2 t = v * v /\ ~ interior S t.
-(* the directions u for which S is in the half-space <u, x> <= 0 *)
-Definition polar (S : pt -> Prop) (u : pt) : Prop := forall p, S p -> dot u p <= 0.
 
 (* ---- cones ---- *)
 Fixpoint combination (ks : list R) (vs : list pt) : pt :=

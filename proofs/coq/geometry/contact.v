@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What certificates of format 4 are about: where two bodies touch when they are just parted or
-   brought together, and how fast their depth changes.  Definitions only: to be read and believed,
-   with bodies.v. *)
+(* Of contact patches and rates, what the theorems say beside what is said in printed.v.
+   Definitions only. *)
 Require Import Reals List.
 From Fathom.checker Require Import body.
 From Fathom.geometry Require Import meaning bodies.
@@ -10,30 +9,8 @@ Open Scope R_scope.
 (* the points of S that are in T when S has been moved by t *)
 Definition meeting (S T : pt -> Prop) (t p : pt) : Prop := S p /\ T (add p t).
 
-(* C is the hull of ps; none of these is there twice, and none is in the hull of the others *)
-Definition cornered (C : pt -> Prop) (ps : list pt) : Prop :=
-  (forall p, C p <-> conv ps p)
-  /\ NoDup ps
-  /\ (forall p, In p ps -> ~ hull (fun q => In q ps /\ q <> p) p).
-
-(* S, which has the signed depth d, is in the half-space <n, x> <= d, and n is a unit vector: d n is
-   a way out, or the nearest point *)
-Definition optimal (S : pt -> Prop) (d : R) (n : pt) : Prop := norm2 n = 1 /\ forall p, S p -> dot n p <= d.
-
-(* the patch, of the cores, whose signed depth is d: the points of A's core that are in B's when A
-   has been moved by d n *)
-Definition patch_of (A B : body pt R) (d : R) (n : pt) : pt -> Prop :=
-  meeting (in_core (core_of A)) (in_core (core_of B)) (scal d n).
-(* and of the bodies themselves, whose signed depth is e *)
+(* the patch of the bodies themselves, whose signed depth is e *)
 Definition body_patch (A B : body pt R) (e : R) (n : pt) : pt -> Prop := meeting (in_body A) (in_body B) (scal e n).
-
-(* A moves: its point p has the velocity v + w x p. How fast the plane with the normal n is left
-   behind there *)
-Definition speed (v w n p : pt) : R := - dot n (add v (cross w p)).
-(* r is the least value, over all optimal n, of the greatest speed on the patch *)
-Definition rate_is (A B : body pt R) (d : R) (v w : pt) (r : R) : Prop :=
-  (forall n, optimal (core_gaps A B) d n -> exists p, patch_of A B d n p /\ r <= speed v w n p)
-  /\ (exists n, optimal (core_gaps A B) d n /\ forall p, patch_of A B d n p -> speed v w n p <= r).
 
 (* where p is at the time s; the hull of the points A, with the radius r, when they have moved *)
 Definition moved (v w : pt) (s : R) (p : pt) : pt := add p (scal s (add v (cross w p))).

@@ -1,29 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What the theorems say.  Definitions only: whoever believes these, and Coq, need read no other file. *)
-Require Import Reals List.
+(* What the theorems say beside what is said in printed.v.  Definitions only. *)
+Require Import Reals List ZArith.
+From Fathom Require Export printed.
 Open Scope R_scope.
 
-(* ---- points of R^3 ---- *)
-Record pt := mk { px : R; py : R; pz : R }.
-Definition dot (u v : pt) : R := px u * px v + py u * py v + pz u * pz v.
-Definition norm2 (u : pt) : R := dot u u.
-Definition add (u v : pt) : pt := mk (px u + px v) (py u + py v) (pz u + pz v).
-Definition sub (u v : pt) : pt := mk (px u - px v) (py u - py v) (pz u - pz v).
-Definition scal (k : R) (u : pt) : pt := mk (k * px u) (k * py u) (k * pz u).
-Definition cross (u v : pt) : pt :=
-  mk (py u * pz v - pz u * py v) (pz u * px v - px u * pz v) (px u * py v - py u * px v).
-Definition origin : pt := mk 0 0 0.
-
-(* ---- hulls and interiors ---- *)
-Definition convex (C : pt -> Prop) : Prop :=
-  forall u v l, 0 <= l <= 1 -> C u -> C v -> C (add (scal l u) (scal (1 - l) v)).
-(* the least convex set that contains S *)
-Definition hull (S : pt -> Prop) (p : pt) : Prop := forall C, convex C -> (forall s, S s -> C s) -> C p.
-Definition interior (S : pt -> Prop) (t : pt) : Prop :=
-  exists e, 0 < e /\ forall s, norm2 (sub s t) < e * e -> S s.
-
-(* ---- the two bodies are the hulls of finite lists of points; P is the hull of all differences b - a ---- *)
-Definition conv (L : list pt) : pt -> Prop := hull (fun p => In p L).
+(* P is the hull of all differences b - a *)
 Definition diffs (A B : list pt) (p : pt) : Prop := exists a b, In a A /\ In b B /\ p = sub b a.
 Definition P (A B : list pt) : pt -> Prop := hull (diffs A B).
 
@@ -49,6 +30,17 @@ Definition facet_direction (A B : list pt) (n : pt) : Prop :=
   n <> origin /\ exists h, height_is A B n h /\ exists u v w,
     diffs A B u /\ diffs A B v /\ diffs A B w /\ dot n u = h /\ dot n v = h /\ dot n w = h
     /\ cross (sub v u) (sub w u) <> origin.
+
+(* n is the outward normal of a facet of P whose plane is at squared distance q from O *)
+Definition facet_at (A B : list pt) (q : R) (n : pt) : Prop :=
+  facet_direction A B n /\ exists t, foot A B n t /\ norm2 t = q.
+Definition same_ray (n m : pt) : Prop := exists k, 0 < k /\ m = scal k n.
+(* P has exactly k facets at that distance: these are the directions of k, none twice, and any other is one of them *)
+Definition facets_number (A B : list pt) (q : R) (k : Z) : Prop :=
+  exists ns, Z.of_nat (length ns) = k /\ NoDup ns
+    /\ (forall n, In n ns -> facet_at A B q n)
+    /\ (forall n, facet_at A B q n -> exists m, In m ns /\ same_ray n m)
+    /\ (forall n m, In n ns -> In m ns -> same_ray n m -> n = m).
 
 (* ---- the wording of Agarwal et al: the least |t|^2 such that the interior of conv A + t misses conv B ---- *)
 Definition translate (S : pt -> Prop) (t p : pt) : Prop := S (sub p t).

@@ -1,14 +1,10 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What certificates of solids are about: a mesh, its winding number, and its solid.  Definitions only: with meaning.v and unions.v to be
-   read and believed. *)
+(* The winding number of a mesh as a sum of signs of determinants, and its solid: that this is what printed.v says is shown in
+   geometry/crossings.v and geometry/tilings.v.  Definitions only. *)
 Require Import Reals List ZArith.
 From Fathom.geometry Require Import meaning unions.
 Import ListNotations.
 Open Scope R_scope.
-
-(* an oriented triangle: counter-clockwise, seen from its front; this normal points there *)
-Record triangle := Triangle { corner_1 : pt; corner_2 : pt; corner_3 : pt }.
-Definition front (T : triangle) : pt := cross (sub (corner_2 T) (corner_1 T)) (sub (corner_3 T) (corner_1 T)).
 
 (* 1 if x > 0, else 0 *)
 Definition unit_step (x : R) : Z := if Rlt_dec 0 x then 1%Z else 0%Z.

@@ -18,8 +18,8 @@ Proof. intros k Ls p (L & HL & Hp). exists (scaled k L). split; [apply in_map; a
 Lemma overlap_scal : forall k As Bs t, 0 < k -> overlap_at As Bs t -> overlap_at (scaled_pieces k As) (scaled_pieces k Bs) (scal k t).
 Proof.
   intros k As Bs t Hk (p & Hp & Hq). exists (scal k p). split.
-  - apply (interior_scal_set (translate (union As) t)); auto. intros x Hx. unfold translate in *.
-    replace (sub (scal k x) (scal k t)) with (scal k (sub x t)) by (pteq; ring). apply union_scal. auto.
+  - replace (sub (scal k p) (scal k t)) with (scal k (sub p t)) by (pteq; ring).
+    apply (interior_scal_set (union As)); auto. intros x. apply union_scal.
   - apply (interior_scal_set (union Bs)); auto. intros x. apply union_scal.
 Qed.
 

@@ -121,7 +121,7 @@ Theorem overlap_pairs : forall As Bs t, solid_pieces As -> solid_pieces Bs ->
   (overlap_at As Bs t <-> exists A B, In A As /\ In B Bs /\ interior (P A B) t).
 Proof.
   intros As Bs t [_ HA] [_ HB]. split.
-  - intros (p & Hp & Hq). apply interior_translate in Hp. destruct Hp as (d & Hd & Gd). destruct Hq as (e & He & Ge).
+  - intros (p & Hp & Hq). destruct Hp as (d & Hd & Gd). destruct Hq as (e & He & Ge).
     destruct (planes_of As HA) as (F & F1 & F2). destruct (planes_of Bs HB) as (G & G1 & G2).
     set (F' := map (fun f => (fst f, snd f + dot (fst f) t)) F). assert (M1 := Rmin_l d e). assert (M2 := Rmin_r d e).
     assert (M0 : 0 < Rmin d e) by (apply Rmin_glb_lt; auto).
@@ -138,7 +138,7 @@ Proof.
       * simpl. rewrite dot_sub_r in E. lra.
     + apply G2; auto. intros f Hf. apply Ko, in_app_iff. auto.
   - intros (A & B & IA & IB & I). apply pair_interiors in I; auto. destruct I as (p & Hp & Hq). exists p.
-    apply interior_translate in Hp. split; [apply interior_translate; apply (piece_interior As A)|apply (piece_interior Bs B)]; auto.
+    apply interior_translate in Hp. split; [apply (piece_interior As A)|apply (piece_interior Bs B)]; auto.
 Qed.
 
 (* in words: exactly if the interiors of a piece of A moved by t and of a piece of B meet *)
@@ -162,8 +162,8 @@ Theorem union_depth2_whole : forall As Bs A B q, (exists p, interior (conv A) p)
 Proof.
   intros As Bs A B q HA HB EA EB. assert (E : forall t, overlap_at As Bs t <-> interior (P A B) t).
   { intros t. rewrite pair_interiors by auto. unfold overlap_at.
-    assert (F : forall p, interior (translate (union As) t) p <-> interior (translate (conv A) t) p).
-    { intros p. apply interior_iff. intros x. apply EA. }
+    assert (F : forall p, interior (union As) (sub p t) <-> interior (translate (conv A) t) p).
+    { intros p. rewrite interior_translate. apply interior_iff, EA. }
     assert (G : forall p, interior (union Bs) p <-> interior (conv B) p) by (intros p; apply interior_iff, EB).
     split; intros (p & Hp & Hq); exists p; (split; [apply F|apply G]); auto. }
   unfold union_depth2_is, depth2_is. split; intros (Hq & H & t & Ht & N);

@@ -287,11 +287,10 @@ End Tiling.
 
 (* so what is proved of the pieces is said of the solids *)
 Corollary tiled_overlap : forall MA MB As Bs t, tiled MA As -> tiled MB Bs ->
-  (overlap_at As Bs t <-> exists p, interior (translate (solid_of MA) t) p /\ interior (solid_of MB) p).
+  (overlap_at As Bs t <-> exists p, interior (solid_of MA) (sub p t) /\ interior (solid_of MB) p).
 Proof.
   intros MA MB As Bs t (_ & _ & _ & HA) (_ & _ & _ & HB). unfold overlap_at.
-  assert (EA : forall p, interior (translate (solid_of MA) t) p <-> interior (translate (union As) t) p).
-  { intros p. apply interior_iff. intros x. apply HA. }
+  assert (EA : forall p, interior (solid_of MA) p <-> interior (union As) p) by (intros p; apply interior_iff, HA).
   assert (EB : forall p, interior (solid_of MB) p <-> interior (union Bs) p) by (intros p; apply interior_iff, HB).
   split; intros (p & Hp & Hq); exists p; (split; [apply EA|apply EB]); auto.
 Qed.

@@ -1,19 +1,8 @@
 (* SPDX-License-Identifier: GPL-3.0-or-later *)
-(* What certificates of format 3 are about: bodies that are unions of convex pieces.  Definitions only: with meaning.v to be read and
-   believed. *)
+(* Of unions of convex pieces, what the theorems say beside what is said in printed.v.  Definitions only. *)
 Require Import Reals List.
 From Fathom.geometry Require Import meaning.
 Open Scope R_scope.
-
-(* the points that are in the hull of one of the lists at least *)
-Definition union (Ls : list (list pt)) (p : pt) : Prop := exists L, In L Ls /\ conv L p.
-(* there are pieces, and each has an interior *)
-Definition solid_pieces (Ls : list (list pt)) : Prop := Ls <> nil /\ forall L, In L Ls -> exists p, interior (conv L) p.
-
-(* A moved by t and B have an interior point in common.  These are the interiors of the bodies as a whole: where two pieces of a body meet
-   there is no gap in it. *)
-Definition overlap_at (As Bs : list (list pt)) (t : pt) : Prop :=
-  exists p, interior (translate (union As) t) p /\ interior (union Bs) p.
 
 (* the least |t|^2 for which they have none *)
 Definition union_depth2_is (As Bs : list (list pt)) (q : R) : Prop :=

@@ -18,13 +18,14 @@ let escaped name =
 
 let number (r : Proved.ratio) = Z.to_string r.num ^ if Z.equal r.den Z.one then "" else "/" ^ Z.to_string r.den
 
-(* the proved statement in words: its meaning is soundness/printed.v's *)
+(* the proved statement in words: what it means is in printed.v *)
 let words : Proved.statement -> string = function
   | Depth_is (q, None) -> "penetrating depth_squared=" ^ number q
   | Depth_is (q, Some k) -> Printf.sprintf "penetrating depth_squared=%s optima=%s" (number q) (Z.to_string k)
   | Depth_between (lo, hi) -> Printf.sprintf "penetrating depth_squared_in=[%s,%s]" (number lo) (number hi)
   | They_touch -> "touching depth_squared=0"
   | They_are_apart -> "disjoint depth_squared=0"
+  | Distance_is q -> "disjoint distance_squared=" ^ number q
 
 let status : Proved.status -> string = function
   | Penetrating -> "penetrating"
@@ -32,7 +33,7 @@ let status : Proved.status -> string = function
   | Disjoint_bodies -> "disjoint"
   | Undecided -> "undecided"
 
-(* likewise of format 2: its meaning is soundness/signed_printed.v's *)
+(* likewise of format 2 *)
 let signed_words : Proved.signed_statement -> string = function
   | Root_between (s, lo, hi) -> Printf.sprintf "%s signed_depth_in=[%s,%s]" (status s) (number lo) (number hi)
   | Root_is (s, square, rho, optima, cone) ->
@@ -41,21 +42,17 @@ let signed_words : Proved.signed_statement -> string = function
       (match optima with Some k -> " optima=" ^ Z.to_string k | None -> "")
       (match cone with Some (k, r) -> Printf.sprintf " cone=%s+%s" (Z.to_string k) (Z.to_string r) | None -> "")
 
-(* likewise of format 4: its meaning is soundness/patch_printed.v's *)
+(* likewise of format 4 *)
 let patched_words (s : Proved.patched_statement) =
   let count (_, corners) = string_of_int (List.length corners) in
   signed_words s.depth_says ^ " patches=" ^ String.concat "+" (Proved.each count s.corners_at)
   ^ if s.rates_are = [] then "" else Printf.sprintf " rates=%d" (List.length s.rates_are)
 
-(* likewise of format 3: its meaning is soundness/union_printed.v's *)
+(* likewise of format 3 *)
 let union_words (s : Proved.union_statement) =
-  let status : Proved.union_status -> string = function
-    | Pieces_penetrate (q, k) -> Printf.sprintf "penetrating depth_squared=%s optima=%s" (number q) (Z.to_string k)
-    | Pieces_touch -> "touching depth_squared=0"
-    | Pieces_apart q -> "disjoint distance_squared=" ^ number q in
-  Printf.sprintf "%s pieces=%sx%s" (status s.union_status_is) (Z.to_string s.pieces_a) (Z.to_string s.pieces_b)
+  Printf.sprintf "%s pieces=%sx%s" (words s.union_says) (Z.to_string s.pieces_a) (Z.to_string s.pieces_b)
 
-(* likewise of format 5: its meaning is soundness/tiling_printed.v's *)
+(* likewise of format 5 *)
 let tiling_words (s : Proved.tiling_statement) =
   Printf.sprintf "solid triangles=%s pieces=%s" (Z.to_string s.triangles_told) (Z.to_string s.pieces_told)
 

@@ -3,8 +3,8 @@
    that much. The theorems of geometry/motions.v, for what the checker accepts. *)
 Require Import Reals Lra List.
 From Fathom.checker Require Import sequence verdict body signed_verdict.
-From Fathom.geometry Require Import meaning bodies signed_depth motions.
-From Fathom.soundness Require Import booleans printed verdict_sound signed_printed signed_sound.
+From Fathom.geometry Require Import meaning bodies norm signed_depth said motions.
+From Fathom.soundness Require Import booleans verdict_sound signed_sound.
 Open Scope R_scope.
 
 (* ---- format 1: the depth, or its lower bound, is q ---- *)
@@ -15,8 +15,8 @@ Lemma verdict_depth : forall width m A B c s q, verdict width m A B c = Some s -
   exists r, depth2_is (map real A) (map real B) r /\ value q <= r.
 Proof.
   intros width m A B c s q H E. apply verdict_sound in H. destruct E as [(k & ->)|(hi & ->)].
-  - exists (value q). split; [apply H|lra].
-  - destruct H as (r & D & L). exists r. split; auto. apply L.
+  - exists (value q). split; [apply depth_said; split; apply H|lra].
+  - destruct H as (r & P0 & D & L). exists r. split; [apply depth_said; auto|apply L].
 Qed.
 
 (* f is any map of A's corners, and some plane parts their hull from B *)
@@ -46,9 +46,11 @@ Definition least_depth (s : signed_statement) : R :=
 
 Lemma says_least : forall A B s, says_signed A B s -> at_least (gaps A B) (least_depth s).
 Proof.
-  intros A B [st square rho k cone|st lo hi] H; simpl in *.
-  - destruct H as (_ & _ & [L _] & _). exact L.
-  - destruct H as [(v & [L _] & B0) _]. apply (at_least_weaken _ v); auto. apply B0.
+  intros A B [st lo hi|st square rho k cone] H; simpl in *.
+  - destruct H as (v & V & B0 & _). apply signed_depth_said in V. apply (at_least_weaken _ v); [apply B0|apply V].
+  - destruct H as (x & r & E & _ & _ & -> & V & _). replace (signed_root (value square)) with x.
+    + apply signed_depth_said in V. apply V.
+    + apply signed_sqr_inj. rewrite signed_sqr_root. exact E.
 Qed.
 
 Theorem signed_verdict_every_map : forall width m rho A B c s f, signed_verdict width m rho A B c = Some s ->
@@ -66,7 +68,7 @@ Theorem signed_verdict_every_corner : forall width m rho A r B c s f,
   exists a, In a (map real A) /\ least_depth s * least_depth s <= norm2 (sub (f a) a).
 Proof.
   intros width m rho A r B c s f H P0. apply signed_verdict_sound, says_least in H.
-  unfold real_body at 1, map_body in H. simpl in H. rewrite each_map in H. apply corners_every_map; auto.
+  apply corners_every_map; auto.
 Qed.
 
 Theorem signed_verdict_every_motion : forall width m rho A B c s f, signed_verdict width m rho A B c = Some s ->

@@ -3,7 +3,7 @@
    those of one facet. *)
 Require Import Reals Lra List.
 From Fathom.geometry Require Import meaning space difference depth.
-From Fathom.soundness Require Import statement printed.
+From Fathom.soundness Require Import statement.
 Open Scope R_scope.
 
 Section Facets.

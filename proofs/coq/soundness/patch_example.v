@@ -5,7 +5,7 @@
 Require Import Reals Lra List ZArith NArith.
 From Fathom.checker Require Import vector table verdict body signed signed_verdict patch patch_verdict.
 From Fathom.geometry Require Import meaning bodies space norm contact.
-From Fathom.soundness Require Import statement printed example patch_sound.
+From Fathom.soundness Require Import statement example patch_sound.
 Import ListNotations.
 Open Scope Z_scope.
 
@@ -43,7 +43,7 @@ Definition cubes_with complete ps rs := patched_verdict false 10 (Ratio 0 1) (cu
 Theorem cubes_rates : let rates := [Rate along_x at_rest (Ratio 1 1) 1; Rate at_rest along_z (Ratio 0 1) 1] in
   cubes_with true [square] rates = Some (Patched_statement (Root_is Penetrating (Ratio 1 100) (Ratio 0 1) (Some 1)
     None) true
-    [(fst left, map tenths there)] rates)
+    [(integer_point (fst left), map tenths there)] rates)
   /\ map (fun r => cubes_with true [square] [r]) [Rate along_x at_rest (Ratio 2 1) 1; Rate along_x at_rest (Ratio (-1)
     1) 1;
        Rate at_rest along_z (Ratio 1 1) 1; Rate along_x at_rest (Ratio 1 1) 0; Rate along_x at_rest (Ratio 1 0) 1] =

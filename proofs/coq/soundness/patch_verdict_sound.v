@@ -5,19 +5,29 @@ Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence table support certificate verdict body signed signed_verdict patch
   patch_verdict.
 From Fathom.geometry Require Import meaning bodies space norm hulls difference scaling signed_depth rounded ways_out
-  curved units gaps.
+  curved units gaps said.
 From Fathom.geometry Require Import contact patches rates rates_overlap rates_plane rates_moving.
-From Fathom.soundness Require Import statement booleans printed verdict_sound signed_sides signed_printed signed_units
+From Fathom.soundness Require Import statement booleans verdict_sound signed_sides signed_units
   signed_claims.
-From Fathom.soundness Require Import signed_sound patch_sound patch_printed.
+From Fathom.soundness Require Import signed_sound patch_sound.
 Import ListNotations.
 Open Scope R_scope.
+
+(* the unit vector of a direction *)
+Definition unit_of (n : zvec) : pt := along (inj n) 1.
 
 Lemma scal_unit : forall n d, scal d (unit_of n) = along (inj n) d.
 Proof. intros n d. unfold unit_of, along. rewrite scal_scal. f_equal. unfold Rdiv. ring. Qed.
 Lemma norm2_unit : forall n, inj n <> origin -> norm2 (unit_of n) = 1.
 Proof.
   intros n Hn. assert (P0 := norm_pos _ Hn). unfold unit_of, along. rewrite norm2_scal, <- norm_sqr. field. lra.
+Qed.
+
+Lemma directed_unit : forall n, inj n <> origin -> directed (real (integer_point n)) (unit_of n).
+Proof.
+  intros n Hn. split; [apply norm2_unit; auto|]. assert (P0 := norm_pos _ Hn). exists (1 / norm (inj n)).
+  split; [apply Rdiv_lt_0_compat; lra|]. unfold unit_of, along, real, integer_point, value. cbn [qx qy qz num den]. f_equal.
+  unfold inj. f_equal; field.
 Qed.
 
 (* each direction with its patch *)
@@ -108,14 +118,14 @@ Section Verdict.
 
   Lemma in_zcore_a : forall p, in_zcore za (scal (IZR m) p) <-> in_core (core_of A) p.
   Proof.
-    assert (Pm := IZR_pos _ Hm). intros p. assert (E := f_equal core_of EA). simpl in E. rewrite E.
+    assert (Pm := IZR_pos _ Hm). intros p. assert (E := f_equal (@core_of _ _) EA). simpl in E. rewrite E.
     fold (scale_core (IZR m) (core_of A)).
     split; [|apply in_core_scal; auto]. intros H. apply in_core_scal_inv in H; auto. rewrite scal_inv' in H by lra.
     auto.
   Qed.
   Lemma in_zcore_b : forall p, in_zcore zb (scal (IZR m) p) <-> in_core (core_of B) p.
   Proof.
-    assert (Pm := IZR_pos _ Hm). intros p. assert (E := f_equal core_of EB). simpl in E. rewrite E.
+    assert (Pm := IZR_pos _ Hm). intros p. assert (E := f_equal (@core_of _ _) EB). simpl in E. rewrite E.
     fold (scale_core (IZR m) (core_of B)).
     split; [|apply in_core_scal; auto]. intros H. apply in_core_scal_inv in H; auto. rewrite scal_inv' in H by lra.
     auto.
@@ -185,8 +195,8 @@ Section Verdict.
       apply Rdiv_lt_0_compat; apply IZR_lt; auto.
     - unfold check_on_plane in H. bsplit. rename H into Hk. exists n. split; [simpl; auto|].
       assert (G : exists h c, h <> origin /\ forall x, dot h x <= c -> core_gaps A B x).
-      { destruct (at_least_some _ _ L) as (g & b & a & Hb & Ha & _). assert (FA := f_equal core_of EA).
-        assert (FB := f_equal core_of EB). simpl in FA, FB.
+      { destruct (at_least_some _ _ L) as (g & b & a & Hb & Ha & _). assert (FA := f_equal (@core_of _ _) EA).
+        assert (FB := f_equal (@core_of _ _) EB). simpl in FA, FB.
         assert (Nz : forall s o hs k h, reach s (Half_space o k) 1 hs = Some h -> inj o <> origin).
         { intros s o hs k h E. simpl in E. destruct (same_sense o s) eqn:S; [|discriminate].
           apply (same_sense_multiple o s S). }
@@ -278,8 +288,11 @@ Proof.
     /\ cornered (patch_of (real_body A) (real_body B) d (unit_of n)) (map real (map (file_point m) ends))).
   { intros n ends I0. destruct (Each n ends I0) as (p & K).
     apply (patch_says m _ _ (in_units m A) (in_units m B) Hm EA EB _ _ _ p); auto. }
+  assert (Cores : signed_depth (core_gaps (real_body A) (real_body B)) d).
+  { rewrite St in Says. destruct Says as (x & r & Ex & Cx & _). apply signed_depth_said. replace d with x; auto.
+    apply signed_sqr_inj. unfold d. rewrite signed_sqr_root. exact Ex. }
   assert (Least : at_least (core_gaps (real_body A) (real_body B)) d).
-  { rewrite St in Says. destruct Says as (_ & S & _). apply S. }
+  { apply Cores. }
   assert (Whole : all = true -> forall u, optimal (core_gaps (real_body A) (real_body B)) d u -> exists n ends, In (n,
     ends) qs /\ u = unit_of n).
   { intros -> u Hu. destruct (whole_says m _ _ (in_units m A) (in_units m B) Hm EA EB _ _ _ _ C D Least) with (u := u)
@@ -287,16 +300,16 @@ Proof.
     - intros n I0. rewrite <- Fst in I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & <- & I0).
       destruct (Patch k ends I0) as (_ & _ & O & _). exact O.
     - rewrite <- Fst in I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & <- & I0). exists k, ends. auto. }
-  split; [exact Says|]. cbn [depth_says whole corners_at rates_are]. rewrite St. cbv zeta. unfold value at 1 2 3 4.
-  cbn [num den].
+  split; [exact Says|]. exists d. cbn [depth_says whole corners_at rates_are]. split; [apply signed_depth_said; exact Cores|].
   rewrite each_map. split; [|split; [|split]].
   - intros n ps I0. apply in_map_iff in I0. destruct I0 as ((k & ends) & K & I0). inversion K. subst. cbn [fst snd].
-    rewrite each_map. apply Patch. auto.
-  - intros Ha u Hu. destruct (Whole Ha u Hu) as (n & ends & I0 & ->). exists n, (each (file_point m) ends). split; auto.
-    apply in_map_iff. exists (n, ends). auto.
-  - rewrite map_length. rewrite <- Fst, map_length in Count. auto.
+    exists (unit_of k). rewrite each_map. split; [apply directed_unit|]; apply (Patch k ends); auto.
+  - intros Ha u Hu. destruct (Whole Ha u Hu) as (n & ends & I0 & ->). exists (integer_point n), (each (file_point m) ends). split.
+    + apply in_map_iff. exists (n, ends). auto.
+    + apply directed_unit, (Patch n ends). auto.
+  - intros st' q rho' k cone' Eq. rewrite St in Eq. inversion Eq. subst. rewrite map_length. rewrite map_length in Count. auto.
   - intros r Ir. destruct (rates c) as [|r0 rs] eqn:Rc; [contradiction|]. apply andb_true_iff in R0.
-    destruct R0 as [Ha R0].
+    destruct R0 as [Ha R0]. exists (signed_root (value (rate_square r))). split; [apply signed_sqr_root|].
     apply (rate_says m _ _ Hm d qs); auto. exact (forallb_In _ _ _ R0 r Ir).
 Qed.
 
@@ -310,7 +323,7 @@ Qed.
 Lemma radius_back : forall m b, (0 < m)%Z -> all_body (fits m) (divides m) b = true -> (0 <= radius (in_units m b))%Z ->
   0 <= radius (real_body b).
 Proof.
-  intros m b Hm F R0. assert (Pm := IZR_pos _ Hm). assert (E := f_equal radius (in_units_real m b Hm F)).
+  intros m b Hm F R0. assert (Pm := IZR_pos _ Hm). assert (E := f_equal (@radius _ _) (in_units_real m b Hm F)).
   change (IZR (radius (in_units m b)) = IZR m * radius (real_body b)) in E. apply IZR_le in R0. rewrite E in R0. nra.
 Qed.
 
@@ -342,9 +355,12 @@ Proof.
   destruct C' as [Rad _]. assert (Hm : (0 < m)%Z) by (bsplit; auto).
   assert (Ha : all = true). { destruct (rates c); [contradiction|]. apply andb_true_iff in R0. apply R0. }
   subst all. destruct (stated_root rho _ _ _ _ _ D) as (st & optima & cone & St & _).
-  assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & Rest).
-  destruct S1 as (Erho & S2 & S3 & _). cbv zeta in Rest. destruct Rest as (_ & _ & _ & Rates).
-  specialize (Rates r Ir). rewrite Erho in S3. bsplit.
+  assert (Hqd := claim_positive _ _ _ _ _ _ _ _ C D). rewrite St in Says. destruct Says as (S1 & d & Ed & Rest).
+  destruct S1 as (x & rr & Ex & S2 & -> & Erho & S3 & _). destruct Rest as (_ & _ & _ & Rates).
+  destruct (Rates r Ir) as (y & Ey & Rate_y). clear Rates. apply signed_depth_said in S2, S3, Ed.
+  assert (Roots : forall q z, root_is q z -> z = signed_root (value q)).
+  { intros q z E0. apply signed_sqr_inj. rewrite signed_sqr_root. exact E0. }
+  rewrite (signed_depth_unique _ _ _ Ed S2) in Rate_y. apply Roots in Ex, Ey. subst x y. bsplit.
   exists qn, qd, ns, (signed_root (value (Ratio qn qd))).
   repeat (split; [solve [auto | apply (radius_back m); auto]|]). auto.
 Qed.
@@ -368,7 +384,7 @@ Proof.
   destruct (accepted_rate _ _ _ _ _ _ _ _ H Ir) as (qn & qd & ns & d & D & Ed & Hm & Hqd & _ & FB & C & Pa & Pb & S2 &
     S3 & R).
   assert (EX : real_body (Body (Points A) ra) = Body (Points (map real A)) (value ra))
-    by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+    by reflexivity.
   exists (d + (value ra + radius (real_body B))). split; [exact S3|]. rewrite EX in *. cbn [radius] in Pa.
   unfold signed_check in C. apply andb_true_iff in C. destruct C as [_ C].
   assert (Empty : forall K, conv K = (fun p => conv K p) -> forall p, conv K p -> K <> []).
@@ -413,7 +429,7 @@ Proof.
       destruct (base c) as [qn' qd' complete dirs q|qn' qd' n unit WA WB l|qn' qd' n|]; try discriminate.
       unfold check_on_plane in C. bsplit. exact (half_space_height_a _ _ _ _ _ _ H1). }
     assert (EY : real_body (Body (Points LB) rb) = Body (Points (map real LB)) (value rb))
-      by (unfold real_body, map_body; simpl; rewrite each_map; auto).
+      by reflexivity.
     rewrite EY in *. apply rate_half_space_moves; auto.
   - destruct (base c); discriminate.
   - destruct (base c); try discriminate.

@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence verdict body signed signed_verdict.
 From Fathom.geometry Require Import meaning bodies space norm signed_depth curved units.
-From Fathom.soundness Require Import statement booleans printed verdict_sound signed_sides signed_printed.
+From Fathom.soundness Require Import statement booleans verdict_sound signed_sides.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -23,7 +23,7 @@ Proof.
   - f_equal. apply map_ext_in. intros p Hp. apply V; auto. exact (forallb_In _ _ _ H p Hp).
   - f_equal. apply map_ext_in. intros t Ht. rewrite !each_map, !map_map. apply map_ext_in. intros a Ha.
     assert (E := forallb_In _ _ _ (forallb_In _ _ _ H t Ht) a Ha). unfold all_atom in E. bsplit.
-    unfold map_atom. cbn [center axis_u axis_v axis_w]. rewrite !V; auto.
+    destruct a as [c u v w]. unfold map_atom, real_atom. cbn [center axis_u axis_v axis_w] in *. rewrite !V; auto.
   - bsplit. f_equal; [apply V; auto|]. rewrite mult_IZR, units_real by auto. ring.
 Qed.
 
@@ -41,7 +41,7 @@ Section Units.
   Qed.
   Lemma comparable_back : comparable (map_core inj IZR (core_of ZA)) (map_core inj IZR (core_of ZB)) -> comparable (core_of A) (core_of B).
   Proof.
-    assert (PA := f_equal core_of EA). assert (PB := f_equal core_of EB). simpl in PA, PB. rewrite PA, PB. apply comparable_scal.
+    assert (PA := f_equal (@core_of _ _) EA). assert (PB := f_equal (@core_of _ _) EB). simpl in PA, PB. rewrite PA, PB. apply comparable_scal.
   Qed.
   Lemma zgaps_back : forall p, G p -> core_gaps A B (scal (/ IZR m) p).
   Proof. intros p H. apply zgaps_core. rewrite scal_back by (apply IZR_pos; auto). auto. Qed.

@@ -3,10 +3,13 @@
    outside; what the table sums to is the difference of the mesh's flags and the facets'. *)
 Require Import Reals Lra Psatz List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence table polytope verdict tiling.
-From Fathom.geometry Require Import meaning space hulls faces flats facets norm unions meshes crossings tiles tiles_winding tilings.
-From Fathom.soundness Require Import statement booleans lower printed verdict_sound union_cuts tiling_printed.
+From Fathom.geometry Require Import meaning space hulls faces flats facets norm unions meshes crossings tiles tiles_winding tilings mesh_said.
+From Fathom.soundness Require Import statement booleans lower verdict_sound union_cuts.
 Import ListNotations.
 Open Scope R_scope.
+
+(* the corners of a piece *)
+Definition real_tile (points : list point) (q : tile) : list pt := map (point_at points) (tile_corners q).
 
 (* ---- a piece around O ---- *)
 Definition face_of (f : facet) : face :=
@@ -116,10 +119,10 @@ End Piece.
 Section Table.
   Variables (common : list point -> Z) (slot : zvec -> zvec -> N -> positive) (points : list point).
   Let P := numbered points.
-  Let spot := place points.
+  Let spot := point_at points.
 
   Definition flag_of (e : entry) : flag := Flag (inj (entry_normal e)) (inj (entry_direction e)) (spot (entry_point e)).
-  Definition worth (phi : flag -> Z) (t : table entry) : Z := sum_of (fun e => (entry_sum e * phi (flag_of e))%Z) t.
+  Definition worth (phi : flag -> Z) (t : table entry) : Z := table.sum_of (fun e => (entry_sum e * phi (flag_of e))%Z) t.
   (* t' is what is in the table before, and g *)
   Definition adds (before : option (table entry)) (t' : table entry) (g : (flag -> Z) -> Z) : Prop :=
     exists t, before = Some t /\ forall phi, of_flags phi -> worth phi t' = (worth phi t + g phi)%Z.
@@ -171,7 +174,7 @@ Section Table.
 
   Lemma spot_real : forall i p, member P i = Some p -> spot i = real p.
   Proof.
-    intros i p H. unfold P in H. rewrite member_nth in H. unfold spot, place. apply nth_error_nth. apply map_nth_error. exact H.
+    intros i p H. unfold P in H. rewrite member_nth in H. unfold spot, point_at. apply nth_error_nth. apply map_nth_error. exact H.
   Qed.
   Lemma real_integral : forall m p, (0 < m)%Z -> fits m p = true -> real p = scal (/ IZR m) (inj (integral m p)).
   Proof.
@@ -380,7 +383,7 @@ Section Table.
     - apply (moved_facts (map inj (map snd ws))); auto.
       + intros p I. apply in_map_iff in I. destruct I as (w & <- & I). apply in_map_iff in I. destruct I as (iw & <- & I).
         rewrite <- Hws by auto. unfold real_tile. rewrite <- Ec, map_map. unfold ws in I. rewrite each_map in I. apply in_map_iff in I.
-        destruct I as (ip & <- & I). cbn [fst]. apply (in_map (fun x => place points (fst x)) ps ip I).
+        destruct I as (ip & <- & I). cbn [fst]. apply (in_map (fun x => point_at points (fst x)) ps ip I).
       + intros p I. unfold real_tile in I. rewrite <- Ec, map_map in I. apply in_map_iff in I. destruct I as (ip & <- & I).
         fold (spot (fst ip)). rewrite Hpt by auto. apply in_map_iff. exists (zsub (zscal k (integral m (snd ip))) s). split.
         * unfold moved. pteq; field; lra.
@@ -416,13 +419,14 @@ Proof.
   - right. split; auto.
 Qed.
 
-Theorem tiling_verdict_sound : forall common slot points mesh tiles s, tiling_verdict common slot points mesh tiles = Some s ->
-  says_tiling points mesh tiles s.
+Theorem tiling_verdict_tiled : forall common slot points mesh tiles s, tiling_verdict common slot points mesh tiles = Some s ->
+  tiled (map (real_triangle points) mesh) (map (real_tile points) tiles)
+  /\ says_tiling (map (real_triangle points) mesh) (map (real_tile points) tiles) s.
 Proof.
   intros common slot points mesh tiles s H. unfold tiling_verdict, sums in H. destruct tiles as [|q0 tiles0] eqn:Et; [discriminate|].
   rewrite <- Et in *. assert (Ne : tiles <> []) by (rewrite Et; discriminate). clear Et q0 tiles0. cbv zeta in H.
   destruct (fold_left _ tiles _) as [t|] eqn:E; [|discriminate]. destruct (all_entries _ t) eqn:Z; [|discriminate].
-  inversion H. subst s. clear H. unfold says_tiling. cbv zeta. cbn [triangles_told pieces_told]. rewrite !count_length.
+  inversion H. subst s. clear H. unfold says_tiling. cbn [triangles_told pieces_told]. rewrite !count_length, !map_length.
   apply add_tiles_sound in E. destruct E as (Ns & F & (t1 & E1 & K1)).
   assert (A := adds_fold points _ (add_triangle common slot (numbered points)) (fun ijk phi => triangle_sum phi (real_triangle points
     ijk)) mesh
@@ -432,15 +436,20 @@ Proof.
     Ns)).
   { intros phi Hp. assert (W : worth points phi t = 0%Z).
     { apply (sum_zero _ _ _ _ Z). intros e He. apply Z.eqb_eq in He. rewrite He. ring. }
-    rewrite K1, K0 in W by auto. rewrite total_map. unfold worth in W at 1. simpl in W. lia. }
+    rewrite K1, K0 in W by auto. rewrite total_map. change (worth points phi Empty) with 0%Z in W. unfold numbers_of_triangle in W. cbv beta in W. lia. }
   set (Ls := map (real_tile points) tiles) in *.
   assert (FL : forall L, In L Ls -> exists N, tile_facts L N).
   { clear - F. induction F as [|L N Ls Ns FN _ IH]; [intros L []|]. intros L' [<-|HL]; eauto. }
-  split; [|split; [split|auto]].
-  - apply (tiling _ (concat Ns)).
-    + intros x v GM GN. rewrite (same_flags_same_winding _ _ S x v GM GN). apply counted_pieces; auto.
-    + intros L x HL. destruct (FL L HL) as (N & FN). apply FN.
-    + intros L HL. destruct (FL L HL) as (N & FN). apply FN.
+  assert (T : tiled (map (real_triangle points) mesh) Ls).
+  { apply (tiling _ (concat Ns)).
+    - intros x v GM GN. rewrite (same_flags_same_winding _ _ S x v GM GN). apply counted_pieces; auto.
+    - intros L x HL. destruct (FL L HL) as (N & FN). apply FN.
+    - intros L HL. destruct (FL L HL) as (N & FN). apply FN. }
+  split; auto. split; auto. split; auto. split; [split|apply tiled_said; exact T].
   - unfold Ls. destruct tiles; [congruence|discriminate].
   - intros L HL. destruct (FL L HL) as (N & FN). apply FN.
 Qed.
+
+Theorem tiling_verdict_sound : forall common slot points mesh tiles s, tiling_verdict common slot points mesh tiles = Some s ->
+  says_tiling (map (real_triangle points) mesh) (map (real_tile points) tiles) s.
+Proof. intros common slot points mesh tiles s H. apply (tiling_verdict_tiled common slot). exact H. Qed.

@@ -34,7 +34,7 @@ Qed.
    piece *)
 Definition halves (v : zvec) := let r n := Ratio n 2 in Point (r (zx v)) (r (zy v)) (r (zz v)).
 Theorem seam_verdict : map (fun m => union_verdict m (map (map halves) As) (map (map halves) Bs) (seam 1 4 [way] nodes)) [2; 3; 4; 0; -2]
-  = [Some (Union_statement 2 1 (Pieces_penetrate (Ratio 1 4) 1)); None; None; None; None].
+  = [Some (Union_statement 2 1 (Depth_is (Ratio 1 4) (Some 1))); None; None; None; None].
 Proof. vm_compute. reflexivity. Qed.
 Theorem unions_refused : map (union_check 2 As Bs)
   [seam 1 5 [way] nodes; seam 1 3 [way] nodes; seam 1 4 [] nodes; seam 1 4 [way; way] nodes; seam 1 4 [way; Zvec 0 1 0] nodes;

@@ -3,7 +3,7 @@
 Require Import Reals Lra List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence certificate verdict signed unions union_verdict.
 From Fathom.geometry Require Import meaning unions space scaling seams pieces.
-From Fathom.soundness Require Import statement booleans printed verdict_sound union_statement union_claims union_printed.
+From Fathom.soundness Require Import statement booleans verdict_sound union_statement union_claims.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -34,6 +34,9 @@ Proof.
     apply Z.mul_pos_pos; auto. apply Z.mul_pos_pos; auto.
 Qed.
 
+(* the pieces as they stand in the file *)
+Definition real_pieces (Ls : list (list point)) : list (list pt) := map (map real) Ls.
+
 Lemma pieces_real : forall m Ls, (0 < m)%Z -> forallb (forallb (fits m)) Ls = true ->
   map (map (frac m)) (each (each (integral m)) Ls) = real_pieces Ls.
 Proof.
@@ -47,10 +50,15 @@ Proof.
   inversion H; subst. clear H. bsplit. rename H into FA, H1 into FB, H0 into C.
   assert (Hm : (0 < m)%Z) by (unfold union_check in C; bsplit; auto).
   apply union_check_sound in C. unfold union_meaning in C. cbv zeta in C. rewrite !pieces_real in C by auto. destruct C as (SA & SB & C).
-  split; auto. split; auto. cbn [pieces_a pieces_b union_status_is].
+  split; auto. split; auto. cbn [pieces_a pieces_b union_says].
   unfold real_pieces. split; [rewrite count_length, map_length; auto|]. split; [rewrite count_length, map_length; auto|].
-  destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p]; auto.
-  destruct C as (D & N & W). split; auto. eexists. split; [|split; [exact N|exact W]]. rewrite count_length, map_length. auto.
+  destruct c as [qn qd unit optima at_ polytopes tree multipliers|us p|qn qd us p]; cbn [union_stated says_of union_holds] in *.
+  - destruct C as (D & N & W). split; [apply D|]. split; [left; exact D|]. intros k E. inversion E. eexists.
+    split; [|split; [exact N|]]; [rewrite count_length, map_length; auto|]. intros t. symmetry. apply W.
+  - destruct C as [(x & Ha & Hb) N]. right; left. split; auto. split; auto. exists x, x. split; auto. split; auto. pteq; ring.
+  - destruct C as (Hq & H & a & b & Ha & Hb & E). split; auto. right; right. rewrite Ropp_involutive. split; [unfold value; cbn [num den]; lra|]. split.
+    + intros t (b' & a' & Hb' & Ha' & ->). apply H; auto.
+    + exists (sub b a). split; [exact E|]. exists b, a. auto.
 Qed.
 
 (* in words about the pieces: whatever is shorter than the depth leaves two pieces that overlap, and of all moves of its length just the

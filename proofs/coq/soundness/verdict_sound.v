@@ -2,8 +2,8 @@
 (* THE THEOREM about the program's line: what it says is true of the points in the file. *)
 Require Import Reals Lra List ZArith Lia Bool.
 From Fathom.checker Require Import vector sequence certificate verdict.
-From Fathom.geometry Require Import meaning space hulls flats facets difference depth width.
-From Fathom.soundness Require Import statement booleans main printed facets_listed.
+From Fathom.geometry Require Import meaning space hulls flats facets difference said.
+From Fathom.soundness Require Import statement booleans main facets_listed.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -54,55 +54,24 @@ Qed.
 Theorem verdict_sound : forall width m A B c s, verdict width m A B c = Some s -> says (map real A) (map real B) s.
 Proof.
   intros width m A B c s H. apply verdict_accepts in H. destruct H as (-> & H & _).
-  destruct c as [qn qd complete dirs i|ln ld hn hd n i|n unit WA WB|n]; auto.
-  destruct H as (D & Hd & Hc). split; auto. destruct complete; auto. specialize (Hc eq_refl).
-  exists (map (fun n => inj (fst n)) dirs). split; [rewrite count_length, map_length; reflexivity|].
-  split; [apply Hc|]. split; [exact Hd|]. split.
-  - exact (every_facet_listed _ _ _ D _ Hd Hc).
-  - exact (no_facet_twice _ _ _ _ Hd Hc).
+  destruct c as [qn qd complete dirs i|ln ld hn hd n i|n unit WA WB|n]; unfold says, says_of; cbv zeta; cbn [stated].
+  - destruct H as (D & Hd & Hc). destruct (proj1 (depth_said _ _ _) D) as [Hq S]. split; [exact Hq|]. split; [exact S|].
+    intros k E. destruct complete; [|discriminate]. inversion E. specialize (Hc eq_refl).
+    apply (facets_exits _ _ _ _ D). exists (map (fun n => inj (fst n)) dirs).
+    split; [rewrite count_length, map_length; reflexivity|]. split; [apply Hc|]. split; [exact Hd|]. split.
+    + exact (every_facet_listed _ _ _ D _ Hd Hc).
+    + exact (no_facet_twice _ _ _ _ Hd Hc).
+  - destruct H as (q & D & L). exists q. apply depth_said in D. split; [apply D|]. split; [apply D|exact L].
+  - apply touching_said. exact H.
+  - intros X. apply H, P_gaps. exact X.
 Qed.
 
-(* ---- the width ---- *)
-(* A lies in a plane if O is in A - A, but not inside *)
-Lemma flat_width : forall A, touching A A -> width2_is A 0.
+(* with --width *)
+Theorem verdict_width : forall m A B c s, verdict true m A B c = Some s ->
+  says (map real A) (map real A) s /\ says_width (conv (map real A)).
 Proof.
-  intros A [HP NI]. destruct (P_nonempty A A origin HP) as [HA _]. split.
-  - intros n lo hi (Hn & _ & _). apply ratio_le; [apply norm2_pos; auto|]. rewrite Rmult_0_l. apply Rle_0_sqr.
-  - assert (F : exists n, n <> origin /\ height_is A A n 0).
-    { destruct (spanning_or_flat (differences A A)) as [S|(n & h & Hn & F)].
-      - destruct (finite_facets _ S) as (F & F1 & F2).
-        destruct (interior_or_facet _ F F2 origin) as [I|(f & If & G)].
-        + exfalso. apply NI, interior_P_conv. auto.
-        + destruct (F1 f If) as (u & v & w & Hf). apply facet_plane_P in Hf. destruct Hf as [[Hn _] Hh].
-          exists (fst f). split; auto. replace 0 with (snd f); auto.
-          assert (Z : dot (fst f) origin = 0) by (unfold dot, origin; simpl; ring).
-          destruct Hh as [Hh _]. specialize (Hh origin HP). lra.
-      - exists n. split; auto.
-        assert (Z : forall s, diffs A A s -> dot n s = 0).
-        { assert (E : h = 0).
-          { destruct A as [|a A']; [congruence|]. rewrite <- (F (sub a a)).
-            - unfold dot; simpl; ring.
-            - apply differences_in. exists a, a. simpl; auto. }
-          intros s Hs. rewrite <- E. apply F, differences_in. auto. }
-        split; [|exists origin; split; auto; unfold dot, origin; simpl; ring].
-        apply hull_halfspace. intros s Hs. rewrite Z by auto. lra. }
-    destruct F as (n & Hn & Hh). destruct (slab_of_height A n 0 Hn Hh) as (lo & hi & E & W).
-    exists n, lo, hi. split; auto. rewrite W. field. assert (N := norm2_pos n Hn). lra.
-Qed.
-
-Theorem verdict_width : forall m A B c s, verdict true m A B c = Some s -> says_width (map real A) s.
-Proof.
-  intros m A B c s H. assert (S := verdict_sound _ _ _ _ _ _ H).
-  assert (N : s = They_are_apart -> map real A <> []).
-  { intros -> E. apply verdict_accepts in H as H'. destruct H' as (Es & _ & _).
-    destruct A as [|a A']; [|discriminate]. clear E. destruct c; try discriminate.
-    unfold verdict, check, check_disjoint, support.height_is, support.height in H. simpl in H.
-    destruct (support.greatest n _); simpl in H; rewrite ?andb_false_r in H; discriminate. }
-  apply verdict_accepts in H. destruct H as (_ & _ & E). rewrite <- (E eq_refl) in S.
-  destruct s as [q k|lo hi| |]; cbn [says says_width] in *.
-  - apply depth_is_width, S.
-  - destruct S as (w & D & L). exists w. split; auto. apply depth_is_width. auto.
-  - apply flat_width. auto.
-  - destruct (map real A) as [|a L] eqn:EA; [apply N; auto|]. apply S. apply hull_in. exists a, a.
-    simpl. split; auto. split; auto. pteq; ring.
+  intros m A B c s H. assert (S := verdict_sound _ _ _ _ _ _ H). apply verdict_accepts in H. destruct H as (_ & _ & E).
+  rewrite <- (E eq_refl) in S. split; auto. destruct (map real A) as [|a L]; [|apply width_said; discriminate].
+  intros q Hq G D. apply depth2_some in D; auto. destruct D as (b & _ & Hb & _).
+  exfalso. apply (Hb (fun _ => False)); [intros u v l _ []|intros x []].
 Qed.
