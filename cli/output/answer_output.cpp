@@ -224,8 +224,9 @@ std::string feature_text(const std::vector<std::uint32_t>& ids, const char* body
 }
 
 std::string patch_text(const Patch& patch, bool of_unions) {
-  const std::string pieces =
-      of_unions ? fmt::format("piece {} of A, piece {} of B; ", patch.pieces.first, patch.pieces.second) : "";
+  const std::string pieces = of_unions ? fmt::format("{} of A, {} of B; ", place_on(patch.mesh_a, patch.pieces.first),
+                                                     place_on(patch.mesh_b, patch.pieces.second))
+                                       : "";
   if (patch.rank() == 0) return pieces + "a point";
   const std::string size = root_text(patch.squared());
   return patch.rank() == 1 ? fmt::format("{}a segment of length {}", pieces, size)

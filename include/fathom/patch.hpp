@@ -51,6 +51,8 @@ struct Patch {
   std::pair<std::uint32_t, std::uint32_t> pieces;
   std::size_t way = 0;     ///< which of the answer's shortest ways out it belongs to; 0 if they do not penetrate
   bool one_plane = false;  ///< of pieces that touch after the way: whether there is one plane between them
+  /// of bodies that are solids of meshes: what of the meshes holds the patch; else empty
+  std::vector<MeshFeature> mesh_a = {}, mesh_b = {};
 
   /// The dimension: 0, 1 or 2.
   [[nodiscard]] int rank() const { return corners.size() > 2 ? 2 : static_cast<int>(corners.size()) - 1; }

@@ -40,26 +40,13 @@ SurdWitness surds(const rounded::CoordinatePair& pair) { return {pair[0], pair[1
 
 Surd negated_root(const mpq_class& squared) { return {0, mpq_class(-squared)}; }
 
-/// Of a solid whose mesh is known.
-std::optional<patch::MeshSurface> surface_of(const Body& body) {
-  if (!body.solid || !body.solid->mesh_faces) return std::nullopt;
-  return patch::MeshSurface(body.solid->mesh_points, *body.solid->mesh_faces);
-}
-
 /// Names what of the meshes holds the contacts.
 void name_features(UnionDepth& depth, const Body& a, const Body& b) {
-  const std::optional<patch::MeshSurface> of_a = surface_of(a), of_b = surface_of(b);
-  if (!depth.complete || (!of_a && !of_b)) return;
+  if (!depth.complete || (!a.solid && !b.solid)) return;
+  const patch::SolidSurfaces surfaces(a, b);
   const Pieces pieces_a = pieces_of(a), pieces_b = pieces_of(b);
   const auto name = [&](auto& met, const Point& t, const Vector& n, const Contact& contact) {
-    const Patch patch = patch::shared_after(t, {n, pieces_a[met.a], contact.a, pieces_b[met.b], contact.b});
-    std::vector<Point> on_a, on_b;
-    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
-      on_a.push_back(patch.a(k).core);
-      on_b.push_back(patch.b(k).core);
-    }
-    if (of_a) met.mesh_a = of_a->features(on_a);
-    if (of_b) met.mesh_b = of_b->features(on_b);
+    surfaces.name(patch::shared_after(t, {n, pieces_a[met.a], contact.a, pieces_b[met.b], contact.b}), met);
   };
   for (UnionOptimum& optimum : depth.optima)
     for (PieceContact& met : optimum.contacts) name(met, optimum.translation, met.direction, met.contact);

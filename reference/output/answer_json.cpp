@@ -144,6 +144,17 @@ Json corner_object(const Patch& patch, std::size_t k) {
           {"on_b", on_face(patch.corners[k].on_b)}};
 }
 
+/// Adds what of the meshes holds a contact, of bodies that are solids.
+template <class Met>
+Json with_features(Json json, const Met& met) {
+  for (const auto& [key, features] : {std::pair("mesh_a", &met.mesh_a), std::pair("mesh_b", &met.mesh_b)})
+    if (!features->empty())
+      json[key] = Json::array_of(*features, [](const MeshFeature& f) {
+        return Json{{"kind", name(f.kind)}, {"ids", f.ids}};
+      });
+  return json;
+}
+
 Json patch_object(const Manifold& manifold, const Patch& patch) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < patch.corners.size(); ++k) corners.push_back(corner_object(patch, k));
@@ -164,7 +175,7 @@ Json patch_object(const Manifold& manifold, const Patch& patch) {
                                                     })
                                    : Json();
   }
-  return result;
+  return with_features(std::move(result), patch);
 }
 
 Json weights_array(const std::vector<Weight>& weights) {
@@ -235,17 +246,6 @@ std::string found_json(const AnsweredCase& answered, const Found& found, const S
 }
 
 // ---- unions ----
-
-/// Adds what of the meshes holds a contact, of bodies that are solids.
-template <class Met>
-Json with_features(Json json, const Met& met) {
-  for (const auto& [key, features] : {std::pair("mesh_a", &met.mesh_a), std::pair("mesh_b", &met.mesh_b)})
-    if (!features->empty())
-      json[key] = Json::array_of(*features, [](const MeshFeature& f) {
-        return Json{{"kind", name(f.kind)}, {"ids", f.ids}};
-      });
-  return json;
-}
 
 Json contact_json(const PieceContact& c) {
   return with_features({{"pieces", std::vector<std::uint32_t>{c.a, c.b}},

@@ -151,7 +151,8 @@ struct CornerBox {
   [[nodiscard]] bool meets(const CornerBox& other) const;
 };
 
-/// The surface of a mesh. Of equal points the lowest index stands for all. In rationals throughout.
+/// The surface of a mesh. Of equal points the lowest index stands for all. In rationals throughout;
+/// computes with what is near the set that is asked about, and keeps nothing else.
 class MeshSurface {
  public:
   MeshSurface(const std::vector<Point>& points, const MeshFaces& faces);
@@ -163,26 +164,25 @@ class MeshSurface {
   [[nodiscard]] std::vector<MeshFeature> features(std::span<const Point> corners) const;
 
  private:
-  // A flat face; or a triangle of one that is not flat.
-  struct Polygon {
-    std::uint32_t face;
-    std::vector<Point> corners;
-    CornerBox box;
-  };
-  struct Edge {
-    std::uint32_t low, high;
-    CornerBox box;
-  };
-
-  void add_face(std::uint32_t number, const std::vector<std::uint32_t>& corners);
-  [[nodiscard]] std::vector<MeshFeature> at_point(const Point& x) const;
-  [[nodiscard]] std::vector<MeshFeature> along_segment(const Point& p, const Point& q) const;
-  [[nodiscard]] std::vector<MeshFeature> under_polygon(std::span<const Point> patch) const;
-
   const std::vector<Point>& points_;
-  std::vector<std::uint32_t> corners_;  // of faces, each once
-  std::vector<Edge> edges_;
-  std::vector<Polygon> polygons_;
+  std::vector<std::vector<std::uint32_t>> faces_;
+};
+
+/// The surfaces of two bodies, of those that are solids of meshes.
+class SolidSurfaces {
+ public:
+  SolidSurfaces(const Body& a, const Body& b);
+  /// Sets met.mesh_a and met.mesh_b to what of the meshes holds a patch.
+  template <class Met>
+  void name(const Patch& patch, Met& met) const {
+    if (a_) met.mesh_a = a_->features(places(patch, &Patch::a));
+    if (b_) met.mesh_b = b_->features(places(patch, &Patch::b));
+  }
+
+ private:
+  static std::vector<Point> places(const Patch& patch, RoundedPoint (Patch::*place)(std::size_t) const);
+
+  std::optional<MeshSurface> a_, b_;
 };
 
 }  // namespace fathom::patch

@@ -86,6 +86,12 @@ TEST(MeshFeatures, InTheNotchOfAnL) {
       EXPECT_EQ(met.mesh_b, face(4)) << pose;
     }
     EXPECT_EQ(swapped.optima.at(0).contacts.at(0).mesh_a, face(4)) << pose;
+    const ContactGeometry geometry = contact_geometry(a, b, exact_answer(a, b));
+    ASSERT_EQ(geometry.patches.size(), depth.optima[0].contacts.size());
+    for (const Patch& patch : geometry.patches) {
+      EXPECT_EQ(patch.mesh_a, face(2)) << pose;
+      EXPECT_EQ(patch.mesh_b, face(4)) << pose;
+    }
     const UnionDepth beside_hull = depth_of(posed(small.body(), pose), b);
     EXPECT_TRUE(beside_hull.optima.at(0).contacts.at(0).mesh_a.empty()) << "law: a hull is no solid";
     EXPECT_EQ(beside_hull.optima.at(0).contacts.at(0).mesh_b, face(4)) << pose;
@@ -100,6 +106,12 @@ TEST(MeshFeatures, OfWhatIsNearest) {
   const UnionDepth side = depth_of(ell, solid_body(box_mesh({3, mpq_class(1, 2), -1}, {4, 4, 4}).body()));
   EXPECT_EQ(side.apart->mesh_a, face(3));
   EXPECT_EQ(side.apart->mesh_b, face(5));
+  const Body bars[2] = {solid_body(box_mesh({-2, -1, 0}, {-1, 3, 1}).body()), ell};
+  const ContactGeometry nearest = contact_geometry(bars[0], bars[1], exact_answer(bars[0], bars[1]));
+  ASSERT_EQ(nearest.patches.size(), bars[1].pieces->size())
+      << "the pieces of the L share its side, and both are nearest";
+  for (const Patch& patch : nearest.patches)
+    EXPECT_EQ(patch.mesh_b, face(7)) << "law: also of pairs that are not first";
 }
 
 /// Whether x lies in so many triangles of a face, by signs of the fan, that they do not cancel.

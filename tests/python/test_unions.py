@@ -268,6 +268,7 @@ def test_solids_tell_what_touches_by_their_meshes():
         assert hit.squared == Fraction(1, 64)
         assert [met.mesh_a for met in hit.optima[0].contacts] == [base] * len(hit.optima[0].contacts)
         assert [met.mesh_b for met in hit.optima[0].contacts] == [[]] * len(hit.optima[0].contacts)
+        assert {(str(patch.mesh_a), str(patch.mesh_b)) for patch in hit.patches} == {(str(base), "[]")}
     assert fathom.union_depth(box, tent, pose_b="xyz=5,0,0").apart.mesh_b == [{"kind": "face", "ids": (2,)}]
 
 

@@ -34,6 +34,8 @@ class Patch(NamedTuple):
     size_squared: Fraction
     optimum: int  #: which of `optima` it belongs to; 0 of bodies that touch or are apart
     pieces: tuple[int, int] | None  #: of unions, the piece of A and the piece of B that touch
+    mesh_a: list[dict[str, Any]]  #: of bodies made by `fathom.solid`, what of the mesh holds the patch, as in PieceContact
+    mesh_b: list[dict[str, Any]]
 
 
 class Gradient(NamedTuple):

@@ -96,13 +96,6 @@ py::dict optimum(const Vector& n, const Contact* touching, py::array_t<double> t
                   "exact_translation"_a = std::move(exact), "contact"_a = contact(touching));
 }
 
-py::list features(const std::vector<MeshFeature>& of_mesh) {
-  py::list list;
-  for (const MeshFeature& f : of_mesh)
-    list.append(py::dict("kind"_a = std::string(name(f.kind)), "ids"_a = py::tuple(py::cast(f.ids))));
-  return list;
-}
-
 py::dict touch(const PieceContact& met) {
   return py::dict("pieces"_a = py::make_tuple(met.a, met.b), "direction"_a = unit(met.direction),
                   "normal"_a = integers(met.direction), "contact"_a = contact(&met.contact),
@@ -293,6 +286,13 @@ py::dict predicates(const PredicateCounts& counts) {
         py::dict("calls"_a = tier.calls, "exact"_a = tier.exact, "zero"_a = tier.zero, "decided"_a = decided);
   }
   return result;
+}
+
+py::list features(const std::vector<MeshFeature>& of_mesh) {
+  py::list list;
+  for (const MeshFeature& f : of_mesh)
+    list.append(py::dict("kind"_a = std::string(name(f.kind)), "ids"_a = py::tuple(py::cast(f.ids))));
+  return list;
 }
 
 py::object contact(const Contact* touching) {

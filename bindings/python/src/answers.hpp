@@ -126,6 +126,8 @@ PairAnswer answer_to(Asked asked, const Question& question, Monitor& monitor);
 py::dict predicates(const PredicateCounts& counts);
 /// Returns a dict of kind, a, b; None for nullptr.
 py::object contact(const Contact* contact);
+/// Returns dicts of kind, ids.
+py::list features(const std::vector<MeshFeature>& of_mesh);
 /// Returns a pair of points, as floats or fractions; None for nullopt.
 py::object witness(const std::optional<Witness>& witness, bool exact);
 /// Returns a dict of weights by the indices of the points.

@@ -54,7 +54,8 @@ py::dict patch_in_python(const Patch& patch, bool of_shapes, bool of_unions) {
                   "centroid"_a = py::make_tuple(exact_place(centroid.a, of_shapes), exact_place(centroid.b, of_shapes)),
                   "size"_a = root_binary64(squared), "size_squared"_a = fraction(squared), "optimum"_a = patch.way,
                   "pieces"_a = of_unions ? py::object(py::make_tuple(patch.pieces.first, patch.pieces.second))
-                                         : py::object(py::none()));
+                                         : py::object(py::none()),
+                  "mesh_a"_a = features(patch.mesh_a), "mesh_b"_a = features(patch.mesh_b));
 }
 
 py::list patches_in_python(const ToldManifold& told) {
