@@ -235,19 +235,13 @@ ParsedNumber parse_number(std::string_view token, Decimals decimals) {
 
 mpq_class exact_value(double value) {
   // By its bits: where subnormal numbers count as zero, GMP takes them for zero.
-  constexpr int fraction_bits = 52, largest = 0x7ff, bias = 1023;
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value), implicit = std::uint64_t{1} << fraction_bits;
-  const int biased = static_cast<int>(bits >> fraction_bits) & largest;
-  if (biased == largest) throw std::invalid_argument("a number that is not finite has no exact value");
-  const std::uint64_t significand = biased == 0 ? bits & (implicit - 1) : (bits & (implicit - 1)) | implicit;
-  mpq_class result(static_cast<unsigned long>(significand));
-  const int exponent = std::max(biased, 1) - bias - fraction_bits;
-  if (exponent >= 0) {
-    result <<= static_cast<mp_bitcnt_t>(exponent);
-  } else {
-    result >>= static_cast<mp_bitcnt_t>(-exponent);
-  }
-  return bits >> 63 != 0 ? mpq_class(-result) : result;
+  if ((std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) == 0x7ff)
+    throw std::invalid_argument("a number that is not finite has no exact value");
+  const kernels::Dyadic odd = kernels::dyadic(value);
+  mpq_class result(static_cast<long>(odd.mantissa));
+  mpz_class& shifted = odd.exponent >= 0 ? result.get_num() : result.get_den();
+  shifted <<= static_cast<mp_bitcnt_t>(std::abs(odd.exponent));
+  return result;
 }
 
 std::string exact_text(const mpq_class& value) {
