@@ -63,20 +63,36 @@ struct RobotTable {
   }
 };
 
+bool is_round(const Body& body) { return body.shape.has_value(); }
+
+/// The bodies of a link; beside a link with a round one the pieces of unions, as no depth is taken
+/// of a union and a round body.
+std::vector<Body> parts_of(const std::vector<Body>& bodies, const std::vector<Body>& other) {
+  if (std::ranges::none_of(other, is_round)) return bodies;
+  std::vector<Body> parts;
+  for (const Body& body : bodies) {
+    if (!body.pieces) parts.push_back(body);
+    else
+      for (const std::vector<Point>& piece : *body.pieces) parts.push_back({piece});
+  }
+  return parts;
+}
+
 /// The distance of two unions is the least of their parts, so the signed depth is the greatest one;
 /// if parts overlap, the unions overlap at least so deeply.
 PairOfLinks pair_of(const RobotTable& table, std::size_t a, std::size_t b, const Question& question) try {
   std::optional<PairOfLinks> pair;
-  for (const Body& of_a : table.bodies[a])
-    for (const Body& of_b : table.bodies[b]) {
+  const std::vector<Body> parts_a = parts_of(table.bodies[a], table.bodies[b]),
+                          parts_b = parts_of(table.bodies[b], table.bodies[a]);
+  for (const Body& of_a : parts_a)
+    for (const Body& of_b : parts_b) {
       const Answer answer = exact_answer(of_a, of_b, question);
       if (!answer.complete()) throw Interrupted();
       if (!pair) pair = PairOfLinks{a, b, answer.low(), answer.high()};
       if (compare(pair->low, answer.low()) < 0) pair->low = answer.low();
       if (compare(*pair->high, answer.high()) < 0) pair->high = answer.high();
     }
-  const bool several = table.bodies[a].size() * table.bodies[b].size() > 1;
-  if (several && sign(*pair->high) > 0) pair->high.reset();
+  if (parts_a.size() * parts_b.size() > 1 && sign(*pair->high) > 0) pair->high.reset();
   return *pair;
 } catch (const std::invalid_argument& error) {
   throw InputError(
